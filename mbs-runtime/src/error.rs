@@ -1,0 +1,66 @@
+//! Errors of the runtime: what happened, where (joint, row, parameter, time), and what to do.
+
+use std::fmt;
+
+/// A name that the mechanism does not have.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnknownName {
+    /// What was looked for: `parameter`, `input`, `output`, `event`.
+    pub what: &'static str,
+    /// The name that was given.
+    pub name: String,
+    /// The names there are.
+    pub known: Vec<&'static str>,
+}
+
+impl UnknownName {
+    /// The error for `name`, given the names there are.
+    pub fn new(what: &'static str, name: &str, known: impl IntoIterator<Item = &'static str>) -> Self {
+        UnknownName { what, name: name.to_owned(), known: known.into_iter().collect() }
+    }
+}
+
+impl fmt::Display for UnknownName {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(out, "no {} is named `{}`; ", self.what, self.name)?;
+        match self.known.as_slice() {
+            [] => write!(out, "this mechanism has none"),
+            known => write!(out, "there are: {}", known.join(", ")),
+        }
+    }
+}
+
+impl std::error::Error for UnknownName {}
+
+/// Parameters that do not make a mechanism.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ParameterError {
+    /// A parameter is NaN or infinite.
+    NotFinite {
+        /// The parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// M is not positive definite: something moves without mass.
+    MassNotPositive {
+        /// The coordinate at which the factorisation met a pivot that is not positive.
+        coordinate: &'static str,
+    },
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ParameterError::NotFinite { name, value } => {
+                write!(out, "parameter `{name}` is {value}; give it a finite value")
+            }
+            ParameterError::MassNotPositive { coordinate } => write!(
+                out,
+                "the mass matrix is not positive definite at coordinate `{coordinate}`: give the parts that move with it a positive mass and inertia"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for ParameterError {}

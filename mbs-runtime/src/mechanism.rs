@@ -1,0 +1,132 @@
+//! The contract between generated code and the runtime.
+//!
+//! `mechanism!` generates two types. The one that carries the declared name holds the **parameters** as public fields
+//! and implements [`Mechanism`]. [`Mechanism::prepare`] turns it into a **system**, in which everything that depends on
+//! parameters alone has been computed once; it implements [`System`]. Integrators see these traits, never the types.
+//!
+//! | symbol | shape | meaning |
+//! |---|---|---|
+//! | q, v | N | generalized coordinates and velocities (q̇ = v) |
+//! | M | N × N | mass matrix |
+//! | φ, ψ̇ | R | constraint rows: holonomic (first [`Structure::holonomic_rows`]), then nonholonomic |
+//! | A | R × N | constraint Jacobian: ∂φ/∂q, then the coefficients of ψ̇ = N v + n |
+//! | b | R | rheonomic part of the velocity rows: φ̇ = A v + b |
+
+use crate::{MatrixSink, Model, ParameterError, Structure, TensorSink, UnknownName};
+
+/// A declared mechanism: its parameters, before anything was computed from them.
+pub trait Mechanism: Clone + Default {
+    /// The prepared form.
+    type System: Clone;
+    /// What was modelled.
+    const MODEL: &'static Model;
+
+    /// Checks the parameters and computes all that depends on them alone.
+    ///
+    /// # Errors
+    /// A parameter that is not finite, or parameters for which M is constant and not positive definite.
+    fn prepare(&self) -> Result<Self::System, ParameterError>;
+
+    /// The parameter of this name.
+    fn parameter(&self, name: &str) -> Option<f64>;
+
+    /// Sets a parameter by name.
+    ///
+    /// # Errors
+    /// No parameter has this name.
+    fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), UnknownName>;
+}
+
+/// The equations of a mechanism for one set of parameters, with N velocities and R constraint rows.
+///
+/// Functions that fill arrays write structurally nonzero entries only: clear the array once, when it is made.
+/// None of them allocates.
+pub trait System<const N: usize, const R: usize>: Clone {
+    /// What was modelled.
+    const MODEL: &'static Model;
+    /// What the integrator may rely on.
+    const STRUCTURE: Structure;
+    /// A factor of M(q): nothing where M is constant (its inverse is in the system), else a Cholesky factor.
+    type Mass: Clone;
+
+    /// The current values of the `Input`s, in the order of [`Model::inputs`].
+    fn inputs(&self) -> &[f64];
+    /// The current values of the `Input`s, to be set.
+    fn inputs_mut(&mut self) -> &mut [f64];
+    /// Declared guesses of q and v at time 0; they need not satisfy the constraints.
+    fn guess(&self) -> ([f64; N], [f64; N]);
+
+    /// M(q), both triangles.
+    fn mass_matrix(&self, q: &[f64; N], mass: &mut impl MatrixSink);
+    /// A factor of M(q); `None` if M is not positive definite there.
+    fn factor_mass(&self, q: &[f64; N]) -> Option<Self::Mass>;
+    /// x ← M⁻¹ x.
+    fn solve_mass(&self, mass: &Self::Mass, x: &mut [f64; N]);
+    /// Row by row w = M⁻¹ a; `a` has the zero pattern of A.
+    fn solve_mass_rows(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R]);
+    /// `gram[i][j]` = a_i · w_j, where `a` has the zero pattern of A.
+    fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]);
+    /// p = M(q) v.
+    fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]);
+    /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), so that
+    /// d(M v)/dt − ∂T/∂q = M v̇ + Γ_ijk v_j v_k.
+    fn affinities(&self, q: &[f64; N], gamma: &mut impl TensorSink);
+
+    /// φ(q, t), the holonomic rows only.
+    fn holonomic(&self, t: f64, q: &[f64; N], phi: &mut [f64; R]);
+    /// φ (holonomic rows only), A and b.
+    fn constraints(&self, t: f64, q: &[f64; N], phi: &mut [f64; R], a: &mut impl MatrixSink, b: &mut [f64; R]);
+    /// Ȧ along v, and γ = d(A v + b)/dt at constant v: the rows at acceleration level are A v̇ + γ = 0.
+    fn constraint_rates(&self, t: f64, q: &[f64; N], v: &[f64; N], a_rate: &mut impl MatrixSink, gamma: &mut [f64; R]);
+
+    /// Applied generalized forces f(q, v, t): gravity, springs, dampers, forces, torques.
+    fn applied_forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]);
+    /// F = f + ∂T/∂q, the right-hand side of ṗ = F + Aᵀλ.
+    fn forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]);
+    /// ∂f/∂q and ∂f/∂v of the applied forces.
+    fn applied_force_tangents(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        f_q: &mut impl MatrixSink,
+        f_v: &mut impl MatrixSink,
+    );
+    /// ∂F/∂q, ∂F/∂v and ∂p/∂q (the last is zero where M is constant).
+    fn force_tangents(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        f_q: &mut impl MatrixSink,
+        f_v: &mut impl MatrixSink,
+        p_q: &mut impl MatrixSink,
+    );
+    /// M⁻¹ f(q, t), where M is constant and forces do not depend on velocities; zero elsewhere (it is not used there).
+    fn acceleration(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N]);
+
+    /// T(q, v), J.
+    fn kinetic_energy(&self, q: &[f64; N], v: &[f64; N]) -> f64;
+    /// V(q) of gravity and springs, J.
+    fn potential_energy(&self, q: &[f64; N]) -> f64;
+    /// Power of the applied forces that have no potential, W.
+    fn nonconservative_power(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64;
+
+    /// `Output`s, in the order of [`Model::outputs`] (a shorter slice receives the first ones).
+    fn outputs(&self, t: f64, q: &[f64; N], v: &[f64; N], outputs: &mut [f64]);
+    /// `Event` expressions, in the order of [`Model::events`].
+    fn events(&self, t: f64, q: &[f64; N], v: &[f64; N], events: &mut [f64]);
+    /// Points in world axes, m, in the order of [`Model::points`].
+    fn points(&self, t: f64, q: &[f64; N], points: &mut [[f64; 3]]);
+    /// Joint reactions from accelerations v̇ and multipliers λ (of M v̇ + Γvv = f + Aᵀλ), in the order of
+    /// [`Model::reactions`].
+    fn reactions(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        acceleration: &[f64; N],
+        lambda: &[f64; R],
+        reactions: &mut [f64],
+    );
+}

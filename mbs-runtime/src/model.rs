@@ -1,0 +1,154 @@
+//! What was modelled: the constant that every mechanism carries, for people, programs and `mbs explain`.
+
+/// The summary of a compiled mechanism (generated as `Mechanism::MODEL`).
+#[derive(Debug, Clone, Copy)]
+pub struct Model {
+    /// The name given to `mechanism!`.
+    pub name: &'static str,
+    /// The text of `doc:`.
+    pub doc: &'static str,
+    /// The declaration as it was written, token by token; the compiler library reads it back for `explain`.
+    pub declaration: &'static str,
+    /// Generalized coordinates q, in the order of every array of length N.
+    pub coordinates: &'static [Coordinate],
+    /// Constraint rows, in the order of every array of length R: holonomic rows first.
+    pub rows: &'static [Row],
+    /// Bars, bodies and particles.
+    pub parts: &'static [Part],
+    /// `Param`s, in declaration order.
+    pub parameters: &'static [Quantity],
+    /// `Input`s, in declaration order.
+    pub inputs: &'static [Quantity],
+    /// `Output`s, in declaration order.
+    pub outputs: &'static [Quantity],
+    /// `Event`s, in declaration order.
+    pub events: &'static [&'static str],
+    /// Named points that an animation can draw, in the order of [`System::points`](crate::System::points).
+    pub points: &'static [&'static str],
+    /// Lines between points.
+    pub segments: &'static [Segment],
+    /// Components of the joint reactions, in the order of [`System::reactions`](crate::System::reactions).
+    pub reactions: &'static [Reaction],
+    /// What the reduction removed, one sentence each.
+    pub reductions: &'static [&'static str],
+    /// Floating-point operations of each generated function.
+    pub operations: &'static [FunctionCost],
+    /// What the integrator may rely on.
+    pub structure: Structure,
+}
+
+impl Model {
+    /// The number of leading rows that are holonomic.
+    pub const fn holonomic_rows(&self) -> usize {
+        self.structure.holonomic_rows
+    }
+}
+
+/// A generalized coordinate.
+#[derive(Debug, Clone, Copy)]
+pub struct Coordinate {
+    /// For example `crank.b.x`.
+    pub name: &'static str,
+    /// SI unit of the coordinate, for example `m`.
+    pub unit: &'static str,
+}
+
+/// A constraint row.
+#[derive(Debug, Clone, Copy)]
+pub struct Row {
+    /// For example `crank.length` or `gudgeon.x`.
+    pub name: &'static str,
+    /// The entry of the declaration it comes from.
+    pub entry: &'static str,
+    /// What kind of condition it is.
+    pub kind: RowKind,
+    /// SI unit of φ (holonomic) or of ψ̇ (nonholonomic).
+    pub unit: &'static str,
+}
+
+/// The kinds of constraint rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowKind {
+    /// φ(q) = 0.
+    Holonomic,
+    /// φ(q, t) = 0.
+    Rheonomic,
+    /// N(q) v + n(q, t) = 0.
+    Nonholonomic,
+}
+
+/// A bar, body or particle.
+#[derive(Debug, Clone, Copy)]
+pub struct Part {
+    /// Its name.
+    pub name: &'static str,
+    /// Its kind, for example `Bar`.
+    pub kind: &'static str,
+    /// How it was modelled, for example `natural coordinates`.
+    pub modelled_as: &'static str,
+}
+
+/// A named scalar: parameter, input or output.
+#[derive(Debug, Clone, Copy)]
+pub struct Quantity {
+    /// Its name.
+    pub name: &'static str,
+    /// SI unit, empty where dimensionless or not stated.
+    pub unit: &'static str,
+    /// Default value (zero for outputs).
+    pub default: f64,
+    /// Its documentation comment.
+    pub doc: &'static str,
+}
+
+/// A line to draw between two points.
+#[derive(Debug, Clone, Copy)]
+pub struct Segment {
+    /// The part it belongs to.
+    pub part: &'static str,
+    /// Index into [`Model::points`].
+    pub from: usize,
+    /// Index into [`Model::points`].
+    pub to: usize,
+}
+
+/// A component of a joint reaction: the force or torque on the child (the second partner).
+#[derive(Debug, Clone, Copy)]
+pub struct Reaction {
+    /// The joint.
+    pub joint: &'static str,
+    /// `fx`, `fy`, `torque`, …; in world axes.
+    pub component: &'static str,
+    /// `N` or `N m`.
+    pub unit: &'static str,
+}
+
+/// Operations of one generated function.
+#[derive(Debug, Clone, Copy)]
+pub struct FunctionCost {
+    /// The function.
+    pub function: &'static str,
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Calls of elementary functions and external laws.
+    pub calls: usize,
+}
+
+/// What the integrator may rely on, known from the symbolic expressions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Structure {
+    /// M does not depend on q.
+    pub constant_mass: bool,
+    /// A force depends on velocities (∂f/∂v is not structurally zero).
+    pub velocity_forces: bool,
+    /// A force depends on positions (∂f/∂q is not structurally zero).
+    pub position_forces: bool,
+    /// A row or force depends on time.
+    pub time_dependent: bool,
+    /// The number of leading rows that are holonomic.
+    pub holonomic_rows: usize,
+}

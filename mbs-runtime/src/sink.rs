@@ -1,0 +1,30 @@
+//! Where generated code writes matrices.
+//!
+//! One generated body serves dense arrays and sparse storage alike: it names each structurally nonzero entry once, in a
+//! fixed order, and never writes a zero. Whoever provides the storage clears it once, when it is made.
+
+/// Receives the structurally nonzero entries of a matrix, each exactly once per evaluation and always in the same order.
+pub trait MatrixSink {
+    /// Stores entry (`row`, `column`).
+    fn set(&mut self, row: usize, column: usize, value: f64);
+}
+
+impl<const ROWS: usize, const COLUMNS: usize> MatrixSink for [[f64; COLUMNS]; ROWS] {
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        self[row][column] = value;
+    }
+}
+
+/// Receives the nonzero affinities Λ with three indices, once each per evaluation.
+pub trait TensorSink {
+    /// Stores entry (`i`, `j`, `k`).
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64);
+}
+
+impl<const N: usize> TensorSink for [[[f64; N]; N]; N] {
+    #[inline(always)]
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
+        self[i][j][k] = value;
+    }
+}
