@@ -15,8 +15,16 @@ pub struct UnknownName {
 
 impl UnknownName {
     /// The error for `name`, given the names there are.
-    pub fn new(what: &'static str, name: &str, known: impl IntoIterator<Item = &'static str>) -> Self {
-        UnknownName { what, name: name.to_owned(), known: known.into_iter().collect() }
+    pub fn new(
+        what: &'static str,
+        name: &str,
+        known: impl IntoIterator<Item = &'static str>,
+    ) -> Self {
+        UnknownName {
+            what,
+            name: name.to_owned(),
+            known: known.into_iter().collect(),
+        }
     }
 }
 

@@ -8,5 +8,7 @@ mod sink;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
-pub use model::{Coordinate, FunctionCost, Model, Part, Quantity, Reaction, Row, RowKind, Segment, Structure};
+pub use model::{
+    Coordinate, FunctionCost, Model, Part, Quantity, Reaction, Row, RowKind, Segment, Structure,
+};
 pub use sink::{MatrixSink, TensorSink};

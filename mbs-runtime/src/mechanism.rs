@@ -75,9 +75,23 @@ pub trait System<const N: usize, const R: usize>: Clone {
     /// φ(q, t), the holonomic rows only.
     fn holonomic(&self, t: f64, q: &[f64; N], phi: &mut [f64; R]);
     /// φ (holonomic rows only), A and b.
-    fn constraints(&self, t: f64, q: &[f64; N], phi: &mut [f64; R], a: &mut impl MatrixSink, b: &mut [f64; R]);
+    fn constraints(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        phi: &mut [f64; R],
+        a: &mut impl MatrixSink,
+        b: &mut [f64; R],
+    );
     /// Ȧ along v, and γ = d(A v + b)/dt at constant v: the rows at acceleration level are A v̇ + γ = 0.
-    fn constraint_rates(&self, t: f64, q: &[f64; N], v: &[f64; N], a_rate: &mut impl MatrixSink, gamma: &mut [f64; R]);
+    fn constraint_rates(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        a_rate: &mut impl MatrixSink,
+        gamma: &mut [f64; R],
+    );
 
     /// Applied generalized forces f(q, v, t): gravity, springs, dampers, forces, torques.
     fn applied_forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]);
