@@ -1,14 +1,36 @@
 //! Multibody mechanisms declared in Rust, simulated with ALF-3F.
 
+pub mod alf3f;
+mod any;
+mod assembly;
+mod energy;
 mod error;
+mod flow;
+mod integrator;
+mod linear;
 mod mechanism;
 mod model;
+mod reactions;
+mod report;
+mod samples;
+mod settings;
+mod simulation;
+mod simulation_error;
 mod sink;
+mod state;
 
+pub use alf3f::TwoLevelStepper;
+pub use any::AnySimulation;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
 pub use model::{
     Coordinate, FunctionCost, Model, Part, Quantity, Reaction, Row, RowKind, Segment, Structure,
 };
+pub use report::{AssemblyVerdict, Energy, Reactions, Report, Sample};
+pub use samples::Samples;
+pub use settings::{Flow, Method, PaperSettings, Settings};
+pub use simulation::Simulation;
+pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
+pub use state::{Ledger, State, ThreeFields};

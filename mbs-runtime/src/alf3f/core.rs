@@ -1,0 +1,155 @@
+//! What every two-level step works on.
+
+use super::{Fault, Node};
+use crate::linear::{Dual, SymmetricDual, dot, largest};
+use crate::{Settings, State, System};
+
+/// System, state, and the workspace of a step.
+pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
+    pub(crate) system: S,
+    pub(crate) state: State<N, R>,
+    pub(crate) max_iterations: usize,
+    pub(crate) start: Box<Node<S, N, R>>,
+    pub(crate) end: Box<Node<S, N, R>>,
+    pub(crate) work: Box<Work<R>>,
+    pub(crate) scale: RowScale<R>,
+    pub(crate) counters: Counters,
+}
+
+/// Factorisations and multipliers of a step.
+pub(crate) struct Work<const R: usize> {
+    /// B.
+    pub(crate) matrix: [[f64; R]; R],
+    pub(crate) dual: Dual<R>,
+    pub(crate) symmetric: SymmetricDual<R>,
+    /// Impulses of the constraints at the two ends of the last step.
+    pub(crate) impulse: [[f64; R]; 2],
+    /// φ at the end of the last step.
+    pub(crate) phi: [f64; R],
+}
+
+/// Work done since the start.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Counters {
+    pub(crate) stages: u64,
+    pub(crate) iterations: u64,
+    pub(crate) regularised: u64,
+    pub(crate) rejected: u64,
+}
+
+/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i|² ∝ a_i M⁻¹ a_iᵀ, which is at hand.
+///
+/// It depends on the system alone, so that a resumed run takes the same decisions.
+#[derive(Clone, Copy)]
+pub(crate) struct RowScale<const R: usize> {
+    /// (tolerance · size)² |a|² / (a M⁻¹ aᵀ) at the declared guess.
+    factor: [f64; R],
+    /// Lengths below this are taken for this: rows may vanish at a singular pose.
+    floor: [f64; R],
+}
+
+impl<const R: usize> RowScale<R> {
+    fn new<S: System<N, R>, const N: usize>(system: &S, tolerance: f64) -> Result<Self, Fault> {
+        let (q, _) = system.guess();
+        let size = tolerance * largest(&q).max(1.0);
+        let mut node = Box::new(Node::new(system, &q)?);
+        node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
+        let lengths = node.lengths_squared();
+        let longest = largest(&lengths);
+        let mut scale = RowScale {
+            factor: [size * size; R],
+            floor: [1.0; R],
+        };
+        for i in 0..R {
+            if lengths[i] > 1e-8 * longest {
+                scale.factor[i] *= dot(&node.a[i], &node.a[i]) / lengths[i];
+                scale.floor[i] = 1e-4 * lengths[i];
+            }
+        }
+        Ok(scale)
+    }
+
+    /// 1/tolerance² of each row.
+    #[inline(always)]
+    pub(crate) fn weights(&self, lengths_squared: &[f64; R]) -> [f64; R] {
+        ::core::array::from_fn(|i| 1.0 / (self.factor[i] * lengths_squared[i].max(self.floor[i])))
+    }
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
+    pub(crate) fn new(system: S, state: State<N, R>, settings: &Settings) -> Result<Self, Fault> {
+        let node = Box::new(Node::new(&system, &state.positions)?);
+        let mut core = Core {
+            scale: RowScale::new(&system, settings.constraint_tolerance)?,
+            system,
+            state,
+            max_iterations: settings.max_iterations,
+            end: node.clone(),
+            start: node,
+            work: Box::new(Work {
+                matrix: [[0.0; R]; R],
+                dual: Dual::new(),
+                symmetric: SymmetricDual::new(),
+                impulse: [[0.0; R]; 2],
+                phi: [0.0; R],
+            }),
+            counters: Counters::default(),
+        };
+        core.refresh()?;
+        Ok(core)
+    }
+
+    /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
+    pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
+        let Core { system, state, start, work, .. } = self;
+        start.evaluate(system, state.time, &state.positions, &mut work.phi)
+    }
+
+    /// The end of the step becomes the start of the next one.
+    #[inline(always)]
+    pub(crate) fn commit(
+        &mut self,
+        time: f64,
+        h: f64,
+        q: [f64; N],
+        v: [f64; N],
+    ) -> Result<(), Fault> {
+        if !crate::linear::finite(&q) {
+            return Err(Fault::NonFinite("positions"));
+        }
+        if !crate::linear::finite(&v) {
+            return Err(Fault::NonFinite("velocities"));
+        }
+        self.state.time = time;
+        self.state.positions = q;
+        self.state.velocities = v;
+        self.state.multipliers = self.work.impulse[0];
+        self.state.multiplier_step = h;
+        std::mem::swap(&mut self.start, &mut self.end);
+        self.counters.stages += 1;
+        Ok(())
+    }
+
+    /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.
+    #[inline(always)]
+    pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
+        let Core { end, work, counters, .. } = self;
+        work.symmetric.factor(&end.gram);
+        let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+        work.symmetric.solve(&mut multiplier);
+        crate::linear::accumulate(v, &end.w, &multiplier);
+        work.impulse[1] = multiplier;
+        if work.symmetric.regularised {
+            counters.regularised += 1;
+            // The proximal solve leaves a part of what lies in nearly lost directions: iterate on it.
+            for _ in 0..2 {
+                let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+                work.symmetric.solve(&mut multiplier);
+                crate::linear::accumulate(v, &end.w, &multiplier);
+                for i in 0..R {
+                    work.impulse[1][i] += multiplier[i];
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! Kick, flow, kick with holonomic rows only (NUMERICS: two-level ALF-3F).
+//!
+//! ```text
+//! M₀ v_a = M₀ v₀ + A₀ᵀ κ₁      (26) with κ₁ = −M̄μ
+//! (q₁, v_b) = Φ_h(q₀, v_a)
+//! M₁ v₁ = M₁ v_b + A₁ᵀ κ₂
+//! φ(q₁, t₁) = 0 → κ₁           A₁ v₁ + b₁ = 0 → κ₂
+//! ```
+
+use super::Fault;
+use super::core::Core;
+use crate::System;
+use crate::flow::KickFlow;
+use crate::linear::accumulate;
+
+/// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
+pub(super) const STAGNATED: f64 = 1e6;
+/// The factorisation is renewed when (squared) residuals drop by less than this.
+pub(super) const SLOW: f64 = 1e-2;
+
+pub(crate) fn step<S, F, const N: usize, const R: usize>(
+    core: &mut Core<S, N, R>,
+    flow: &mut F,
+    h: f64,
+) -> Result<(), Fault>
+where
+    S: System<N, R>,
+    F: KickFlow<S, N, R>,
+{
+    let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+    let (t0, t1) = (state.time, state.time + h);
+    let lengths = start.lengths_squared();
+    let weights = scale.weights(&lengths);
+
+    let growth = h / state.multiplier_step;
+    let mut kappa = state.multipliers.map(|last| growth * last);
+    let mut va = state.velocities;
+    accumulate(&mut va, &start.w, &kappa);
+    flow.begin(system, t0, &state.positions, start, h);
+
+    let mut q = state.positions;
+    let mut last = f64::INFINITY;
+    let mut iterations = 0;
+    loop {
+        flow.positions(system, &va, &mut q)?;
+        system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+        let residual = worst(&work.phi, &weights);
+        if residual <= 1.0 {
+            break;
+        }
+        if !(residual < SLOW * last) {
+            if residual > 0.5 * last && residual < STAGNATED {
+                break;
+            }
+            if iterations == *max_iterations || !residual.is_finite() {
+                return Err(not_converged(&work.phi, &weights, iterations));
+            }
+            let directions = flow.directions(system, &va, &start.w)?;
+            system.gram(&end.a, directions, &mut work.matrix);
+            work.dual.factor(&work.matrix, &lengths);
+            counters.regularised += u64::from(work.dual.regularised);
+        }
+        let mut change = work.phi;
+        work.dual.solve(&mut change);
+        for i in 0..R {
+            change[i] *= -1.0 / h;
+            kappa[i] += change[i];
+        }
+        accumulate(&mut va, &start.w, &change);
+        flow.predict(&change);
+        last = residual;
+        iterations += 1;
+    }
+    counters.iterations += iterations as u64;
+    work.impulse[0] = kappa;
+
+    let mut v = flow.velocities(system, &va, &q, end);
+    end.metric(system, &q)?;
+    core.project_velocity(&mut v);
+    core.commit(t1, h, q, v)
+}
+
+/// max φ_i² / tolerance_i².
+#[inline(always)]
+pub(super) fn worst<const R: usize>(phi: &[f64; R], weights: &[f64; R]) -> f64 {
+    let mut worst = 0.0;
+    for i in 0..R {
+        let size = phi[i] * phi[i] * weights[i];
+        // Written so that a NaN is kept.
+        if !(size <= worst) {
+            worst = size;
+        }
+    }
+    worst
+}
+
+#[cold]
+#[inline(never)]
+pub(super) fn not_converged<const R: usize>(
+    phi: &[f64; R],
+    weights: &[f64; R],
+    iterations: usize,
+) -> Fault {
+    let mut row = 0;
+    for i in 0..R {
+        let size = |i: usize| phi[i] * phi[i] * weights[i];
+        if !(size(i) <= size(row)) {
+            row = i;
+        }
+    }
+    match phi.get(row) {
+        Some(residual) if !residual.is_finite() => Fault::NonFinite("constraint rows"),
+        residual => Fault::Row {
+            row,
+            residual: residual.copied().unwrap_or(0.0),
+            iterations,
+        },
+    }
+}

@@ -1,0 +1,12 @@
+//! ALF-3F: the two-level step and the paper's Algorithm 1.
+
+mod fault;
+mod core;
+mod kicks;
+mod node;
+mod two_level;
+
+pub(crate) use self::core::Counters;
+pub(crate) use fault::Fault;
+pub(crate) use node::Node;
+pub use two_level::TwoLevelStepper;

@@ -1,0 +1,70 @@
+//! The constraint geometry and the acceleration at one instant: the end of a step is the start of the next one.
+
+use super::Fault;
+use crate::System;
+
+/// A, b, W = M⁻¹Aᵀ, S = A M⁻¹ Aᵀ and M⁻¹f at one instant.
+#[derive(Clone)]
+pub(crate) struct Node<S: System<N, R>, const N: usize, const R: usize> {
+    pub(crate) mass: S::Mass,
+    /// A, row by row.
+    pub(crate) a: [[f64; N]; R],
+    /// M⁻¹ Aᵀ, row by row.
+    pub(crate) w: [[f64; N]; R],
+    pub(crate) b: [f64; R],
+    /// A M⁻¹ Aᵀ; its diagonal holds 1/m̄ of equation (18).
+    pub(crate) gram: [[f64; R]; R],
+    /// M⁻¹ f where it is needed (leapfrog).
+    pub(crate) acceleration: [f64; N],
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
+    /// A node with the metric at q and all arrays clear.
+    pub(crate) fn new(system: &S, q: &[f64; N]) -> Result<Self, Fault> {
+        Ok(Node {
+            mass: system.factor_mass(q).ok_or(Fault::Mass)?,
+            a: [[0.0; N]; R],
+            w: [[0.0; N]; R],
+            b: [0.0; R],
+            gram: [[0.0; R]; R],
+            acceleration: [0.0; N],
+        })
+    }
+
+    /// M, W and S at q, for the A that is there.
+    #[inline(always)]
+    pub(crate) fn metric(&mut self, system: &S, q: &[f64; N]) -> Result<(), Fault> {
+        if !S::STRUCTURE.constant_mass {
+            self.mass = system.factor_mass(q).ok_or(Fault::Mass)?;
+        }
+        system.solve_mass_rows(&self.mass, &self.a, &mut self.w);
+        system.gram(&self.a, &self.w, &mut self.gram);
+        Ok(())
+    }
+
+    /// Everything at (t, q); φ goes to `phi`.
+    pub(crate) fn evaluate(
+        &mut self,
+        system: &S,
+        t: f64,
+        q: &[f64; N],
+        phi: &mut [f64; R],
+    ) -> Result<(), Fault> {
+        system.constraints(t, q, phi, &mut self.a, &mut self.b);
+        self.metric(system, q)?;
+        system.acceleration(t, q, &mut self.acceleration);
+        Ok(())
+    }
+
+    /// 1/m̄ of each row.
+    #[inline(always)]
+    pub(crate) fn lengths_squared(&self) -> [f64; R] {
+        ::core::array::from_fn(|i| self.gram[i][i])
+    }
+
+    /// A v + b.
+    #[inline(always)]
+    pub(crate) fn velocity_rows(&self, v: &[f64; N]) -> [f64; R] {
+        ::core::array::from_fn(|i| crate::linear::dot(&self.a[i], v) + self.b[i])
+    }
+}

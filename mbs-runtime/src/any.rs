@@ -1,0 +1,66 @@
+//! Simulations behind one object-safe face, for programs that choose the mechanism at run time.
+
+use crate::{
+    AssemblyVerdict, Energy, Flow, Model, Reactions, Report, Sample, Settings, Simulation,
+    SimulationError, System, UnknownName,
+};
+
+macro_rules! any_simulation {
+    ($($(#[doc = $doc:literal])* fn $name:ident(&$($mutable:ident)? $(, $argument:ident: $kind:ty)*) -> $result:ty;)*) => {
+        /// The object-safe face of every [`Simulation`]; each method is described there.
+        pub trait AnySimulation {
+            $($(#[doc = $doc])* fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result;)*
+            /// q.
+            fn coordinates(&self) -> Vec<f64>;
+            /// v.
+            fn velocities(&self) -> Vec<f64>;
+        }
+
+        impl<S: System<N, R>, const N: usize, const R: usize> AnySimulation for Simulation<S, N, R> {
+            $(fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result {
+                Simulation::$name(self $(, $argument)*)
+            })*
+            fn coordinates(&self) -> Vec<f64> {
+                self.positions().to_vec()
+            }
+            fn velocities(&self) -> Vec<f64> {
+                Simulation::velocities(self).to_vec()
+            }
+        }
+    };
+}
+
+any_simulation! {
+    /// What was modelled.
+    fn model(&) -> &'static Model;
+    /// The settings.
+    fn settings(&) -> &Settings;
+    /// The flow in use.
+    fn flow(&) -> Flow;
+    /// Time, s.
+    fn time(&) -> f64;
+    /// Runs to `time`.
+    fn run_until(&mut, time: f64) -> Result<(), SimulationError>;
+    /// Runs to a sign change of `event`.
+    fn run_to_event(&mut, event: &str, latest: f64) -> Result<Option<f64>, SimulationError>;
+    /// One step.
+    fn step(&mut) -> Result<(), SimulationError>;
+    /// The value of an `Input`.
+    fn input(&, name: &str) -> Result<f64, UnknownName>;
+    /// Sets an `Input`.
+    fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
+    /// All `Output`s.
+    fn outputs(&) -> Vec<f64>;
+    /// Named points, m.
+    fn points(&) -> Vec<[f64; 3]>;
+    /// The energy balance.
+    fn energy(&) -> Energy;
+    /// Joint reactions.
+    fn reactions(&) -> Result<Reactions, SimulationError>;
+    /// The current instant as a row of results.
+    fn sample(&) -> Sample;
+    /// Work done and errors met so far.
+    fn report(&) -> Report;
+    /// What assembly found.
+    fn assembly(&) -> &AssemblyVerdict;
+}

@@ -1,0 +1,177 @@
+//! From the declared guess to a state that satisfies the constraints.
+
+use crate::alf3f::{Fault, Node};
+use crate::linear::{SymmetricDual, accumulate, dependence, dot, largest};
+use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
+
+/// Newton steps of the position problem; each is damped until it improves the rows.
+const MAX_ITERATIONS: usize = 60;
+/// max |φ| above which a guess counts as not assembled, relative to the size of the mechanism.
+const ASSEMBLED: f64 = 1e-9;
+
+/// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
+/// A v + b = 0.
+///
+/// A guess that satisfies φ = 0 is left as it is.
+///
+/// # Errors
+/// [`SimulationError::Assembly`] with the rows that pull apart.
+pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    settings: &Settings,
+) -> Result<(State<N, R>, AssemblyVerdict), SimulationError> {
+    let (guess, mut v) = system.guess();
+    check_finite("guess of a coordinate", &guess)?;
+    check_finite("guess of a velocity", &v)?;
+    let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
+
+    let size = largest(&guess).max(1.0);
+    let mut node = Box::new(Node::new(system, &guess).map_err(fault)?);
+    let mut phi = [0.0; R];
+    node.evaluate(system, 0.0, &guess, &mut phi).map_err(fault)?;
+    let residual_before = largest(&phi);
+    let mut q = guess;
+    close(system, &mut node, &mut q, &mut phi, settings.constraint_tolerance * size)
+        .map_err(fault)?;
+
+    let verdict = judge(system, settings, &node, &phi, residual_before, &guess, &q);
+    if !(verdict.residual <= ASSEMBLED * size) {
+        return Err(SimulationError::Assembly(verdict));
+    }
+    project(&node, &mut v);
+    Ok((State::new(0.0, q, v), verdict))
+}
+
+/// The verdict on a state that is to be resumed from; nothing is moved.
+pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    settings: &Settings,
+    state: &State<N, R>,
+) -> Result<AssemblyVerdict, SimulationError> {
+    check_finite("time", &[state.time])?;
+    check_finite("a coordinate", &state.positions)?;
+    check_finite("a velocity", &state.velocities)?;
+    check_finite("a multiplier", &state.multipliers)?;
+    if !(state.multiplier_step != 0.0 && state.multiplier_step.is_finite()) {
+        return Err(SimulationError::State { what: "multiplier_step", value: state.multiplier_step });
+    }
+    let q = &state.positions;
+    let fault =
+        |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
+    let mut node = Box::new(Node::new(system, q).map_err(fault)?);
+    let mut phi = [0.0; R];
+    node.evaluate(system, state.time, q, &mut phi).map_err(fault)?;
+    Ok(judge(system, settings, &node, &phi, largest(&phi), q, q))
+}
+
+/// What there is to say about the pose q, reached from `guess`.
+fn judge<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    settings: &Settings,
+    node: &Node<S, N, R>,
+    phi: &[f64; R],
+    residual_before: f64,
+    guess: &[f64; N],
+    q: &[f64; N],
+) -> AssemblyVerdict {
+    let size = largest(guess).max(1.0);
+    let rows = dependence(&node.a, &node.w);
+    let mut change = [0.0; N];
+    system.momentum(q, &std::array::from_fn(|i| q[i] - guess[i]), &mut change);
+    let moved = (0..N).map(|i| change[i] * (q[i] - guess[i])).sum::<f64>().max(0.0);
+    let mut mass = Box::new([[0.0; N]; N]);
+    system.mass_matrix(q, &mut *mass);
+    let total: f64 = (0..N).map(|i| mass[i][i]).sum();
+    let mut worst: Vec<_> = S::MODEL.rows.iter().map(|row| row.name).zip(*phi).collect();
+    worst.truncate(S::STRUCTURE.holonomic_rows);
+    worst.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
+    worst.retain(|(_, residual)| residual.abs() > settings.constraint_tolerance * size);
+    worst.truncate(8);
+    AssemblyVerdict {
+        residual_before,
+        residual: largest(phi),
+        moved: if total > 0.0 { (moved / total).sqrt() } else { 0.0 },
+        rank: rows.rank,
+        redundant_rows: rows.dependent.iter().filter_map(|&i| Some(S::MODEL.rows.get(i)?.name)).collect(),
+        worst_rows: worst,
+    }
+}
+
+/// Damped Newton in the metric of M: q ← q − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
+fn close<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    node: &mut Node<S, N, R>,
+    q: &mut [f64; N],
+    phi: &mut [f64; R],
+    tolerance: f64,
+) -> Result<(), Fault> {
+    let mut solver = Box::new(SymmetricDual::new());
+    for _ in 0..MAX_ITERATIONS {
+        let before = dot(phi, phi);
+        if largest(&phi[..]) <= tolerance {
+            return Ok(());
+        }
+        solver.factor(&holonomic_gram(node));
+        let mut multiplier = phi.map(|residual| -residual);
+        solver.solve(&mut multiplier);
+        let mut factor = 1.0;
+        loop {
+            let mut trial = *q;
+            accumulate(&mut trial, &node.w, &multiplier.map(|k| factor * k));
+            let mut residual = [0.0; R];
+            system.holonomic(0.0, &trial, &mut residual);
+            if dot(&residual, &residual) < before {
+                *q = trial;
+                break;
+            }
+            factor *= 0.5;
+            if factor < 1e-6 {
+                // No direction improves the rows: at round-off, or stuck where they pull apart.
+                return Ok(());
+            }
+        }
+        node.evaluate(system, 0.0, q, phi)?;
+    }
+    Ok(())
+}
+
+/// S of the holonomic rows, with unit rows in place of the others.
+fn holonomic_gram<S: System<N, R>, const N: usize, const R: usize>(
+    node: &Node<S, N, R>,
+) -> [[f64; R]; R] {
+    let mut gram = node.gram;
+    for i in S::STRUCTURE.holonomic_rows..R {
+        for j in 0..R {
+            gram[i][j] = 0.0;
+            gram[j][i] = 0.0;
+        }
+        gram[i][i] = 1.0;
+    }
+    gram
+}
+
+/// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
+fn project<S: System<N, R>, const N: usize, const R: usize>(
+    node: &Node<S, N, R>,
+    v: &mut [f64; N],
+) {
+    let mut solver = Box::new(SymmetricDual::new());
+    solver.factor(&node.gram);
+    for _ in 0..3 {
+        let rates = node.velocity_rows(v);
+        // Velocities that satisfy the rows are left as they are.
+        if largest(&rates) <= 1e-14 * largest(&v[..]) {
+            return;
+        }
+        let mut multiplier = rates.map(|rate| -rate);
+        solver.solve(&mut multiplier);
+        accumulate(v, &node.w, &multiplier);
+    }
+}
+
+fn check_finite(what: &'static str, values: &[f64]) -> Result<(), SimulationError> {
+    match values.iter().find(|value| !value.is_finite()) {
+        Some(&value) => Err(SimulationError::State { what, value }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,21 @@
+//! The energy ledger: the first diagnostic of every run.
+
+use crate::{Energy, State, System};
+
+/// T, V and works; their balance is zero for the exact motion.
+pub(crate) fn balance<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<N, R>,
+) -> Energy {
+    let kinetic = system.kinetic_energy(&state.positions, &state.velocities);
+    let potential = system.potential_energy(&state.positions);
+    let ledger = &state.ledger;
+    let total = kinetic + potential;
+    Energy {
+        kinetic,
+        potential,
+        nonconservative_work: ledger.nonconservative_work,
+        drive_work: ledger.drive_work,
+        error: total - ledger.initial.unwrap_or(total) - ledger.nonconservative_work - ledger.drive_work,
+    }
+}

@@ -1,0 +1,81 @@
+//! Which flow suits a mechanism.
+
+use crate::alf3f::Fault;
+use crate::linear::{dot, largest};
+use crate::{Flow, Settings, SimulationError, State, Structure, System};
+
+/// h²λ of M⁻¹(−∂f/∂q) above which the explicit flow is left: its limit of stability is 4, and energy suffers before.
+const STIFF: f64 = 0.25;
+const POWER_ITERATIONS: usize = 30;
+
+/// The flow asked for, if it can be right; otherwise the one that the structure of the equations calls for.
+pub(crate) fn choose<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<N, R>,
+    settings: &Settings,
+) -> Result<Flow, SimulationError> {
+    let natural = natural(&S::STRUCTURE);
+    match settings.flow {
+        Some(Flow::Leapfrog) if !S::STRUCTURE.constant_mass => {
+            Err(refuse(Flow::Leapfrog, "the mass matrix depends on the positions", natural))
+        }
+        Some(Flow::Leapfrog) if S::STRUCTURE.velocity_forces => {
+            Err(refuse(Flow::Leapfrog, "forces depend on velocities", natural))
+        }
+        Some(Flow::Trapezoid) if S::STRUCTURE.velocity_forces => Err(refuse(
+            Flow::Trapezoid,
+            "forces depend on velocities, and kicks beside dampers lose accuracy",
+            natural,
+        )),
+        Some(flow) => Ok(flow),
+        None if natural == Flow::Leapfrog && S::STRUCTURE.position_forces => {
+            let stiffness = stiffness(system, state).map_err(|fault| {
+                SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
+            })?;
+            let stiff = settings.step * settings.step * stiffness > STIFF;
+            Ok(if stiff { Flow::Trapezoid } else { Flow::Leapfrog })
+        }
+        None => Ok(natural),
+    }
+}
+
+fn natural(structure: &Structure) -> Flow {
+    if structure.velocity_forces {
+        Flow::Implicit
+    } else if structure.constant_mass {
+        Flow::Leapfrog
+    } else {
+        Flow::Trapezoid
+    }
+}
+
+fn refuse(flow: Flow, because: &'static str, instead: Flow) -> SimulationError {
+    SimulationError::Flow { flow, because, instead }
+}
+
+/// The largest eigenvalue of M⁻¹(−∂f/∂q) in size, 1/s², by power iteration.
+fn stiffness<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<N, R>,
+) -> Result<f64, Fault> {
+    let mut f_q = Box::new([[0.0; N]; N]);
+    let mut f_v = Box::new([[0.0; N]; N]);
+    let (q, v) = (&state.positions, &state.velocities);
+    system.applied_force_tangents(state.time, q, v, &mut *f_q, &mut *f_v);
+    let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
+    // A start without symmetry, so that it has a part of every eigenvector.
+    let mut x: [f64; N] = std::array::from_fn(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
+    let mut eigenvalue = 0.0;
+    for _ in 0..POWER_ITERATIONS {
+        let size = largest(&x);
+        if !(size > 0.0 && size.is_finite()) {
+            break;
+        }
+        x = x.map(|value| value / size);
+        let mut next: [f64; N] = std::array::from_fn(|i| -dot(&f_q[i], &x));
+        system.solve_mass(&mass, &mut next);
+        eigenvalue = largest(&next);
+        x = next;
+    }
+    Ok(eigenvalue)
+}

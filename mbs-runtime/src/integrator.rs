@@ -1,0 +1,106 @@
+//! One face for the integrators.
+
+use crate::alf3f::Counters;
+use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
+
+/// The integrator of a simulation.
+pub(crate) enum Integrator<S: System<N, R>, const N: usize, const R: usize> {
+    TwoLevel(TwoLevelStepper<S, N, R>),
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
+    pub(crate) fn new(
+        system: S,
+        state: State<N, R>,
+        settings: &Settings,
+    ) -> Result<Self, SimulationError> {
+        match settings.method {
+            Method::TwoLevel => {
+                TwoLevelStepper::new(system, state, settings).map(Integrator::TwoLevel)
+            }
+            Method::Paper(_) => todo!(),
+        }
+    }
+
+    pub(crate) fn step(&mut self, h: f64) -> Result<(), SimulationError> {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.step(h),
+        }
+    }
+
+    pub(crate) fn system(&self) -> &S {
+        match self {
+            Integrator::TwoLevel(stepper) => &stepper.core.system,
+        }
+    }
+
+    pub(crate) fn system_mut(&mut self) -> &mut S {
+        match self {
+            Integrator::TwoLevel(stepper) => &mut stepper.core.system,
+        }
+    }
+
+    pub(crate) fn state(&self) -> &State<N, R> {
+        match self {
+            Integrator::TwoLevel(stepper) => &stepper.core.state,
+        }
+    }
+
+    pub(crate) fn state_mut(&mut self) -> &mut State<N, R> {
+        match self {
+            Integrator::TwoLevel(stepper) => &mut stepper.core.state,
+        }
+    }
+
+    /// To be called after the state or an input was changed.
+    pub(crate) fn refresh(&mut self, settings: &Settings) -> Result<(), SimulationError> {
+        match self {
+            Integrator::TwoLevel(stepper) => {
+                let time = stepper.core.state.time;
+                stepper.core.refresh().map_err(|fault| {
+                    SimulationError::from_fault(fault, S::MODEL, time, settings.step)
+                })
+            }
+        }
+    }
+
+    /// What the last accepted step left behind.
+    pub(crate) fn trace(&self) -> Trace<'_, N, R> {
+        match self {
+            Integrator::TwoLevel(stepper) => {
+                let core = &stepper.core;
+                Trace {
+                    phi: &core.work.phi,
+                    rates: core.start.velocity_rows(&core.state.velocities),
+                    // After the commit `end` is the node where the step began.
+                    drive: std::array::from_fn(|i| {
+                        -core.work.impulse[0][i] * core.end.b[i]
+                            - core.work.impulse[1][i] * core.start.b[i]
+                    }),
+                }
+            }
+        }
+    }
+
+    pub(crate) fn flow(&self) -> Flow {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.flow(),
+        }
+    }
+
+    pub(crate) fn counters(&self) -> Counters {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.counters(),
+        }
+    }
+}
+
+/// Quantities at hand after a step, from which the report is kept.
+pub(crate) struct Trace<'a, const N: usize, const R: usize> {
+    /// φ.
+    pub(crate) phi: &'a [f64; R],
+    /// A v + b.
+    pub(crate) rates: [f64; R],
+    /// Work of each row's multiplier against b during the step, J.
+    pub(crate) drive: [f64; R],
+}

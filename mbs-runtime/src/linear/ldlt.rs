@@ -1,0 +1,80 @@
+//! The multiplier solve of the velocity rows, whose matrix S = A M⁻¹ Aᵀ is symmetric.
+
+use super::proximal::Proximal;
+use super::{SMALL_PIVOT, SPARSE_FROM};
+
+/// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
+pub(crate) struct SymmetricDual<const K: usize> {
+    upper: [[f64; K]; K],
+    inverse_pivot: [f64; K],
+    proximal: Proximal<K>,
+    /// Whether the last factorisation had to fall back on the proximal solve.
+    pub(crate) regularised: bool,
+}
+
+impl<const K: usize> SymmetricDual<K> {
+    pub(crate) fn new() -> Self {
+        SymmetricDual {
+            upper: [[0.0; K]; K],
+            inverse_pivot: [0.0; K],
+            proximal: Proximal::new(),
+            regularised: false,
+        }
+    }
+
+    /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots.
+    #[inline(always)]
+    pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K]) {
+        self.regularised = !self.eliminate(matrix);
+        if self.regularised {
+            let diagonal = core::array::from_fn(|i| matrix[i][i]);
+            self.proximal.factor(matrix, &diagonal);
+        }
+    }
+
+    #[inline(always)]
+    fn eliminate(&mut self, matrix: &[[f64; K]; K]) -> bool {
+        self.upper = *matrix;
+        let upper = &mut self.upper;
+        for k in 0..K {
+            let pivot_row = upper[k];
+            let pivot = pivot_row[k];
+            if !(pivot > SMALL_PIVOT * matrix[k][k]) {
+                return false;
+            }
+            let inverse = 1.0 / pivot;
+            self.inverse_pivot[k] = inverse;
+            for i in k + 1..K {
+                if K >= SPARSE_FROM && pivot_row[i] == 0.0 {
+                    continue;
+                }
+                let factor = pivot_row[i] * inverse;
+                for j in i..K {
+                    upper[i][j] -= factor * pivot_row[j];
+                }
+            }
+        }
+        true
+    }
+
+    /// x ← S⁻¹ x, or x ← S(S² + εI)⁻¹ x on rows of unit length.
+    #[inline(always)]
+    pub(crate) fn solve(&self, x: &mut [f64; K]) {
+        if self.regularised {
+            return self.proximal.solve(x);
+        }
+        for k in 0..K {
+            let factor = x[k] * self.inverse_pivot[k];
+            for j in k + 1..K {
+                x[j] -= factor * self.upper[k][j];
+            }
+        }
+        for k in (0..K).rev() {
+            let mut sum = x[k];
+            for j in k + 1..K {
+                sum -= self.upper[k][j] * x[j];
+            }
+            x[k] = sum * self.inverse_pivot[k];
+        }
+    }
+}

@@ -1,0 +1,86 @@
+//! The multiplier solve of the position rows, whose matrix B is not symmetric.
+
+use super::proximal::Proximal;
+use super::{SMALL_PIVOT, SPARSE_FROM};
+
+/// B = A₁ W₀ factored: plain elimination while B is well conditioned, the proximal solve where it is not.
+///
+/// B differs from the positive definite A₀M⁻¹A₀ᵀ by O(h), so that elimination needs no pivoting; a pivot that is small
+/// beside the effective mass of its row tells of a redundant row or of a singular pose.
+pub(crate) struct Dual<const K: usize> {
+    lu: [[f64; K]; K],
+    inverse_pivot: [f64; K],
+    proximal: Proximal<K>,
+    /// Whether the last factorisation had to fall back on the proximal solve.
+    pub(crate) regularised: bool,
+}
+
+impl<const K: usize> Dual<K> {
+    pub(crate) fn new() -> Self {
+        Dual {
+            lu: [[0.0; K]; K],
+            inverse_pivot: [0.0; K],
+            proximal: Proximal::new(),
+            regularised: false,
+        }
+    }
+
+    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ.
+    #[inline(always)]
+    pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) {
+        self.regularised = !self.eliminate(matrix, length_squared);
+        if self.regularised {
+            self.proximal.factor(matrix, length_squared);
+        }
+    }
+
+    /// Elimination; false at the first pivot that is small (or not a number).
+    #[inline(always)]
+    fn eliminate(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) -> bool {
+        self.lu = *matrix;
+        let lu = &mut self.lu;
+        for k in 0..K {
+            let pivot_row = lu[k];
+            let pivot = pivot_row[k];
+            if !(pivot.abs() > SMALL_PIVOT * length_squared[k]) {
+                return false;
+            }
+            let inverse = 1.0 / pivot;
+            self.inverse_pivot[k] = inverse;
+            for i in k + 1..K {
+                let row = &mut lu[i];
+                if K >= SPARSE_FROM && row[k] == 0.0 {
+                    continue;
+                }
+                let factor = row[k] * inverse;
+                row[k] = factor;
+                for j in k + 1..K {
+                    row[j] -= factor * pivot_row[j];
+                }
+            }
+        }
+        true
+    }
+
+    /// x ← B⁻¹ x, or the least-squares x ← Bᵀ(BBᵀ + εI)⁻¹x on rows of unit length.
+    #[inline(always)]
+    pub(crate) fn solve(&self, x: &mut [f64; K]) {
+        if self.regularised {
+            return self.proximal.solve(x);
+        }
+        for i in 1..K {
+            let mut sum = x[i];
+            for j in 0..i {
+                sum -= self.lu[i][j] * x[j];
+            }
+            x[i] = sum;
+        }
+        for i in (0..K).rev() {
+            let mut sum = x[i];
+            for j in i + 1..K {
+                sum -= self.lu[i][j] * x[j];
+            }
+            x[i] = sum * self.inverse_pivot[i];
+        }
+    }
+}

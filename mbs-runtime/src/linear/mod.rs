@@ -1,0 +1,24 @@
+//! Small dense kernels on fixed-size arrays. None allocates; all accept size 0.
+
+mod ldlt;
+mod lu;
+mod pivoted;
+mod proximal;
+mod rank;
+mod vector;
+
+pub(crate) use ldlt::SymmetricDual;
+pub(crate) use lu::Dual;
+pub(crate) use pivoted::Pivoted;
+pub(crate) use rank::{Dependence, dependence};
+pub(crate) use vector::{accumulate, dot, finite, largest};
+
+/// ε of the proximal solve on rows of unit length: 1/ξ² for the penalty ξ = 1e7 of the augmented Lagrangian.
+const PROXIMAL: f64 = 1e-14;
+
+/// A pivot below this fraction of its row's own length has lost the row's direction (the proximal ε acts on singular
+/// values of about 1e-7).
+const SMALL_PIVOT: f64 = 1e-6;
+
+/// From this size on, a branch that skips a zero is cheaper than the row operation it saves.
+const SPARSE_FROM: usize = 16;

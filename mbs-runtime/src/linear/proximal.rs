@@ -1,0 +1,86 @@
+//! The proximal (augmented Lagrangian) solve in the dual: Bᵀ(BBᵀ + εI)⁻¹ on rows of unit length.
+//!
+//! It is one step of the augmented Lagrangian iteration with penalty 1/√ε, written for the multipliers: redundant rows
+//! receive the minimum-norm multiplier, and a row that has lost its direction receives none.
+
+use super::PROXIMAL;
+
+pub(crate) struct Proximal<const K: usize> {
+    /// B with rows and columns scaled.
+    scaled: [[f64; K]; K],
+    /// Cholesky factor of BBᵀ + εI, lower.
+    factor: [[f64; K]; K],
+    /// 1/√(a M⁻¹ aᵀ), row by row.
+    scale: [f64; K],
+}
+
+impl<const K: usize> Proximal<K> {
+    pub(super) fn new() -> Self {
+        Proximal {
+            scaled: [[0.0; K]; K],
+            factor: [[0.0; K]; K],
+            scale: [0.0; K],
+        }
+    }
+
+    /// Kept out of line: well conditioned steps never come here.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn factor(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) {
+        for i in 0..K {
+            // A row that vanishes altogether gets no multiplier.
+            let length = length_squared[i].abs();
+            self.scale[i] = if length > f64::MIN_POSITIVE { 1.0 / length.sqrt() } else { 0.0 };
+        }
+        for i in 0..K {
+            for j in 0..K {
+                self.scaled[i][j] = self.scale[i] * matrix[i][j] * self.scale[j];
+            }
+        }
+        for i in 0..K {
+            for j in 0..=i {
+                let mut sum = super::dot(&self.scaled[i], &self.scaled[j]);
+                if i == j {
+                    sum += PROXIMAL;
+                }
+                for k in 0..j {
+                    sum -= self.factor[i][k] * self.factor[j][k];
+                }
+                self.factor[i][j] = if i == j {
+                    // Round-off of BBᵀ may eat a part of ε, never more than that.
+                    sum.max(0.1 * PROXIMAL).sqrt()
+                } else {
+                    sum / self.factor[j][j]
+                };
+            }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    pub(super) fn solve(&self, x: &mut [f64; K]) {
+        for i in 0..K {
+            x[i] *= self.scale[i];
+        }
+        for i in 0..K {
+            for j in 0..i {
+                x[i] -= self.factor[i][j] * x[j];
+            }
+            x[i] /= self.factor[i][i];
+        }
+        for i in (0..K).rev() {
+            for j in i + 1..K {
+                x[i] -= self.factor[j][i] * x[j];
+            }
+            x[i] /= self.factor[i][i];
+        }
+        let multiplier: [f64; K] = core::array::from_fn(|j| {
+            let mut sum = 0.0;
+            for i in 0..K {
+                sum += self.scaled[i][j] * x[i];
+            }
+            sum * self.scale[j]
+        });
+        *x = multiplier;
+    }
+}

@@ -1,0 +1,52 @@
+//! Which constraint rows depend on others, for verdicts; never on the path of a step.
+
+use super::dot;
+
+/// The fraction of its length that a row must add to the span of the rows above it to count as independent.
+const INDEPENDENT: f64 = 1e-8;
+
+/// The numerical rank of A, and the rows that depend on those above them.
+pub(crate) struct Dependence {
+    pub(crate) rank: usize,
+    pub(crate) dependent: Vec<usize>,
+}
+
+/// Gram–Schmidt on the rows of A in the metric M⁻¹, in declared order; `w` holds M⁻¹Aᵀ row by row.
+///
+/// Working on the rows instead of on A M⁻¹ Aᵀ keeps all digits: lengths are not squared before they are compared.
+pub(crate) fn dependence<const N: usize, const R: usize>(
+    a: &[[f64; N]; R],
+    w: &[[f64; N]; R],
+) -> Dependence {
+    let mut basis: Vec<([f64; N], [f64; N])> = Vec::with_capacity(R);
+    let mut dependent = Vec::new();
+    let longest = (0..R).map(|i| dot(&a[i], &w[i])).fold(0.0, f64::max).sqrt();
+    for i in 0..R {
+        let (mut row, mut lifted) = (a[i], w[i]);
+        let length = dot(&row, &lifted).max(0.0).sqrt();
+        // The second pass restores the orthogonality that cancellation costs in the first.
+        for _ in 0..2 {
+            for (unit, unit_lifted) in &basis {
+                let component = dot(&row, unit_lifted);
+                for j in 0..N {
+                    row[j] -= component * unit[j];
+                    lifted[j] -= component * unit_lifted[j];
+                }
+            }
+        }
+        let left = dot(&row, &lifted).max(0.0).sqrt();
+        if left > INDEPENDENT * length && length > 1e-12 * longest {
+            for j in 0..N {
+                row[j] /= left;
+                lifted[j] /= left;
+            }
+            basis.push((row, lifted));
+        } else {
+            dependent.push(i);
+        }
+    }
+    Dependence {
+        rank: basis.len(),
+        dependent,
+    }
+}

@@ -1,0 +1,55 @@
+//! Multipliers and joint reactions at an instant, from the equations at acceleration level.
+
+use crate::alf3f::{Fault, Node};
+use crate::linear::{SymmetricDual, accumulate, dependence, dot, finite};
+use crate::sink::Discard;
+use crate::{Reactions, State, System};
+
+/// Solves M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 and maps λ to the joints.
+///
+/// With F = f + ∂T/∂q the first reads M v̇ = F − (∂p/∂q) v + Aᵀλ, which needs no affinities.
+pub(crate) fn reactions<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<N, R>,
+) -> Result<Reactions, Fault> {
+    let (t, q, v) = (state.time, &state.positions, &state.velocities);
+    let mut node = Box::new(Node::new(system, q)?);
+    node.evaluate(system, t, q, &mut [0.0; R])?;
+
+    let mut acceleration = [0.0; N];
+    system.forces(t, q, v, &mut acceleration);
+    if !S::STRUCTURE.constant_mass {
+        let mut p_q = Box::new([[0.0; N]; N]);
+        system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut *p_q);
+        for i in 0..N {
+            acceleration[i] -= dot(&p_q[i], v);
+        }
+    }
+    system.solve_mass(&node.mass, &mut acceleration);
+
+    let mut gamma = [0.0; R];
+    system.constraint_rates(t, q, v, &mut Discard, &mut gamma);
+    let mut solver = Box::new(SymmetricDual::new());
+    solver.factor(&node.gram);
+    let mut lambda = [0.0; R];
+    // The second pass is a correction where the proximal solve was needed, and round-off elsewhere.
+    for _ in 0..2 {
+        let mut change: [f64; R] =
+            std::array::from_fn(|i| -gamma[i] - dot(&node.a[i], &acceleration));
+        solver.solve(&mut change);
+        accumulate(&mut acceleration, &node.w, &change);
+        for i in 0..R {
+            lambda[i] += change[i];
+        }
+    }
+    if !finite(&acceleration) || !finite(&lambda) {
+        return Err(Fault::NonFinite("reactions"));
+    }
+    let mut values = vec![0.0; S::MODEL.reactions.len()];
+    system.reactions(t, q, v, &acceleration, &lambda, &mut values);
+    Ok(Reactions {
+        unique: !solver.regularised && dependence(&node.a, &node.w).dependent.is_empty(),
+        values,
+        multipliers: lambda.to_vec(),
+    })
+}

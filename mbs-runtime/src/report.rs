@@ -1,0 +1,82 @@
+//! What a simulation tells about itself.
+
+/// The energy balance, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// T.
+    pub kinetic: f64,
+    /// V of gravity and springs.
+    pub potential: f64,
+    /// Work done since the start by applied forces that have no potential.
+    pub nonconservative_work: f64,
+    /// Work done since the start by rheonomic rows.
+    pub drive_work: f64,
+    /// T + V − work − (T + V at the start).
+    pub error: f64,
+}
+
+/// A row of results.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sample {
+    /// Time, s.
+    pub time: f64,
+    /// In the order of [`Model::outputs`](crate::Model::outputs).
+    pub outputs: Vec<f64>,
+    /// The energy balance.
+    pub energy: Energy,
+    /// max |φ| over the holonomic rows, each in its own unit.
+    pub holonomic_error: f64,
+    /// max |A v + b| over all rows, each in its own unit.
+    pub velocity_error: f64,
+}
+
+/// Joint reactions and multipliers at an instant.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reactions {
+    /// False where rows are redundant, or nearly so: the values are then the minimum-norm ones, not unique.
+    pub unique: bool,
+    /// In the order of [`Model::reactions`](crate::Model::reactions).
+    pub values: Vec<f64>,
+    /// λ in the order of [`Model::rows`](crate::Model::rows).
+    pub multipliers: Vec<f64>,
+}
+
+/// Work done and errors met since the start.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Report {
+    /// Steps accepted.
+    pub steps: u64,
+    /// Integrator stages, including those of rejected steps.
+    pub stages: u64,
+    /// Multiplier iterations (two-level) or Newton iterations (paper).
+    pub iterations: u64,
+    /// Steps that were taken again with a smaller step.
+    pub rejected_steps: u64,
+    /// Solves in which rows were redundant, or nearly so.
+    pub regularised_solves: u64,
+    /// max |energy error| over all steps, J.
+    pub energy_error: f64,
+    /// max |φ| over all steps.
+    pub holonomic_error: f64,
+    /// max |A v + b| over all steps.
+    pub velocity_error: f64,
+    /// Numerical rank of A at the start.
+    pub rank: usize,
+}
+
+/// What assembly found.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AssemblyVerdict {
+    /// max |φ| of the declared guess.
+    pub residual_before: f64,
+    /// max |φ| after assembly.
+    pub residual: f64,
+    /// Root mean square change of q, weighted with the masses.
+    pub moved: f64,
+    /// Numerical rank of A in the assembled pose.
+    pub rank: usize,
+    /// Rows that depend on those above them in that pose.
+    pub redundant_rows: Vec<&'static str>,
+    /// The holonomic rows with the largest |φ| after assembly, worst first.
+    pub worst_rows: Vec<(&'static str, f64)>,
+}

@@ -1,0 +1,54 @@
+//! Results at regular instants.
+
+use crate::{AnySimulation, Sample, SimulationError};
+
+/// Iterator over samples; made by [`Simulation::samples`](crate::Simulation::samples).
+///
+/// It simulates as it goes and ends after the first error.
+pub struct Samples<'a> {
+    simulation: &'a mut dyn AnySimulation,
+    start: f64,
+    until: f64,
+    interval: f64,
+    next: u64,
+    ended: bool,
+}
+
+impl<'a> Samples<'a> {
+    pub(crate) fn new(simulation: &'a mut dyn AnySimulation, until: f64, interval: f64) -> Self {
+        let start = simulation.time();
+        Samples { simulation, start, until, interval, next: 0, ended: false }
+    }
+
+    fn advance(&mut self) -> Result<Option<Sample>, SimulationError> {
+        let (name, value) = ("sample interval", self.interval);
+        if !(value > 0.0 && value.is_finite()) {
+            return Err(SimulationError::Setting { name, value, wanted: "a positive finite value" });
+        }
+        if !(self.until.is_finite() && self.until >= self.start) {
+            return Err(SimulationError::Time { now: self.start, wanted: self.until });
+        }
+        // Multiples of the interval, not a running sum: the instants do not drift.
+        let time = self.start + self.next as f64 * self.interval;
+        let slack = 1e-9 * self.interval;
+        if time > self.until + slack {
+            return Ok(None);
+        }
+        self.next += 1;
+        self.simulation.run_until(time.min(self.until).max(self.simulation.time()))?;
+        Ok(Some(self.simulation.sample()))
+    }
+}
+
+impl Iterator for Samples<'_> {
+    type Item = Result<Sample, SimulationError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.ended {
+            return None;
+        }
+        let sample = self.advance().transpose();
+        self.ended = !matches!(sample, Some(Ok(_)));
+        sample
+    }
+}

@@ -1,0 +1,174 @@
+//! What a user may choose about the integration.
+
+use crate::SimulationError;
+
+/// Which integrator.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Method {
+    /// Two-level ALF-3F: positions and velocities have multipliers of their own.
+    #[default]
+    TwoLevel,
+    /// Algorithm 1 of the paper.
+    Paper(PaperSettings),
+}
+
+impl Method {
+    /// The name on the command line: `two-level` or `alf3f-paper`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Method::TwoLevel => "two-level",
+            Method::Paper(_) => "alf3f-paper",
+        }
+    }
+}
+
+/// The unconstrained part of a two-level step.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Flow {
+    /// Kick, leapfrog, kick: constant mass, forces of position and time only.
+    Leapfrog,
+    /// Kick, implicit trapezoid in momentum form, kick: M(q), or forces that are stiff in the positions.
+    Trapezoid,
+    /// Implicit trapezoid with the multiplier inside: forces that depend on velocities.
+    Implicit,
+}
+
+impl Flow {
+    /// `leapfrog`, `trapezoid` or `implicit`.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Flow::Leapfrog => "leapfrog",
+            Flow::Trapezoid => "trapezoid",
+            Flow::Implicit => "implicit",
+        }
+    }
+}
+
+/// Settings of a simulation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// The integrator.
+    pub method: Method,
+    /// Step h, s.
+    pub step: f64,
+    /// The flow of the two-level step; `None` chooses it from the structure of the mechanism and the stiffness of its
+    /// forces.
+    pub flow: Option<Flow>,
+    /// Tolerance of the position rows, as a distance relative to the size of the mechanism.
+    pub constraint_tolerance: f64,
+    /// Iterations after which a step is given up.
+    pub max_iterations: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Settings {
+            method: Method::TwoLevel,
+            step: 1e-3,
+            flow: None,
+            constraint_tolerance: 1e-13,
+            max_iterations: 25,
+        }
+    }
+}
+
+impl Settings {
+    /// Refuses values that no integration can be done with.
+    pub(crate) fn check(&self) -> Result<(), SimulationError> {
+        positive("step", self.step)?;
+        positive("constraint_tolerance", self.constraint_tolerance)?;
+        positive("max_iterations", self.max_iterations as f64)?;
+        match &self.method {
+            Method::TwoLevel => Ok(()),
+            Method::Paper(paper) => paper.check(),
+        }
+    }
+}
+
+/// Settings of Algorithm 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperSettings {
+    /// Newton (lines 10–14) stops when the correction of the weak velocities is below this fraction of their size.
+    pub newton_tolerance: f64,
+    /// Tolerance of the velocity rows ψ̇ (line 28), in their own units.
+    pub velocity_tolerance: f64,
+    /// Initial penalty ξ (line 4); dimensionless, because the rows are scaled by their effective mass m̄.
+    pub penalty: f64,
+    /// Factor τ > 1 by which the penalty of a row grows (line 22).
+    pub penalty_growth: f64,
+    /// The penalty stops growing here.
+    pub max_penalty: f64,
+    /// A row satisfies the augmentation criterion (line 15) when |ψ̇| is below this fraction of its value before the
+    /// last Newton block.
+    pub augmentation_ratio: f64,
+    /// i_max of line 14.
+    pub max_newton_iterations: usize,
+    /// j_max of line 28.
+    pub max_augmentations: usize,
+    /// k_max of line 32.
+    pub max_updates: usize,
+    /// The step is halved on failure, down to this, s.
+    pub smallest_step: f64,
+    /// Factor on m̄ of equation (18), for ablations; 1 is the paper.
+    pub mass_scale: f64,
+    /// Frequency ω, rad/s, of a stabilisation k̄ = m̄ω², c̄ = 2m̄ω added to equation (20); 0 is the paper.
+    pub stabilisation_frequency: f64,
+    /// Start each step with π = Mv, μ = 0, λ = 0. Without it μ and λ grow for ever, being time integrals of reactions;
+    /// rows quadratic in q give the same motion either way.
+    pub restart_multipliers: bool,
+}
+
+impl Default for PaperSettings {
+    fn default() -> Self {
+        PaperSettings {
+            newton_tolerance: 1e-10,
+            velocity_tolerance: 1e-6,
+            penalty: 1e3,
+            penalty_growth: 10.0,
+            max_penalty: 1e9,
+            augmentation_ratio: 0.25,
+            max_newton_iterations: 20,
+            max_augmentations: 40,
+            max_updates: 30,
+            smallest_step: 1e-9,
+            mass_scale: 1.0,
+            stabilisation_frequency: 0.0,
+            restart_multipliers: true,
+        }
+    }
+}
+
+impl PaperSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("newton_tolerance", self.newton_tolerance)?;
+        positive("velocity_tolerance", self.velocity_tolerance)?;
+        positive("penalty", self.penalty)?;
+        positive("max_penalty", self.max_penalty)?;
+        positive("augmentation_ratio", self.augmentation_ratio)?;
+        positive("max_newton_iterations", self.max_newton_iterations as f64)?;
+        positive("max_augmentations", self.max_augmentations as f64)?;
+        positive("max_updates", self.max_updates as f64)?;
+        positive("smallest_step", self.smallest_step)?;
+        require("penalty_growth", self.penalty_growth, self.penalty_growth > 1.0, "a finite value above 1")?;
+        require("mass_scale", self.mass_scale, self.mass_scale >= 0.0, "zero or a positive finite value")?;
+        let frequency = self.stabilisation_frequency;
+        require("stabilisation_frequency", frequency, frequency >= 0.0, "zero or a positive finite value")
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
+    require(name, value, value > 0.0, "a positive finite value")
+}
+
+fn require(
+    name: &'static str,
+    value: f64,
+    holds: bool,
+    wanted: &'static str,
+) -> Result<(), SimulationError> {
+    if holds && value.is_finite() {
+        Ok(())
+    } else {
+        Err(SimulationError::Setting { name, value, wanted })
+    }
+}

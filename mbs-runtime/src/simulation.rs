@@ -1,0 +1,449 @@
+//! A mechanism in motion.
+
+use crate::assembly::assemble;
+use crate::integrator::Integrator;
+use crate::linear::largest;
+use crate::{
+    AssemblyVerdict, Energy, Flow, Mechanism, Model, Reactions, Report, Sample, Samples, Settings,
+    SimulationError, State, System, UnknownName,
+};
+
+/// A remainder of this fraction of a step is merged with the last step instead of being taken as a sliver.
+const SLIVER: f64 = 1e-9;
+/// How often a step that does not converge is halved before it is given up.
+const HALVINGS: u32 = 8;
+/// max |φ| and |A v + b| with which a state can be resumed, relative to the size of q and v.
+const RESUMABLE: f64 = 1e-6;
+
+/// A mechanism with its integrator: N coordinates, R constraint rows.
+///
+/// ```text
+/// let mut simulation = Simulation::new(SliderCrank { crank_length: 0.2, ..Default::default() })?;
+/// simulation.run_until(10.0)?;
+/// ```
+pub struct Simulation<S: System<N, R>, const N: usize, const R: usize> {
+    settings: Settings,
+    integrator: Integrator<S, N, R>,
+    assembly: AssemblyVerdict,
+    report: Report,
+    /// Power of nonconservative forces at the current instant, W.
+    power: f64,
+    /// Values of the `Event`s: at hand so that looking for them does not allocate.
+    events: Vec<f64>,
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
+    /// A simulation with default settings, assembled from the declared guess.
+    ///
+    /// # Errors
+    /// Parameters that do not make a mechanism, or a guess that cannot be assembled.
+    pub fn new<M: Mechanism<System = S>>(mechanism: M) -> Result<Self, SimulationError> {
+        Self::with_settings(mechanism, Settings::default())
+    }
+
+    /// A simulation with the given settings, assembled from the declared guess.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`], and settings that cannot be used.
+    pub fn with_settings<M: Mechanism<System = S>>(
+        mechanism: M,
+        settings: Settings,
+    ) -> Result<Self, SimulationError> {
+        settings.check()?;
+        let system = mechanism.prepare()?;
+        let (state, assembly) = assemble(&system, &settings)?;
+        Self::start(system, settings, state, assembly)
+    }
+
+    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same.
+    ///
+    /// # Errors
+    /// As [`Simulation::with_settings`], and a state that is not finite or violates the constraints.
+    pub fn resume<M: Mechanism<System = S>>(
+        mechanism: M,
+        settings: Settings,
+        state: State<N, R>,
+    ) -> Result<Self, SimulationError> {
+        settings.check()?;
+        let system = mechanism.prepare()?;
+        let verdict = crate::assembly::inspect(&system, &settings, &state)?;
+        let size = largest(&state.positions).max(1.0);
+        if let Some(&(what, value)) = verdict.worst_rows.first()
+            && value.abs() > RESUMABLE * size
+        {
+            return Err(SimulationError::State { what, value });
+        }
+        let simulation = Self::start(system, settings, state, verdict)?;
+        let rates = simulation.integrator.trace().rates;
+        let speed = largest(simulation.velocities()).max(1.0);
+        for (row, value) in S::MODEL.rows.iter().zip(rates) {
+            if value.abs() > RESUMABLE * speed {
+                return Err(SimulationError::State { what: row.name, value });
+            }
+        }
+        Ok(simulation)
+    }
+
+    fn start(
+        system: S,
+        settings: Settings,
+        state: State<N, R>,
+        assembly: AssemblyVerdict,
+    ) -> Result<Self, SimulationError> {
+        let report = Report { rank: assembly.rank, ..Report::default() };
+        let mut simulation = Simulation {
+            integrator: Integrator::new(system, state, &settings)?,
+            settings,
+            assembly,
+            report,
+            power: 0.0,
+            events: vec![0.0; S::MODEL.events.len()],
+        };
+        simulation.take_stock();
+        if simulation.state().ledger.initial.is_none() {
+            let energy = simulation.energy();
+            let ledger = &mut simulation.integrator.state_mut().ledger;
+            ledger.initial = Some(energy.kinetic + energy.potential);
+        }
+        Ok(simulation)
+    }
+
+    /// What was modelled.
+    pub fn model(&self) -> &'static Model {
+        S::MODEL
+    }
+
+    /// The settings.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// The flow in use.
+    pub fn flow(&self) -> Flow {
+        self.integrator.flow()
+    }
+
+    /// The equations.
+    pub fn system(&self) -> &S {
+        self.integrator.system()
+    }
+
+    /// Where it stands; [`Simulation::resume`] continues from it.
+    pub fn state(&self) -> &State<N, R> {
+        self.integrator.state()
+    }
+
+    /// Time, s.
+    pub fn time(&self) -> f64 {
+        self.state().time
+    }
+
+    /// q.
+    pub fn positions(&self) -> &[f64; N] {
+        &self.state().positions
+    }
+
+    /// v.
+    pub fn velocities(&self) -> &[f64; N] {
+        &self.state().velocities
+    }
+
+    /// One step of [`Settings::step`].
+    ///
+    /// # Errors
+    /// A row that does not converge, even with much smaller steps, or a state that is not finite; the message names the
+    /// row and the time.
+    pub fn step(&mut self) -> Result<(), SimulationError> {
+        self.advance(self.settings.step)
+    }
+
+    /// One step of h: halved where it does not converge.
+    pub(crate) fn advance(&mut self, h: f64) -> Result<(), SimulationError> {
+        self.halving(h, HALVINGS)?;
+        self.report.steps += 1;
+        Ok(())
+    }
+
+    fn halving(&mut self, h: f64, left: u32) -> Result<(), SimulationError> {
+        match self.integrator.step(h) {
+            Ok(()) => {
+                self.keep_books(h);
+                Ok(())
+            }
+            Err(SimulationError::NotConverged { .. }) if left > 0 => {
+                self.report.rejected_steps += 1;
+                self.halving(0.5 * h, left - 1)?;
+                self.halving(0.5 * h, left - 1)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Work and errors of the step just taken.
+    fn keep_books(&mut self, h: f64) {
+        let trace = self.integrator.trace();
+        let drive: f64 = trace.drive.iter().sum();
+        let holonomic = largest(trace.phi);
+        let velocity = largest(&trace.rates);
+        self.report.holonomic_error = self.report.holonomic_error.max(holonomic);
+        self.report.velocity_error = self.report.velocity_error.max(velocity);
+        let before = self.power;
+        self.take_stock();
+        let ledger = &mut self.integrator.state_mut().ledger;
+        ledger.nonconservative_work += 0.5 * h * (before + self.power);
+        ledger.drive_work += drive;
+        self.report.energy_error = self.report.energy_error.max(self.energy().error.abs());
+    }
+
+    /// What the next step's balance needs of the current instant.
+    fn take_stock(&mut self) {
+        let state = self.state();
+        self.power =
+            self.system().nonconservative_power(state.time, &state.positions, &state.velocities);
+    }
+
+    /// Runs to `time` and lands exactly on it: the last step is shortened.
+    ///
+    /// # Errors
+    /// A time in the past or not finite; otherwise as [`Simulation::step`].
+    pub fn run_until(&mut self, time: f64) -> Result<(), SimulationError> {
+        self.check_target(time)?;
+        while let Some(h) = self.next_step(time) {
+            self.advance(h)?;
+            self.land(time);
+        }
+        Ok(())
+    }
+
+    /// Refuses times that cannot be run to.
+    fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
+        let now = self.time();
+        if wanted.is_finite() && wanted >= now - SLIVER * self.settings.step {
+            Ok(())
+        } else {
+            Err(SimulationError::Time { now, wanted })
+        }
+    }
+
+    /// The step to take towards `time`; `None` on arrival.
+    fn next_step(&self, time: f64) -> Option<f64> {
+        let left = time - self.time();
+        let step = self.settings.step;
+        // Beside a large time the clock itself is coarser than a sliver.
+        let sliver = (SLIVER * step).max(4.0 * f64::EPSILON * time.abs());
+        if left <= sliver {
+            None
+        } else if left <= step + sliver {
+            Some(left)
+        } else {
+            Some(step)
+        }
+    }
+
+    /// Removes the rounding of the sum of steps from the clock.
+    fn land(&mut self, time: f64) {
+        if self.next_step(time).is_none() {
+            self.integrator.state_mut().time = time;
+        }
+    }
+
+    /// Runs until the expression of `event` changes sign, but not beyond `latest`; the time of the event, or `None`.
+    ///
+    /// The state is then that just after the change: a further call looks for the next one.
+    ///
+    /// # Errors
+    /// An unknown event; otherwise as [`Simulation::run_until`].
+    pub fn run_to_event(
+        &mut self,
+        event: &str,
+        latest: f64,
+    ) -> Result<Option<f64>, SimulationError> {
+        let known = S::MODEL.events;
+        let index = known
+            .iter()
+            .position(|name| *name == event)
+            .ok_or_else(|| UnknownName::new("event", event, known.iter().copied()))?;
+        self.check_target(latest)?;
+        let mut before = self.event(index);
+        while let Some(h) = self.next_step(latest) {
+            let state = self.state().clone();
+            let report = self.report;
+            self.advance(h)?;
+            self.land(latest);
+            let after = self.event(index);
+            if before * after < 0.0 || (after == 0.0 && before != 0.0) {
+                self.locate(index, &state, report, h, before, after)?;
+                return Ok(Some(self.time()));
+            }
+            before = after;
+        }
+        Ok(None)
+    }
+
+    /// Steps again from `state`, with steps shorter than h, until the sign change is bracketed to round-off.
+    fn locate(
+        &mut self,
+        index: usize,
+        state: &State<N, R>,
+        report: Report,
+        h: f64,
+        before: f64,
+        after: f64,
+    ) -> Result<(), SimulationError> {
+        let (mut low, mut high) = (0.0, h);
+        let (mut f_low, mut f_high) = (before, after);
+        let resolution = 1e-12 * state.time.abs().max(h);
+        let mut current = h;
+        for iteration in 0..200 {
+            if high - low <= resolution || f_high == 0.0 {
+                break;
+            }
+            // Illinois' false position; every third step a bisection, so that the bracket shrinks surely.
+            let secant = low + (high - low) * f_low / (f_low - f_high);
+            let middle = 0.5 * (low + high);
+            let inside = secant > low && secant < high && iteration % 3 != 2;
+            current = if inside { secant } else { middle };
+            if current <= low || current >= high {
+                break;
+            }
+            self.rewind(state, report)?;
+            self.advance(current)?;
+            let value = self.event(index);
+            if before * value > 0.0 {
+                (low, f_low) = (current, value);
+                f_high *= 0.5;
+            } else {
+                (high, f_high) = (current, value);
+                f_low *= 0.5;
+            }
+        }
+        if current != high {
+            self.rewind(state, report)?;
+            self.advance(high)?;
+        }
+        Ok(())
+    }
+
+    fn rewind(&mut self, state: &State<N, R>, report: Report) -> Result<(), SimulationError> {
+        *self.integrator.state_mut() = state.clone();
+        self.report = report;
+        self.integrator.refresh(&self.settings)?;
+        self.take_stock();
+        Ok(())
+    }
+
+    /// The value of an event expression now.
+    fn event(&mut self, index: usize) -> f64 {
+        let mut values = std::mem::take(&mut self.events);
+        let state = self.state();
+        self.system().events(state.time, &state.positions, &state.velocities, &mut values);
+        self.events = values;
+        self.events.get(index).copied().unwrap_or(0.0)
+    }
+
+    /// Samples at the current instant and every `interval` seconds up to `until`, simulating in between.
+    pub fn samples(&mut self, until: f64, interval: f64) -> Samples<'_> {
+        Samples::new(self, until, interval)
+    }
+
+    /// The value of an `Input`.
+    ///
+    /// # Errors
+    /// No input has this name.
+    pub fn input(&self, name: &str) -> Result<f64, UnknownName> {
+        let index = find("input", name, S::MODEL.inputs.iter().map(|input| input.name))?;
+        Ok(self.system().inputs().get(index).copied().unwrap_or(f64::NAN))
+    }
+
+    /// Sets an `Input` from now on.
+    ///
+    /// # Errors
+    /// No input has this name, or the value is NaN or infinite.
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), SimulationError> {
+        let index = find("input", name, S::MODEL.inputs.iter().map(|input| input.name))?;
+        if !value.is_finite() {
+            return Err(SimulationError::Input { name: name.to_owned(), value });
+        }
+        if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
+            *input = value;
+        }
+        self.integrator.refresh(&self.settings)?;
+        self.take_stock();
+        Ok(())
+    }
+
+    /// The value of an `Output`.
+    ///
+    /// # Errors
+    /// No output has this name.
+    pub fn output(&self, name: &str) -> Result<f64, UnknownName> {
+        let index = find("output", name, S::MODEL.outputs.iter().map(|output| output.name))?;
+        Ok(self.outputs().get(index).copied().unwrap_or(f64::NAN))
+    }
+
+    /// All `Output`s, in the order of [`Model::outputs`].
+    pub fn outputs(&self) -> Vec<f64> {
+        let state = self.state();
+        let mut outputs = vec![0.0; S::MODEL.outputs.len()];
+        self.system().outputs(state.time, &state.positions, &state.velocities, &mut outputs);
+        outputs
+    }
+
+    /// Named points in world axes, m, in the order of [`Model::points`].
+    pub fn points(&self) -> Vec<[f64; 3]> {
+        let mut points = vec![[0.0; 3]; S::MODEL.points.len()];
+        self.system().points(self.time(), self.positions(), &mut points);
+        points
+    }
+
+    /// The energy balance.
+    pub fn energy(&self) -> Energy {
+        crate::energy::balance(self.system(), self.state())
+    }
+
+    /// Joint reactions at the current instant, from the equations at acceleration level.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite, or rows that admit no finite multiplier.
+    pub fn reactions(&self) -> Result<Reactions, SimulationError> {
+        crate::reactions::reactions(self.system(), self.state())
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.time(), self.settings.step))
+    }
+
+    /// The current instant as a row of results.
+    pub fn sample(&self) -> Sample {
+        let trace = self.integrator.trace();
+        Sample {
+            time: self.time(),
+            outputs: self.outputs(),
+            energy: self.energy(),
+            holonomic_error: largest(trace.phi),
+            velocity_error: largest(&trace.rates),
+        }
+    }
+
+    /// What assembly found.
+    pub fn assembly(&self) -> &AssemblyVerdict {
+        &self.assembly
+    }
+
+    /// Work done and errors met so far.
+    pub fn report(&self) -> Report {
+        let counters = self.integrator.counters();
+        Report {
+            stages: counters.stages,
+            iterations: counters.iterations,
+            rejected_steps: self.report.rejected_steps + counters.rejected,
+            regularised_solves: counters.regularised,
+            ..self.report
+        }
+    }
+}
+
+fn find(
+    what: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'static str> + Clone,
+) -> Result<usize, UnknownName> {
+    known.clone().position(|candidate| candidate == name).ok_or_else(|| UnknownName::new(what, name, known))
+}

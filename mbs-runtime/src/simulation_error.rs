@@ -1,0 +1,191 @@
+//! Errors of a simulation: what happened, where (row, coordinate, time), and what to do.
+
+use std::fmt;
+
+use crate::alf3f::Fault;
+use crate::{AssemblyVerdict, Flow, Model, ParameterError, UnknownName};
+
+/// Why a simulation could not be set up or continued.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SimulationError {
+    /// The parameters do not make a mechanism.
+    Parameter(ParameterError),
+    /// A name that the mechanism does not have.
+    UnknownName(UnknownName),
+    /// A setting that cannot be used.
+    Setting {
+        /// The field of [`Settings`](crate::Settings) or [`PaperSettings`](crate::PaperSettings).
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// What it should be.
+        wanted: &'static str,
+    },
+    /// The flow asked for cannot integrate this mechanism.
+    Flow {
+        /// The flow asked for.
+        flow: Flow,
+        /// Why not.
+        because: &'static str,
+        /// One that can.
+        instead: Flow,
+    },
+    /// A time to run to that lies in the past or is not finite.
+    Time {
+        /// The current time, s.
+        now: f64,
+        /// The time asked for, s.
+        wanted: f64,
+    },
+    /// The declared guess cannot be assembled.
+    Assembly(AssemblyVerdict),
+    /// A constraint row did not converge.
+    NotConverged {
+        /// Time at the start of the step, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// The row, or `equations of motion`.
+        row: &'static str,
+        /// What is left of it.
+        residual: f64,
+        /// Iterations taken.
+        iterations: usize,
+    },
+    /// A quantity became infinite or NaN.
+    NonFinite {
+        /// Time at the start of the step, s.
+        time: f64,
+        /// The quantity.
+        what: &'static str,
+    },
+    /// The mass matrix is not positive definite.
+    Mass {
+        /// Time, s.
+        time: f64,
+    },
+    /// Algorithm 1 halved its step down to the smallest one.
+    StepUnderflow {
+        /// Time at the start of the step, s.
+        time: f64,
+        /// The last step tried, s.
+        step: f64,
+        /// The row that did not converge, or `equations of motion`.
+        row: &'static str,
+    },
+    /// A value that an input cannot take.
+    Input {
+        /// The input.
+        name: String,
+        /// The value.
+        value: f64,
+    },
+    /// A state that a simulation cannot resume from.
+    State {
+        /// What is wrong: a coordinate, a row, the time.
+        what: &'static str,
+        /// Its value or residual.
+        value: f64,
+    },
+}
+
+impl SimulationError {
+    /// Adds names and instant to the reason for which a step was given up.
+    #[cold]
+    pub(crate) fn from_fault(fault: Fault, model: &'static Model, time: f64, step: f64) -> Self {
+        const MOTION: &str = "equations of motion";
+        let name = |row: usize| model.rows.get(row).map_or("unnamed row", |row| row.name);
+        match fault {
+            Fault::Row { row, residual, iterations } => SimulationError::NotConverged {
+                time,
+                step,
+                row: name(row),
+                residual,
+                iterations,
+            },
+            Fault::Flow { residual, iterations } => SimulationError::NotConverged {
+                time,
+                step,
+                row: MOTION,
+                residual,
+                iterations,
+            },
+            Fault::NonFinite(what) => SimulationError::NonFinite { time, what },
+            Fault::Mass => SimulationError::Mass { time },
+            Fault::Underflow { row, step } => SimulationError::StepUnderflow {
+                time,
+                step,
+                row: row.map_or(MOTION, name),
+            },
+        }
+    }
+}
+
+impl fmt::Display for SimulationError {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use SimulationError::*;
+        match self {
+            Parameter(error) => error.fmt(out),
+            UnknownName(error) => error.fmt(out),
+            Setting { name, value, wanted } => {
+                write!(out, "setting `{name}` is {value}; give it {wanted}")
+            }
+            Flow { flow, because, instead } => write!(
+                out,
+                "the {} flow cannot be used here: {because}; use {}, or leave the choice to the runtime",
+                flow.name(),
+                instead.name()
+            ),
+            Time { now, wanted } => write!(
+                out,
+                "cannot run to t = {wanted} s from t = {now} s; give a finite time that is not in the past"
+            ),
+            Assembly(verdict) => {
+                write!(out, "the mechanism cannot be assembled near its declared guess; ")?;
+                write!(out, "these rows pull apart: ")?;
+                for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
+                    let comma = if i > 0 { ", " } else { "" };
+                    write!(out, "{comma}`{row}` (residual {residual:.3e})")?;
+                }
+                write!(out, "; check the lengths in these joints, or start from a closer guess")
+            }
+            NotConverged { time, step, row, residual, iterations } => write!(
+                out,
+                "`{row}` did not converge in the step from t = {time} s (h = {step} s): residual {residual:.3e} after {iterations} iterations; use a smaller step"
+            ),
+            NonFinite { time, what } => write!(
+                out,
+                "the {what} became infinite or NaN in the step from t = {time} s; use a smaller step, or look for a force that grows without bound"
+            ),
+            Mass { time } => write!(
+                out,
+                "the mass matrix is not positive definite at t = {time} s: something moves without mass there"
+            ),
+            StepUnderflow { time, step, row } => write!(
+                out,
+                "Algorithm 1 cannot satisfy `{row}` beyond t = {time} s, not even with a step of {step:.1e} s; loosen `velocity_tolerance`, or use the two-level method, which passes singular poses"
+            ),
+            Input { name, value } => {
+                write!(out, "input `{name}` cannot be {value}; give it a finite value")
+            }
+            State { what, value } => write!(
+                out,
+                "cannot resume from this state: {what} is {value:.3e}; pass a state taken from a simulation of the same mechanism and parameters"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for SimulationError {}
+
+impl From<ParameterError> for SimulationError {
+    fn from(error: ParameterError) -> Self {
+        SimulationError::Parameter(error)
+    }
+}
+
+impl From<UnknownName> for SimulationError {
+    fn from(error: UnknownName) -> Self {
+        SimulationError::UnknownName(error)
+    }
+}

@@ -1,0 +1,79 @@
+//! Where a simulation stands: all that is needed to continue it bit for bit.
+
+/// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State<const N: usize, const R: usize> {
+    /// Time, s.
+    pub time: f64,
+    /// q.
+    pub positions: [f64; N],
+    /// v.
+    pub velocities: [f64; N],
+    /// Multipliers of the last step's first kick, with which the next step starts its iteration.
+    pub multipliers: [f64; R],
+    /// The step they belong to, s (not zero).
+    pub multiplier_step: f64,
+    /// Accumulated work.
+    pub ledger: Ledger,
+    /// The fields that only Algorithm 1 carries from step to step.
+    pub fields: ThreeFields<N, R>,
+}
+
+impl<const N: usize, const R: usize> State<N, R> {
+    /// A state without history.
+    pub fn new(time: f64, positions: [f64; N], velocities: [f64; N]) -> Self {
+        State {
+            time,
+            positions,
+            velocities,
+            multipliers: [0.0; R],
+            multiplier_step: 1.0,
+            ledger: Ledger::default(),
+            fields: ThreeFields::default(),
+        }
+    }
+}
+
+/// What the energy balance has to remember, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Ledger {
+    /// T + V where the balance starts; `None` until a simulation has taken it.
+    pub initial: Option<f64>,
+    /// Work of the applied forces without potential.
+    pub nonconservative_work: f64,
+    /// Work of the rheonomic rows.
+    pub drive_work: f64,
+}
+
+/// λ, μ, π, σ of the three-field formulation, (26)–(31), and the penalties and the step in use.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThreeFields<const N: usize, const R: usize> {
+    /// λ.
+    pub lambda: [f64; R],
+    /// μ = λ̇.
+    pub mu: [f64; R],
+    /// π = M v − Aᵀ m̄ μ, (26).
+    pub momentum: [f64; N],
+    /// σ = m̄ ψ̇, (27).
+    pub constraint_momentum: [f64; R],
+    /// ξ of each row; zero stands for the initial penalty of the settings.
+    pub penalty: [f64; R],
+    /// The step in use, s, after halvings; zero stands for the nominal one.
+    pub step: f64,
+    /// Whether λ, μ and π hold values of a previous step.
+    pub started: bool,
+}
+
+impl<const N: usize, const R: usize> Default for ThreeFields<N, R> {
+    fn default() -> Self {
+        ThreeFields {
+            lambda: [0.0; R],
+            mu: [0.0; R],
+            momentum: [0.0; N],
+            constraint_momentum: [0.0; R],
+            penalty: [0.0; R],
+            step: 0.0,
+            started: false,
+        }
+    }
+}
