@@ -4,6 +4,9 @@ use super::{Fault, Node};
 use crate::linear::{Dual, SymmetricDual, dot, largest};
 use crate::{Settings, State, System};
 
+/// Most passes of the iteration on the velocity rows.
+const REFINEMENTS: usize = 10;
+
 /// System, state, and the workspace of a step.
 pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) system: S,
@@ -139,17 +142,35 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         work.symmetric.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
-        if work.symmetric.regularised {
-            counters.regularised += 1;
-            // The proximal solve leaves a part of what lies in nearly lost directions: iterate on it.
-            for _ in 0..2 {
-                let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
-                work.symmetric.solve(&mut multiplier);
-                crate::linear::accumulate(v, &end.w, &multiplier);
-                for i in 0..R {
-                    work.impulse[1][i] += multiplier[i];
-                }
-            }
+        if work.symmetric.weak {
+            counters.regularised += u64::from(work.symmetric.regularised);
+            refine(end, work, v);
+        }
+    }
+}
+
+/// Iterates on what a nearly singular solve has left of A v + b: the proximal one leaves a part of all that lies in
+/// nearly lost directions, elimination some digits.
+#[cold]
+#[inline(never)]
+fn refine<S: System<N, R>, const N: usize, const R: usize>(
+    end: &Node<S, N, R>,
+    work: &mut Work<R>,
+    v: &mut [f64; N],
+) {
+    let tolerance = 1e-14 * largest(&v[..]);
+    let mut last = f64::INFINITY;
+    for _ in 0..REFINEMENTS {
+        let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+        let residual = largest(&multiplier);
+        if residual <= tolerance || residual > 0.9 * last {
+            return;
+        }
+        last = residual;
+        work.symmetric.solve(&mut multiplier);
+        crate::linear::accumulate(v, &end.w, &multiplier);
+        for i in 0..R {
+            work.impulse[1][i] += multiplier[i];
         }
     }
 }

@@ -39,7 +39,9 @@ where
     flow.begin(system, t0, &state.positions, start, h);
 
     let mut q = state.positions;
-    let mut last = f64::INFINITY;
+    // NaN is below nothing: the first correction always begins with a factorisation.
+    let mut last = f64::NAN;
+    let mut fresh = false;
     let mut iterations = 0;
     loop {
         flow.positions(system, &va, &mut q)?;
@@ -49,7 +51,7 @@ where
             break;
         }
         if !(residual < SLOW * last) {
-            if residual > 0.5 * last && residual < STAGNATED {
+            if fresh && residual > 0.5 * last && residual < STAGNATED {
                 break;
             }
             if iterations == *max_iterations || !residual.is_finite() {
@@ -59,6 +61,9 @@ where
             system.gram(&end.a, directions, &mut work.matrix);
             work.dual.factor(&work.matrix, &lengths);
             counters.regularised += u64::from(work.dual.regularised);
+            fresh = true;
+        } else {
+            fresh = false;
         }
         let mut change = work.phi;
         work.dual.solve(&mut change);

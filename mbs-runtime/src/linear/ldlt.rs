@@ -1,7 +1,7 @@
 //! The multiplier solve of the velocity rows, whose matrix S = A M⁻¹ Aᵀ is symmetric.
 
 use super::proximal::Proximal;
-use super::{SMALL_PIVOT, SPARSE_FROM};
+use super::{SMALL_PIVOT, SPARSE_FROM, WEAK_PIVOT};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
 pub(crate) struct SymmetricDual<const K: usize> {
@@ -10,6 +10,8 @@ pub(crate) struct SymmetricDual<const K: usize> {
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
     pub(crate) regularised: bool,
+    /// Whether solutions of the last factorisation lose digits that an iteration on the residual restores.
+    pub(crate) weak: bool,
 }
 
 impl<const K: usize> SymmetricDual<K> {
@@ -19,6 +21,7 @@ impl<const K: usize> SymmetricDual<K> {
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,
+            weak: false,
         }
     }
 
@@ -27,6 +30,7 @@ impl<const K: usize> SymmetricDual<K> {
     pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K]) {
         self.regularised = !self.eliminate(matrix);
         if self.regularised {
+            self.weak = true;
             let diagonal = core::array::from_fn(|i| matrix[i][i]);
             self.proximal.factor(matrix, &diagonal);
         }
@@ -35,6 +39,7 @@ impl<const K: usize> SymmetricDual<K> {
     #[inline(always)]
     fn eliminate(&mut self, matrix: &[[f64; K]; K]) -> bool {
         self.upper = *matrix;
+        let mut weak = false;
         let upper = &mut self.upper;
         for k in 0..K {
             let pivot_row = upper[k];
@@ -42,6 +47,7 @@ impl<const K: usize> SymmetricDual<K> {
             if !(pivot > SMALL_PIVOT * matrix[k][k]) {
                 return false;
             }
+            weak |= pivot < WEAK_PIVOT * matrix[k][k];
             let inverse = 1.0 / pivot;
             self.inverse_pivot[k] = inverse;
             for i in k + 1..K {
@@ -54,6 +60,7 @@ impl<const K: usize> SymmetricDual<K> {
                 }
             }
         }
+        self.weak = weak;
         true
     }
 

@@ -20,5 +20,8 @@ const PROXIMAL: f64 = 1e-14;
 /// values of about 1e-7).
 const SMALL_PIVOT: f64 = 1e-6;
 
+/// A pivot below this fraction calls for an iteration on the residual.
+const WEAK_PIVOT: f64 = 1e-3;
+
 /// From this size on, a branch that skips a zero is cheaper than the row operation it saves.
 const SPARSE_FROM: usize = 16;

@@ -1,0 +1,1 @@
+//! Small scenes, one for each kind of structure.
