@@ -36,7 +36,7 @@ where
     let mut kappa = state.multipliers.map(|last| growth * last);
     let mut va = state.velocities;
     accumulate(&mut va, &start.w, &kappa);
-    flow.begin(system, t0, &state.positions, start, h);
+    flow.begin(system, t0, &state.positions, &va, start, h);
 
     let mut q = state.positions;
     // NaN is below nothing: the first correction always begins with a factorisation.

@@ -2,7 +2,9 @@
 
 mod fault;
 mod core;
+mod implicit_step;
 mod kicks;
+mod mixed_kicks;
 mod node;
 mod two_level;
 

@@ -1,8 +1,9 @@
 //! The two-level ALF-3F integrator: the default.
 
 use super::core::{Core, Counters};
-use super::kicks;
-use crate::flow::Leapfrog;
+use super::implicit_step::{ImplicitStep, Outcome};
+use super::{Fault, kicks, mixed_kicks};
+use crate::flow::{KickFlow, Leapfrog, Trapezoid};
 use crate::{Flow, Settings, SimulationError, State, System};
 
 /// The integrator by itself: steps of any length, without energy balance or report.
@@ -10,8 +11,33 @@ use crate::{Flow, Settings, SimulationError, State, System};
 /// A step allocates nothing. [`Simulation`](crate::Simulation) wraps it; use it directly to measure, or to compose steps.
 pub struct TwoLevelStepper<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) core: Core<S, N, R>,
-    flow: Flow,
-    leapfrog: Leapfrog<N>,
+    flow: Stepping<N, R>,
+}
+
+/// The flow and its workspace.
+enum Stepping<const N: usize, const R: usize> {
+    Leapfrog(Leapfrog<N>),
+    Trapezoid(Box<Trapezoid<N, R>>),
+    /// The second is for steps near singular poses.
+    Implicit(Box<ImplicitStep<N, R>>, Box<Trapezoid<N, R>>),
+}
+
+/// The step that suits the kinds of rows there are.
+#[inline(always)]
+fn kick_flow_kick<S, F, const N: usize, const R: usize>(
+    core: &mut Core<S, N, R>,
+    flow: &mut F,
+    h: f64,
+) -> Result<(), Fault>
+where
+    S: System<N, R>,
+    F: KickFlow<S, N, R>,
+{
+    if S::STRUCTURE.holonomic_rows == R {
+        kicks::step(core, flow, h)
+    } else {
+        mixed_kicks::step(core, flow, h)
+    }
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
@@ -31,8 +57,14 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         Ok(TwoLevelStepper {
             core,
-            flow,
-            leapfrog: Leapfrog::new(),
+            flow: match flow {
+                Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new()),
+                Flow::Trapezoid => Stepping::Trapezoid(Box::new(Trapezoid::new())),
+                Flow::Implicit => Stepping::Implicit(
+                    Box::new(ImplicitStep::new()),
+                    Box::new(Trapezoid::new()),
+                ),
+            },
         })
     }
 
@@ -43,13 +75,25 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
     /// The state is then still that before the step.
     #[inline]
     pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
-        let result = match self.flow {
-            Flow::Leapfrog => kicks::step(&mut self.core, &mut self.leapfrog, h),
-            _ => todo!(),
-        };
-        result.map_err(|fault| {
+        self.try_step(h).map_err(|fault| {
             SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h)
         })
+    }
+
+    #[inline(always)]
+    fn try_step(&mut self, h: f64) -> Result<(), Fault> {
+        if !(h.is_finite() && h != 0.0) {
+            return Err(Fault::NonFinite("step"));
+        }
+        let core = &mut self.core;
+        match &mut self.flow {
+            Stepping::Leapfrog(flow) => kick_flow_kick(core, flow, h),
+            Stepping::Trapezoid(flow) => kick_flow_kick(core, &mut **flow, h),
+            Stepping::Implicit(step, kicks) => match step.step(core, h)? {
+                Outcome::Done => Ok(()),
+                Outcome::Lost => kick_flow_kick(core, &mut **kicks, h),
+            },
+        }
     }
 
     /// The equations.
@@ -64,7 +108,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
 
     /// The flow in use.
     pub fn flow(&self) -> Flow {
-        self.flow
+        match self.flow {
+            Stepping::Leapfrog(_) => Flow::Leapfrog,
+            Stepping::Trapezoid(_) => Flow::Trapezoid,
+            Stepping::Implicit(..) => Flow::Implicit,
+        }
     }
 
     pub(crate) fn counters(&self) -> Counters {

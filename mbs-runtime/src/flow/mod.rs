@@ -1,18 +1,30 @@
 //! Symmetric second-order flows without constraints, (q₁, v_b) = Φ_h(q₀, v_a).
 
 mod choice;
+mod implicit;
 mod leapfrog;
+mod trapezoid;
 
 pub(crate) use choice::choose;
+pub(crate) use implicit::Implicit;
 pub(crate) use leapfrog::Leapfrog;
+pub(crate) use trapezoid::Trapezoid;
 
 use crate::System;
 use crate::alf3f::{Fault, Node};
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<N, R>, const N: usize, const R: usize> {
-    /// Begins a step of h from q₀ at t₀.
-    fn begin(&mut self, system: &S, t: f64, q: &[f64; N], start: &Node<S, N, R>, h: f64);
+    /// Begins a step of h from q₀ at t₀, where `va` is the first guess of the kicked velocity.
+    fn begin(
+        &mut self,
+        system: &S,
+        t: f64,
+        q: &[f64; N],
+        va: &[f64; N],
+        start: &Node<S, N, R>,
+        h: f64,
+    );
     /// q₁ for the kicked velocity v_a.
     fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; N]) -> Result<(), Fault>;
     /// Row by row (∂q₁/∂v_a) w / h for the rows w of `w0`.
@@ -22,6 +34,8 @@ pub(crate) trait KickFlow<S: System<N, R>, const N: usize, const R: usize> {
         va: &[f64; N],
         w0: &'a [[f64; N]; R],
     ) -> Result<&'a [[f64; N]; R], Fault>;
+    /// Row by row (∂v_b/∂v_a) w, after `directions` for the same rows.
+    fn far<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R];
     /// The multipliers, and with them v_a, are about to change by `change`.
     fn predict(&mut self, change: &[f64; R]);
     /// v_b, and what the end of the step keeps for the next one.

@@ -62,6 +62,15 @@ impl<const K: usize> Dual<K> {
         true
     }
 
+    /// The smallest pivot relative to the length of its row, with its sign; 0 after a fall-back.
+    pub(crate) fn smallest_pivot(&self, length_squared: &[f64; K]) -> f64 {
+        if self.regularised {
+            return 0.0;
+        }
+        let relative = |(inverse, length): (&f64, &f64)| 1.0 / (inverse * length);
+        self.inverse_pivot.iter().zip(length_squared).map(relative).fold(f64::INFINITY, f64::min)
+    }
+
     /// x ← B⁻¹ x, or the least-squares x ← Bᵀ(BBᵀ + εI)⁻¹x on rows of unit length.
     #[inline(always)]
     pub(crate) fn solve(&self, x: &mut [f64; K]) {

@@ -1,0 +1,192 @@
+//! The multiplier inside the implicit step, for forces that depend on velocities.
+//!
+//! ```text
+//! p(q₁, v_b) − p(q₀, v₀) = h/2 (F₀ + F₁) + ½(A₀ + A₁)ᵀ κ,    q₁ = q₀ + h/2 (v₀ + v_b)
+//! φ(q₁, t₁) = 0 (holonomic),  N₁ v_b + n₁ = 0 (nonholonomic) → κ
+//! v₁ = v_b + J⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
+//! ```
+//!
+//! A kick would move one side of a stiff damper only. J, the metric of the implicit step, lets the damper's far side
+//! follow. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
+
+use super::core::Core;
+use super::kicks::{STAGNATED, not_converged, worst};
+use super::{Fault, Node};
+use crate::System;
+use crate::flow::Implicit;
+use crate::linear::{Dual, accumulate, dot, largest};
+
+/// Corrections of the velocities below this fraction of them end the iteration.
+const CONVERGED: f64 = 1e-14;
+/// Below this ratio of the smallest pivots of A₁J⁻¹½(A₀ + A₁)ᵀ and A₁J⁻¹A₁ᵀ the mean direction counts as lost.
+const LOST: f64 = 0.3;
+
+/// How a step ended.
+pub(super) enum Outcome {
+    Done,
+    /// The mean of A₀ and A₁ has lost a direction: take this step with kicks.
+    Lost,
+}
+
+pub(super) struct ImplicitStep<const N: usize, const R: usize> {
+    solver: Implicit<N>,
+    /// ½(A₀ + A₁), and J⁻¹ times its rows.
+    mean: [[f64; N]; R],
+    along_mean: [[f64; N]; R],
+    /// J⁻¹A₁ᵀ, row by row.
+    along_end: [[f64; N]; R],
+    metric: [[f64; R]; R],
+    end_dual: Dual<R>,
+}
+
+impl<const N: usize, const R: usize> ImplicitStep<N, R> {
+    pub(super) fn new() -> Self {
+        ImplicitStep {
+            solver: Implicit::new(),
+            mean: [[0.0; N]; R],
+            along_mean: [[0.0; N]; R],
+            along_end: [[0.0; N]; R],
+            metric: [[0.0; R]; R],
+            end_dual: Dual::new(),
+        }
+    }
+
+    pub(super) fn step<S: System<N, R>>(
+        &mut self,
+        core: &mut Core<S, N, R>,
+        h: f64,
+    ) -> Result<Outcome, Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+        let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
+        let mut weights = scale.weights(&start.lengths_squared());
+        let floor = largest(&v0).max(1e-3);
+        for weight in &mut weights[holonomic..] {
+            *weight /= floor * floor;
+        }
+
+        self.solver.begin(t1, h);
+        self.solver.impulse(system, state.time, &q0, &v0);
+        let known = self.solver.known;
+        let growth = h / state.multiplier_step;
+        let mut kappa = state.multipliers.map(|last| growth * last);
+        let mut vb = v0;
+        let (mut last, mut last_change) = (f64::NAN, f64::NAN);
+        let mut iterations = 0;
+        let q = loop {
+            let q: [f64; N] = std::array::from_fn(|i| q0[i] + 0.5 * h * (v0[i] + vb[i]));
+            system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+            let mut defect = work.phi;
+            for i in holonomic..R {
+                defect[i] = dot(&end.a[i], &vb) + end.b[i];
+            }
+            for i in 0..R {
+                self.mean[i] = std::array::from_fn(|j| 0.5 * (start.a[i][j] + end.a[i][j]));
+            }
+            self.solver.known = known;
+            accumulate(&mut self.solver.known, &self.mean, &kappa);
+            let mut change = self.solver.defect(system, &q, &vb);
+
+            let residual = worst(&defect, &weights);
+            let slow = !(residual < 1e-2 * last || residual <= 1.0);
+            if !(last_change.is_finite() && !slow) || self.solver.is_stale() {
+                self.solver.refresh(system, &q, &vb)?;
+                if !self.factor(system, end, &mut work.dual) {
+                    return Ok(Outcome::Lost);
+                }
+                counters.regularised += u64::from(work.dual.regularised);
+            }
+            self.solver.jacobian.solve(&mut change);
+            let mut multiplier: [f64; R] = std::array::from_fn(|i| {
+                let rate = if i < holonomic { 2.0 / h * defect[i] } else { defect[i] };
+                -rate - dot(&end.a[i], &change)
+            });
+            work.dual.solve(&mut multiplier);
+            accumulate(&mut change, &self.along_mean, &multiplier);
+            for i in 0..N {
+                vb[i] += change[i];
+            }
+            for i in 0..R {
+                kappa[i] += multiplier[i];
+            }
+
+            let size = largest(&change);
+            let speed = largest(&vb);
+            let settled = size <= CONVERGED * speed
+                || (size >= 0.5 * last_change && size <= 1e-10 * speed);
+            if settled && (residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED)) {
+                break q;
+            }
+            iterations += 1;
+            if iterations > *max_iterations || !size.is_finite() || !residual.is_finite() {
+                return Err(if R > 0 && residual > 1.0 {
+                    not_converged(&defect, &weights, iterations)
+                } else {
+                    Fault::Flow { residual: size, iterations }
+                });
+            }
+            if size > 0.1 * last_change {
+                self.solver.invalidate();
+            }
+            (last, last_change) = (residual, size);
+        };
+        counters.iterations += iterations as u64;
+        work.impulse[0] = kappa;
+
+        end.metric(system, &q)?;
+        work.impulse[1] = self.project(system, end, &mut vb);
+        core.commit(t1, h, q, vb)?;
+        Ok(Outcome::Done)
+    }
+
+    /// Factors A₁J⁻¹½(A₀ + A₁)ᵀ; false where it has lost a direction that A₁J⁻¹A₁ᵀ has.
+    fn factor<S: System<N, R>>(
+        &mut self,
+        system: &S,
+        end: &Node<S, N, R>,
+        dual: &mut Dual<R>,
+    ) -> bool {
+        let lengths = self.factor_end(system, end);
+        for i in 0..R {
+            self.along_mean[i] = self.mean[i];
+            self.solver.jacobian.solve(&mut self.along_mean[i]);
+        }
+        system.gram(&end.a, &self.along_mean, &mut self.metric);
+        dual.factor(&self.metric, &lengths);
+        self.end_dual.regularised
+            || dual.smallest_pivot(&lengths) >= LOST * self.end_dual.smallest_pivot(&lengths)
+    }
+
+    /// Factors A₁J⁻¹A₁ᵀ and returns its diagonal.
+    fn factor_end<S: System<N, R>>(&mut self, system: &S, end: &Node<S, N, R>) -> [f64; R] {
+        for i in 0..R {
+            self.along_end[i] = end.a[i];
+            self.solver.jacobian.solve(&mut self.along_end[i]);
+        }
+        system.gram(&end.a, &self.along_end, &mut self.metric);
+        let lengths = std::array::from_fn(|i| self.metric[i][i].abs());
+        self.end_dual.factor(&self.metric, &lengths);
+        lengths
+    }
+
+    /// v₁ from v_b; returns κ₂.
+    fn project<S: System<N, R>>(
+        &mut self,
+        system: &S,
+        end: &Node<S, N, R>,
+        v: &mut [f64; N],
+    ) -> [f64; R] {
+        self.factor_end(system, end);
+        let mut total = [0.0; R];
+        let passes = if self.end_dual.regularised { 4 } else { 1 };
+        for _ in 0..passes {
+            let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+            self.end_dual.solve(&mut multiplier);
+            accumulate(v, &self.along_end, &multiplier);
+            for i in 0..R {
+                total[i] += multiplier[i];
+            }
+        }
+        total
+    }
+}

@@ -1,0 +1,183 @@
+//! Kick, flow, kick with nonholonomic rows, alone or beside holonomic ones.
+//!
+//! Nonholonomic rows have ONE multiplier κₙ, acting in both kicks: N₁ v₁ + n₁ = 0 determines it, and energy is kept as
+//! it is by the holonomic rows. Newton works on (κ₁, κₙ) together; with P the velocity projection of the holonomic rows
+//! its matrix is
+//!
+//! ```text
+//! holonomic row i:     A₁ᵢ · (∂q₁/∂v_a / h) W₀ⱼ
+//! nonholonomic row i:  N₁ᵢ · P ((∂v_b/∂v_a) W₀ⱼ + [j nonholonomic] W₁ⱼ)
+//! ```
+
+use super::core::{Core, Work};
+use super::kicks::{SLOW, STAGNATED, not_converged, worst};
+use super::{Fault, Node};
+use crate::System;
+use crate::flow::KickFlow;
+use crate::linear::{accumulate, dot, largest};
+
+pub(crate) fn step<S, F, const N: usize, const R: usize>(
+    core: &mut Core<S, N, R>,
+    flow: &mut F,
+    h: f64,
+) -> Result<(), Fault>
+where
+    S: System<N, R>,
+    F: KickFlow<S, N, R>,
+{
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+    let (t0, t1) = (state.time, state.time + h);
+    let lengths = start.lengths_squared();
+    let mut weights = scale.weights(&lengths);
+    let speed = largest(&state.velocities).max(1e-3);
+    for weight in &mut weights[holonomic..] {
+        *weight /= speed * speed;
+    }
+
+    let growth = h / state.multiplier_step;
+    let mut kappa = state.multipliers.map(|last| growth * last);
+    let mut va = state.velocities;
+    accumulate(&mut va, &start.w, &kappa);
+    flow.begin(system, t0, &state.positions, &va, start, h);
+
+    let mut q = state.positions;
+    // NaN is below nothing: the first correction always begins with a factorisation.
+    let mut last = f64::NAN;
+    let mut fresh = false;
+    let mut iterations = 0;
+    let v = loop {
+        flow.positions(system, &va, &mut q)?;
+        system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+        let mut v = flow.velocities(system, &va, &q, end);
+        end.metric(system, &q)?;
+        factor_holonomic(end, work);
+        for i in holonomic..R {
+            for j in 0..N {
+                v[j] += end.w[i][j] * kappa[i];
+            }
+        }
+        work.impulse[1] = kappa;
+        project(end, work, &mut v);
+
+        let mut defect = work.phi;
+        for i in holonomic..R {
+            defect[i] = dot(&end.a[i], &v) + end.b[i];
+        }
+        let residual = worst(&defect, &weights);
+        if residual <= 1.0 {
+            break v;
+        }
+        if !(residual < SLOW * last) {
+            if fresh && residual > 0.5 * last && residual < STAGNATED {
+                break v;
+            }
+            if iterations == *max_iterations || !residual.is_finite() {
+                return Err(not_converged(&defect, &weights, iterations));
+            }
+            let directions = flow.directions(system, &va, &start.w)?;
+            system.gram(&end.a, directions, &mut work.matrix);
+            let far = flow.far(&start.w);
+            for j in 0..R {
+                let mut column = far[j];
+                if j >= holonomic {
+                    for k in 0..N {
+                        column[k] += end.w[j][k];
+                    }
+                }
+                remove_holonomic(end, work, &mut column);
+                for i in holonomic..R {
+                    work.matrix[i][j] = dot(&end.a[i], &column);
+                }
+            }
+            // The kick of a nonholonomic row counts twice.
+            let mut lengths = lengths;
+            for length in &mut lengths[holonomic..] {
+                *length *= 2.0;
+            }
+            work.dual.factor(&work.matrix, &lengths);
+            counters.regularised += u64::from(work.dual.regularised);
+            fresh = true;
+        } else {
+            fresh = false;
+        }
+        let mut change = defect;
+        for value in &mut change[..holonomic] {
+            *value /= h;
+        }
+        work.dual.solve(&mut change);
+        for i in 0..R {
+            change[i] = -change[i];
+            kappa[i] += change[i];
+        }
+        accumulate(&mut va, &start.w, &change);
+        flow.predict(&change);
+        last = residual;
+        iterations += 1;
+    };
+    counters.iterations += iterations as u64;
+    work.impulse[0] = kappa;
+    core.commit(t1, h, q, v)
+}
+
+/// Factors S of the holonomic rows, with unit rows in place of the others.
+fn factor_holonomic<S: System<N, R>, const N: usize, const R: usize>(
+    end: &Node<S, N, R>,
+    work: &mut Work<R>,
+) {
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    if holonomic > 0 {
+        let mut gram = end.gram;
+        for i in holonomic..R {
+            gram[i] = [0.0; R];
+            for row in &mut gram {
+                row[i] = 0.0;
+            }
+            gram[i][i] = 1.0;
+        }
+        work.symmetric.factor(&gram);
+    }
+}
+
+/// Projects v onto the holonomic velocity rows and adds the multipliers to the second impulse.
+fn project<S: System<N, R>, const N: usize, const R: usize>(
+    end: &Node<S, N, R>,
+    work: &mut Work<R>,
+    v: &mut [f64; N],
+) {
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    if holonomic == 0 {
+        return;
+    }
+    work.impulse[1][..holonomic].fill(0.0);
+    let passes = if work.symmetric.weak { 4 } else { 1 };
+    for _ in 0..passes {
+        let mut multiplier = [0.0; R];
+        for i in 0..holonomic {
+            multiplier[i] = -dot(&end.a[i], v) - end.b[i];
+        }
+        work.symmetric.solve(&mut multiplier);
+        accumulate(v, &end.w, &multiplier);
+        for i in 0..holonomic {
+            work.impulse[1][i] += multiplier[i];
+        }
+    }
+}
+
+/// x ← P x.
+fn remove_holonomic<S: System<N, R>, const N: usize, const R: usize>(
+    end: &Node<S, N, R>,
+    work: &Work<R>,
+    x: &mut [f64; N],
+) {
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    if holonomic == 0 {
+        return;
+    }
+    let mut multiplier = [0.0; R];
+    for i in 0..holonomic {
+        multiplier[i] = -dot(&end.a[i], x);
+    }
+    work.symmetric.solve(&mut multiplier);
+    accumulate(x, &end.w, &multiplier);
+}

@@ -1,0 +1,156 @@
+//! Newton's method for the end of an implicit trapezoid: p(q₁, v_b) − h/2 F(q₁, v_b) = known, q₁ = base + h/2 v_b.
+
+use crate::System;
+use crate::alf3f::Fault;
+use crate::linear::{Pivoted, largest};
+use crate::sink::Discard;
+
+const MAX_ITERATIONS: usize = 40;
+/// Newton stops when the correction is below this fraction of the velocities …
+const CONVERGED: f64 = 1e-14;
+/// … or when it no longer shrinks and is below this: round-off.
+const STAGNATED: f64 = 1e-9;
+
+pub(crate) struct Implicit<const N: usize> {
+    h: f64,
+    t1: f64,
+    /// p₀ + h/2 F₀ and what else is known of the momentum balance.
+    pub(crate) known: [f64; N],
+    /// J, factored.
+    pub(crate) jacobian: Pivoted<N>,
+    pub(crate) f_q: [[f64; N]; N],
+    f_v: [[f64; N]; N],
+    pub(crate) p_q: [[f64; N]; N],
+    mass: [[f64; N]; N],
+    force: [f64; N],
+    momentum: [f64; N],
+    /// Whether J belongs to the step in hand.
+    current: bool,
+}
+
+impl<const N: usize> Implicit<N> {
+    pub(crate) fn new() -> Self {
+        Implicit {
+            h: 0.0,
+            t1: 0.0,
+            known: [0.0; N],
+            jacobian: Pivoted::new(),
+            f_q: [[0.0; N]; N],
+            f_v: [[0.0; N]; N],
+            p_q: [[0.0; N]; N],
+            mass: [[0.0; N]; N],
+            force: [0.0; N],
+            momentum: [0.0; N],
+            current: false,
+        }
+    }
+
+    /// Begins a step of h that ends at t₁.
+    pub(crate) fn begin(&mut self, t1: f64, h: f64) {
+        (self.t1, self.h, self.current) = (t1, h, false);
+    }
+
+    /// Whether J has to be renewed before it is used.
+    pub(crate) fn is_stale(&self) -> bool {
+        !self.current
+    }
+
+    /// Asks for a new J: the iteration converges slowly.
+    pub(crate) fn invalidate(&mut self) {
+        self.current = false;
+    }
+
+    /// known ← p(q₀, v) + h/2 F(q₀, v).
+    pub(crate) fn impulse<S: System<N, R>, const R: usize>(
+        &mut self,
+        system: &S,
+        t0: f64,
+        q0: &[f64; N],
+        v: &[f64; N],
+    ) {
+        system.momentum(q0, v, &mut self.momentum);
+        system.forces(t0, q0, v, &mut self.force);
+        for i in 0..N {
+            self.known[i] = self.momentum[i] + 0.5 * self.h * self.force[i];
+        }
+    }
+
+    /// ∂F/∂v at the start of the step.
+    pub(crate) fn start_tangent<S: System<N, R>, const R: usize>(
+        &mut self,
+        system: &S,
+        t0: f64,
+        q0: &[f64; N],
+        v: &[f64; N],
+        f_v: &mut [[f64; N]; N],
+    ) {
+        system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
+    }
+
+    /// −G at (q₁, v_b): what is missing of the momentum balance.
+    pub(crate) fn defect<S: System<N, R>, const R: usize>(
+        &mut self,
+        system: &S,
+        q1: &[f64; N],
+        vb: &[f64; N],
+    ) -> [f64; N] {
+        system.momentum(q1, vb, &mut self.momentum);
+        system.forces(self.t1, q1, vb, &mut self.force);
+        std::array::from_fn(|i| self.known[i] - self.momentum[i] + 0.5 * self.h * self.force[i])
+    }
+
+    /// J at (q₁, v_b), factored.
+    pub(crate) fn refresh<S: System<N, R>, const R: usize>(
+        &mut self,
+        system: &S,
+        q1: &[f64; N],
+        vb: &[f64; N],
+    ) -> Result<(), Fault> {
+        let h = self.h;
+        system.mass_matrix(q1, &mut self.mass);
+        system.force_tangents(self.t1, q1, vb, &mut self.f_q, &mut self.f_v, &mut self.p_q);
+        let mut jacobian = self.mass;
+        for i in 0..N {
+            for j in 0..N {
+                let rate = self.p_q[i][j] - self.f_v[i][j] - 0.5 * h * self.f_q[i][j];
+                jacobian[i][j] += 0.5 * h * rate;
+            }
+        }
+        self.current = self.jacobian.factor(&jacobian);
+        if self.current { Ok(()) } else { Err(Fault::Mass) }
+    }
+
+    /// Solves for v_b, starting from the one given, and returns q₁ = base + h/2 v_b.
+    pub(crate) fn solve<S: System<N, R>, const R: usize>(
+        &mut self,
+        system: &S,
+        base: &[f64; N],
+        vb: &mut [f64; N],
+    ) -> Result<[f64; N], Fault> {
+        let half = 0.5 * self.h;
+        let mut last = f64::INFINITY;
+        for _ in 0..MAX_ITERATIONS {
+            let q1 = std::array::from_fn(|i| base[i] + half * vb[i]);
+            let mut change = self.defect(system, &q1, vb);
+            if !self.current {
+                self.refresh(system, &q1, vb)?;
+            }
+            self.jacobian.solve(&mut change);
+            for i in 0..N {
+                vb[i] += change[i];
+            }
+            let size = largest(&change);
+            let speed = largest(&vb[..]);
+            if size <= CONVERGED * speed || (size >= 0.5 * last && size <= STAGNATED * speed) {
+                return Ok(std::array::from_fn(|i| base[i] + half * vb[i]));
+            }
+            if !size.is_finite() {
+                return Err(Fault::NonFinite("velocities"));
+            }
+            // A chord that converges slowly is renewed.
+            self.current = size < 0.1 * last;
+            last = size;
+        }
+        Err(Fault::Flow { residual: last, iterations: MAX_ITERATIONS })
+    }
+}

@@ -1,0 +1,103 @@
+//! Implicit trapezoid in momentum form: M(q), and forces that are stiff in the positions.
+//!
+//! ```text
+//! G = p(q₁, v_b) − p(q₀, v_a) − h/2 (F(q₀, v_a) + F(q₁, v_b)) = 0,    q₁ = q₀ + h/2 (v_a + v_b)
+//! J =  ∂G/∂v_b = M₁ + h/2 p_q₁ − h/2 F_v₁ − h²/4 F_q₁
+//! K = −∂G/∂v_a = M₀ − h/2 p_q₁ + h/2 F_v₀ + h²/4 F_q₁
+//! ```
+//!
+//! F = f + ∂T/∂q holds the affinities. The tangent ∂q₁/∂v_a = h/2 (I + J⁻¹K) is what the multipliers of the first kick
+//! act through; h I in its place fails beside stiff springs.
+
+use super::KickFlow;
+use super::implicit::Implicit;
+use crate::System;
+use crate::alf3f::{Fault, Node};
+
+pub(crate) struct Trapezoid<const N: usize, const R: usize> {
+    h: f64,
+    t0: f64,
+    q0: [f64; N],
+    vb: [f64; N],
+    solver: Implicit<N>,
+    tangents: Tangents<N>,
+    /// (∂v_b/∂v_a) w, row by row.
+    far: [[f64; N]; R],
+    /// (∂q₁/∂v_a) w / h, row by row.
+    directions: [[f64; N]; R],
+}
+
+/// What K needs beyond J.
+struct Tangents<const N: usize> {
+    mass: [[f64; N]; N],
+    f_v: [[f64; N]; N],
+}
+
+impl<const N: usize, const R: usize> Trapezoid<N, R> {
+    pub(crate) fn new() -> Self {
+        Trapezoid {
+            h: 0.0,
+            t0: 0.0,
+            q0: [0.0; N],
+            vb: [0.0; N],
+            solver: Implicit::new(),
+            tangents: Tangents { mass: [[0.0; N]; N], f_v: [[0.0; N]; N] },
+            far: [[0.0; N]; R],
+            directions: [[0.0; N]; R],
+        }
+    }
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Trapezoid<N, R> {
+    fn begin(&mut self, _: &S, t: f64, q: &[f64; N], va: &[f64; N], _: &Node<S, N, R>, h: f64) {
+        (self.h, self.t0, self.q0, self.vb) = (h, t, *q, *va);
+        self.solver.begin(t + h, h);
+    }
+
+    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; N]) -> Result<(), Fault> {
+        self.solver.impulse(system, self.t0, &self.q0, va);
+        let base = std::array::from_fn(|i| self.q0[i] + 0.5 * self.h * va[i]);
+        *q = self.solver.solve(system, &base, &mut self.vb)?;
+        Ok(())
+    }
+
+    fn directions<'a>(
+        &'a mut self,
+        system: &S,
+        va: &[f64; N],
+        w0: &'a [[f64; N]; R],
+    ) -> Result<&'a [[f64; N]; R], Fault> {
+        let h = self.h;
+        let Tangents { mass, f_v } = &mut self.tangents;
+        system.mass_matrix(&self.q0, mass);
+        self.solver.start_tangent(system, self.t0, &self.q0, va, f_v);
+        for r in 0..R {
+            let w = &w0[r];
+            let mut far = [0.0; N];
+            for i in 0..N {
+                let mut sum = 0.0;
+                for j in 0..N {
+                    let end = 0.5 * h * self.solver.f_q[i][j] - self.solver.p_q[i][j];
+                    sum += (mass[i][j] + 0.5 * h * (f_v[i][j] + end)) * w[j];
+                }
+                far[i] = sum;
+            }
+            self.solver.jacobian.solve(&mut far);
+            self.far[r] = far;
+            self.directions[r] = std::array::from_fn(|i| 0.5 * (w[i] + far[i]));
+        }
+        Ok(&self.directions)
+    }
+
+    fn far<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+        &self.far
+    }
+
+    fn predict(&mut self, change: &[f64; R]) {
+        crate::linear::accumulate(&mut self.vb, &self.far, change);
+    }
+
+    fn velocities(&mut self, _: &S, _: &[f64; N], _: &[f64; N], _: &mut Node<S, N, R>) -> [f64; N] {
+        self.vb
+    }
+}
