@@ -1,1 +1,6 @@
-//! Scenes.
+//! Scenes with references, and what the command line `mbs` needs to run and show them.
+
+pub mod plot;
+pub mod reference;
+pub mod scene;
+pub mod scenes;

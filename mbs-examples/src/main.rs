@@ -1,2 +1,7 @@
-//! The command line.
-fn main() {}
+//! `mbs`: simulates and explains the scenes.
+
+mod cli;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

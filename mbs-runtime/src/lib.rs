@@ -10,6 +10,7 @@ mod integrator;
 mod linear;
 mod mechanism;
 mod model;
+pub mod output;
 mod reactions;
 mod report;
 mod samples;

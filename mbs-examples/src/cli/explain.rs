@@ -1,0 +1,225 @@
+//! `mbs explain`: what was modelled.
+
+use std::fmt::{self, Write as _};
+
+use clap::Args;
+use mbs_examples::scene::Scene;
+use mbs_runtime::{AnySimulation, Model, Quantity, RowKind, Settings};
+
+use super::failure::Failure;
+use super::find;
+use super::print::print;
+use super::summary::count;
+use super::table::{Align, table};
+
+use Align::{Left, Right};
+
+/// Arguments of `mbs explain`.
+#[derive(Args)]
+pub struct Explain {
+    /// Name of the scene; `mbs list` shows them.
+    scene: String,
+    /// Print the equations in LaTeX instead.
+    #[arg(long)]
+    latex: bool,
+}
+
+impl Explain {
+    /// Prints the explanation.
+    pub fn run(&self) -> Result<(), Failure> {
+        let scene = find::scene(&self.scene)?;
+        if self.latex {
+            return print(&latex(scene.model)?);
+        }
+        let mut text = String::new();
+        // Writing to a String cannot fail.
+        let _ = explain(&mut text, scene);
+        print(&text)
+    }
+}
+
+/// The equations of motion in LaTeX.
+fn latex(model: &Model) -> Result<String, String> {
+    Err(format!(
+        "the equations of {} are not available in LaTeX yet; leave out --latex",
+        model.name
+    ))
+}
+
+fn explain(out: &mut String, scene: &Scene) -> fmt::Result {
+    let model = scene.model;
+    writeln!(out, "{}: {}", scene.name, scene.title)?;
+    for line in [model.doc, scene.source] {
+        if !line.is_empty() {
+            writeln!(out, "{line}")?;
+        }
+    }
+    section(
+        out,
+        "Parts",
+        [("part", Left), ("kind", Left), ("modelled as", Left)],
+        model.parts.iter().map(|p| [p.name, p.kind, p.modelled_as]),
+    );
+    section(
+        out,
+        "Coordinates",
+        [("coordinate", Left), ("unit", Left)],
+        model.coordinates.iter().map(|c| [c.name, c.unit]),
+    );
+    let heading = [
+        ("row", Left),
+        ("kind", Left),
+        ("entry", Left),
+        ("unit", Left),
+    ];
+    section(out, "Constraint rows", heading, {
+        model
+            .rows
+            .iter()
+            .map(|r| [r.name, kind(r.kind), r.entry, r.unit])
+    });
+    if !model.reductions.is_empty() {
+        writeln!(out, "\nReductions")?;
+        for reduction in model.reductions {
+            writeln!(out, "  {reduction}")?;
+        }
+    }
+    structure(out, scene)?;
+    operations(out, model);
+    quantities(out, "Parameters", model.parameters);
+    quantities(out, "Inputs", model.inputs);
+    section(
+        out,
+        "Outputs",
+        [("output", Left), ("unit", Left), ("", Left)],
+        model.outputs.iter().map(|q| [q.name, q.unit, q.doc]),
+    );
+    if !model.events.is_empty() {
+        writeln!(out, "\nEvents\n  {}", model.events.join(", "))?;
+    }
+    Ok(())
+}
+
+/// What the symbolic expressions and the assembled mechanism say about the equations.
+fn structure(out: &mut String, scene: &Scene) -> fmt::Result {
+    let structure = scene.model.structure;
+    let depends = |yes: bool, true_case, false_case| if yes { true_case } else { false_case };
+    writeln!(out, "\nStructure")?;
+    writeln!(
+        out,
+        "  mass matrix  {}",
+        depends(
+            structure.constant_mass,
+            "constant",
+            "depends on the coordinates"
+        )
+    )?;
+    let forces = match (structure.position_forces, structure.velocity_forces) {
+        (false, false) => "constant in positions and velocities",
+        (true, false) => "depend on positions",
+        (false, true) => "depend on velocities",
+        (true, true) => "depend on positions and velocities",
+    };
+    writeln!(out, "  forces       {forces}")?;
+    writeln!(
+        out,
+        "  time         {}",
+        depends(
+            structure.time_dependent,
+            "appears in a row or force",
+            "does not appear"
+        )
+    )?;
+    let (rows, holonomic) = (scene.model.rows.len(), structure.holonomic_rows);
+    writeln!(
+        out,
+        "  rows         {holonomic} holonomic, {} nonholonomic",
+        rows - holonomic
+    )?;
+    let settings = Settings {
+        step: scene.step,
+        ..Settings::default()
+    };
+    match (scene.build)(&[], settings) {
+        Ok(simulation) => assembled(out, simulation.as_ref()),
+        Err(error) => writeln!(out, "  assembly     failed: {error}"),
+    }
+}
+
+fn assembled(out: &mut String, simulation: &dyn AnySimulation) -> fmt::Result {
+    let verdict = simulation.assembly();
+    let velocities = simulation.velocities().len();
+    writeln!(out, "  rank         {} at the start", verdict.rank)?;
+    if !verdict.redundant_rows.is_empty() {
+        writeln!(out, "  redundant    {}", verdict.redundant_rows.join(", "))?;
+    }
+    let mobility = count(velocities.saturating_sub(verdict.rank), "degree");
+    writeln!(out, "  mobility     {mobility} of freedom")?;
+    writeln!(out, "  flow         {}", simulation.flow().name())
+}
+
+fn operations(out: &mut String, model: &Model) {
+    let heading = [
+        ("function", Left),
+        ("+ −", Right),
+        ("×", Right),
+        ("÷", Right),
+        ("calls", Right),
+    ];
+    let rows = model.operations.iter().map(|cost| {
+        let counts = [
+            cost.additions,
+            cost.multiplications,
+            cost.divisions,
+            cost.calls,
+        ];
+        let [additions, multiplications, divisions, calls] = counts.map(|n| n.to_string());
+        [
+            cost.function.to_owned(),
+            additions,
+            multiplications,
+            divisions,
+            calls,
+        ]
+    });
+    section(out, "Operations", heading, rows);
+}
+
+fn quantities(out: &mut String, title: &str, quantities: &[Quantity]) {
+    let heading = [
+        ("name", Left),
+        ("default", Right),
+        ("unit", Left),
+        ("", Left),
+    ];
+    let rows = quantities.iter().map(|q| {
+        [
+            q.name.to_owned(),
+            q.default.to_string(),
+            q.unit.to_owned(),
+            q.doc.to_owned(),
+        ]
+    });
+    section(out, title, heading, rows);
+}
+
+/// A titled table; nothing if it has no rows.
+fn section<const COLUMNS: usize, Cell: Into<String>>(
+    out: &mut String,
+    title: &str,
+    heading: [(&str, Align); COLUMNS],
+    rows: impl Iterator<Item = [Cell; COLUMNS]>,
+) {
+    let rows: Vec<[String; COLUMNS]> = rows.map(|row| row.map(Into::into)).collect();
+    if !rows.is_empty() {
+        *out += &format!("\n{title}\n{}", table(heading, &rows));
+    }
+}
+
+fn kind(kind: RowKind) -> &'static str {
+    match kind {
+        RowKind::Holonomic => "holonomic",
+        RowKind::Rheonomic => "rheonomic",
+        RowKind::Nonholonomic => "nonholonomic",
+    }
+}

@@ -1,0 +1,37 @@
+//! Things by name, with a suggestion where the name is not quite right.
+
+use mbs_examples::scene::Scene;
+use mbs_examples::scenes::scenes;
+
+use super::failure::Failure;
+
+/// The scene of this name.
+pub fn scene(name: &str) -> Result<&'static Scene, Failure> {
+    let names = || scenes().iter().map(|scene| scene.name);
+    let found = scenes().iter().find(|scene| scene.name == name);
+    found.ok_or_else(|| Failure(unknown("scene", name, names())))
+}
+
+/// `no scene is named …; did you mean …? There are: …`
+pub fn unknown<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str> + Clone) -> String {
+    let mut message = format!("no {what} is named `{name}`");
+    if let Some(near) = nearest(name, known.clone()) {
+        message += &format!("; did you mean `{near}`?");
+    } else {
+        message += ".";
+    }
+    let known: Vec<&str> = known.collect();
+    match known.as_slice() {
+        [] => message += " There are none.",
+        known => message += &format!(" There are: {}", known.join(", ")),
+    }
+    message
+}
+
+/// The most similar name, if it is similar at all.
+fn nearest<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let scored = known.map(|known| (strsim::jaro_winkler(name, known), known));
+    let near = scored.filter(|(likeness, _)| *likeness > 0.75);
+    near.max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, known)| known)
+}

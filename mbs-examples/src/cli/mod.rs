@@ -1,0 +1,65 @@
+//! The command line. Every failure is a message with what to do on stderr, and exit code 1.
+
+mod explain;
+mod failure;
+mod find;
+mod list;
+mod print;
+mod progress;
+mod request;
+mod results;
+mod simulate;
+mod summary;
+mod table;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use failure::Failure;
+
+/// Multibody mechanisms, declared with `mechanism!` and integrated with ALF-3F.
+#[derive(Parser)]
+#[command(name = "mbs", version, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the scenes.
+    List(list::List),
+    /// Run a scene, write its trajectory, diagrams and animation, and print a summary.
+    Simulate(simulate::Simulate),
+    /// Say what was modelled in a scene.
+    Explain(explain::Explain),
+}
+
+/// Runs the command line of this process.
+pub fn main() -> ExitCode {
+    let done = match Arguments::try_parse() {
+        Ok(arguments) => match arguments.command {
+            Command::List(list) => list.run(),
+            Command::Simulate(simulate) => simulate.run(),
+            Command::Explain(explain) => explain.run(),
+        },
+        // Asked for help or the version: not a failure.
+        Err(message) if !message.use_stderr() => print::print(&message.to_string()),
+        Err(message) => {
+            let _ = message.print();
+            return ExitCode::FAILURE;
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(Failure(message)) => {
+            // A closed stderr leaves nobody to tell.
+            let _ = std::io::Write::write_all(
+                &mut std::io::stderr(),
+                format!("error: {message}\n").as_bytes(),
+            );
+            ExitCode::FAILURE
+        }
+    }
+}

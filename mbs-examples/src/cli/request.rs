@@ -1,0 +1,133 @@
+//! What a user asked `mbs simulate` for, checked before anything runs.
+
+use mbs_examples::scene::Scene;
+use mbs_runtime::{AnySimulation, Method, Settings};
+
+use super::failure::Failure;
+use super::find::unknown;
+use super::simulate::Simulate;
+
+const AVAILABLE: &[&str] = &["two-level", "alf3f-paper"];
+const PLANNED: &[&str] = &[
+    "m-alf",
+    "index3-projections",
+    "generalized-alpha",
+    "bdf",
+    "rattle",
+    "baumgarte",
+    "penalty",
+];
+
+/// A run that makes sense.
+pub struct Request {
+    /// Up to this time, s.
+    pub duration: f64,
+    /// Method and step.
+    pub settings: Settings,
+    parameters: Vec<(String, f64)>,
+    inputs: Vec<(String, f64)>,
+}
+
+impl Request {
+    /// Checks the arguments against the scene and fills in its defaults.
+    pub fn new(arguments: &Simulate, scene: &Scene) -> Result<Self, Failure> {
+        if arguments.tolerance.is_some() {
+            return Err(Failure(
+                "--tolerance is not available yet: steps are constant; give their length with --step"
+                    .to_owned(),
+            ));
+        }
+        if arguments.order != "2" {
+            let order = &arguments.order;
+            return Err(Failure(format!(
+                "order {order} is not available; available: --order 2"
+            )));
+        }
+        let duration = positive("--time", arguments.time.as_deref(), scene.duration)?;
+        let step = positive("--step", arguments.step.as_deref(), scene.step)?;
+        if duration / step > 1e15 {
+            return Err(Failure(format!(
+                "--step {step:e} is too small for --time {duration:e}: time would not advance; take a longer step"
+            )));
+        }
+        let method = method(&arguments.method)?;
+        let mut request = Request {
+            duration,
+            settings: Settings {
+                method,
+                step,
+                ..Settings::default()
+            },
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+        };
+        for text in &arguments.set {
+            request.set(text, scene)?;
+        }
+        Ok(request)
+    }
+
+    /// True if the run is of the scene as it was declared, so that its reference applies.
+    pub fn is_unchanged(&self) -> bool {
+        self.parameters.is_empty() && self.inputs.is_empty()
+    }
+
+    /// The simulation at its start.
+    pub fn build(&self, scene: &Scene) -> Result<Box<dyn AnySimulation>, Failure> {
+        let mut simulation = (scene.build)(&self.parameters, self.settings)?;
+        for (name, value) in &self.inputs {
+            simulation.set_input(name, *value)?;
+        }
+        Ok(simulation)
+    }
+
+    /// Takes one `name=value`, of a parameter or an input.
+    fn set(&mut self, text: &str, scene: &Scene) -> Result<(), Failure> {
+        let Some((name, value)) = text.split_once('=') else {
+            return Err(Failure(format!("--set {text}: write --set name=value")));
+        };
+        let value = finite(&format!("--set {name}"), value)?;
+        let parameters = scene.model.parameters.iter().map(|q| q.name);
+        let inputs = scene.model.inputs.iter().map(|q| q.name);
+        if parameters.clone().any(|known| known == name) {
+            self.parameters.push((name.to_owned(), value));
+        } else if inputs.clone().any(|known| known == name) {
+            self.inputs.push((name.to_owned(), value));
+        } else {
+            let known = parameters.chain(inputs);
+            return Err(Failure(unknown("parameter or input", name, known)));
+        }
+        Ok(())
+    }
+}
+
+fn method(name: &str) -> Result<Method, Failure> {
+    match name {
+        "two-level" => Ok(Method::TwoLevel),
+        "alf3f-paper" => Ok(Method::Paper(Default::default())),
+        planned if PLANNED.contains(&planned) => Err(Failure(format!(
+            "method `{planned}` is not available yet; available: {}",
+            AVAILABLE.join(", ")
+        ))),
+        other => Err(Failure(unknown("method", other, AVAILABLE.iter().copied()))),
+    }
+}
+
+fn positive(option: &str, text: Option<&str>, default: f64) -> Result<f64, Failure> {
+    let Some(text) = text else { return Ok(default) };
+    match finite(option, text)? {
+        value if value > 0.0 => Ok(value),
+        _ => Err(Failure(format!(
+            "{option} {text}: give a time above zero, in seconds"
+        ))),
+    }
+}
+
+fn finite(option: &str, text: &str) -> Result<f64, Failure> {
+    match text.trim().parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        _ => Err(Failure(format!(
+            "{option}: `{text}` is not a finite number; write for example 0.001"
+        ))),
+    }
+}

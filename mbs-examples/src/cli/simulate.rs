@@ -1,0 +1,185 @@
+//! `mbs simulate`: runs a scene.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use cpu_time::ProcessTime;
+use mbs_examples::reference::{Deviation, ReferenceTable};
+use mbs_examples::scene::Scene;
+use mbs_runtime::output::Frame;
+use mbs_runtime::{AnySimulation, SimulationError};
+
+use super::failure::Failure;
+use super::find;
+use super::print::print;
+use super::progress::Progress;
+use super::request::Request;
+use super::results::Results;
+use super::summary;
+
+/// Instants that are recorded at most, give or take one.
+const MOST_SAMPLES: f64 = 2000.0;
+
+/// Arguments of `mbs simulate`. Numbers are read as text, so that all of them are checked in one place.
+#[derive(Args)]
+pub struct Simulate {
+    /// Name of the scene; `mbs list` shows them.
+    pub scene: String,
+    /// Simulated time, s [default: the scene's].
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub time: Option<String>,
+    /// Step, s [default: the scene's].
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub step: Option<String>,
+    /// Step-size control: not available yet.
+    #[arg(long, value_name = "X", hide = true, allow_hyphen_values = true)]
+    pub tolerance: Option<String>,
+    /// Integrator: two-level or alf3f-paper.
+    #[arg(long, value_name = "M", default_value = "two-level")]
+    pub method: String,
+    /// Order of the method: 2.
+    #[arg(long, value_name = "N", default_value = "2")]
+    pub order: String,
+    /// Value of a parameter or an input; may be repeated.
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Directory for the files [default: out/SCENE; none with --json].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Print one JSON object instead of a summary.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What a run gave, complete or not.
+pub struct Run {
+    /// The scene.
+    pub scene: &'static Scene,
+    /// The simulation at its last instant.
+    pub simulation: Box<dyn AnySimulation>,
+    /// The recorded instants.
+    pub frames: Vec<Frame>,
+    /// Processor time of the integration alone, s: no sampling, no files.
+    pub cpu: f64,
+    /// Why it ended before its end.
+    pub stopped: Option<SimulationError>,
+    /// How far it is from the scene's reference; `Err` says why it was not compared.
+    pub reference: Result<Vec<Deviation>, String>,
+    /// Where the files are.
+    pub files: Option<PathBuf>,
+}
+
+impl Simulate {
+    /// Runs, writes and prints.
+    pub fn run(&self) -> Result<(), Failure> {
+        let scene = find::scene(&self.scene)?;
+        let request = Request::new(self, scene)?;
+        let simulation = request.build(scene)?;
+        let files = match (&self.out, self.json) {
+            (Some(directory), _) => Some(directory.clone()),
+            (None, true) => None,
+            (None, false) => Some(PathBuf::from("out").join(scene.name)),
+        };
+        // The trajectory is opened now and written as it comes: a run that is ended from outside leaves its part.
+        let mut results = files
+            .as_deref()
+            .map(|d| Results::create(d, scene))
+            .transpose()?;
+
+        let table = reference(scene, &request);
+        let interval = sample_interval(&request, table.as_ref().ok());
+        let mut run = Run {
+            scene,
+            simulation,
+            frames: Vec::new(),
+            cpu: 0.0,
+            stopped: None,
+            reference: Ok(Vec::new()),
+            files,
+        };
+        integrate(&mut run, request.duration, interval, results.as_mut())?;
+        run.reference = table.map(|table| table.compare(&run.frames));
+        if let Some(results) = results {
+            results.finish(&run)?;
+        }
+        let text = if self.json {
+            summary::json(&run)
+        } else {
+            summary::text(&run)
+        };
+        print(&text)?;
+        match &run.stopped {
+            None => Ok(()),
+            Some(error) => Err(Failure(format!("{error}"))),
+        }
+    }
+}
+
+/// Advances to `end`, recording every `interval`.
+fn integrate(
+    run: &mut Run,
+    end: f64,
+    interval: f64,
+    mut results: Option<&mut Results>,
+) -> Result<(), Failure> {
+    let progress = Progress::new(run.scene.name, end);
+    let mut record = |run: &mut Run| {
+        let frame = Frame::record(run.simulation.as_ref());
+        if let Some(results) = results.as_deref_mut() {
+            results.record(&frame)?;
+        }
+        run.frames.push(frame);
+        Ok::<(), Failure>(())
+    };
+    record(run)?;
+    let samples = (end / interval - 1e-6).ceil().max(1.0) as u64;
+    for sample in 1..=samples {
+        let until = if sample == samples {
+            end
+        } else {
+            sample as f64 * interval
+        };
+        let started = ProcessTime::now();
+        let advanced = run.simulation.run_until(until);
+        run.cpu += started.elapsed().as_secs_f64();
+        if let Err(error) = advanced {
+            run.stopped = Some(error);
+            break;
+        }
+        record(run)?;
+        progress.at(until);
+    }
+    progress.finish();
+    Ok(())
+}
+
+/// A whole number of steps, so that sampling shortens none; of these one that meets the reference's instants.
+fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64 {
+    let step = request.settings.step;
+    let fewest = (request.duration / step / MOST_SAMPLES).ceil().max(1.0);
+    let meets = |steps: &f64| {
+        let Some(wanted) = reference.and_then(ReferenceTable::interval) else {
+            return false;
+        };
+        let ratio = wanted / (steps * step);
+        ratio > 0.5 && (ratio - ratio.round()).abs() < 1e-6
+    };
+    let candidates = (0..50).map(|more| fewest + f64::from(more));
+    let steps = candidates.into_iter().find(meets).unwrap_or(fewest);
+    steps * step
+}
+
+/// The scene's reference, or why there is none to compare with.
+fn reference(scene: &Scene, request: &Request) -> Result<ReferenceTable, String> {
+    let Some(reference) = &scene.reference else {
+        return Err("the scene has none".to_owned());
+    };
+    if !request.is_unchanged() {
+        return Err(format!(
+            "not compared with {}: values were changed with --set",
+            reference.file
+        ));
+    }
+    ReferenceTable::find(reference, scene.model)?
+        .ok_or_else(|| format!("{} was not found", reference.file))
+}

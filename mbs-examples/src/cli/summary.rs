@@ -1,0 +1,186 @@
+//! What `mbs simulate` says about a run.
+
+use std::fmt::Write as _;
+
+use serde_json::{Map, Value, json};
+
+use super::results::FILES;
+use super::simulate::Run;
+use super::table::{Align, table};
+
+/// The one object of `--json`.
+pub fn json(run: &Run) -> String {
+    let (model, report) = (run.simulation.model(), run.simulation.report());
+    let outputs = run.simulation.outputs();
+    let last: Map<String, Value> = model
+        .outputs
+        .iter()
+        .zip(outputs)
+        .map(|(output, value)| (output.name.to_owned(), json!(value)))
+        .collect();
+    let reference = run.reference.as_ref().ok().map(|columns| {
+        let file = run.scene.reference.map(|reference| reference.file);
+        let columns: Map<String, Value> = columns
+            .iter()
+            .map(|c| {
+                let errors = json!({"final": c.at_end, "max": c.largest, "instants": c.instants});
+                (c.column.to_owned(), errors)
+            })
+            .collect();
+        json!({"file": file, "errors": columns})
+    });
+    let object = json!({
+        "scene": run.scene.name,
+        "method": run.simulation.settings().method.name(),
+        "flow": run.simulation.flow().name(),
+        "order": 2,
+        "step_s": run.simulation.settings().step,
+        "coordinates": model.coordinates.len(),
+        "velocities": run.simulation.velocities().len(),
+        "rows": model.rows.len(),
+        "rank": report.rank,
+        "steps": report.steps,
+        "stages": report.stages,
+        "cpu_s": run.cpu,
+        "final_time_s": run.simulation.time(),
+        "energy_error_J": report.energy_error,
+        "holonomic_error": report.holonomic_error,
+        "velocity_error": report.velocity_error,
+        "rejected_steps": report.rejected_steps,
+        "status": if run.stopped.is_some() { "stopped" } else { "ok" },
+        "message": run.stopped.as_ref().map(ToString::to_string),
+        "final": last,
+        "reference": reference,
+    });
+    format!("{object:#}\n")
+}
+
+/// The summary for people.
+pub fn text(run: &Run) -> String {
+    let mut text = String::new();
+    // Writing to a String cannot fail.
+    let _ = write_text(&mut text, run);
+    text
+}
+
+fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
+    let (model, report) = (run.simulation.model(), run.simulation.report());
+    let settings = run.simulation.settings();
+    writeln!(
+        out,
+        "{}: {} ({})\n",
+        run.scene.name, run.scene.title, run.scene.source
+    )?;
+    writeln!(
+        out,
+        "  model        {}, {} of rank {}",
+        count(model.coordinates.len(), "coordinate"),
+        count(model.rows.len(), "constraint row"),
+        report.rank
+    )?;
+    for redundant in &run.simulation.assembly().redundant_rows {
+        writeln!(out, "               `{redundant}` is redundant")?;
+    }
+    let (method, flow) = (settings.method.name(), run.simulation.flow().name());
+    writeln!(
+        out,
+        "  method       {method}, order 2, {flow} flow, step {} s",
+        settings.step
+    )?;
+    writeln!(
+        out,
+        "  run          {} s in {} steps and {} stages ({} rejected), {:.3} ms of processor time",
+        run.simulation.time(),
+        report.steps,
+        report.stages,
+        report.rejected_steps,
+        1e3 * run.cpu
+    )?;
+    if let Some(error) = &run.stopped {
+        writeln!(
+            out,
+            "  STOPPED      at t = {} s: {error}",
+            run.simulation.time()
+        )?;
+    }
+    writeln!(
+        out,
+        "  energy       error {:.2e} J at most",
+        report.energy_error
+    )?;
+    if !model.rows.is_empty() {
+        writeln!(
+            out,
+            "  constraints  |φ| ≤ {:.2e}, |A v + b| ≤ {:.2e}",
+            report.holonomic_error, report.velocity_error
+        )?;
+    }
+    for (index, (output, value)) in model
+        .outputs
+        .iter()
+        .zip(run.simulation.outputs())
+        .enumerate()
+    {
+        let head = if index == 0 { "final" } else { "" };
+        writeln!(
+            out,
+            "  {head:<11}  {} = {value} {}",
+            output.name, output.unit
+        )?;
+    }
+    write_reference(out, run)?;
+    if let Some(directory) = &run.files {
+        writeln!(
+            out,
+            "\n  files in {}: {}",
+            directory.display(),
+            FILES.join(", ")
+        )?;
+    }
+    Ok(())
+}
+
+fn write_reference(out: &mut String, run: &Run) -> std::fmt::Result {
+    let columns = match (&run.reference, &run.scene.reference) {
+        (Ok(columns), Some(reference)) => {
+            let instants = columns.first().map_or(0, |c| c.instants);
+            let file = reference.file;
+            writeln!(
+                out,
+                "  reference    {file}, {} in common",
+                count(instants, "instant")
+            )?;
+            columns
+        }
+        (Err(why), Some(_)) => return writeln!(out, "  reference    {why}"),
+        _ => return Ok(()),
+    };
+    let heading = [
+        ("          ", Align::Left),
+        ("column", Align::Left),
+        ("final error", Align::Right),
+        ("largest error", Align::Right),
+    ];
+    let rows: Vec<_> = columns
+        .iter()
+        .map(|c| {
+            let at_end = c
+                .at_end
+                .map_or("-".to_owned(), |error| format!("{error:.2e}"));
+            [
+                String::new(),
+                c.column.to_owned(),
+                at_end,
+                format!("{:.2e}", c.largest),
+            ]
+        })
+        .collect();
+    *out += &table(heading, &rows);
+    Ok(())
+}
+
+/// `1 row`, `2 rows`.
+pub fn count(number: usize, what: &str) -> String {
+    let plural = if number == 1 { "" } else { "s" };
+    format!("{number} {what}{plural}")
+}

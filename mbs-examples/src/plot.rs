@@ -1,0 +1,240 @@
+//! Diagrams of a run as SVG: the energy balance and the constraint errors.
+
+use std::ops::Range;
+
+use mbs_runtime::output::Frame;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+const SIZE: (u32, u32) = (960, 640);
+/// Room for the labels of the y axis, and at the right edge.
+const LEFT: u32 = 100;
+const MARGIN: u32 = 12;
+const RIGHT: u32 = 24;
+/// Width of the diagram itself.
+const WIDTH: u32 = SIZE.0 - LEFT - RIGHT;
+const FONT: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
+const TEXT: RGBColor = RGBColor(29, 33, 38);
+const GRID: RGBColor = RGBColor(228, 229, 225);
+const BLUE: RGBColor = RGBColor(11, 98, 168);
+const ORANGE: RGBColor = RGBColor(194, 65, 12);
+const GREEN: RGBColor = RGBColor(26, 127, 75);
+
+/// Errors below this are drawn at it: a logarithmic axis has no zero.
+const FLOOR: f64 = 1e-18;
+
+/// A curve with its place in the legend.
+struct Curve {
+    label: &'static str,
+    colour: RGBColor,
+    points: Vec<(f64, f64)>,
+}
+
+impl Curve {
+    fn new(
+        label: &'static str,
+        colour: RGBColor,
+        frames: &[Frame],
+        value: impl Fn(&Frame) -> f64,
+    ) -> Self {
+        let points = frames.iter().map(|f| (f.time, value(f)));
+        let points = points.filter(|(_, y)| y.is_finite()).collect();
+        Curve {
+            label,
+            colour,
+            points,
+        }
+    }
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+/// Kinetic, potential and total energy above, the error of the balance below.
+///
+/// # Errors
+/// The text of what the drawing library refused.
+pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
+    picture(|root| {
+        let (upper, lower) = root.split_vertically(SIZE.1 * 11 / 20);
+        let curves = [
+            Curve::new("T kinetic", BLUE, frames, |f| f.energy.kinetic),
+            Curve::new("V potential", ORANGE, frames, |f| f.energy.potential),
+            Curve::new("T + V", GREEN, frames, |f| {
+                f.energy.kinetic + f.energy.potential
+            }),
+        ];
+        linear(&upper, &format!("{title}: energy"), "energy, J", &curves)?;
+        let error = Curve::new("|T + V − work − E₀|", BLUE, frames, |f| {
+            f.energy.error.abs()
+        });
+        logarithmic(
+            &lower,
+            "error of the energy balance",
+            "energy error, J",
+            &[error],
+        )
+    })
+}
+
+/// Position and velocity errors of the constraint rows.
+///
+/// # Errors
+/// The text of what the drawing library refused.
+pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
+    picture(|root| {
+        let curves = [
+            Curve::new("max |φ|, position level", BLUE, frames, |f| {
+                f.holonomic_error
+            }),
+            Curve::new("max |A v + b|, velocity level", ORANGE, frames, |f| {
+                f.velocity_error
+            }),
+        ];
+        let caption = format!("{title}: constraint errors");
+        logarithmic(root, &caption, "error, SI units of the rows", &curves)
+    })
+}
+
+fn picture(draw: impl FnOnce(&Area) -> Drawn) -> Result<String, String> {
+    let mut svg = String::new();
+    let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
+    root.fill(&WHITE)
+        .map_err(|e| e.to_string())
+        .and_then(|()| draw(&root).map_err(|e| e.to_string()))
+        .and_then(|()| root.present().map_err(|e| e.to_string()))?;
+    drop(root);
+    Ok(svg)
+}
+
+fn linear(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
+    let (low, high) = bounds(curves).unwrap_or((0.0, 1.0));
+    let margin = if high > low {
+        0.06 * (high - low)
+    } else {
+        low.abs().max(1.0)
+    };
+    let range = low - margin..high + margin;
+    let digits = decimals(range.end - range.start);
+    let label = |y: &f64| match digits {
+        0..=6 => format!("{y:.digits$}"),
+        _ => format!("{y:.2e}"),
+    };
+    panel(area, caption, unit, curves, range, 8, &label, &|y| y)
+}
+
+fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
+    let (low, high) = bounds(curves).unwrap_or((FLOOR, FLOOR));
+    // Whole decades, and the smallest ones only as far as they tell something.
+    let top = high.max(FLOOR * 10.0).log10().ceil();
+    let bottom = low.max(FLOOR).log10().floor().max(top - 9.0).min(top - 1.0);
+    let decades = (top - bottom) as usize;
+    let label = |exponent: &f64| format!("1e{exponent:.0}");
+    let exponent = |y: f64| y.log10().max(bottom);
+    panel(
+        area,
+        caption,
+        unit,
+        curves,
+        bottom..top,
+        decades + 1,
+        &label,
+        &exponent,
+    )
+}
+
+/// One diagram: a heading with the legend, axes, curves at `place(y)`.
+#[allow(clippy::too_many_arguments)]
+fn panel(
+    area: &Area,
+    caption: &str,
+    unit: &str,
+    curves: &[Curve],
+    range: Range<f64>,
+    labels: usize,
+    label: &dyn Fn(&f64) -> String,
+    place: &dyn Fn(f64) -> f64,
+) -> Drawn {
+    let rows = if legend_width(curves) + title_width(caption) < WIDTH {
+        1
+    } else {
+        2
+    };
+    let (head, body) = area.split_vertically(12 + 26 * rows);
+    heading(&head, caption, curves, 26 * (rows as i32 - 1))?;
+    let mut chart = ChartBuilder::on(&body)
+        .margin_left(MARGIN)
+        .margin_right(RIGHT)
+        .margin_top(6)
+        .x_label_area_size(50)
+        .y_label_area_size(LEFT - MARGIN)
+        .build_cartesian_2d(times(curves), range)?;
+    chart
+        .configure_mesh()
+        .x_desc("time, s")
+        .y_desc(unit)
+        .label_style((FONT, 18, &TEXT))
+        .axis_desc_style((FONT, 18, &TEXT))
+        .bold_line_style(GRID)
+        .light_line_style(TRANSPARENT)
+        .axis_style(TEXT)
+        .y_labels(labels)
+        .y_label_formatter(&label)
+        .draw()?;
+    for curve in curves {
+        let points = curve.points.iter().map(|(t, y)| (*t, place(*y)));
+        chart.draw_series(LineSeries::new(points, curve.colour.stroke_width(2)))?;
+    }
+    Ok(())
+}
+
+/// Title at the left, legend at the right: above the diagram, where it hides no curve; `drop` lower if it is long.
+fn heading(area: &Area, caption: &str, curves: &[Curve], drop: i32) -> Drawn {
+    let title = (FONT, 21, &TEXT).into_text_style(area);
+    area.draw_text(caption, &title, (LEFT as i32, 14))?;
+    let style = (FONT, 18, &TEXT).into_text_style(area);
+    let mut x = (LEFT + WIDTH - legend_width(curves)) as i32;
+    for curve in curves {
+        let line = vec![(x, 23 + drop), (x + 24, 23 + drop)];
+        area.draw(&PathElement::new(line, curve.colour.stroke_width(3)))?;
+        area.draw_text(curve.label, &style, (x + 32, 16 + drop))?;
+        x += entry_width(curve) as i32;
+    }
+    Ok(())
+}
+
+// The fonts of the reader are unknown here: room for a wide one.
+
+fn title_width(caption: &str) -> u32 {
+    10 * caption.chars().count() as u32
+}
+
+fn entry_width(curve: &Curve) -> u32 {
+    52 + 9 * curve.label.chars().count() as u32
+}
+
+fn legend_width(curves: &[Curve]) -> u32 {
+    curves.iter().map(entry_width).sum()
+}
+
+fn times(curves: &[Curve]) -> Range<f64> {
+    let times = curves.iter().flat_map(|c| &c.points).map(|p| p.0);
+    let (first, last) = span(times).unwrap_or((0.0, 1.0));
+    first..if last > first { last } else { first + 1.0 }
+}
+
+fn bounds(curves: &[Curve]) -> Option<(f64, f64)> {
+    span(curves.iter().flat_map(|c| &c.points).map(|p| p.1))
+}
+
+fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+    values.fold(None, |span, x| {
+        let (low, high) = span.unwrap_or((x, x));
+        Some((low.min(x), high.max(x)))
+    })
+}
+
+/// The decimals that tell neighbouring ticks apart.
+fn decimals(range: f64) -> usize {
+    (1.3 - range.max(f64::MIN_POSITIVE).log10()).ceil().max(0.0) as usize
+}

@@ -1,0 +1,162 @@
+//! Trusted trajectories on disk, and how far a run is from them.
+
+use std::path::{Path, PathBuf};
+
+use mbs_runtime::Model;
+use mbs_runtime::output::Frame;
+
+use crate::scene::Reference;
+
+/// Times closer than this part of the later one are the same instant.
+const SAME_INSTANT: f64 = 1e-9;
+
+/// The columns of a reference that a scene is compared with.
+#[derive(Debug, Clone)]
+pub struct ReferenceTable {
+    /// The file it was read from.
+    pub path: PathBuf,
+    time: Vec<f64>,
+    columns: Vec<Column>,
+}
+
+#[derive(Debug, Clone)]
+struct Column {
+    name: &'static str,
+    /// Index into [`Model::outputs`].
+    output: usize,
+    values: Vec<f64>,
+}
+
+/// How far a run is from one column of its reference.
+#[derive(Debug, Clone)]
+pub struct Deviation {
+    /// The column.
+    pub column: &'static str,
+    /// |output − reference| at the last instant of the run, if the reference has that instant.
+    pub at_end: Option<f64>,
+    /// The largest |output − reference| over the instants that run and reference share.
+    pub largest: f64,
+    /// How many instants they share.
+    pub instants: usize,
+}
+
+impl ReferenceTable {
+    /// Reads the reference of a scene; `None` if the file is not on this machine.
+    ///
+    /// # Errors
+    /// The file is there and cannot be used: what is wrong, for people.
+    pub fn find(reference: &Reference, model: &Model) -> Result<Option<Self>, String> {
+        match directories()
+            .map(|d| d.join(reference.file))
+            .find(|p| p.is_file())
+        {
+            Some(path) => Self::read(path, reference, model).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    fn read(path: PathBuf, reference: &Reference, model: &Model) -> Result<Self, String> {
+        let shown = path.display();
+        let text =
+            std::fs::read_to_string(&path).map_err(|e| format!("cannot read {shown}: {e}"))?;
+        let mut lines = text.lines();
+        let header: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+        let index = |name: &str| {
+            let found = header.iter().position(|column| *column == name);
+            found.ok_or_else(|| format!("{shown} has no column `{name}`"))
+        };
+        let time_index = index("time_s")?;
+        let mut time = Vec::new();
+        let mut columns = Vec::new();
+        for &(output, name) in reference.columns {
+            let position = model.outputs.iter().position(|q| q.name == output);
+            let output = position.ok_or_else(|| {
+                format!("the scene's reference names `{output}`, which is no output")
+            })?;
+            let values = Vec::new();
+            columns.push((
+                index(name)?,
+                Column {
+                    name,
+                    output,
+                    values,
+                },
+            ));
+        }
+        for (number, line) in lines
+            .enumerate()
+            .filter(|(_, line)| !line.trim().is_empty())
+        {
+            let cells: Vec<&str> = line.split(',').collect();
+            let value = |index: usize| {
+                let cell = cells
+                    .get(index)
+                    .and_then(|cell| cell.trim().parse::<f64>().ok());
+                cell.ok_or_else(|| format!("{shown}, line {}: a number is missing", number + 2))
+            };
+            time.push(value(time_index)?);
+            for (index, column) in &mut columns {
+                column.values.push(value(*index)?);
+            }
+        }
+        let columns = columns.into_iter().map(|(_, column)| column).collect();
+        Ok(ReferenceTable {
+            path,
+            time,
+            columns,
+        })
+    }
+
+    /// The spacing of its first two instants, s.
+    pub fn interval(&self) -> Option<f64> {
+        match self.time.as_slice() {
+            [first, second, ..] => Some(second - first),
+            _ => None,
+        }
+    }
+
+    /// Compares the recorded instants that the reference has too.
+    pub fn compare(&self, frames: &[Frame]) -> Vec<Deviation> {
+        let pairs: Vec<(usize, usize)> = frames
+            .iter()
+            .enumerate()
+            .filter_map(|(frame, f)| Some((frame, self.row_at(f.time)?)))
+            .collect();
+        let deviation = |column: &Column| {
+            let error = |&(frame, row): &(usize, usize)| {
+                (frames[frame].outputs[column.output] - column.values[row]).abs()
+            };
+            let last = pairs.last().filter(|(frame, _)| frame + 1 == frames.len());
+            Deviation {
+                column: column.name,
+                at_end: last.map(error),
+                // A NaN must not hide behind `f64::max`.
+                largest: pairs
+                    .iter()
+                    .map(error)
+                    .fold(0.0, |most, e| if e > most || e.is_nan() { e } else { most }),
+                instants: pairs.len(),
+            }
+        };
+        self.columns.iter().map(deviation).collect()
+    }
+
+    fn row_at(&self, time: f64) -> Option<usize> {
+        let tolerance = SAME_INSTANT * time.abs().max(self.interval().unwrap_or(0.0));
+        let row = self.time.partition_point(|t| *t < time - tolerance);
+        (self.time.get(row)? - time)
+            .abs()
+            .le(&tolerance)
+            .then_some(row)
+    }
+}
+
+/// Where references are looked for: data of the crate, then a collection beside the repository.
+fn directories() -> impl Iterator<Item = PathBuf> {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    [
+        package.join("reference"),
+        package.join("../../shared/reference"),
+    ]
+    .into_iter()
+}

@@ -1,0 +1,52 @@
+//! A scene: a mechanism together with how long to run it and what to compare it with.
+
+use mbs_runtime::{AnySimulation, Model, Settings, SimulationError};
+
+/// Makes a simulation of a mechanism from parameters by name.
+pub type Build = fn(&[(String, f64)], Settings) -> Result<Box<dyn AnySimulation>, SimulationError>;
+
+/// A mechanism that the command line knows.
+#[derive(Debug, Clone, Copy)]
+pub struct Scene {
+    /// Its name on the command line, for example `slider-crank`.
+    pub name: &'static str,
+    /// One line for people.
+    pub title: &'static str,
+    /// Where the numbers come from.
+    pub source: &'static str,
+    /// What was modelled.
+    pub model: &'static Model,
+    /// Time to simulate unless told otherwise, s.
+    pub duration: f64,
+    /// Step unless told otherwise, s.
+    pub step: f64,
+    /// Trusted values, if there are any for the default parameters.
+    pub reference: Option<Reference>,
+    /// Makes the simulation; [`build_scene!`](crate::build_scene) writes this function.
+    pub build: Build,
+}
+
+/// A table of trusted values.
+#[derive(Debug, Clone, Copy)]
+pub struct Reference {
+    /// File name, for example `a01_pendulum_10s.csv`; its column `time_s` is the time.
+    pub file: &'static str,
+    /// Pairs of the name of an `Output` and the name of the column that it should equal.
+    pub columns: &'static [(&'static str, &'static str)],
+}
+
+/// The [`Build`] function of a mechanism type.
+#[macro_export]
+macro_rules! build_scene {
+    ($mechanism:ty) => {
+        |parameters, settings| {
+            let mut mechanism = <$mechanism as ::std::default::Default>::default();
+            for (name, value) in parameters {
+                ::mbs_runtime::Mechanism::set_parameter(&mut mechanism, name, *value)
+                    .map_err(::mbs_runtime::SimulationError::UnknownName)?;
+            }
+            let simulation = ::mbs_runtime::Simulation::with_settings(mechanism, settings)?;
+            Ok(::std::boxed::Box::new(simulation))
+        }
+    };
+}

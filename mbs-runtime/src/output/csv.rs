@@ -1,0 +1,114 @@
+//! A trajectory as a table: one row per frame, units in the header (`crank.b.x_dot_m_per_s`).
+
+use std::io::{self, Write};
+
+use super::Frame;
+use crate::Model;
+
+/// Writes frames as they come, so that a run that stops leaves all rows up to there.
+#[derive(Debug)]
+pub struct CsvWriter<W: Write> {
+    out: W,
+}
+
+impl<W: Write> CsvWriter<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// `out` cannot be written.
+    pub fn new(mut out: W, model: &Model) -> io::Result<Self> {
+        writeln!(out, "{}", header(model).join(","))?;
+        Ok(CsvWriter { out })
+    }
+
+    /// Writes one row; every number reads back to the same bits.
+    ///
+    /// # Errors
+    /// `out` cannot be written.
+    pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
+        write!(self.out, "{:?}", frame.time)?;
+        let energy = &frame.energy;
+        let balance = [energy.kinetic, energy.potential, energy.error];
+        let errors = [frame.holonomic_error, frame.velocity_error];
+        let columns = frame
+            .outputs
+            .iter()
+            .chain(&frame.coordinates)
+            .chain(&frame.velocities)
+            .chain(&balance)
+            .chain(&errors);
+        for value in columns {
+            write!(self.out, ",{value:?}")?;
+        }
+        writeln!(self.out)
+    }
+
+    /// Marks the table of a run that did not reach its end, with a last line `# stopped at t = …`.
+    ///
+    /// # Errors
+    /// `out` cannot be written.
+    pub fn stopped(&mut self, time: f64, reason: &str) -> io::Result<()> {
+        // A comment is one line.
+        let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
+        writeln!(self.out, "# stopped at t = {time:?} s: {reason}")
+    }
+
+    /// Writes what is still buffered and returns the writer.
+    ///
+    /// # Errors
+    /// `out` cannot be written.
+    pub fn finish(mut self) -> io::Result<W> {
+        self.out.flush()?;
+        Ok(self.out)
+    }
+}
+
+/// The names of the columns.
+fn header(model: &Model) -> Vec<String> {
+    let outputs = model.outputs.iter().map(|q| column(q.name, q.unit));
+    let coordinates = model.coordinates.iter().map(|q| column(q.name, q.unit));
+    let velocities = model.coordinates.iter().map(|q| {
+        let unit = match q.unit {
+            "" => "per_s".to_owned(),
+            unit => format!("{unit}/s"),
+        };
+        column(&format!("{}_dot", q.name), &unit)
+    });
+    let fixed = [
+        "kinetic_J",
+        "potential_J",
+        "energy_error_J",
+        "holonomic_error",
+        "velocity_error",
+    ];
+    std::iter::once("time_s".to_owned())
+        .chain(outputs)
+        .chain(coordinates)
+        .chain(velocities)
+        .chain(fixed.map(str::to_owned))
+        .collect()
+}
+
+/// `("x_dot", "m/s^2")` → `x_dot_m_per_s2`: a name that needs no quoting in any program that reads tables.
+pub fn column(name: &str, unit: &str) -> String {
+    let mut unit = unit.replace('/', "_per_").replace('²', "2");
+    unit.retain(|c| c.is_alphanumeric() || c == '_');
+    if unit.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}_{unit}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::column;
+
+    #[test]
+    fn units_become_part_of_the_name() {
+        assert_eq!(column("x", "m"), "x_m");
+        assert_eq!(column("a", "m/s^2"), "a_m_per_s2");
+        assert_eq!(column("torque", "N m"), "torque_Nm");
+        assert_eq!(column("ratio", ""), "ratio");
+    }
+}

@@ -1,0 +1,45 @@
+//! What a run leaves behind: a table ([`csv`]) and an animation ([`motion`]), both of the same recorded [`Frame`]s.
+
+pub mod csv;
+mod json;
+pub mod motion;
+
+use crate::{AnySimulation, Energy};
+
+/// One recorded instant of a run.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Time, s.
+    pub time: f64,
+    /// Generalized coordinates q.
+    pub coordinates: Vec<f64>,
+    /// Generalized velocities v.
+    pub velocities: Vec<f64>,
+    /// Values of the `Output`s.
+    pub outputs: Vec<f64>,
+    /// Named points in world axes, m.
+    pub points: Vec<[f64; 3]>,
+    /// The energy balance.
+    pub energy: Energy,
+    /// max |φ| over the rows as declared.
+    pub holonomic_error: f64,
+    /// max |A v + b|.
+    pub velocity_error: f64,
+}
+
+impl Frame {
+    /// Records where the simulation is now.
+    pub fn record(simulation: &dyn AnySimulation) -> Self {
+        let sample = simulation.sample();
+        Frame {
+            time: sample.time,
+            coordinates: simulation.coordinates(),
+            velocities: simulation.velocities(),
+            outputs: sample.outputs,
+            points: simulation.points(),
+            energy: sample.energy,
+            holonomic_error: sample.holonomic_error,
+            velocity_error: sample.velocity_error,
+        }
+    }
+}
