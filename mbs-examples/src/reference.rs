@@ -160,3 +160,70 @@ fn directories() -> impl Iterator<Item = PathBuf> {
     ]
     .into_iter()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mbs_runtime::Energy;
+
+    fn table() -> ReferenceTable {
+        let column = Column {
+            name: "x_m",
+            output: 0,
+            values: vec![1.0, 2.0, 4.0],
+        };
+        let time = vec![0.0, 0.1, 0.2];
+        ReferenceTable {
+            path: PathBuf::new(),
+            time,
+            columns: vec![column],
+        }
+    }
+
+    fn frame(time: f64, x: f64) -> Frame {
+        let energy = Energy {
+            kinetic: 0.0,
+            potential: 0.0,
+            nonconservative_work: 0.0,
+            drive_work: 0.0,
+            error: 0.0,
+        };
+        Frame {
+            time,
+            coordinates: vec![],
+            velocities: vec![],
+            outputs: vec![x],
+            points: vec![],
+            energy,
+            holonomic_error: 0.0,
+            velocity_error: 0.0,
+        }
+    }
+
+    #[test]
+    fn only_shared_instants_are_compared() {
+        let frames = [
+            frame(0.0, 1.0),
+            frame(0.05, 99.0),
+            frame(0.1 + 1e-15, 2.5),
+            frame(0.2, 4.25),
+        ];
+        let deviation = &table().compare(&frames)[0];
+        assert_eq!(
+            (deviation.instants, deviation.largest, deviation.at_end),
+            (3, 0.5, Some(0.25))
+        );
+    }
+
+    #[test]
+    fn an_end_beyond_the_reference_has_no_error() {
+        let deviation = &table().compare(&[frame(0.0, 1.0), frame(0.3, 9.0)])[0];
+        assert_eq!((deviation.instants, deviation.at_end), (1, None));
+    }
+
+    #[test]
+    fn what_is_not_a_number_is_not_hidden() {
+        let deviation = &table().compare(&[frame(0.0, f64::NAN), frame(0.1, 2.0)])[0];
+        assert!(deviation.largest.is_nan());
+    }
+}

@@ -144,6 +144,14 @@ fn integrate(
         run.cpu += started.elapsed().as_secs_f64();
         if let Err(error) = advanced {
             run.stopped = Some(error);
+            // The last step that succeeded is where to look for the reason.
+            if run
+                .frames
+                .last()
+                .is_some_and(|frame| frame.time < run.simulation.time())
+            {
+                record(run)?;
+            }
             break;
         }
         record(run)?;
@@ -157,15 +165,13 @@ fn integrate(
 fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64 {
     let step = request.settings.step;
     let fewest = (request.duration / step / MOST_SAMPLES).ceil().max(1.0);
+    let whole = |ratio: f64| ratio > 0.5 && (ratio - ratio.round()).abs() < 1e-6 * ratio;
     let meets = |steps: &f64| {
-        let Some(wanted) = reference.and_then(ReferenceTable::interval) else {
-            return false;
-        };
-        let ratio = wanted / (steps * step);
-        ratio > 0.5 && (ratio - ratio.round()).abs() < 1e-6
+        let wanted = reference.and_then(ReferenceTable::interval);
+        wanted.is_some_and(|wanted| whole(wanted / (steps * step)) || whole(steps * step / wanted))
     };
-    let candidates = (0..50).map(|more| fewest + f64::from(more));
-    let steps = candidates.into_iter().find(meets).unwrap_or(fewest);
+    let mut candidates = (0..=fewest as u64).map(|more| fewest + more as f64);
+    let steps = candidates.find(meets).unwrap_or(fewest);
     steps * step
 }
 

@@ -124,8 +124,10 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
         let head = if index == 0 { "final" } else { "" };
         writeln!(
             out,
-            "  {head:<11}  {} = {value} {}",
-            output.name, output.unit
+            "  {head:<11}  {} = {} {}",
+            output.name,
+            readable(value),
+            output.unit
         )?;
     }
     write_reference(out, run)?;
@@ -177,6 +179,15 @@ fn write_reference(out: &mut String, run: &Run) -> std::fmt::Result {
         .collect();
     *out += &table(heading, &rows);
     Ok(())
+}
+
+/// Ten digits; all of them are in the trajectory.
+fn readable(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        1e-3..1e6 => format!("{value:.9}"),
+        _ => format!("{value:.9e}"),
+    }
 }
 
 /// `1 row`, `2 rows`.
