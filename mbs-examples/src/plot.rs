@@ -10,7 +10,7 @@ const SIZE: (u32, u32) = (960, 640);
 /// Room for the labels of the y axis, and at the right edge.
 const LEFT: u32 = 100;
 const MARGIN: u32 = 12;
-const RIGHT: u32 = 24;
+const RIGHT: u32 = 32;
 /// Width of the diagram itself.
 const WIDTH: u32 = SIZE.0 - LEFT - RIGHT;
 const FONT: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
@@ -22,6 +22,9 @@ const GREEN: RGBColor = RGBColor(26, 127, 75);
 
 /// Errors below this are drawn at it: a logarithmic axis has no zero.
 const FLOOR: f64 = 1e-18;
+
+/// Points of an error curve at most.
+const SPANS: usize = 400;
 
 /// A curve with its place in the legend.
 struct Curve {
@@ -45,6 +48,19 @@ impl Curve {
             points,
         }
     }
+}
+
+/// The largest value in each of many equal spans of time: errors matter where they are large, and the dips of an
+/// oscillating error to zero would fill a logarithmic diagram.
+fn envelope(curve: &Curve) -> Curve {
+    let size = curve.points.len().div_ceil(SPANS).max(1);
+    let largest = |span: &[(f64, f64)]| span.iter().fold(0.0, |most, p| f64::max(most, p.1));
+    let spans = curve.points.chunks(size);
+    let mut points: Vec<_> = spans.map(|span| (span[0].0, largest(span))).collect();
+    if let (Some(&(end, _)), Some(&(_, value))) = (curve.points.last(), points.last()) {
+        points.push((end, value));
+    }
+    Curve { points, ..*curve }
 }
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
@@ -83,7 +99,7 @@ pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
 /// The text of what the drawing library refused.
 pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
     picture(|root| {
-        let curves = [
+        let curves = &[
             Curve::new("max |φ|, position level", BLUE, frames, |f| {
                 f.holonomic_error
             }),
@@ -92,7 +108,7 @@ pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
             }),
         ];
         let caption = format!("{title}: constraint errors");
-        logarithmic(root, &caption, "error, SI units of the rows", &curves)
+        logarithmic(root, &caption, "error, SI units of the rows", curves)
     })
 }
 
@@ -124,7 +140,9 @@ fn linear(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
 }
 
 fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
-    let (low, high) = bounds(curves).unwrap_or((FLOOR, FLOOR));
+    let curves: Vec<Curve> = curves.iter().map(envelope).collect();
+    let values = curves.iter().flat_map(|c| &c.points).map(|p| p.1);
+    let (low, high) = span(values.filter(|y| *y > 0.0)).unwrap_or((FLOOR, FLOOR));
     // Whole decades, and the smallest ones only as far as they tell something.
     let top = high.max(FLOOR * 10.0).log10().ceil();
     let bottom = low.max(FLOOR).log10().floor().max(top - 9.0).min(top - 1.0);
@@ -135,7 +153,7 @@ fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Draw
         area,
         caption,
         unit,
-        curves,
+        &curves,
         bottom..top,
         decades + 1,
         &label,
@@ -161,14 +179,16 @@ fn panel(
         2
     };
     let (head, body) = area.split_vertically(12 + 26 * rows);
-    heading(&head, caption, curves, 26 * (rows as i32 - 1))?;
+    heading(&head, caption, curves, 26 * (rows - 1))?;
+    let times = times(curves);
+    let time_digits = decimals(times.end - times.start);
     let mut chart = ChartBuilder::on(&body)
         .margin_left(MARGIN)
         .margin_right(RIGHT)
         .margin_top(6)
         .x_label_area_size(50)
         .y_label_area_size(LEFT - MARGIN)
-        .build_cartesian_2d(times(curves), range)?;
+        .build_cartesian_2d(times, range)?;
     chart
         .configure_mesh()
         .x_desc("time, s")
@@ -178,6 +198,7 @@ fn panel(
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
         .axis_style(TEXT)
+        .x_label_formatter(&|t| format!("{t:.time_digits$}"))
         .y_labels(labels)
         .y_label_formatter(&label)
         .draw()?;

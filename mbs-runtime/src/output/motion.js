@@ -186,6 +186,7 @@ function drawRuler(c, height, scale, step) {
 function drawTraces(c, place) {
   // A trace is the way of the last frames, strongest at its end.
   const from = Math.max(0, state.frame - 400), pieces = 8;
+  const far = Math.max(byId("scene").clientWidth, byId("scene").clientHeight) / 16;
   c.lineWidth = 1.25;
   for (let i = 0; i < pointCount; i++) {
     if (fixed[i]) continue;
@@ -195,10 +196,13 @@ function drawTraces(c, place) {
       const b = from + Math.floor((state.frame - from) * (piece + 1) / pieces);
       c.globalAlpha = 0.1 + 0.5 * (piece + 1) / pieces;
       c.beginPath();
-      for (let f = a, pen = false; f <= b; f++) {
-        const p = position(f, i);
-        if (p) { const q = place(p); if (pen) c.lineTo(q[0], q[1]); else c.moveTo(q[0], q[1]); }
-        pen = p !== null;
+      for (let f = a, before = null; f <= b; f++) {
+        const p = position(f, i), q = p && place(p);
+        // A record far from the one before it: the way between is not known, a dot says where it was.
+        if (q && before && Math.hypot(q[0] - before[0], q[1] - before[1]) < far) c.lineTo(q[0], q[1]);
+        else if (q && f > a) { c.moveTo(q[0] + 1, q[1]); c.arc(q[0], q[1], 1, 0, 2 * Math.PI); c.moveTo(q[0], q[1]); }
+        else if (q) c.moveTo(q[0], q[1]);
+        before = q;
       }
       c.stroke();
     }
@@ -268,7 +272,7 @@ function drawEnergy() {
   c.textBaseline = "bottom"; c.textAlign = "center";
   const tick = niceStep(span, Math.max(2, width / 110));
   for (let i = Math.ceil(data.time[0] / tick); i * tick <= data.time[last] + 1e-9 * span; i++)
-    c.fillText(label(i * tick, tick), Math.min(x(i * tick), width - 12), height - 4);
+    c.fillText(label(i * tick, tick), Math.min(x(i * tick), width - 4 - c.measureText(label(i * tick, tick)).width / 2), height - 4);
   c.textAlign = "left"; c.fillText("t, s", 6, height - 4);
   c.textBaseline = "middle"; c.fillText("J", 6, 12);
   let at = strip.left;
