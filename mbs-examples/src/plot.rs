@@ -136,7 +136,14 @@ fn linear(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
         0..=6 => format!("{y:.digits$}"),
         _ => format!("{y:.2e}"),
     };
-    panel(area, caption, unit, curves, range, 8, &label, &|y| y)
+    let axis = Axis {
+        unit,
+        range,
+        labels: 8,
+        label: &label,
+        place: &|y| y,
+    };
+    panel(area, caption, curves, axis)
 }
 
 fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
@@ -146,33 +153,29 @@ fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Draw
     // Whole decades, and the smallest ones only as far as they tell something.
     let top = high.max(FLOOR * 10.0).log10().ceil();
     let bottom = low.max(FLOOR).log10().floor().max(top - 9.0).min(top - 1.0);
-    let decades = (top - bottom) as usize;
-    let label = |exponent: &f64| format!("1e{exponent:.0}");
-    let exponent = |y: f64| y.log10().max(bottom);
-    panel(
-        area,
-        caption,
+    let axis = Axis {
         unit,
-        &curves,
-        bottom..top,
-        decades + 1,
-        &label,
-        &exponent,
-    )
+        range: bottom..top,
+        labels: (top - bottom) as usize + 1,
+        label: &|exponent| format!("1e{exponent:.0}"),
+        place: &|y| y.log10().max(bottom),
+    };
+    panel(area, caption, &curves, axis)
 }
 
-/// One diagram: a heading with the legend, axes, curves at `place(y)`.
-#[allow(clippy::too_many_arguments)]
-fn panel(
-    area: &Area,
-    caption: &str,
-    unit: &str,
-    curves: &[Curve],
+/// The vertical axis of a diagram.
+struct Axis<'a> {
+    unit: &'a str,
     range: Range<f64>,
+    /// How many labels at most.
     labels: usize,
-    label: &dyn Fn(&f64) -> String,
-    place: &dyn Fn(f64) -> f64,
-) -> Drawn {
+    label: &'a dyn Fn(&f64) -> String,
+    /// Where on the axis a value is.
+    place: &'a dyn Fn(f64) -> f64,
+}
+
+/// One diagram: a heading with the legend, axes, curves.
+fn panel(area: &Area, caption: &str, curves: &[Curve], axis: Axis) -> Drawn {
     let rows = if legend_width(curves) + title_width(caption) < WIDTH {
         1
     } else {
@@ -188,22 +191,22 @@ fn panel(
         .margin_top(6)
         .x_label_area_size(50)
         .y_label_area_size(LEFT - MARGIN)
-        .build_cartesian_2d(times, range)?;
+        .build_cartesian_2d(times, axis.range)?;
     chart
         .configure_mesh()
         .x_desc("time, s")
-        .y_desc(unit)
+        .y_desc(axis.unit)
         .label_style((FONT, 18, &TEXT))
         .axis_desc_style((FONT, 18, &TEXT))
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
         .axis_style(TEXT)
         .x_label_formatter(&|t| format!("{t:.time_digits$}"))
-        .y_labels(labels)
-        .y_label_formatter(&label)
+        .y_labels(axis.labels)
+        .y_label_formatter(&axis.label)
         .draw()?;
     for curve in curves {
-        let points = curve.points.iter().map(|(t, y)| (*t, place(*y)));
+        let points = curve.points.iter().map(|(t, y)| (*t, (axis.place)(*y)));
         chart.draw_series(LineSeries::new(points, curve.colour.stroke_width(2)))?;
     }
     Ok(())
