@@ -150,7 +150,7 @@ impl PaperSettings {
         positive("max_updates", self.max_updates as f64)?;
         positive("smallest_step", self.smallest_step)?;
         require("penalty_growth", self.penalty_growth, self.penalty_growth > 1.0, "a finite value above 1")?;
-        require("mass_scale", self.mass_scale, self.mass_scale >= 0.0, "zero or a positive finite value")?;
+        positive("mass_scale", self.mass_scale)?;
         let frequency = self.stabilisation_frequency;
         require("stabilisation_frequency", frequency, frequency >= 0.0, "zero or a positive finite value")
     }

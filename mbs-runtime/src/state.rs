@@ -45,7 +45,7 @@ pub struct Ledger {
     pub drive_work: f64,
 }
 
-/// λ, μ, π, σ of the three-field formulation, (26)–(31), and the penalties and the step in use.
+/// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThreeFields<const N: usize, const R: usize> {
     /// λ.
@@ -56,8 +56,6 @@ pub struct ThreeFields<const N: usize, const R: usize> {
     pub momentum: [f64; N],
     /// σ = m̄ ψ̇, (27).
     pub constraint_momentum: [f64; R],
-    /// ξ of each row; zero stands for the initial penalty of the settings.
-    pub penalty: [f64; R],
     /// The step in use, s, after halvings; zero stands for the nominal one.
     pub step: f64,
     /// Whether λ, μ and π hold values of a previous step.
@@ -71,7 +69,6 @@ impl<const N: usize, const R: usize> Default for ThreeFields<N, R> {
             mu: [0.0; R],
             momentum: [0.0; N],
             constraint_momentum: [0.0; R],
-            penalty: [0.0; R],
             step: 0.0,
             started: false,
         }
