@@ -20,14 +20,19 @@ fn tolerance(velocity_tolerance: f64) -> PaperSettings {
     PaperSettings { velocity_tolerance, ..PaperSettings::default() }
 }
 
+fn fine(update_tolerance: f64) -> PaperSettings {
+    PaperSettings { update_tolerance, ..tolerance(update_tolerance) }
+}
+
 #[test]
-fn loose_tolerance_passes_singular_poses_and_loses_energy() {
+fn loose_tolerance_passes_singular_poses_at_the_cost_of_energy() {
     let mut simulation = start(SliderCrank, 1e-3, tolerance(1e-3));
     let result = simulation.run_until(20.0);
     println!("t = {} {:?} {:?}", simulation.time(), simulation.energy(), simulation.report());
     result.unwrap();
-    let lost = -simulation.energy().error;
-    assert!((1e-3..2.0).contains(&lost), "{lost} J");
+    // NUMERICS measured 0.09 to 0.7 J; which side of that depends on the tolerance of the outer loop.
+    let lost = simulation.report().energy_error;
+    assert!((1e-4..2.0).contains(&lost), "{lost} J");
 }
 
 #[test]
@@ -50,7 +55,7 @@ fn stabilised_rows_pass() {
 
 fn ratio<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64, time: f64) -> f64 {
     let [a, b, c] = [1.0, 2.0, 4.0].map(|divisor| {
-        let mut simulation = start(scene.clone(), step / divisor, tolerance(1e-9));
+        let mut simulation = start(scene.clone(), step / divisor, fine(1e-9));
         simulation.run_until(time).unwrap();
         println!("{:?} {:?}", simulation.report(), simulation.energy());
         *simulation.positions()
@@ -76,7 +81,7 @@ fn second_order_away_from_singular_poses() {
 #[test]
 fn restarting_the_multipliers_changes_nothing_for_quadratic_rows() {
     let [a, b] = [true, false].map(|restart_multipliers| {
-        let paper = PaperSettings { restart_multipliers, ..tolerance(1e-10) };
+        let paper = PaperSettings { restart_multipliers, ..fine(1e-10) };
         let mut simulation = start(SliderCrank, 1e-3, paper);
         simulation.run_until(0.2).unwrap();
         *simulation.positions()

@@ -189,7 +189,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
                 x.lambda[i] = lambda0[i] + 0.5 * h * (mu0[i] + x.mu[i]);
             }
             k += 1;
-            // 32: the residual and the rows had converged before v was touched.
+            // 32
             if settled {
                 break;
             }
@@ -222,7 +222,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         Ok(())
     }
 
-    /// Lines 7–28 at fixed q₁: velocities and multipliers. True if there was nothing left to do.
+    /// Lines 7–28 at fixed q₁: velocities and multipliers. True if the rows held on entry and the velocities hardly
+    /// changed: then the residual is small for the updated q₁ too (line 32).
     fn satisfy_rows(
         &mut self,
         t1: f64,
@@ -233,12 +234,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         let settings = self.settings;
         let tolerance = settings.velocity_tolerance;
         let mut before = self.end.node.velocity_rows(&x.v);
-        let mut settled = largest(&before) <= tolerance;
-        for j in 0..settings.max_augmentations {
-            let first = self.newton(t1, h, known, x)?;
-            if j == 0 {
-                settled &= first <= 10.0 * settings.newton_tolerance;
-            }
+        let (entry, admissible) = (x.v, largest(&before) <= tolerance);
+        for _ in 0..settings.max_augmentations {
+            self.newton(t1, h, known, x)?;
             let rates = self.end.node.velocity_rows(&x.v);
             let augmentable = |i: usize| {
                 rates[i].abs() <= tolerance
@@ -258,23 +256,24 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             before = rates;
             // 28
             if largest(&rates) <= tolerance {
-                return Ok(settled);
+                let change: [f64; N] = std::array::from_fn(|i| x.v[i] - entry[i]);
+                let speed = largest(&x.v).max(1e-3);
+                return Ok(admissible && largest(&change) <= settings.update_tolerance * speed);
             }
         }
         Err(self.worst_row(&x.v, settings.max_augmentations))
     }
 
-    /// Lines 9–14: η(v₁) = 0. Returns the size of the first correction relative to the velocities.
+    /// Lines 9–14: η(v₁) = 0.
     fn newton(
         &mut self,
         t1: f64,
         h: f64,
         known: &[f64; N],
         x: &mut Unknowns<N, R>,
-    ) -> Result<f64, Fault> {
-        let mut first = 0.0;
+    ) -> Result<(), Fault> {
         let mut size = 0.0;
-        for i in 0..self.settings.max_newton_iterations {
+        for _ in 0..self.settings.max_newton_iterations {
             let rates = self.end.node.velocity_rows(&x.v);
             let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
             let lambda: [f64; R] =
@@ -293,11 +292,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             }
             self.counters.iterations += 1;
             size = largest(&change) / largest(&x.v).max(1e-3);
-            if i == 0 {
-                first = size;
-            }
             if size <= self.settings.newton_tolerance {
-                return Ok(first);
+                return Ok(());
             }
             if !size.is_finite() {
                 break;
