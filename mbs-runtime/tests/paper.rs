@@ -37,7 +37,7 @@ fn loose_tolerance_passes_singular_poses_at_the_cost_of_energy() {
 
 #[test]
 fn tight_tolerance_underflows_at_the_first_singular_pose() {
-    let mut simulation = start(SliderCrank, 1e-3, tolerance(1e-6));
+    let mut simulation = start(SliderCrank, 1e-3, fine(1e-6));
     let error = simulation.run_until(20.0).unwrap_err();
     println!("{error}\n{:?}", simulation.report());
     assert!((0.38..0.40).contains(&simulation.time()), "t = {}", simulation.time());
