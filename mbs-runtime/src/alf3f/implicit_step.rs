@@ -78,8 +78,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         self.solver.begin(t1, h);
         self.solver.impulse(system, state.time, &q0, &v0);
         let known = self.solver.known;
-        let growth = h / state.multiplier_step;
-        let mut kappa = state.multipliers.map(|last| growth * last);
+        let mut kappa = state.expected_impulse(h);
         let mut vb = v0;
         let (mut last, mut last_change) = (f64::NAN, f64::NAN);
         let mut iterations = 0;
