@@ -52,9 +52,7 @@ pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
     check_finite("a coordinate", &state.positions)?;
     check_finite("a velocity", &state.velocities)?;
     check_finite("a multiplier", &state.multipliers)?;
-    if !(state.multiplier_step != 0.0 && state.multiplier_step.is_finite()) {
-        return Err(SimulationError::State { what: "multiplier_step", value: state.multiplier_step });
-    }
+    check_finite("a change of a multiplier", &state.multiplier_changes)?;
     let q = &state.positions;
     let fault =
         |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);

@@ -1,11 +1,12 @@
 //! One face for the integrators.
 
-use crate::alf3f::Counters;
+use crate::alf3f::{Counters, PaperStepper};
 use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
 
 /// The integrator of a simulation.
 pub(crate) enum Integrator<S: System<N, R>, const N: usize, const R: usize> {
     TwoLevel(TwoLevelStepper<S, N, R>),
+    Paper(PaperStepper<S, N, R>),
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
@@ -18,50 +19,54 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
             Method::TwoLevel => {
                 TwoLevelStepper::new(system, state, settings).map(Integrator::TwoLevel)
             }
-            Method::Paper(_) => todo!(),
+            Method::Paper(_) => PaperStepper::new(system, state, settings).map(Integrator::Paper),
         }
     }
 
     pub(crate) fn step(&mut self, h: f64) -> Result<(), SimulationError> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.step(h),
+            Integrator::Paper(stepper) => stepper.step(h),
         }
     }
 
     pub(crate) fn system(&self) -> &S {
         match self {
             Integrator::TwoLevel(stepper) => &stepper.core.system,
+            Integrator::Paper(stepper) => &stepper.system,
         }
     }
 
     pub(crate) fn system_mut(&mut self) -> &mut S {
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.core.system,
+            Integrator::Paper(stepper) => &mut stepper.system,
         }
     }
 
     pub(crate) fn state(&self) -> &State<N, R> {
         match self {
             Integrator::TwoLevel(stepper) => &stepper.core.state,
+            Integrator::Paper(stepper) => &stepper.state,
         }
     }
 
     pub(crate) fn state_mut(&mut self) -> &mut State<N, R> {
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.core.state,
+            Integrator::Paper(stepper) => &mut stepper.state,
         }
     }
 
     /// To be called after the state or an input was changed.
     pub(crate) fn refresh(&mut self, settings: &Settings) -> Result<(), SimulationError> {
         match self {
-            Integrator::TwoLevel(stepper) => {
-                let time = stepper.core.state.time;
-                stepper.core.refresh().map_err(|fault| {
-                    SimulationError::from_fault(fault, S::MODEL, time, settings.step)
-                })
-            }
+            Integrator::TwoLevel(stepper) => stepper.core.refresh(),
+            Integrator::Paper(stepper) => stepper.refresh(),
         }
+        .map_err(|fault| {
+            SimulationError::from_fault(fault, S::MODEL, self.state().time, settings.step)
+        })
     }
 
     /// What the last accepted step left behind.
@@ -79,18 +84,26 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
                     }),
                 }
             }
+            Integrator::Paper(stepper) => Trace {
+                phi: stepper.phi(),
+                rates: stepper.rates(),
+                drive: stepper.drive(),
+            },
         }
     }
 
     pub(crate) fn flow(&self) -> Flow {
         match self {
             Integrator::TwoLevel(stepper) => stepper.flow(),
+            // Its time integration is the trapezoidal rule with the multipliers inside.
+            Integrator::Paper(_) => Flow::Implicit,
         }
     }
 
     pub(crate) fn counters(&self) -> Counters {
         match self {
             Integrator::TwoLevel(stepper) => stepper.counters(),
+            Integrator::Paper(stepper) => stepper.counters(),
         }
     }
 }

@@ -92,6 +92,8 @@ pub struct PaperSettings {
     pub newton_tolerance: f64,
     /// Tolerance of the velocity rows ψ̇ (line 28), in their own units.
     pub velocity_tolerance: f64,
+    /// The update of q₁ (lines 6–32) is repeated until the weak velocities change by less than this fraction.
+    pub update_tolerance: f64,
     /// Initial penalty ξ (line 4); dimensionless, because the rows are scaled by their effective mass m̄.
     pub penalty: f64,
     /// Factor τ > 1 by which the penalty of a row grows (line 22).
@@ -123,6 +125,7 @@ impl Default for PaperSettings {
         PaperSettings {
             newton_tolerance: 1e-10,
             velocity_tolerance: 1e-6,
+            update_tolerance: 1e-4,
             penalty: 1e3,
             penalty_growth: 10.0,
             max_penalty: 1e9,
@@ -142,6 +145,7 @@ impl PaperSettings {
     fn check(&self) -> Result<(), SimulationError> {
         positive("newton_tolerance", self.newton_tolerance)?;
         positive("velocity_tolerance", self.velocity_tolerance)?;
+        positive("update_tolerance", self.update_tolerance)?;
         positive("penalty", self.penalty)?;
         positive("max_penalty", self.max_penalty)?;
         positive("augmentation_ratio", self.augmentation_ratio)?;
@@ -150,7 +154,7 @@ impl PaperSettings {
         positive("max_updates", self.max_updates as f64)?;
         positive("smallest_step", self.smallest_step)?;
         require("penalty_growth", self.penalty_growth, self.penalty_growth > 1.0, "a finite value above 1")?;
-        require("mass_scale", self.mass_scale, self.mass_scale >= 0.0, "zero or a positive finite value")?;
+        positive("mass_scale", self.mass_scale)?;
         let frequency = self.stabilisation_frequency;
         require("stabilisation_frequency", frequency, frequency >= 0.0, "zero or a positive finite value")
     }

@@ -9,10 +9,10 @@ pub struct State<const N: usize, const R: usize> {
     pub positions: [f64; N],
     /// v.
     pub velocities: [f64; N],
-    /// Multipliers of the last step's first kick, with which the next step starts its iteration.
+    /// κ₁/h, the multiplier of the last step's first kick as a force; the next step starts its iteration with it …
     pub multipliers: [f64; R],
-    /// The step they belong to, s (not zero).
-    pub multiplier_step: f64,
+    /// … plus its change from the step before.
+    pub multiplier_changes: [f64; R],
     /// Accumulated work.
     pub ledger: Ledger,
     /// The fields that only Algorithm 1 carries from step to step.
@@ -20,6 +20,23 @@ pub struct State<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> State<N, R> {
+    /// The impulses κ₁ that a step of h begins with.
+    #[inline(always)]
+    pub(crate) fn expected_impulse(&self, h: f64) -> [f64; R] {
+        std::array::from_fn(|i| h * (self.multipliers[i] + self.multiplier_changes[i]))
+    }
+
+    /// Keeps the impulses κ₁ of a step of h for the next one.
+    #[inline(always)]
+    pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &[f64; R]) {
+        let rate = 1.0 / h;
+        for i in 0..R {
+            let force = rate * impulse[i];
+            self.multiplier_changes[i] = force - self.multipliers[i];
+            self.multipliers[i] = force;
+        }
+    }
+
     /// A state without history.
     pub fn new(time: f64, positions: [f64; N], velocities: [f64; N]) -> Self {
         State {
@@ -27,7 +44,7 @@ impl<const N: usize, const R: usize> State<N, R> {
             positions,
             velocities,
             multipliers: [0.0; R],
-            multiplier_step: 1.0,
+            multiplier_changes: [0.0; R],
             ledger: Ledger::default(),
             fields: ThreeFields::default(),
         }
@@ -45,7 +62,7 @@ pub struct Ledger {
     pub drive_work: f64,
 }
 
-/// λ, μ, π, σ of the three-field formulation, (26)–(31), and the penalties and the step in use.
+/// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThreeFields<const N: usize, const R: usize> {
     /// λ.
@@ -56,8 +73,6 @@ pub struct ThreeFields<const N: usize, const R: usize> {
     pub momentum: [f64; N],
     /// σ = m̄ ψ̇, (27).
     pub constraint_momentum: [f64; R],
-    /// ξ of each row; zero stands for the initial penalty of the settings.
-    pub penalty: [f64; R],
     /// The step in use, s, after halvings; zero stands for the nominal one.
     pub step: f64,
     /// Whether λ, μ and π hold values of a previous step.
@@ -71,7 +86,6 @@ impl<const N: usize, const R: usize> Default for ThreeFields<N, R> {
             mu: [0.0; R],
             momentum: [0.0; N],
             constraint_momentum: [0.0; R],
-            penalty: [0.0; R],
             step: 0.0,
             started: false,
         }

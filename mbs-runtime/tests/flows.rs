@@ -108,7 +108,9 @@ fn mixed_rows_keep_energy_and_constraints() {
 #[test]
 fn slider_crank_in_angles_passes_singular_poses() {
     let report = run(SliderCrankAngles, 1e-3, 10.0).report();
-    assert!(report.energy_error < 3e-4, "{report:?}");
+    assert!(report.energy_error < 4e-4, "{report:?}");
+    let coarse = run(SliderCrankAngles, 2e-3, 10.0).report();
+    assert_second_order(coarse.energy_error / report.energy_error);
     assert!(report.holonomic_error < 1e-10 && report.velocity_error < 1e-10, "{report:?}");
 }
 

@@ -105,7 +105,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
         let Core { system, state, start, work, .. } = self;
-        start.evaluate(system, state.time, &state.positions, &mut work.phi)
+        start.evaluate(system, state.time, &state.positions, &mut work.phi)?;
+        work.symmetric.factor(&start.gram);
+        Ok(())
     }
 
     /// The end of the step becomes the start of the next one.
@@ -126,8 +128,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         self.state.time = time;
         self.state.positions = q;
         self.state.velocities = v;
-        self.state.multipliers = self.work.impulse[0];
-        self.state.multiplier_step = h;
+        self.state.keep_impulse(h, &self.work.impulse[0]);
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())

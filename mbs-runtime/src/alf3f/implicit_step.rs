@@ -3,18 +3,18 @@
 //! ```text
 //! p(q₁, v_b) − p(q₀, v₀) = h/2 (F₀ + F₁) + ½(A₀ + A₁)ᵀ κ,    q₁ = q₀ + h/2 (v₀ + v_b)
 //! φ(q₁, t₁) = 0 (holonomic),  N₁ v_b + n₁ = 0 (nonholonomic) → κ
-//! v₁ = v_b + J⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
+//! v₁ = v_b + (M₁ − h/2 ∂F/∂v)⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 //!
-//! A kick would move one side of a stiff damper only. J, the metric of the implicit step, lets the damper's far side
-//! follow. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
+//! A kick would move one side of a stiff damper only; the metric M − h/2 ∂F/∂v lets its far side follow. The springs'
+//! −h²/4 ∂F/∂q is part of Newton's J but not of this metric: with it the error grows with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
 
 use super::core::Core;
 use super::kicks::{STAGNATED, not_converged, worst};
 use super::{Fault, Node};
 use crate::System;
 use crate::flow::Implicit;
-use crate::linear::{Dual, accumulate, dot, largest};
+use crate::linear::{Dual, Pivoted, accumulate, dot, largest};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
 const CONVERGED: f64 = 1e-14;
@@ -28,6 +28,14 @@ pub(super) enum Outcome {
     Lost,
 }
 
+/// The two metrics of the step.
+enum Along {
+    /// J of Newton's method.
+    Position,
+    /// M − h/2 ∂F/∂v.
+    Velocity,
+}
+
 pub(super) struct ImplicitStep<const N: usize, const R: usize> {
     solver: Implicit<N>,
     /// ½(A₀ + A₁), and J⁻¹ times its rows.
@@ -37,6 +45,7 @@ pub(super) struct ImplicitStep<const N: usize, const R: usize> {
     along_end: [[f64; N]; R],
     metric: [[f64; R]; R],
     end_dual: Dual<R>,
+    velocity_metric: Pivoted<N>,
 }
 
 impl<const N: usize, const R: usize> ImplicitStep<N, R> {
@@ -48,6 +57,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             along_end: [[0.0; N]; R],
             metric: [[0.0; R]; R],
             end_dual: Dual::new(),
+            velocity_metric: Pivoted::new(),
         }
     }
 
@@ -68,8 +78,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         self.solver.begin(t1, h);
         self.solver.impulse(system, state.time, &q0, &v0);
         let known = self.solver.known;
-        let growth = h / state.multiplier_step;
-        let mut kappa = state.multipliers.map(|last| growth * last);
+        let mut kappa = state.expected_impulse(h);
         let mut vb = v0;
         let (mut last, mut last_change) = (f64::NAN, f64::NAN);
         let mut iterations = 0;
@@ -134,7 +143,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         work.impulse[0] = kappa;
 
         end.metric(system, &q)?;
-        work.impulse[1] = self.project(system, end, &mut vb);
+        work.impulse[1] = self.project(system, end, &mut vb)?;
         core.commit(t1, h, q, vb)?;
         Ok(Outcome::Done)
     }
@@ -146,7 +155,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         end: &Node<S, N, R>,
         dual: &mut Dual<R>,
     ) -> bool {
-        let lengths = self.factor_end(system, end);
+        let lengths = self.factor_end(system, end, Along::Position);
         for i in 0..R {
             self.along_mean[i] = self.mean[i];
             self.solver.jacobian.solve(&mut self.along_mean[i]);
@@ -157,11 +166,20 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             || dual.smallest_pivot(&lengths) >= LOST * self.end_dual.smallest_pivot(&lengths)
     }
 
-    /// Factors A₁J⁻¹A₁ᵀ and returns its diagonal.
-    fn factor_end<S: System<N, R>>(&mut self, system: &S, end: &Node<S, N, R>) -> [f64; R] {
+    /// Factors A₁J⁻¹A₁ᵀ, J taken as `along` tells, and returns its diagonal.
+    fn factor_end<S: System<N, R>>(
+        &mut self,
+        system: &S,
+        end: &Node<S, N, R>,
+        along: Along,
+    ) -> [f64; R] {
+        let metric = match along {
+            Along::Position => &self.solver.jacobian,
+            Along::Velocity => &self.velocity_metric,
+        };
         for i in 0..R {
             self.along_end[i] = end.a[i];
-            self.solver.jacobian.solve(&mut self.along_end[i]);
+            metric.solve(&mut self.along_end[i]);
         }
         system.gram(&end.a, &self.along_end, &mut self.metric);
         let lengths = std::array::from_fn(|i| self.metric[i][i].abs());
@@ -175,8 +193,9 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         system: &S,
         end: &Node<S, N, R>,
         v: &mut [f64; N],
-    ) -> [f64; R] {
-        self.factor_end(system, end);
+    ) -> Result<[f64; R], Fault> {
+        self.solver.velocity_metric(&mut self.velocity_metric)?;
+        self.factor_end(system, end, Along::Velocity);
         let mut total = [0.0; R];
         let passes = if self.end_dual.regularised { 4 } else { 1 };
         for _ in 0..passes {
@@ -187,6 +206,6 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
                 total[i] += multiplier[i];
             }
         }
-        total
+        Ok(total)
     }
 }

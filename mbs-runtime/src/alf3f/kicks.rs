@@ -15,8 +15,20 @@ use crate::linear::accumulate;
 
 /// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
 pub(super) const STAGNATED: f64 = 1e6;
-/// The factorisation is renewed when (squared) residuals drop by less than this.
+/// The factorisation of mixed rows is renewed when (squared) residuals drop by less than this.
 pub(super) const SLOW: f64 = 1e-2;
+
+/// What the corrections of κ₁ go through.
+#[derive(PartialEq)]
+enum Matrix {
+    None,
+    /// A₀M⁻¹A₀ᵀ.
+    Start,
+    /// B, factored for this correction.
+    Fresh,
+    /// B of an earlier correction of this step.
+    Kept,
+}
 
 pub(crate) fn step<S, F, const N: usize, const R: usize>(
     core: &mut Core<S, N, R>,
@@ -32,16 +44,16 @@ where
     let lengths = start.lengths_squared();
     let weights = scale.weights(&lengths);
 
-    let growth = h / state.multiplier_step;
-    let mut kappa = state.multipliers.map(|last| growth * last);
+    let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
     accumulate(&mut va, &start.w, &kappa);
     flow.begin(system, t0, &state.positions, &va, start, h);
 
     let mut q = state.positions;
-    // NaN is below nothing: the first correction always begins with a factorisation.
-    let mut last = f64::NAN;
-    let mut fresh = false;
+    let rate = 1.0 / h;
+    // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
+    let mut matrix = if F::DIRECT && !work.symmetric.weak { Matrix::Start } else { Matrix::None };
+    let mut last = f64::INFINITY;
     let mut iterations = 0;
     loop {
         flow.positions(system, &va, &mut q)?;
@@ -50,8 +62,10 @@ where
         if residual <= 1.0 {
             break;
         }
-        if !(residual < SLOW * last) {
-            if fresh && residual > 0.5 * last && residual < STAGNATED {
+        // Renewed where one more correction at the present rate would not do.
+        let slow = !(residual * residual <= last) && iterations > 0;
+        if matrix == Matrix::None || slow {
+            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < STAGNATED {
                 break;
             }
             if iterations == *max_iterations || !residual.is_finite() {
@@ -61,14 +75,18 @@ where
             system.gram(&end.a, directions, &mut work.matrix);
             work.dual.factor(&work.matrix, &lengths);
             counters.regularised += u64::from(work.dual.regularised);
-            fresh = true;
-        } else {
-            fresh = false;
+            matrix = Matrix::Fresh;
+        } else if matrix == Matrix::Fresh {
+            matrix = Matrix::Kept;
         }
         let mut change = work.phi;
-        work.dual.solve(&mut change);
+        if matrix == Matrix::Start {
+            work.symmetric.solve(&mut change);
+        } else {
+            work.dual.solve(&mut change);
+        }
         for i in 0..R {
-            change[i] *= -1.0 / h;
+            change[i] *= -rate;
             kappa[i] += change[i];
         }
         accumulate(&mut va, &start.w, &change);

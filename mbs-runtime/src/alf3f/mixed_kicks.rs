@@ -35,8 +35,7 @@ where
         *weight /= speed * speed;
     }
 
-    let growth = h / state.multiplier_step;
-    let mut kappa = state.multipliers.map(|last| growth * last);
+    let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
     accumulate(&mut va, &start.w, &kappa);
     flow.begin(system, t0, &state.positions, &va, start, h);

@@ -6,9 +6,12 @@ mod implicit_step;
 mod kicks;
 mod mixed_kicks;
 mod node;
+mod paper;
+mod paper_rows;
 mod two_level;
 
 pub(crate) use self::core::Counters;
 pub(crate) use fault::Fault;
 pub(crate) use node::Node;
+pub use paper::PaperStepper;
 pub use two_level::TwoLevelStepper;

@@ -120,6 +120,17 @@ impl<const N: usize> Implicit<N> {
         if self.current { Ok(()) } else { Err(Fault::Mass) }
     }
 
+    /// M₁ − h/2 F_v₁ as of the last J, factored: the metric in which the velocities of the step follow an impulse.
+    pub(crate) fn velocity_metric(&self, metric: &mut Pivoted<N>) -> Result<(), Fault> {
+        let mut matrix = self.mass;
+        for i in 0..N {
+            for j in 0..N {
+                matrix[i][j] -= 0.5 * self.h * self.f_v[i][j];
+            }
+        }
+        if metric.factor(&matrix) { Ok(()) } else { Err(Fault::Mass) }
+    }
+
     /// Solves for v_b, starting from the one given, and returns q₁ = base + h/2 v_b.
     pub(crate) fn solve<S: System<N, R>, const R: usize>(
         &mut self,

@@ -27,6 +27,8 @@ impl<const N: usize> Leapfrog<N> {
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Leapfrog<N> {
+    const DIRECT: bool = true;
+
     #[inline(always)]
     fn begin(
         &mut self,

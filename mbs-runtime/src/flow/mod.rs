@@ -15,6 +15,8 @@ use crate::alf3f::{Fault, Node};
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<N, R>, const N: usize, const R: usize> {
+    /// Whether ∂q₁/∂v_a is h I, so that B = A₁M⁻¹A₀ᵀ differs from A₀M⁻¹A₀ᵀ by O(h).
+    const DIRECT: bool;
     /// Begins a step of h from q₀ at t₀, where `va` is the first guess of the kicked velocity.
     fn begin(
         &mut self,

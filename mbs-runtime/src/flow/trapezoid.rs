@@ -49,6 +49,8 @@ impl<const N: usize, const R: usize> Trapezoid<N, R> {
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Trapezoid<N, R> {
+    const DIRECT: bool = false;
+
     fn begin(&mut self, _: &S, t: f64, q: &[f64; N], va: &[f64; N], _: &Node<S, N, R>, h: f64) {
         (self.h, self.t0, self.q0, self.vb) = (h, t, *q, *va);
         self.solver.begin(t + h, h);

@@ -38,9 +38,13 @@ impl<const K: usize> SymmetricDual<K> {
 
     #[inline(always)]
     fn eliminate(&mut self, matrix: &[[f64; K]; K]) -> bool {
-        self.upper = *matrix;
         let mut weak = false;
         let upper = &mut self.upper;
+        for i in 0..K {
+            for j in i..K {
+                upper[i][j] = matrix[i][j];
+            }
+        }
         for k in 0..K {
             let pivot_row = upper[k];
             let pivot = pivot_row[k];

@@ -10,7 +10,7 @@ mod vector;
 pub(crate) use ldlt::SymmetricDual;
 pub(crate) use lu::Dual;
 pub(crate) use pivoted::Pivoted;
-pub(crate) use rank::{Dependence, dependence};
+pub(crate) use rank::dependence;
 pub(crate) use vector::{accumulate, dot, finite, largest};
 
 /// ε of the proximal solve on rows of unit length: 1/ξ² for the penalty ξ = 1e7 of the augmented Lagrangian.

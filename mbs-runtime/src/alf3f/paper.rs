@@ -1,0 +1,311 @@
+//! Algorithm 1 of the paper, to the letter: three fields, penalties in the primal, halving of the step.
+//!
+//! Linear shape functions in time and the trapezoidal rule turn (26)–(31) into, per step,
+//!
+//! ```text
+//! η(v₁) = M₁v₁ − A₁ᵀM̄μ̄ − π₀ − h/2 (F₀ + F₁) = 0,    μ̄ = μ − Ξψ̇,  λ̄ = λ − Ξφ     (74), (75)
+//! q₁ = q₀ + h/2 (v₀ + v₁),    λ₁ = λ₀ + h/2 (μ₀ + μ₁)                               (28), (29)
+//! ```
+//!
+//! The numbers in the comments are the lines of Algorithm 1. At singular poses the impulse acts along the row of
+//! mid-step and the row is tested at the end of the step: with a tight tolerance the step underflows there.
+
+use super::core::Counters;
+use super::paper_rows::{Instant, Jacobian};
+use super::{Fault, kicks};
+use crate::linear::{Pivoted, dot, finite, largest};
+use crate::{Method, PaperSettings, Settings, SimulationError, State, System};
+
+/// The integrator of the paper by itself.
+pub struct PaperStepper<S: System<N, R>, const N: usize, const R: usize> {
+    pub(crate) system: S,
+    pub(crate) state: State<N, R>,
+    settings: PaperSettings,
+    start: Box<Instant<S, N, R>>,
+    end: Box<Instant<S, N, R>>,
+    jacobian: Box<(Jacobian<N>, Pivoted<N>)>,
+    /// Work of each row against b during the last step, J.
+    drive: [f64; R],
+    counters: Counters,
+}
+
+/// The unknowns at the end of a step.
+struct Unknowns<const N: usize, const R: usize> {
+    v: [f64; N],
+    q: [f64; N],
+    mu: [f64; R],
+    lambda: [f64; R],
+    penalty: [f64; R],
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
+    /// An integrator that starts from `state`, which has to satisfy the constraints.
+    ///
+    /// # Errors
+    /// Settings that cannot be used, or a mass matrix that is not positive definite at the state.
+    pub fn new(
+        system: S,
+        state: State<N, R>,
+        settings: &Settings,
+    ) -> Result<Self, SimulationError> {
+        settings.check()?;
+        let paper = match settings.method {
+            Method::Paper(paper) => paper,
+            Method::TwoLevel => PaperSettings::default(),
+        };
+        let instant = |system: &S| {
+            Instant::new(system, &state.positions).map(Box::new).map_err(|fault| {
+                SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
+            })
+        };
+        let mut stepper = PaperStepper {
+            start: instant(&system)?,
+            end: instant(&system)?,
+            jacobian: Box::new((Jacobian::new(), Pivoted::new())),
+            drive: [0.0; R],
+            counters: Counters::default(),
+            settings: paper,
+            system,
+            state,
+        };
+        let time = stepper.state.time;
+        stepper.refresh().map_err(|fault| {
+            SimulationError::from_fault(fault, S::MODEL, time, settings.step)
+        })?;
+        Ok(stepper)
+    }
+
+    /// Advances by h seconds, in smaller steps where Algorithm 1 asks for them.
+    ///
+    /// # Errors
+    /// [`SimulationError::StepUnderflow`] with the row that cannot be satisfied.
+    pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
+        self.advance(h)
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.state.time, h))
+    }
+
+    /// Where it stands.
+    pub fn state(&self) -> &State<N, R> {
+        &self.state
+    }
+
+    pub(crate) fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    pub(crate) fn drive(&self) -> [f64; R] {
+        self.drive
+    }
+
+    pub(crate) fn phi(&self) -> &[f64; R] {
+        &self.start.phi
+    }
+
+    /// A v + b now.
+    pub(crate) fn rates(&self) -> [f64; R] {
+        self.start.node.velocity_rows(&self.state.velocities)
+    }
+
+    /// Recomputes what is known of the current instant.
+    pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
+        let State { time, positions, velocities, .. } = &self.state;
+        self.start.place(&self.system, &self.settings, *time, positions, velocities)
+    }
+
+    /// Lines 1 and 2 with the step control around the algorithm: halve on failure, double back after success.
+    fn advance(&mut self, h: f64) -> Result<(), Fault> {
+        if !(h.is_finite() && h > 0.0) {
+            return Err(Fault::NonFinite("step"));
+        }
+        let end = self.state.time + h;
+        self.drive = [0.0; R];
+        let mut left = h;
+        let mut size = if self.state.fields.step > 0.0 { self.state.fields.step.min(h) } else { h };
+        while left > 0.0 {
+            // Steps are h/2ⁿ, so that sums of them meet the end exactly.
+            let trial = size.min(left);
+            match self.try_step(trial) {
+                Ok(()) => {
+                    left -= trial;
+                    if left < 1e-9 * h {
+                        left = 0.0;
+                        self.state.time = end;
+                    }
+                    size = (2.0 * size).min(h);
+                }
+                Err(fault) => {
+                    self.counters.rejected += 1;
+                    size = 0.5 * trial;
+                    if size < self.settings.smallest_step {
+                        let row = match fault {
+                            Fault::Row { row, .. } => Some(row),
+                            Fault::Flow { .. } => None,
+                            other => return Err(other),
+                        };
+                        return Err(Fault::Underflow { row, step: trial });
+                    }
+                }
+            }
+            self.state.fields.step = if size < h { size } else { 0.0 };
+        }
+        Ok(())
+    }
+
+    /// Algorithm 1 for one step.
+    fn try_step(&mut self, h: f64) -> Result<(), Fault> {
+        let (t0, q0, v0) = (self.state.time, self.state.positions, self.state.velocities);
+        let settings = self.settings;
+        let restart = settings.restart_multipliers || !self.state.fields.started;
+        let (mu0, lambda0) = if restart {
+            ([0.0; R], [0.0; R])
+        } else {
+            (self.state.fields.mu, self.state.fields.lambda)
+        };
+        let momentum0 = if restart {
+            self.start.momentum(&self.system, &q0, &v0, &mu0)
+        } else {
+            self.state.fields.momentum
+        };
+        let force0 = self.start.total_force(&self.system, t0, &q0, &v0, &mu0, &lambda0);
+        let known = std::array::from_fn(|i| momentum0[i] + 0.5 * h * force0[i]);
+
+        // 3, 4
+        let mut x = Unknowns {
+            v: v0,
+            q: std::array::from_fn(|i| q0[i] + h * v0[i]),
+            mu: mu0,
+            lambda: lambda0,
+            penalty: [settings.penalty; R],
+        };
+        let t1 = t0 + h;
+        let mut k = 0;
+        // 6: outer loop
+        loop {
+            self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
+            let settled = self.satisfy_rows(t1, h, &known, &mut x)?;
+            // 30
+            x.q = std::array::from_fn(|i| q0[i] + 0.5 * h * (v0[i] + x.v[i]));
+            for i in 0..S::STRUCTURE.holonomic_rows {
+                x.lambda[i] = lambda0[i] + 0.5 * h * (mu0[i] + x.mu[i]);
+            }
+            k += 1;
+            // 32
+            if settled {
+                break;
+            }
+            if k == settings.max_updates {
+                return Err(self.worst_row(&x.v, k));
+            }
+        }
+
+        // 33: π, σ
+        self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
+        let momentum = self.end.momentum(&self.system, &x.q, &x.v, &x.mu);
+        if !finite(&x.v) || !finite(&x.q) || !finite(&momentum) {
+            return Err(Fault::NonFinite("velocities"));
+        }
+        let rates = self.end.node.velocity_rows(&x.v);
+        for i in 0..R {
+            let (start, end) = (&self.start, &self.end);
+            let impulse = end.constraint_mass[i] * x.mu[i] - start.constraint_mass[i] * mu0[i]
+                + 0.5 * h * (start.row_force(i, &mu0, &lambda0) + end.row_force(i, &x.mu, &x.lambda));
+            self.drive[i] -= 0.5 * impulse * (start.node.b[i] + end.node.b[i]);
+        }
+        let State { time, positions, velocities, fields, .. } = &mut self.state;
+        (*time, *positions, *velocities) = (t1, x.q, x.v);
+        fields.momentum = momentum;
+        fields.constraint_momentum =
+            std::array::from_fn(|i| self.end.constraint_mass[i] * rates[i]);
+        (fields.mu, fields.lambda, fields.started) = (x.mu, x.lambda, true);
+        std::mem::swap(&mut self.start, &mut self.end);
+        self.counters.stages += 1;
+        Ok(())
+    }
+
+    /// Lines 7–28 at fixed q₁: velocities and multipliers. True if the rows held on entry and the velocities hardly
+    /// changed: then the residual is small for the updated q₁ too (line 32).
+    fn satisfy_rows(
+        &mut self,
+        t1: f64,
+        h: f64,
+        known: &[f64; N],
+        x: &mut Unknowns<N, R>,
+    ) -> Result<bool, Fault> {
+        let settings = self.settings;
+        let tolerance = settings.velocity_tolerance;
+        let mut before = self.end.node.velocity_rows(&x.v);
+        let (entry, admissible) = (x.v, largest(&before) <= tolerance);
+        for _ in 0..settings.max_augmentations {
+            self.newton(t1, h, known, x)?;
+            let rates = self.end.node.velocity_rows(&x.v);
+            let augmentable = |i: usize| {
+                rates[i].abs() <= tolerance
+                    || rates[i].abs() <= settings.augmentation_ratio * before[i].abs()
+            };
+            // 15–27
+            if (0..R).all(augmentable) {
+                for i in 0..R {
+                    x.mu[i] -= x.penalty[i] * rates[i];
+                }
+            } else {
+                for i in (0..R).filter(|&i| !augmentable(i)) {
+                    x.penalty[i] =
+                        (settings.penalty_growth * x.penalty[i]).min(settings.max_penalty);
+                }
+            }
+            before = rates;
+            // 28
+            if largest(&rates) <= tolerance {
+                let change: [f64; N] = std::array::from_fn(|i| x.v[i] - entry[i]);
+                let speed = largest(&x.v).max(1e-3);
+                return Ok(admissible && largest(&change) <= settings.update_tolerance * speed);
+            }
+        }
+        Err(self.worst_row(&x.v, settings.max_augmentations))
+    }
+
+    /// Lines 9–14: η(v₁) = 0.
+    fn newton(
+        &mut self,
+        t1: f64,
+        h: f64,
+        known: &[f64; N],
+        x: &mut Unknowns<N, R>,
+    ) -> Result<(), Fault> {
+        let mut size = 0.0;
+        for _ in 0..self.settings.max_newton_iterations {
+            let rates = self.end.node.velocity_rows(&x.v);
+            let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
+            let lambda: [f64; R] =
+                std::array::from_fn(|r| x.lambda[r] - x.penalty[r] * self.end.phi[r]);
+            let force = self.end.total_force(&self.system, t1, &x.q, &x.v, &mu, &lambda);
+            let momentum = self.end.momentum(&self.system, &x.q, &x.v, &mu);
+            let mut change = std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n]);
+            let (jacobian, factors) = &mut *self.jacobian;
+            self.end.jacobian(&self.system, t1, &x.q, &x.v, h, &x.penalty, jacobian);
+            if !factors.factor(&jacobian.total) {
+                return Err(Fault::Mass);
+            }
+            factors.solve(&mut change);
+            for n in 0..N {
+                x.v[n] += change[n];
+            }
+            self.counters.iterations += 1;
+            size = largest(&change) / largest(&x.v).max(1e-3);
+            if size <= self.settings.newton_tolerance {
+                return Ok(());
+            }
+            if !size.is_finite() {
+                break;
+            }
+        }
+        Err(Fault::Flow { residual: size, iterations: self.settings.max_newton_iterations })
+    }
+
+    /// The row furthest from ψ̇ = 0.
+    fn worst_row(&self, v: &[f64; N], iterations: usize) -> Fault {
+        let node = &self.end.node;
+        let rates: [f64; R] = std::array::from_fn(|i| dot(&node.a[i], v) + node.b[i]);
+        kicks::not_converged(&rates, &[1.0; R], iterations)
+    }
+}

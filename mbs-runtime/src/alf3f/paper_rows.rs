@@ -1,0 +1,184 @@
+//! The constraints as the paper sees them: rows with mass, damping and stiffness of their own, (18)–(20).
+
+use super::{Fault, Node};
+use crate::linear::dot;
+use crate::sink::Discard;
+use crate::{PaperSettings, System};
+
+/// One instant of Algorithm 1.
+pub(super) struct Instant<S: System<N, R>, const N: usize, const R: usize> {
+    pub(super) node: Node<S, N, R>,
+    pub(super) phi: [f64; R],
+    /// m̄ of (18), times the scale of the settings.
+    pub(super) constraint_mass: [f64; R],
+    /// c̄ of (20).
+    pub(super) constraint_damping: [f64; R],
+    /// k̄ of (20); zero for nonholonomic rows.
+    pub(super) constraint_stiffness: [f64; R],
+    /// Ȧ along v.
+    a_rate: [[f64; N]; R],
+    /// f, the applied forces.
+    applied: [f64; N],
+    /// f + ∂T/∂q.
+    force: [f64; N],
+    momentum: [f64; N],
+    f_q: [[f64; N]; N],
+    pub(super) f_v: [[f64; N]; N],
+    scratch: [f64; R],
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
+    pub(super) fn new(system: &S, q: &[f64; N]) -> Result<Self, Fault> {
+        Ok(Instant {
+            node: Node::new(system, q)?,
+            phi: [0.0; R],
+            constraint_mass: [0.0; R],
+            constraint_damping: [0.0; R],
+            constraint_stiffness: [0.0; R],
+            a_rate: [[0.0; N]; R],
+            applied: [0.0; N],
+            force: [0.0; N],
+            momentum: [0.0; N],
+            f_q: [[0.0; N]; N],
+            f_v: [[0.0; N]; N],
+            scratch: [0.0; R],
+        })
+    }
+
+    /// Geometry and coefficients at (t, q); v enters through the force tangents only.
+    pub(super) fn place(
+        &mut self,
+        system: &S,
+        settings: &PaperSettings,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+    ) -> Result<(), Fault> {
+        let Instant { node, phi, .. } = self;
+        system.constraints(t, q, phi, &mut node.a, &mut node.b);
+        node.metric(system, q)?;
+        system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
+        let omega = settings.stabilisation_frequency;
+        for i in 0..R {
+            let length_squared = self.node.gram[i][i];
+            if !(length_squared > 0.0) {
+                return Err(Fault::Row { row: i, residual: length_squared, iterations: 0 });
+            }
+            let mass = settings.mass_scale / length_squared;
+            // c_R = M⁻¹a/(a M⁻¹ aᵀ), (19).
+            let direction = self.node.w[i].map(|w| w / length_squared);
+            self.constraint_mass[i] = mass;
+            self.constraint_damping[i] =
+                2.0 * mass * omega - quadratic(&self.f_v, &direction);
+            self.constraint_stiffness[i] = if i < S::STRUCTURE.holonomic_rows {
+                mass * omega * omega - quadratic(&self.f_q, &direction)
+            } else {
+                0.0
+            };
+        }
+        Ok(())
+    }
+
+    /// F = f + ∂T/∂q + Aᵀ(C̄μ + K̄λ − f̄) − Ȧᵀ M̄ μ.
+    pub(super) fn total_force(
+        &mut self,
+        system: &S,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        mu: &[f64; R],
+        lambda: &[f64; R],
+    ) -> [f64; N] {
+        system.applied_forces(t, q, v, &mut self.applied);
+        system.forces(t, q, v, &mut self.force);
+        system.constraint_rates(t, q, v, &mut self.a_rate, &mut self.scratch);
+        let mut total = self.force;
+        for i in 0..R {
+            let force = self.row_force(i, mu, lambda);
+            let momentum = self.constraint_mass[i] * mu[i];
+            for j in 0..N {
+                total[j] += force * self.node.a[i][j] - momentum * self.a_rate[i][j];
+            }
+        }
+        total
+    }
+
+    /// c̄μ + k̄λ − f̄ of a row, with the f of the last `total_force`.
+    pub(super) fn row_force(&self, i: usize, mu: &[f64; R], lambda: &[f64; R]) -> f64 {
+        let length_squared = self.node.gram[i][i];
+        self.constraint_damping[i] * mu[i] + self.constraint_stiffness[i] * lambda[i]
+            - dot(&self.node.w[i], &self.applied) / length_squared
+    }
+
+    /// π = M v − Aᵀ M̄ μ, (26).
+    pub(super) fn momentum(
+        &mut self,
+        system: &S,
+        q: &[f64; N],
+        v: &[f64; N],
+        mu: &[f64; R],
+    ) -> [f64; N] {
+        system.momentum(q, v, &mut self.momentum);
+        let mut momentum = self.momentum;
+        for i in 0..R {
+            let share = self.constraint_mass[i] * mu[i];
+            for j in 0..N {
+                momentum[j] -= share * self.node.a[i][j];
+            }
+        }
+        momentum
+    }
+
+    /// J = M + Aᵀ(M̄ + h/2 C̄)ΞA − h/2 ∂f/∂v, (79).
+    pub(super) fn jacobian(
+        &self,
+        system: &S,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        h: f64,
+        penalty: &[f64; R],
+        jacobian: &mut Jacobian<N>,
+    ) {
+        system.mass_matrix(q, &mut jacobian.mass);
+        // ∂F/∂v instead of ∂f/∂v: the quadratic terms depend on v as well.
+        system.force_tangents(t, q, v, &mut Discard, &mut jacobian.f_v, &mut Discard);
+        jacobian.total = jacobian.mass;
+        for i in 0..N {
+            for j in 0..N {
+                jacobian.total[i][j] -= 0.5 * h * jacobian.f_v[i][j];
+            }
+        }
+        for r in 0..R {
+            let row = &self.node.a[r];
+            let weight =
+                (self.constraint_mass[r] + 0.5 * h * self.constraint_damping[r]) * penalty[r];
+            for i in 0..N {
+                if row[i] == 0.0 {
+                    continue;
+                }
+                for j in 0..N {
+                    jacobian.total[i][j] += weight * row[i] * row[j];
+                }
+            }
+        }
+    }
+}
+
+/// Storage of J.
+pub(super) struct Jacobian<const N: usize> {
+    mass: [[f64; N]; N],
+    f_v: [[f64; N]; N],
+    pub(super) total: [[f64; N]; N],
+}
+
+impl<const N: usize> Jacobian<N> {
+    pub(super) fn new() -> Self {
+        Jacobian { mass: [[0.0; N]; N], f_v: [[0.0; N]; N], total: [[0.0; N]; N] }
+    }
+}
+
+/// xᵀ m x.
+fn quadratic<const N: usize>(m: &[[f64; N]; N], x: &[f64; N]) -> f64 {
+    (0..N).map(|i| x[i] * dot(&m[i], x)).sum()
+}
