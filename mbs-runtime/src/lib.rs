@@ -6,6 +6,8 @@ mod assembly;
 mod energy;
 mod error;
 mod flow;
+#[doc(hidden)]
+pub mod generated;
 mod integrator;
 mod linear;
 mod mechanism;

@@ -1,6 +1,23 @@
-//! The compiler behind `mechanism!`.
+//! The compiler behind `mechanism!`: declaration → derived equations → Rust, in six stages.
+//!
+//! ```text
+//!  tokens ─1 syntax─▶ tree ─2 model─▶ Model ─3 equations─▶ System ─4 derivatives─▶ Derived ─5 dag─▶ Program ─6 emit─▶ Rust
+//! ```
+//!
+//! User errors occur in stages 1 and 2 only; they are collected within a stage and stop the compiler between stages.
+//! Stages 3 to 5 see no tokens, and nothing outside stage 6 writes Rust.
 
-/// Compiles a declaration to Rust.
-pub fn compile(_declaration: proc_macro2::TokenStream) -> proc_macro2::TokenStream {
-    proc_macro2::TokenStream::new()
-}
+pub mod compile;
+pub mod diagnostics;
+pub mod schema;
+pub mod symbolic;
+
+// The stages, in order.
+pub mod dag;
+pub mod derivatives;
+pub mod emit;
+pub mod equations;
+pub mod model;
+pub mod syntax;
+
+pub use compile::{Analysis, analyse, compile};

@@ -104,7 +104,13 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
 
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        let Core { system, state, start, work, .. } = self;
+        let Core {
+            system,
+            state,
+            start,
+            work,
+            ..
+        } = self;
         start.evaluate(system, state.time, &state.positions, &mut work.phi)?;
         work.symmetric.factor(&start.gram);
         Ok(())
@@ -137,7 +143,12 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.
     #[inline(always)]
     pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
-        let Core { end, work, counters, .. } = self;
+        let Core {
+            end,
+            work,
+            counters,
+            ..
+        } = self;
         work.symmetric.factor(&end.gram);
         let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
         work.symmetric.solve(&mut multiplier);

@@ -39,7 +39,16 @@ where
     S: System<N, R>,
     F: KickFlow<S, N, R>,
 {
-    let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+    let Core {
+        system,
+        state,
+        max_iterations,
+        start,
+        end,
+        work,
+        scale,
+        counters,
+    } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let weights = scale.weights(&lengths);
@@ -52,7 +61,11 @@ where
     let mut q = state.positions;
     let rate = 1.0 / h;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    let mut matrix = if F::DIRECT && !work.symmetric.weak { Matrix::Start } else { Matrix::None };
+    let mut matrix = if F::DIRECT && !work.symmetric.weak {
+        Matrix::Start
+    } else {
+        Matrix::None
+    };
     let mut last = f64::INFINITY;
     let mut iterations = 0;
     loop {

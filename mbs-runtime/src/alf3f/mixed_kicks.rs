@@ -26,7 +26,16 @@ where
     F: KickFlow<S, N, R>,
 {
     let holonomic = S::STRUCTURE.holonomic_rows;
-    let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+    let Core {
+        system,
+        state,
+        max_iterations,
+        start,
+        end,
+        work,
+        scale,
+        counters,
+    } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let mut weights = scale.weights(&lengths);

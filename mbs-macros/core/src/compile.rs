@@ -1,0 +1,70 @@
+//! The pipeline, one line per stage.
+
+use crate::derivatives::{self, Derived};
+use crate::diagnostics::{Errors, Failure};
+use crate::model::{self, Model};
+use crate::syntax::{self, Declaration};
+use crate::{dag, emit, equations};
+use proc_macro2::TokenStream;
+
+/// Compiles a declaration to Rust. Where it is wrong, what could be understood is emitted all the same (so that editors
+/// keep completing), with one `compile_error!` per mistake.
+pub fn compile(tokens: TokenStream) -> TokenStream {
+    // A panic is always a defect of this compiler; it must not look like a mistake of the user.
+    std::panic::catch_unwind(|| compile_checked(tokens)).unwrap_or_else(|_| {
+        let message = "the compiler of `mechanism!` panicked: this is a defect; please report this declaration";
+        quote::quote! { compile_error!(#message); }
+    })
+}
+
+fn compile_checked(tokens: TokenStream) -> TokenStream {
+    let (declaration, outcome) = analyse(tokens);
+    match (declaration, outcome) {
+        (Some(declaration), Ok(analysis)) => {
+            let graph = analysis.derived.system.graph.clone();
+            let program = dag::lower(analysis.derived);
+            emit::mechanism(&declaration, &analysis.model, &graph, &program)
+        }
+        (Some(declaration), Err(failure)) => {
+            let errors = failure.to_compile_errors();
+            let fallback = emit::fallback(&declaration);
+            quote::quote! { #errors #fallback }
+        }
+        (None, Err(failure)) => failure.to_compile_errors(),
+        (None, Ok(_)) => TokenStream::new(),
+    }
+}
+
+/// A declaration after stages 2 to 4.
+#[derive(Debug)]
+pub struct Analysis {
+    /// Names, parts, reductions.
+    pub model: Model,
+    /// Everything that is computed.
+    pub derived: Derived,
+}
+
+/// Stages 1 to 4.
+pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Failure>) {
+    let mut errors = Errors::new();
+    let declaration = syntax::parse(tokens, &mut errors);
+    if let Err(failure) = errors.stop_if_any() {
+        return (declaration, Err(failure));
+    }
+    let Some(declaration) = declaration else {
+        return (None, Err(Failure::unexplained()));
+    };
+
+    let mut errors = Errors::new();
+    let model = model::resolve(&declaration, &mut errors);
+    if let Err(failure) = errors.stop_if_any() {
+        return (Some(declaration), Err(failure));
+    }
+    let Some(mut model) = model else {
+        return (Some(declaration), Err(Failure::unexplained()));
+    };
+
+    let system = equations::derive(&mut model);
+    let derived = derivatives::derive(system);
+    (Some(declaration), Ok(Analysis { model, derived }))
+}

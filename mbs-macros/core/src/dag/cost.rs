@@ -1,0 +1,54 @@
+//! Operation counts: exact, stable, and part of the generated comments.
+
+use super::{Function, Operation};
+use std::fmt;
+
+/// Floating-point operations of a function.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Additions and subtractions.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Elementary functions and laws.
+    pub calls: usize,
+}
+
+impl Cost {
+    /// All operations.
+    pub fn total(self) -> usize {
+        self.additions + self.multiplications + self.divisions + self.calls
+    }
+}
+
+impl Function {
+    /// The operations of this function (negations are free: they melt into additions).
+    pub fn cost(&self) -> Cost {
+        let mut cost = Cost::default();
+        for operation in &self.operations {
+            match operation {
+                Operation::Add(..) | Operation::Subtract(..) => cost.additions += 1,
+                Operation::Multiply(..) => cost.multiplications += 1,
+                Operation::Divide(..) => cost.divisions += 1,
+                Operation::Call(..)
+                | Operation::Atan2(..)
+                | Operation::Power(..)
+                | Operation::Law(..) => cost.calls += 1,
+                Operation::Negate(_) | Operation::Part(..) => {}
+            }
+        }
+        cost
+    }
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            out,
+            "add: {}  multiply: {}  divide: {}  call: {}",
+            self.additions, self.multiplications, self.divisions, self.calls
+        )
+    }
+}

@@ -1,0 +1,292 @@
+//! Which functions a mechanism gets, and what each computes.
+
+use super::lower::{Hoisted, Lowering};
+use super::{Constant, Function, Operand, Place, Program, Structure};
+use crate::derivatives::affinities::{blocks, inverse_entry};
+use crate::derivatives::{Derived, Matrix};
+use crate::symbolic::{Expr, Graph, Symbol};
+
+/// Kernels longer than this are left to loops: straight-line code of such length costs more to compile than it gains.
+const LONGEST_KERNEL: usize = 2500;
+
+/// Lowers everything that a mechanism computes.
+pub fn lower(derived: Derived) -> Program {
+    let Derived { system, .. } = &derived;
+    let mut graph = system.graph.clone();
+    let mut hoisted = Hoisted::default();
+    let structure = structure(&derived);
+    let mut functions = Vec::new();
+    {
+        let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
+            let mut lowering = Lowering::new(&mut graph, &mut hoisted);
+            outputs(&mut lowering);
+            functions.push(lowering.finish(name));
+        };
+        let holonomic = structure.holonomic_rows;
+        make("mass_matrix", &mut |f| mass(f, &system.mass));
+        make("momentum", &mut |f| vector(f, "p", &derived.momentum));
+        make("affinities", &mut |f| {
+            for (&(i, j, k), &value) in &derived.affinities {
+                f.output("gamma", Place::Tensor(i, j, k), value);
+            }
+        });
+        make("holonomic", &mut |f| {
+            for (i, row) in system.rows[..holonomic].iter().enumerate() {
+                f.output("phi", Place::Element(i), row.expr);
+            }
+        });
+        make("constraints", &mut |f| {
+            for (i, row) in system.rows[..holonomic].iter().enumerate() {
+                f.output("phi", Place::Element(i), row.expr);
+            }
+            matrix(f, "a", &derived.jacobian);
+            vector(f, "b", &derived.rheonomic);
+        });
+        make("constraint_rates", &mut |f| {
+            matrix(f, "a_rate", &derived.jacobian_rate);
+            vector(f, "gamma", &derived.convective);
+        });
+        make("applied_forces", &mut |f| vector(f, "f", &system.forces));
+        make("forces", &mut |f| vector(f, "f", &derived.total_forces));
+        make("applied_force_tangents", &mut |f| {
+            matrix(f, "f_q", &derived.applied_by_position);
+            matrix(f, "f_v", &derived.applied_by_velocity);
+        });
+        make("force_tangents", &mut |f| {
+            matrix(f, "f_q", &derived.total_by_position);
+            matrix(f, "f_v", &derived.total_by_velocity);
+            matrix(f, "p_q", &derived.momentum_by_position);
+        });
+        make("acceleration", &mut |f| {
+            vector(
+                f,
+                "acceleration",
+                derived.acceleration.as_deref().unwrap_or(&[]),
+            )
+        });
+        make("kinetic_energy", &mut |f| {
+            f.output("", Place::Value, derived.kinetic)
+        });
+        make("potential_energy", &mut |f| {
+            f.output("", Place::Value, system.potential)
+        });
+        make("nonconservative_power", &mut |f| {
+            f.output("", Place::Value, system.power)
+        });
+        make("outputs", &mut |f| vector(f, "outputs", &system.outputs));
+        make("events", &mut |f| vector(f, "events", &system.events));
+        make("points", &mut |f| {
+            for (i, point) in system.points.iter().enumerate() {
+                for (axis, &x) in point.iter().enumerate() {
+                    f.output("points", Place::Entry(i, axis), x);
+                }
+            }
+        });
+        let reactions: Vec<Expr> = system
+            .reactions
+            .iter()
+            .map(|reaction| reaction.expr)
+            .collect();
+        make("reactions", &mut |f| vector(f, "reactions", &reactions));
+    }
+    functions.extend(kernels(&mut graph, &mut hoisted, &derived));
+    let mut guesses = Lowering::new(&mut graph, &mut hoisted);
+    for (i, &(q, v)) in system.guesses.iter().enumerate() {
+        guesses.output("q", Place::Element(i), q);
+        guesses.output("v", Place::Element(i), v);
+    }
+    let guesses = guesses.finish("guess");
+    let constant_mass = derived
+        .constant_mass
+        .then(|| constant_mass(&mut graph, &mut hoisted, &system.mass));
+    let (constants, preparation) = constants(&mut graph, &mut hoisted);
+    Program {
+        constants,
+        constant_mass,
+        preparation,
+        functions,
+        guesses,
+        size: system.size,
+        rows: system.rows.clone(),
+        reactions: system
+            .reactions
+            .iter()
+            .map(|r| (r.joint.clone(), r.component, r.unit.clone()))
+            .collect(),
+        structure,
+    }
+}
+
+fn structure(derived: &Derived) -> Structure {
+    let system = &derived.system;
+    let graph = &system.graph;
+    let on_time = |expr: &Expr| graph.depends_on(*expr, |symbol| symbol == Symbol::Time);
+    Structure {
+        constant_mass: derived.constant_mass,
+        velocity_forces: !derived.applied_by_velocity.is_empty(),
+        position_forces: !derived.applied_by_position.is_empty(),
+        time_dependent: system.rows.iter().any(|row| on_time(&row.expr))
+            || system.forces.iter().any(on_time),
+        holonomic_rows: system.holonomic_rows(),
+    }
+}
+
+fn vector(lowering: &mut Lowering, sink: &'static str, values: &[Expr]) {
+    for (i, &value) in values.iter().enumerate() {
+        lowering.output(sink, Place::Element(i), value);
+    }
+}
+
+fn matrix(lowering: &mut Lowering, sink: &'static str, entries: &Matrix) {
+    for (&(i, j), &value) in entries {
+        lowering.output(sink, Place::Entry(i, j), value);
+    }
+}
+
+/// Both triangles.
+fn mass(lowering: &mut Lowering, upper: &Matrix) {
+    let mut entries = upper.clone();
+    entries.extend(upper.iter().map(|(&(i, j), &value)| ((j, i), value)));
+    matrix(lowering, "mass", &entries);
+}
+
+fn constant_mass(
+    graph: &mut Graph,
+    hoisted: &mut Hoisted,
+    upper: &Matrix,
+) -> Vec<(usize, usize, Operand)> {
+    let mut lowering = Lowering::new(graph, hoisted);
+    for (&(i, j), &value) in upper {
+        lowering.output("mass", Place::Entry(i, j), value);
+    }
+    let entries = lowering.finish("mass").outputs;
+    entries
+        .into_iter()
+        .map(|output| match output.place {
+            Place::Entry(i, j) => (i, j, output.value),
+            _ => (0, 0, output.value),
+        })
+        .collect()
+}
+
+/// w = M⁻¹ a row by row, x ← M⁻¹ x, and A W, with the zero patterns of A and M⁻¹ written out.
+fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<Function> {
+    let system = &derived.system;
+    let (size, rows) = (system.size, system.rows.len());
+    let mut list = Vec::new();
+    if derived.constant_mass {
+        let block = blocks(size, &system.mass);
+        let mut lowering = Lowering::new(graph, hoisted);
+        for i in 0..size {
+            let coupled: Vec<usize> = (0..size).filter(|&j| block[i] == block[j]).collect();
+            let value = lowering.inverse_product(
+                i,
+                coupled
+                    .into_iter()
+                    .map(|j| (j, Symbol::VectorEntry(j as u32))),
+            );
+            lowering.output("x", Place::Element(i), value);
+        }
+        list.push(lowering.finish("solve_mass"));
+        let mut lowering = Lowering::new(graph, hoisted);
+        for r in 0..rows {
+            let columns: Vec<usize> = derived
+                .jacobian
+                .range((r, 0)..(r + 1, 0))
+                .map(|(&(_, column), _)| column)
+                .collect();
+            for i in 0..size {
+                let coupled = columns.iter().copied().filter(|&j| block[i] == block[j]);
+                let terms: Vec<_> = coupled
+                    .map(|j| (j, Symbol::RowEntry(r as u32, j as u32)))
+                    .collect();
+                if !terms.is_empty() {
+                    let value = lowering.inverse_product(i, terms.into_iter());
+                    lowering.output("w", Place::Entry(r, i), value);
+                }
+            }
+        }
+        list.push(lowering.finish("solve_mass_rows"));
+    }
+    let mut lowering = Lowering::new(graph, hoisted);
+    for r in 0..rows {
+        let columns: Vec<usize> = derived
+            .jacobian
+            .range((r, 0)..(r + 1, 0))
+            .map(|(&(_, column), _)| column)
+            .collect();
+        for s in 0..rows {
+            let value = lowering.row_product(r, s, &columns);
+            lowering.output("gram", Place::Entry(r, s), value);
+        }
+    }
+    list.push(lowering.finish("gram"));
+    list.retain(|kernel| kernel.operations.len() <= LONGEST_KERNEL);
+    list
+}
+
+impl Lowering<'_> {
+    /// Σ (M⁻¹)_ij · symbol over (j, symbol).
+    fn inverse_product(&mut self, i: usize, terms: impl Iterator<Item = (usize, Symbol)>) -> Expr {
+        let graph = self.graph();
+        let terms: Vec<Expr> = terms
+            .map(|(j, symbol)| {
+                let inverse = inverse_entry(graph, i, j);
+                let symbol = graph.symbol(symbol);
+                graph.mul(inverse, symbol)
+            })
+            .collect();
+        graph.sum(terms)
+    }
+
+    /// a_r · w_s over the columns where a_r is not zero.
+    fn row_product(&mut self, r: usize, s: usize, columns: &[usize]) -> Expr {
+        let graph = self.graph();
+        let terms: Vec<Expr> = columns
+            .iter()
+            .map(|&j| {
+                let a = graph.symbol(Symbol::RowEntry(r as u32, j as u32));
+                let w = graph.symbol(Symbol::WeightedEntry(s as u32, j as u32));
+                graph.mul(a, w)
+            })
+            .collect();
+        graph.sum(terms)
+    }
+}
+
+/// The constants, and the two functions that compute them: before M⁻¹ is known, and after.
+fn constants(graph: &mut Graph, hoisted: &mut Hoisted) -> (Vec<Constant>, [Function; 2]) {
+    let list: Vec<(Expr, usize)> = hoisted
+        .list
+        .iter()
+        .copied()
+        .enumerate()
+        .map(|(slot, expr)| (expr, slot))
+        .collect();
+    let uses_inverse = |graph: &Graph, expr| {
+        graph.depends_on(expr, |symbol| matches!(symbol, Symbol::InverseMass(..)))
+    };
+    let (after, before): (Vec<_>, Vec<_>) = list
+        .iter()
+        .copied()
+        .partition(|&(expr, _)| uses_inverse(graph, expr));
+    let mut compute = |name, these: &[(Expr, usize)], known: &[(Expr, usize)]| {
+        let mut lowering = Lowering::of_constants(graph, hoisted, known);
+        for &(expr, slot) in these {
+            lowering.output("", Place::Constant(slot), expr);
+        }
+        lowering.finish(name)
+    };
+    let preparation = [
+        compute("constants", &before, &[]),
+        compute("constants_after_inverse", &after, &before),
+    ];
+    let constants = list
+        .iter()
+        .map(|&(expr, _)| Constant {
+            text: graph.short_text(expr, 90),
+            after_inverse: uses_inverse(graph, expr),
+        })
+        .collect();
+    (constants, preparation)
+}

@@ -1,0 +1,334 @@
+//! Expressions → operations.
+//!
+//! Sums are grouped by their constant factor (k x + k y = k (x + y), with k hoisted), products are split into a hoisted
+//! constant part and a varying one, and every operation is made once per function.
+
+use super::{Function, Operand, Operation, Output, Place};
+use crate::symbolic::{Expr, Graph, Node, Symbol};
+use std::collections::HashMap;
+
+/// Constants found so far, shared by all functions of a mechanism.
+#[derive(Debug, Default)]
+pub(super) struct Hoisted {
+    pub list: Vec<Expr>,
+    index: HashMap<Expr, usize>,
+    known: HashMap<Expr, bool>,
+}
+
+impl Hoisted {
+    /// Whether an expression depends on parameters only.
+    fn is_known(&mut self, graph: &Graph, expr: Expr) -> bool {
+        if let Some(&known) = self.known.get(&expr) {
+            return known;
+        }
+        let known = match graph.node(expr) {
+            Node::Symbol(symbol) => symbol.is_parameter_like(),
+            // A law may have a memory of its own (a table, a counter): call it when its time comes.
+            Node::Law { .. } => false,
+            _ => {
+                let mut all = true;
+                graph.for_each_operand(expr, |operand| all = all && self.is_known(graph, operand));
+                all
+            }
+        };
+        self.known.insert(expr, known);
+        known
+    }
+
+    fn slot(&mut self, expr: Expr) -> usize {
+        *self.index.entry(expr).or_insert_with(|| {
+            self.list.push(expr);
+            self.list.len() - 1
+        })
+    }
+}
+
+/// Lowers the outputs of one function.
+pub(super) struct Lowering<'a> {
+    graph: &'a mut Graph,
+    hoisted: &'a mut Hoisted,
+    /// Off while the constants themselves are computed.
+    hoist: bool,
+    operations: Vec<Operation>,
+    names: Vec<Option<String>>,
+    done: HashMap<Expr, Operand>,
+    made: HashMap<String, Operand>,
+    outputs: Vec<Output>,
+}
+
+impl<'a> Lowering<'a> {
+    pub(super) fn new(graph: &'a mut Graph, hoisted: &'a mut Hoisted) -> Self {
+        Lowering {
+            graph,
+            hoisted,
+            hoist: true,
+            operations: Vec::new(),
+            names: Vec::new(),
+            done: HashMap::new(),
+            made: HashMap::new(),
+            outputs: Vec::new(),
+        }
+    }
+
+    /// A lowering that computes constants instead of referring to them; `known` are those computed earlier.
+    pub(super) fn of_constants(
+        graph: &'a mut Graph,
+        hoisted: &'a mut Hoisted,
+        known: &[(Expr, usize)],
+    ) -> Self {
+        let mut lowering = Lowering::new(graph, hoisted);
+        lowering.hoist = false;
+        lowering.done = known
+            .iter()
+            .map(|&(expr, slot)| (expr, Operand::Constant(slot)))
+            .collect();
+        lowering
+    }
+
+    /// The graph to build expressions in.
+    pub(super) fn graph(&mut self) -> &mut Graph {
+        self.graph
+    }
+
+    /// Adds an output.
+    pub(super) fn output(&mut self, sink: &'static str, place: Place, expr: Expr) {
+        let value = self.operand(expr);
+        self.outputs.push(Output { sink, place, value });
+    }
+
+    /// The function.
+    pub(super) fn finish(self, name: &'static str) -> Function {
+        Function {
+            name,
+            operations: self.operations,
+            names: self.names,
+            outputs: self.outputs,
+        }
+    }
+
+    fn operand(&mut self, expr: Expr) -> Operand {
+        if let Some(&known) = self.done.get(&expr) {
+            return known;
+        }
+        let operand = match self.graph.node(expr).clone() {
+            Node::Constant(bits) => Operand::Number(f64::from_bits(bits)),
+            Node::Symbol(symbol) => Operand::Symbol(symbol),
+            _ if self.hoist && self.hoisted.is_known(self.graph, expr) => {
+                Operand::Constant(self.hoisted.slot(expr))
+            }
+            Node::Sum { constant, terms } => self.sum(f64::from_bits(constant), &terms),
+            Node::Product(factors) => self.product(&factors),
+            Node::Function(function, x) => {
+                let x = self.operand(x);
+                self.push(Operation::Call(function, x))
+            }
+            Node::Power(x, exponent) => {
+                let x = self.operand(x);
+                self.push(Operation::Power(x, f64::from_bits(exponent)))
+            }
+            Node::Atan2(y, x) => {
+                let (y, x) = (self.operand(y), self.operand(x));
+                self.push(Operation::Atan2(y, x))
+            }
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => {
+                let arguments = arguments.iter().map(|&x| self.operand(x)).collect();
+                match self.push(Operation::Law(law, arguments)) {
+                    Operand::Value(call) => self.push(Operation::Part(call, partial)),
+                    other => other,
+                }
+            }
+        };
+        if let (Operand::Value(value), Some(name)) = (operand, self.graph.suggested_name(expr)) {
+            self.names[value].get_or_insert_with(|| name.to_owned());
+        }
+        self.done.insert(expr, operand);
+        operand
+    }
+
+    /// constant + Σ coefficient · term.
+    fn sum(&mut self, constant: f64, terms: &[(Expr, u64)]) -> Operand {
+        // What is known already adds up to one constant.
+        let mut known: Vec<(Expr, f64)> = Vec::new();
+        // Groups with the same constant factor: (|coefficient|, known factor) → signed varying parts.
+        let mut groups: Vec<((u64, Option<Expr>), Vec<(Expr, bool)>)> = Vec::new();
+        for &(term, bits) in terms {
+            let coefficient = f64::from_bits(bits);
+            if self.hoist && self.hoisted.is_known(self.graph, term) {
+                known.push((term, coefficient));
+                continue;
+            }
+            let (factor, varying) = self.split(term);
+            let key = (coefficient.abs().to_bits(), factor);
+            let part = (varying, coefficient < 0.0);
+            match groups.iter_mut().find(|(other, _)| *other == key) {
+                Some((_, parts)) => parts.push(part),
+                None => groups.push((key, vec![part])),
+            }
+        }
+        // Signed summands: (value, negative).
+        let mut summands: Vec<(Operand, bool)> = Vec::new();
+        for ((magnitude, factor), parts) in groups {
+            let magnitude = f64::from_bits(magnitude);
+            if magnitude == 1.0 && factor.is_none() {
+                for (varying, negative) in parts {
+                    summands.push((self.operand(varying), negative));
+                }
+                continue;
+            }
+            let constant = self.graph.constant(magnitude);
+            let factor = match factor {
+                Some(factor) => self.graph.mul(constant, factor),
+                None => constant,
+            };
+            let factor = self.operand(factor);
+            // The sign of a lone part goes outside, so that it can become a subtraction.
+            let negative = parts.iter().all(|(_, negative)| *negative);
+            let inner: Vec<_> = parts
+                .iter()
+                .map(|&(varying, sign)| (self.operand(varying), sign != negative))
+                .collect();
+            let sum = self.signed_sum(&inner);
+            summands.push((self.push(Operation::Multiply(factor, sum)), negative));
+        }
+        if !known.is_empty() || constant != 0.0 {
+            let known = self.graph.linear(constant, &known);
+            match self.graph.as_constant(known) {
+                Some(value) if value < 0.0 => summands.push((Operand::Number(-value), true)),
+                _ => {
+                    let operand = self.operand(known);
+                    summands.push((operand, false));
+                }
+            }
+        }
+        self.signed_sum(&summands)
+    }
+
+    fn signed_sum(&mut self, summands: &[(Operand, bool)]) -> Operand {
+        let positive = summands
+            .iter()
+            .filter(|(_, negative)| !negative)
+            .map(|(operand, _)| *operand);
+        let negative = summands
+            .iter()
+            .filter(|(_, negative)| *negative)
+            .map(|(operand, _)| *operand);
+        let mut total: Option<Operand> = None;
+        for operand in positive {
+            total = Some(match total {
+                Some(before) => self.push(Operation::Add(before, operand)),
+                None => operand,
+            });
+        }
+        for operand in negative {
+            total = Some(match total {
+                Some(before) => self.push(Operation::Subtract(before, operand)),
+                None => self.push(Operation::Negate(operand)),
+            });
+        }
+        total.unwrap_or(Operand::Number(0.0))
+    }
+
+    /// A term as (known factor, varying factor).
+    fn split(&mut self, term: Expr) -> (Option<Expr>, Expr) {
+        let Node::Product(factors) = self.graph.node(term).clone() else {
+            return (None, term);
+        };
+        if !self.hoist {
+            return (None, term);
+        }
+        let (known, varying): (Vec<_>, Vec<_>) = factors
+            .iter()
+            .partition(|(factor, _)| self.hoisted.is_known(self.graph, *factor));
+        if known.is_empty() || varying.is_empty() {
+            return (None, term);
+        }
+        (
+            Some(self.graph.product(&known)),
+            self.graph.product(&varying),
+        )
+    }
+
+    /// Π factor^power.
+    fn product(&mut self, factors: &[(Expr, i32)]) -> Operand {
+        let (known, varying): (Vec<(Expr, i32)>, Vec<(Expr, i32)>) = factors
+            .iter()
+            .partition(|(factor, _)| self.hoist && self.hoisted.is_known(self.graph, *factor));
+        let mut numerator: Option<Operand> = None;
+        let mut denominator: Option<Operand> = None;
+        for (factor, power) in varying {
+            let base = self.operand(factor);
+            let value = self.integer_power(base, power.unsigned_abs());
+            let side = if power > 0 {
+                &mut numerator
+            } else {
+                &mut denominator
+            };
+            *side = Some(match *side {
+                Some(before) => self.push(Operation::Multiply(before, value)),
+                None => value,
+            });
+        }
+        if !known.is_empty() {
+            let known = self.graph.product(&known);
+            let known = self.operand(known);
+            numerator = Some(match numerator {
+                Some(value) => self.push(Operation::Multiply(known, value)),
+                None => known,
+            });
+        }
+        match (numerator, denominator) {
+            (Some(value), None) => value,
+            (value, Some(denominator)) => {
+                let value = value.unwrap_or(Operand::Number(1.0));
+                self.push(Operation::Divide(value, denominator))
+            }
+            (None, None) => Operand::Number(1.0),
+        }
+    }
+
+    fn integer_power(&mut self, base: Operand, power: u32) -> Operand {
+        if power == 1 {
+            return base;
+        }
+        let half = self.integer_power(base, power / 2);
+        let square = self.push(Operation::Multiply(half, half));
+        if power % 2 == 0 {
+            square
+        } else {
+            self.push(Operation::Multiply(square, base))
+        }
+    }
+
+    /// Makes an operation, unless the function has it already.
+    fn push(&mut self, operation: Operation) -> Operand {
+        let operation = match operation {
+            // One order for commuting operands, so that a b and b a are one.
+            Operation::Add(a, b) if rank(b) < rank(a) => Operation::Add(b, a),
+            Operation::Multiply(a, b) if rank(b) < rank(a) => Operation::Multiply(b, a),
+            other => other,
+        };
+        let key = format!("{operation:?}");
+        if let Some(&known) = self.made.get(&key) {
+            return known;
+        }
+        self.operations.push(operation);
+        self.names.push(None);
+        let operand = Operand::Value(self.operations.len() - 1);
+        self.made.insert(key, operand);
+        operand
+    }
+}
+
+/// An order of operands: numbers, constants, symbols, values.
+fn rank(operand: Operand) -> (u8, u64, Option<Symbol>) {
+    match operand {
+        Operand::Number(value) => (0, value.to_bits(), None),
+        Operand::Constant(slot) => (1, slot as u64, None),
+        Operand::Symbol(symbol) => (2, 0, Some(symbol)),
+        Operand::Value(value) => (3, value as u64, None),
+    }
+}

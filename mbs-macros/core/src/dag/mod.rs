@@ -1,0 +1,160 @@
+//! Stage 5: derived quantities → straight-line programs.
+//!
+//! What depends on parameters alone is hoisted into constants, computed once per parameter set; what remains becomes
+//! binary operations, shared across all outputs of a function. AFTER THIS STAGE: every operation that will run is an
+//! [`Operation`], counted.
+
+mod cost;
+mod functions;
+mod lower;
+mod run;
+mod text;
+
+use crate::symbolic::{Function as Elementary, Symbol};
+
+pub use cost::Cost;
+pub use functions::lower;
+pub use run::Run;
+
+/// All generated functions of a mechanism.
+#[derive(Debug)]
+pub struct Program {
+    /// Constants of the first kind: they depend on parameters.
+    pub constants: Vec<Constant>,
+    /// M (upper triangle) in constants, where it is constant: its inverse is computed from these.
+    pub constant_mass: Option<Vec<(usize, usize, Operand)>>,
+    /// The functions that compute the constants: those before M⁻¹, and those that use it.
+    pub preparation: [Function; 2],
+    /// The functions of the system.
+    pub functions: Vec<Function>,
+    /// Guesses of q and v.
+    pub guesses: Function,
+    /// N.
+    pub size: usize,
+    /// R.
+    pub rows: Vec<crate::equations::Row>,
+    /// Reactions: joint, component, unit.
+    pub reactions: Vec<(String, &'static str, String)>,
+    /// What the integrator may rely on.
+    pub structure: Structure,
+}
+
+/// What the integrator may rely on, from the symbolic zeros.
+#[derive(Debug, Clone, Copy)]
+pub struct Structure {
+    /// M does not depend on q.
+    pub constant_mass: bool,
+    /// ∂f/∂v is not zero.
+    pub velocity_forces: bool,
+    /// ∂f/∂q is not zero.
+    pub position_forces: bool,
+    /// A row or force depends on time.
+    pub time_dependent: bool,
+    /// The number of leading holonomic rows.
+    pub holonomic_rows: usize,
+}
+
+/// A constant of the mechanism, computed from parameters.
+#[derive(Debug, Clone)]
+pub struct Constant {
+    /// Its expression, for comments.
+    pub text: String,
+    /// Whether it needs M⁻¹.
+    pub after_inverse: bool,
+}
+
+/// A straight-line function.
+#[derive(Debug, Clone)]
+pub struct Function {
+    /// Its name.
+    pub name: &'static str,
+    /// The operations, in order; an operand refers to earlier ones only.
+    pub operations: Vec<Operation>,
+    /// A suggested name for each operation's value.
+    pub names: Vec<Option<String>>,
+    /// What it writes.
+    pub outputs: Vec<Output>,
+}
+
+/// A value that a function writes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Output {
+    /// Which argument receives it.
+    pub sink: &'static str,
+    /// Where in it.
+    pub place: Place,
+    /// The value.
+    pub value: Operand,
+}
+
+/// A place in an output argument.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The function's return value.
+    Value,
+    /// An element of a vector.
+    Element(usize),
+    /// An entry of a matrix.
+    Entry(usize, usize),
+    /// An entry of a tensor.
+    Tensor(usize, usize, usize),
+    /// A field of the constants.
+    Constant(usize),
+}
+
+/// An operand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Operand {
+    /// A number.
+    Number(f64),
+    /// An argument, parameter or input.
+    Symbol(Symbol),
+    /// A constant.
+    Constant(usize),
+    /// The value of an earlier operation.
+    Value(usize),
+}
+
+/// A floating-point operation.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Operation {
+    /// a + b
+    Add(Operand, Operand),
+    /// a − b
+    Subtract(Operand, Operand),
+    /// a · b
+    Multiply(Operand, Operand),
+    /// a / b
+    Divide(Operand, Operand),
+    /// −a
+    Negate(Operand),
+    /// An elementary function.
+    Call(Elementary, Operand),
+    /// atan2(y, x)
+    Atan2(Operand, Operand),
+    /// a^exponent
+    Power(Operand, f64),
+    /// A user's law: a value that only `Part` can take apart.
+    Law(u32, Vec<Operand>),
+    /// The value (`None`) or a partial of a law's result.
+    Part(usize, Option<u32>),
+}
+
+impl Operation {
+    /// Calls `visit` on each operand.
+    pub fn for_each_operand(&self, mut visit: impl FnMut(Operand)) {
+        match self {
+            Operation::Add(a, b)
+            | Operation::Subtract(a, b)
+            | Operation::Multiply(a, b)
+            | Operation::Divide(a, b)
+            | Operation::Atan2(a, b) => {
+                visit(*a);
+                visit(*b);
+            }
+            Operation::Negate(a) | Operation::Call(_, a) | Operation::Power(a, _) => visit(*a),
+            Operation::Law(_, arguments) => arguments.iter().copied().for_each(visit),
+            Operation::Part(law, _) => visit(Operand::Value(*law)),
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Stage 4: system → derived quantities.
+//!
+//! | quantity | symbol | from |
+//! |---|---|---|
+//! | constraint Jacobian | A | ∂φ/∂q, ∂ψ̇/∂v |
+//! | rheonomic part | b | ∂φ/∂t, ψ̇ at v = 0 |
+//! | rates | Ȧ, γ | d/dt along v |
+//! | affinities | Γ_ijk | ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i) |
+//! | tangents | ∂F/∂q, ∂F/∂v, ∂p/∂q | F = f + ∂T/∂q, p = M v |
+//!
+//! AFTER THIS STAGE: every entry that is structurally zero is absent.
+
+pub(crate) mod affinities;
+mod constraints;
+mod tangents;
+
+use crate::equations::System;
+use crate::symbolic::{Expr, Graph, Symbol};
+use std::collections::BTreeMap;
+
+/// A sparse matrix of expressions, in row order.
+pub type Matrix = BTreeMap<(usize, usize), Expr>;
+
+/// All that is computed from the system.
+#[derive(Debug)]
+pub struct Derived {
+    /// The system.
+    pub system: System,
+    /// Whether M does not depend on q.
+    pub constant_mass: bool,
+    /// p = M v.
+    pub momentum: Vec<Expr>,
+    /// T = ½ v·M v.
+    pub kinetic: Expr,
+    /// Christoffel affinities of the first kind, (i, j, k).
+    pub affinities: BTreeMap<(usize, usize, usize), Expr>,
+    /// Constraint Jacobian A.
+    pub jacobian: Matrix,
+    /// b of φ̇ = A v + b.
+    pub rheonomic: Vec<Expr>,
+    /// Ȧ.
+    pub jacobian_rate: Matrix,
+    /// γ of A v̇ + γ = 0.
+    pub convective: Vec<Expr>,
+    /// F = f + ∂T/∂q.
+    pub total_forces: Vec<Expr>,
+    /// ∂f/∂q.
+    pub applied_by_position: Matrix,
+    /// ∂f/∂v.
+    pub applied_by_velocity: Matrix,
+    /// ∂F/∂q.
+    pub total_by_position: Matrix,
+    /// ∂F/∂v.
+    pub total_by_velocity: Matrix,
+    /// ∂p/∂q.
+    pub momentum_by_position: Matrix,
+    /// M⁻¹ f, where M is constant and forces do not depend on velocities.
+    pub acceleration: Option<Vec<Expr>>,
+}
+
+/// Derives everything, once.
+pub fn derive(mut system: System) -> Derived {
+    let graph = &mut system.graph;
+    let size = system.size;
+    let is_state = |symbol: Symbol| matches!(symbol, Symbol::Coordinate(_));
+    let constant_mass = !system
+        .mass
+        .values()
+        .any(|&entry| graph.depends_on(entry, is_state));
+    let momentum = affinities::momentum(graph, size, &system.mass);
+    let kinetic = affinities::kinetic(graph, &momentum);
+    let affinities = affinities::christoffel(graph, size, &system.mass);
+    let inertial: Vec<Expr> = (0..size as u32)
+        .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
+        .collect();
+    let total_forces: Vec<Expr> = system
+        .forces
+        .iter()
+        .zip(&inertial)
+        .map(|(&f, &g)| graph.add(f, g))
+        .collect();
+    let rows = constraints::derive(graph, &system.rows);
+    let positions =
+        |graph: &mut Graph, values: &[Expr]| tangents::jacobian(graph, values, Symbol::Coordinate);
+    let velocities =
+        |graph: &mut Graph, values: &[Expr]| tangents::jacobian(graph, values, Symbol::Velocity);
+    let applied_by_position = positions(graph, &system.forces);
+    let applied_by_velocity = velocities(graph, &system.forces);
+    let total_by_position = positions(graph, &total_forces);
+    let total_by_velocity = velocities(graph, &total_forces);
+    let momentum_by_position = positions(graph, &momentum);
+    let explicit = constant_mass && applied_by_velocity.is_empty();
+    let acceleration =
+        explicit.then(|| tangents::acceleration(graph, size, &system.mass, &system.forces));
+    Derived {
+        constant_mass,
+        momentum,
+        kinetic,
+        affinities,
+        jacobian: rows.jacobian,
+        rheonomic: rows.rheonomic,
+        jacobian_rate: rows.jacobian_rate,
+        convective: rows.convective,
+        total_forces,
+        applied_by_position,
+        applied_by_velocity,
+        total_by_position,
+        total_by_velocity,
+        momentum_by_position,
+        acceleration,
+        system,
+    }
+}

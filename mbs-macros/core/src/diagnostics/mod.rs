@@ -1,0 +1,106 @@
+//! Errors are collected within a stage and stop the compiler between stages.
+
+use proc_macro2::{Span, TokenStream};
+
+/// The errors of one stage.
+#[derive(Debug, Default)]
+#[must_use = "call `stop_if_any` at the end of the stage"]
+pub struct Errors {
+    list: Vec<syn::Error>,
+}
+
+impl Errors {
+    /// No errors yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Records what is wrong at `span`; the message says what to do.
+    pub fn at(&mut self, span: Span, message: impl std::fmt::Display) {
+        self.list.push(syn::Error::new(span, message));
+    }
+
+    /// Records an error made elsewhere.
+    pub fn push(&mut self, error: syn::Error) {
+        self.list.push(error);
+    }
+
+    /// Whether nothing went wrong so far.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Ends the stage.
+    ///
+    /// # Errors
+    /// All errors of the stage, if there are any.
+    pub fn stop_if_any(self) -> Result<(), Failure> {
+        if self.list.is_empty() {
+            Ok(())
+        } else {
+            Err(Failure { errors: self.list })
+        }
+    }
+}
+
+/// The errors that stopped the compiler.
+#[derive(Debug)]
+pub struct Failure {
+    errors: Vec<syn::Error>,
+}
+
+impl Failure {
+    /// A stage that stopped without recording why: a defect of the compiler, and it says so.
+    pub fn unexplained() -> Self {
+        let message = "the compiler stopped without saying why; please report this declaration";
+        Failure {
+            errors: vec![syn::Error::new(Span::call_site(), message)],
+        }
+    }
+
+    /// The messages with their positions (line, column of the first character, column after the last one).
+    pub fn messages(&self) -> Vec<(String, std::ops::Range<proc_macro2::LineColumn>)> {
+        self.errors
+            .iter()
+            .map(|error| (error.to_string(), error.span().start()..error.span().end()))
+            .collect()
+    }
+
+    /// The errors as `compile_error!` invocations, each at its token.
+    pub fn to_compile_errors(&self) -> TokenStream {
+        self.errors
+            .iter()
+            .map(syn::Error::to_compile_error)
+            .collect()
+    }
+}
+
+/// ", did you mean `x`?" for the candidate nearest to `name`, or nothing if none is near.
+pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
+    let best = candidates
+        .into_iter()
+        .map(|candidate| (distance(name, candidate), candidate))
+        .min();
+    match best {
+        Some((distance, candidate)) if distance <= 1 + name.chars().count() / 3 => {
+            format!("; did you mean `{candidate}`?")
+        }
+        _ => String::new(),
+    }
+}
+
+/// Levenshtein distance.
+fn distance(a: &str, b: &str) -> usize {
+    let b: Vec<char> = b.chars().collect();
+    let mut row: Vec<usize> = (0..=b.len()).collect();
+    for (i, x) in a.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, &y) in b.iter().enumerate() {
+            let substitute = diagonal + usize::from(x.to_lowercase().ne(y.to_lowercase()));
+            diagonal = row[j + 1];
+            row[j + 1] = substitute.min(row[j] + 1).min(row[j + 1] + 1);
+        }
+    }
+    row[b.len()]
+}

@@ -1,0 +1,287 @@
+//! The body of a function as text: bindings, temporaries, writes.
+//!
+//! A value used once is written where it is used; one used more often gets a name. Grouping is kept exactly as in the
+//! program, so that the compiled function and the interpreter agree to the last bit (up to the elementary functions).
+
+use super::names::Names;
+use crate::dag::{Function, Operand, Operation, Output, Place};
+use crate::symbolic::{Function as Elementary, Graph, Symbol};
+use std::fmt::Write;
+
+/// Expressions nested deeper than this get a temporary, for the reader's sake.
+const DEEPEST: usize = 5;
+
+/// How an operand is written in an inner place.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Precedence {
+    Sum,
+    Product,
+    Unary,
+    Atom,
+}
+
+/// Writes bodies.
+pub(super) struct Body<'a> {
+    graph: &'a Graph,
+    function: &'a Function,
+    names: Names,
+    /// Whether an operation has a temporary of its own.
+    named: Vec<bool>,
+    /// How constants and parameters are addressed: `self.` or nothing.
+    constants: &'a str,
+    parameters: &'a str,
+}
+
+impl<'a> Body<'a> {
+    /// The body of a method of the system.
+    pub(super) fn of_method(graph: &'a Graph, function: &'a Function) -> Self {
+        Self::new(graph, function, "self.", "self.parameters.")
+    }
+
+    /// The body of a function in which constants are variables and parameters come from `self`.
+    pub(super) fn of_preparation(graph: &'a Graph, function: &'a Function) -> Self {
+        Self::new(graph, function, "", "self.")
+    }
+
+    fn new(
+        graph: &'a Graph,
+        function: &'a Function,
+        constants: &'a str,
+        parameters: &'a str,
+    ) -> Self {
+        let names = Names::new(graph, function);
+        let mut body = Body {
+            graph,
+            function,
+            names,
+            named: Vec::new(),
+            constants,
+            parameters,
+        };
+        body.choose_temporaries();
+        body
+    }
+
+    fn choose_temporaries(&mut self) {
+        let count = self.function.operations.len();
+        let mut uses = vec![0usize; count];
+        let mut note = |operand: Operand| {
+            if let Operand::Value(slot) = operand {
+                uses[slot] += 1;
+            }
+        };
+        self.function
+            .operations
+            .iter()
+            .for_each(|operation| operation.for_each_operand(&mut note));
+        self.function
+            .outputs
+            .iter()
+            .for_each(|output| note(output.value));
+        let mut depth = vec![0usize; count];
+        for (slot, operation) in self.function.operations.iter().enumerate() {
+            let mut deepest = 0;
+            operation.for_each_operand(|operand| {
+                if let Operand::Value(inner) = operand {
+                    deepest = deepest.max(depth[inner]);
+                }
+            });
+            let is_law = matches!(operation, Operation::Law(..));
+            let named = uses[slot] > 1
+                || is_law
+                || deepest >= DEEPEST
+                || self.function.names[slot].is_some();
+            depth[slot] = if named { 0 } else { deepest + 1 };
+            self.named.push(named && uses[slot] > 0);
+        }
+    }
+
+    /// Bindings and temporaries.
+    pub(super) fn statements(&self) -> String {
+        let mut out = String::new();
+        for (name, source) in self.names.bound.values() {
+            let _ = writeln!(out, "let {name} = {source};");
+        }
+        for slot in 0..self.function.operations.len() {
+            if self.named[slot] {
+                let _ = writeln!(
+                    out,
+                    "let {} = {};",
+                    self.names.temporaries[slot],
+                    self.operation(slot, Precedence::Sum)
+                );
+            }
+        }
+        out
+    }
+
+    /// Writes into vectors by index and into matrices through their sinks.
+    pub(super) fn writes(&self) -> String {
+        let mut out = String::new();
+        for output in &self.function.outputs {
+            let value = self.value(output);
+            let _ = match output.place {
+                Place::Value => write!(out, "{value}"),
+                Place::Element(i) => writeln!(out, "{}[{i}] = {value};", output.sink),
+                // Kernels write plain arrays; everything else goes through a sink and leaves its zeros unwritten.
+                Place::Entry(i, j) if output.sink == "w" || output.sink == "gram" => {
+                    writeln!(out, "{}[{i}][{j}] = {value};", output.sink)
+                }
+                Place::Entry(..) | Place::Tensor(..) if output.value == Operand::Number(0.0) => {
+                    Ok(())
+                }
+                Place::Entry(i, j) => writeln!(out, "{}.set({i}, {j}, {value});", output.sink),
+                Place::Tensor(i, j, k) => {
+                    writeln!(out, "{}.set({i}, {j}, {k}, {value});", output.sink)
+                }
+                Place::Constant(slot) => writeln!(out, "let k{slot} = {value};"),
+            };
+        }
+        out
+    }
+
+    /// The values of all outputs, in order.
+    pub(super) fn values(&self) -> Vec<String> {
+        self.function
+            .outputs
+            .iter()
+            .map(|output| self.value(output))
+            .collect()
+    }
+
+    fn value(&self, output: &Output) -> String {
+        self.operand(output.value, Precedence::Sum)
+    }
+
+    fn operand(&self, operand: Operand, outer: Precedence) -> String {
+        match operand {
+            Operand::Number(value) => {
+                let text = number(value);
+                if value < 0.0 && outer > Precedence::Sum {
+                    format!("({text})")
+                } else {
+                    text
+                }
+            }
+            Operand::Constant(slot) => format!("{}k{slot}", self.constants),
+            Operand::Symbol(symbol) => self.symbol(symbol),
+            Operand::Value(slot) if self.named[slot] => self.names.temporaries[slot].clone(),
+            Operand::Value(slot) => self.operation(slot, outer),
+        }
+    }
+
+    fn symbol(&self, symbol: Symbol) -> String {
+        if let Some((name, _)) = self.names.bound.get(&symbol) {
+            return name.clone();
+        }
+        match symbol {
+            Symbol::Parameter(_) => format!("{}{}", self.parameters, self.graph.name(symbol)),
+            Symbol::InverseMass(i, j) => format!("{}inverse_mass[{i}][{j}]", self.constants),
+            other => self.graph.name(other),
+        }
+    }
+
+    fn operation(&self, slot: usize, outer: Precedence) -> String {
+        let (text, own) = match &self.function.operations[slot] {
+            Operation::Add(a, b) => (self.binary(*a, "+", *b, Precedence::Sum), Precedence::Sum),
+            Operation::Subtract(a, b) => {
+                (self.binary(*a, "-", *b, Precedence::Sum), Precedence::Sum)
+            }
+            Operation::Multiply(a, b) => (
+                self.binary(*a, "*", *b, Precedence::Product),
+                Precedence::Product,
+            ),
+            Operation::Divide(a, b) => (
+                self.binary(*a, "/", *b, Precedence::Product),
+                Precedence::Product,
+            ),
+            Operation::Negate(a) => (
+                format!("-{}", self.operand(*a, Precedence::Unary)),
+                Precedence::Unary,
+            ),
+            Operation::Call(function, a) => (self.call(*function, *a), Precedence::Atom),
+            Operation::Atan2(y, x) => {
+                let x = self.operand(*x, Precedence::Sum);
+                (
+                    format!("{}.atan2({x})", self.operand(*y, Precedence::Atom)),
+                    Precedence::Atom,
+                )
+            }
+            Operation::Power(a, exponent) => (
+                format!(
+                    "{}.powf({})",
+                    self.operand(*a, Precedence::Atom),
+                    number(*exponent)
+                ),
+                Precedence::Atom,
+            ),
+            Operation::Law(law, arguments) => {
+                let arguments: Vec<_> = arguments
+                    .iter()
+                    .map(|x| self.operand(*x, Precedence::Sum))
+                    .collect();
+                (
+                    format!("Self::law_{law}([{}])", arguments.join(", ")),
+                    Precedence::Atom,
+                )
+            }
+            Operation::Part(law, None) => (
+                format!("{}.0", self.names.temporaries[*law]),
+                Precedence::Atom,
+            ),
+            Operation::Part(law, Some(partial)) => (
+                format!("{}.1[{partial}]", self.names.temporaries[*law]),
+                Precedence::Atom,
+            ),
+        };
+        // A unary minus in front of a method call would apply to its result: parenthesise all but atoms there.
+        if own < outer {
+            format!("({text})")
+        } else {
+            text
+        }
+    }
+
+    /// Left operands associate by themselves; right ones of the same precedence are parenthesised, to keep the grouping.
+    fn binary(&self, a: Operand, operator: &str, b: Operand, own: Precedence) -> String {
+        let above = if own == Precedence::Sum {
+            Precedence::Product
+        } else {
+            Precedence::Unary
+        };
+        format!(
+            "{} {operator} {}",
+            self.operand(a, own),
+            self.operand(b, above)
+        )
+    }
+
+    fn call(&self, function: Elementary, argument: Operand) -> String {
+        let plain = self.operand(argument, Precedence::Sum);
+        match function {
+            Elementary::Sign => format!("::mbs_runtime::generated::sign({plain})"),
+            Elementary::Step => format!("::mbs_runtime::generated::step({plain})"),
+            _ => {
+                let receiver = match argument {
+                    // `2.0.sin()` needs its type.
+                    Operand::Number(value) => format!("({}_f64)", number(value)),
+                    _ => self.operand(argument, Precedence::Atom),
+                };
+                format!("{receiver}.{}()", function.name())
+            }
+        }
+    }
+}
+
+/// A number that reads back as itself.
+pub(super) fn number(value: f64) -> String {
+    if value.is_finite() {
+        format!("{value:?}")
+    } else if value.is_nan() {
+        "f64::NAN".to_owned()
+    } else if value > 0.0 {
+        "f64::INFINITY".to_owned()
+    } else {
+        "f64::NEG_INFINITY".to_owned()
+    }
+}

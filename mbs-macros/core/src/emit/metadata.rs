@@ -1,0 +1,154 @@
+//! The constant `MODEL`.
+
+use super::body::number;
+use crate::dag::Program;
+use crate::equations::RowKind;
+use crate::model::{Model, Quantity, Representation};
+use std::fmt::Write;
+
+/// The initialiser of `MODEL`, as text.
+pub(super) fn emit(model: &Model, program: &Program) -> String {
+    let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
+    let coordinates = model
+        .coordinates
+        .iter()
+        .map(|c| {
+            format!(
+                "::mbs_runtime::Coordinate {{ name: {:?}, unit: {:?} }}",
+                c.name, c.unit
+            )
+        })
+        .collect();
+    let rows = program
+        .rows
+        .iter()
+        .map(|row| {
+            let kind = match row.kind {
+                RowKind::Holonomic => "Holonomic",
+                RowKind::Rheonomic => "Rheonomic",
+                RowKind::Nonholonomic => "Nonholonomic",
+            };
+            format!(
+                "::mbs_runtime::Row {{ name: {:?}, entry: {:?}, kind: ::mbs_runtime::RowKind::{kind}, unit: {:?} }}",
+                row.name, row.entry, row.unit
+            )
+        })
+        .collect();
+    let parts = model
+        .parts
+        .iter()
+        .filter(|part| part.representation != Representation::Coordinate)
+        .map(|part| {
+            format!(
+                "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {:?} }}",
+                part.name,
+                part.kind,
+                part.representation.describe()
+            )
+        })
+        .collect();
+    let segments = model
+        .segments
+        .iter()
+        .map(|(part, from, to)| {
+            format!("::mbs_runtime::Segment {{ part: {part:?}, from: {from}, to: {to} }}")
+        })
+        .collect();
+    let reactions = program
+        .reactions
+        .iter()
+        .map(|(joint, component, unit)| {
+            format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?} }}")
+        })
+        .collect();
+    let operations = program
+        .functions
+        .iter()
+        .map(|function| {
+            let cost = function.cost();
+            format!(
+                "::mbs_runtime::FunctionCost {{ function: {:?}, additions: {}, multiplications: {}, divisions: {}, calls: {} }}",
+                function.name, cost.additions, cost.multiplications, cost.divisions, cost.calls
+            )
+        })
+        .collect();
+    let outputs = model
+        .outputs
+        .iter()
+        .map(|(quantity, _)| quantity_text(quantity))
+        .collect();
+    let mut out = String::from("&::mbs_runtime::Model {\n");
+    let mut field = |name: &str, value: String| {
+        let _ = writeln!(out, "{name}: {value},");
+    };
+    field("name", format!("{:?}", model.name));
+    field("doc", format!("{:?}", model.doc));
+    field("declaration", format!("{:?}", model.text));
+    field("coordinates", list(coordinates));
+    field("rows", list(rows));
+    field("parts", list(parts));
+    field(
+        "parameters",
+        list(model.parameters.iter().map(quantity_text).collect()),
+    );
+    field(
+        "inputs",
+        list(model.inputs.iter().map(quantity_text).collect()),
+    );
+    field("outputs", list(outputs));
+    field(
+        "events",
+        list(
+            model
+                .events
+                .iter()
+                .map(|(name, _)| format!("{name:?}"))
+                .collect(),
+        ),
+    );
+    field(
+        "points",
+        list(
+            model
+                .points
+                .iter()
+                .map(|(name, _)| format!("{name:?}"))
+                .collect(),
+        ),
+    );
+    field("segments", list(segments));
+    field("reactions", list(reactions));
+    field(
+        "reductions",
+        list(
+            model
+                .reductions
+                .iter()
+                .map(|sentence| format!("{sentence:?}"))
+                .collect(),
+        ),
+    );
+    field("operations", list(operations));
+    field("structure", structure(program));
+    out.push('}');
+    out
+}
+
+/// The initialiser of the `Structure`.
+pub(super) fn structure(program: &Program) -> String {
+    let s = program.structure;
+    format!(
+        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {} }}",
+        s.constant_mass, s.velocity_forces, s.position_forces, s.time_dependent, s.holonomic_rows
+    )
+}
+
+fn quantity_text(quantity: &Quantity) -> String {
+    format!(
+        "::mbs_runtime::Quantity {{ name: {:?}, unit: {:?}, default: {}, doc: {:?} }}",
+        quantity.name,
+        quantity.unit,
+        number(quantity.default),
+        quantity.doc
+    )
+}

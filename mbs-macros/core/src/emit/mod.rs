@@ -1,0 +1,53 @@
+//! Stage 6: program → Rust.
+//!
+//! Two types: the declared one with the parameters as public fields, and the hidden system in which everything that
+//! depends on parameters has been computed. One file for each emitted item; nothing outside this folder writes Rust.
+
+mod body;
+mod fallback;
+mod metadata;
+mod names;
+mod parameters;
+mod system;
+
+use crate::dag::Program;
+use crate::model::Model;
+use crate::symbolic::Graph;
+use crate::syntax::Declaration;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+pub use fallback::fallback;
+
+/// All generated items.
+pub fn mechanism(
+    declaration: &Declaration,
+    model: &Model,
+    graph: &Graph,
+    program: &Program,
+) -> TokenStream {
+    let parameters = parameters::emit(declaration, model);
+    let mechanism = parameters::emit_mechanism(declaration, model, graph, program);
+    let metadata = metadata::emit(model, program);
+    let system = system::emit(declaration, model, graph, program, &metadata);
+    quote! {
+        #parameters
+        #mechanism
+        #system
+    }
+}
+
+/// Generated text as tokens.
+///
+/// Bodies are written as text: they are long, regular, and cheaper to write so in an unoptimised compiler.
+fn tokens(text: &str) -> TokenStream {
+    match text.parse() {
+        Ok(tokens) => tokens,
+        Err(error) => {
+            let message = format!(
+                "the compiler wrote Rust that does not parse ({error}); please report this declaration"
+            );
+            quote! { compile_error!(#message) }
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! Identifiers for generated code.
+
+use crate::dag::{Function, Operand, Operation};
+use crate::symbolic::{Graph, Symbol};
+use std::collections::{BTreeMap, HashSet};
+
+/// Names that generated bodies use for themselves, and keywords that a coordinate might collide with.
+const TAKEN: &[&str] = &[
+    "a",
+    "b",
+    "f",
+    "p",
+    "q",
+    "t",
+    "v",
+    "w",
+    "x",
+    "phi",
+    "gamma",
+    "lambda",
+    "acceleration",
+    "mass",
+    "gram",
+    "a_rate",
+    "f_q",
+    "f_v",
+    "p_q",
+    "outputs",
+    "events",
+    "points",
+    "reactions",
+    "as",
+    "async",
+    "await",
+    "break",
+    "const",
+    "continue",
+    "crate",
+    "dyn",
+    "else",
+    "enum",
+    "extern",
+    "false",
+    "fn",
+    "for",
+    "gen",
+    "if",
+    "impl",
+    "in",
+    "let",
+    "loop",
+    "match",
+    "mod",
+    "move",
+    "mut",
+    "pub",
+    "ref",
+    "return",
+    "self",
+    "static",
+    "struct",
+    "super",
+    "trait",
+    "true",
+    "type",
+    "unsafe",
+    "use",
+    "where",
+    "while",
+];
+
+/// The identifiers of one function: bound symbols and named temporaries.
+pub(super) struct Names {
+    /// Symbols that the body binds at its start: symbol → (identifier, where it comes from).
+    pub bound: BTreeMap<Symbol, (String, String)>,
+    /// The temporary of each operation.
+    pub temporaries: Vec<String>,
+}
+
+impl Names {
+    pub(super) fn new(graph: &Graph, function: &Function) -> Names {
+        let mut taken: HashSet<String> = TAKEN.iter().map(|name| (*name).to_owned()).collect();
+        let mut bound = BTreeMap::new();
+        for symbol in symbols(function) {
+            let source = match symbol {
+                Symbol::Coordinate(i) => format!("q[{i}]"),
+                Symbol::Velocity(i) => format!("v[{i}]"),
+                Symbol::Acceleration(i) => format!("acceleration[{i}]"),
+                Symbol::Input(i) => format!("self.inputs[{i}]"),
+                _ => continue,
+            };
+            let name = claim(&identifier(&graph.name(symbol)), &mut taken);
+            bound.insert(symbol, (name, source));
+        }
+        let mut names = Names {
+            bound,
+            temporaries: Vec::new(),
+        };
+        for (slot, operation) in function.operations.iter().enumerate() {
+            let wanted = match (&function.names[slot], operation) {
+                (Some(hint), _) => identifier(hint),
+                (None, Operation::Call(function, operand)) => match names.simple(operand) {
+                    Some(operand) => format!("{}_{operand}", function.name()),
+                    None => format!("t{slot}"),
+                },
+                (None, Operation::Multiply(x, y)) if x == y => match names.simple(x) {
+                    Some(operand) => format!("{operand}_squared"),
+                    None => format!("t{slot}"),
+                },
+                (None, Operation::Law(law, _)) => format!("law_{law}"),
+                _ => format!("t{slot}"),
+            };
+            let name = claim(&wanted, &mut taken);
+            names.temporaries.push(name);
+        }
+        names
+    }
+
+    /// The name of an operand, if it is a short word of its own.
+    fn simple(&self, operand: &Operand) -> Option<String> {
+        match operand {
+            Operand::Symbol(symbol) => self.bound.get(symbol).map(|(name, _)| name.clone()),
+            Operand::Value(slot) => self
+                .temporaries
+                .get(*slot)
+                .filter(|name| !is_numbered(name))
+                .cloned(),
+            _ => None,
+        }
+        .filter(|name| name.len() <= 24)
+    }
+}
+
+fn is_numbered(name: &str) -> bool {
+    name.strip_prefix('t')
+        .is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
+}
+
+/// `crank.b.x'` → `crank_b_x_dot`.
+pub(super) fn identifier(name: &str) -> String {
+    let dotted = name.replace("''", "_ddot").replace('\'', "_dot");
+    dotted
+        .chars()
+        .map(|c| if c.is_alphanumeric() { c } else { '_' })
+        .collect()
+}
+
+fn claim(wanted: &str, taken: &mut HashSet<String>) -> String {
+    let mut name = wanted.to_owned();
+    let mut suffix = 2;
+    while !taken.insert(name.clone()) {
+        name = format!("{wanted}_{suffix}");
+        suffix += 1;
+    }
+    name
+}
+
+fn symbols(function: &Function) -> Vec<Symbol> {
+    let mut found = Vec::new();
+    let mut note = |operand: Operand| {
+        if let Operand::Symbol(symbol) = operand {
+            found.push(symbol);
+        }
+    };
+    function
+        .operations
+        .iter()
+        .for_each(|operation| operation.for_each_operand(&mut note));
+    function
+        .outputs
+        .iter()
+        .for_each(|output| note(output.value));
+    found.sort_unstable();
+    found.dedup();
+    found
+}

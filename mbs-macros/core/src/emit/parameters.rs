@@ -1,0 +1,191 @@
+//! The declared type: parameters as public fields.
+
+use super::body::{Body, number};
+use super::{system, tokens};
+use crate::dag::{Operand, Program};
+use crate::model::Model;
+use crate::symbolic::Graph;
+use crate::syntax::Declaration;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+use std::fmt::Write;
+
+/// The struct and its default.
+pub(super) fn emit(declaration: &Declaration, model: &Model) -> TokenStream {
+    let visibility = declaration
+        .visibility
+        .as_ref()
+        .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
+    let name = &declaration.name;
+    let doc = documentation(model);
+    let fields: Vec<Ident> = model
+        .parameters
+        .iter()
+        .map(|parameter| field(declaration, &parameter.name))
+        .collect();
+    let docs = model.parameters.iter().map(|parameter| {
+        let unit = if parameter.unit.is_empty() {
+            "dimensionless".to_owned()
+        } else {
+            format!("in {}", parameter.unit)
+        };
+        let text = if parameter.doc.is_empty() {
+            String::new()
+        } else {
+            format!("{} ", parameter.doc)
+        };
+        format!("{text}({unit}; {} by default)", parameter.default)
+    });
+    let defaults = model
+        .parameters
+        .iter()
+        .map(|parameter| tokens(&number(parameter.default)));
+    quote! {
+        #[doc = #doc]
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #visibility struct #name {
+            #( #[doc = #docs] pub #fields: f64, )*
+        }
+
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self { #( #fields: #defaults, )* }
+            }
+        }
+    }
+}
+
+/// The field of a parameter, with the span of its declaration.
+fn field(declaration: &Declaration, name: &str) -> Ident {
+    let entry = declaration.entries.iter().find(|entry| entry.name == name);
+    entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
+}
+
+fn documentation(model: &Model) -> String {
+    let mut out = String::new();
+    if !model.doc.is_empty() {
+        let _ = writeln!(out, "{}\n", model.doc);
+    }
+    let names = model
+        .coordinates
+        .iter()
+        .map(|coordinate| format!("`{}`", coordinate.name))
+        .collect::<Vec<_>>();
+    let _ = writeln!(
+        out,
+        "A mechanism with {} generalized coordinates: {}.",
+        names.len(),
+        names.join(", ")
+    );
+    for sentence in &model.reductions {
+        let _ = writeln!(out, "* {sentence}");
+    }
+    out
+}
+
+/// `impl Mechanism`.
+pub(super) fn emit_mechanism(
+    declaration: &Declaration,
+    model: &Model,
+    graph: &Graph,
+    program: &Program,
+) -> TokenStream {
+    let name = &declaration.name;
+    let system = system::name(declaration);
+    let (size, rows) = (program.size, program.rows.len());
+    let fields: Vec<Ident> = model
+        .parameters
+        .iter()
+        .map(|parameter| field(declaration, &parameter.name))
+        .collect();
+    let names: Vec<&str> = model
+        .parameters
+        .iter()
+        .map(|parameter| parameter.name.as_str())
+        .collect();
+    let body = tokens(&preparation(model, graph, program, &system.to_string()));
+    quote! {
+        #[allow(clippy::all, unused_variables, unused_mut, unexpected_cfgs)]
+        #[cfg(not(rust_analyzer))]
+        impl ::mbs_runtime::Mechanism for #name {
+            type System = #system;
+            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #rows>>::MODEL;
+
+            fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
+                #( ::mbs_runtime::generated::check_finite(#names, self.#fields)?; )*
+                #body
+            }
+
+            fn parameter(&self, name: &str) -> ::core::option::Option<f64> {
+                match name {
+                    #( #names => ::core::option::Option::Some(self.#fields), )*
+                    _ => ::core::option::Option::None,
+                }
+            }
+
+            fn set_parameter(&mut self, name: &str, value: f64) -> ::core::result::Result<(), ::mbs_runtime::UnknownName> {
+                match name {
+                    #( #names => self.#fields = value, )*
+                    _ => return ::core::result::Result::Err(::mbs_runtime::UnknownName::new("parameter", name, [#( #names ),*])),
+                }
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
+
+/// Constants before M⁻¹, M⁻¹, constants after it, and the system that holds them.
+fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) -> String {
+    let [before, after] = &program.preparation;
+    let mut out = String::new();
+    let write = |out: &mut String, function| {
+        let body = Body::of_preparation(graph, function);
+        out.push_str(&body.statements());
+        out.push_str(&body.writes());
+    };
+    write(&mut out, before);
+    if let Some(entries) = &program.constant_mass {
+        let _ = writeln!(out, "let mut mass = [[0.0; {0}]; {0}];", program.size);
+        for &(i, j, value) in entries {
+            let value = match value {
+                Operand::Number(value) => number(value),
+                Operand::Constant(slot) => format!("k{slot}"),
+                Operand::Symbol(symbol) => format!("self.{}", graph.name(symbol)),
+                Operand::Value(_) => unreachable!("a constant mass matrix has no operations left"),
+            };
+            let _ = writeln!(out, "mass[{i}][{j}] = {value};");
+            if i != j {
+                let _ = writeln!(out, "mass[{j}][{i}] = {value};");
+            }
+        }
+        let coordinates: Vec<String> = model
+            .coordinates
+            .iter()
+            .map(|coordinate| format!("{:?}", coordinate.name))
+            .collect();
+        let _ = writeln!(
+            out,
+            "let inverse_mass = ::mbs_runtime::generated::inverse_mass(&mass, &[{}])?;",
+            coordinates.join(", ")
+        );
+    }
+    write(&mut out, after);
+    let inputs: Vec<String> = model
+        .inputs
+        .iter()
+        .map(|input| number(input.default))
+        .collect();
+    let inverse = if program.constant_mass.is_some() {
+        "inverse_mass, "
+    } else {
+        ""
+    };
+    let constants: String =
+        (0..program.constants.len()).fold(String::new(), |text, slot| text + &format!("k{slot}, "));
+    let _ = writeln!(
+        out,
+        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{constants} }})",
+        inputs.join(", ")
+    );
+    out
+}

@@ -1,0 +1,42 @@
+//! A force on a point.
+
+use super::{Action, Force, Load};
+use crate::model::{Arguments, Owner, Point, Vector};
+use crate::symbolic::Graph;
+
+#[derive(Debug)]
+struct PointForce {
+    on: Point,
+    value: Vector,
+}
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Force>> {
+    let (on, value) = (arguments.point("on"), arguments.vector("value"));
+    let (on, value) = (on?, value?);
+    if on.owner == Owner::Ground {
+        return arguments.fail(
+            "on",
+            "a force on the ground does nothing; apply it to a moving point",
+        );
+    }
+    Some(Box::new(PointForce { on, value }))
+}
+
+impl Force for PointForce {
+    fn action(&self, graph: &mut Graph) -> Action {
+        let velocity = graph.vector_rate(self.on.position);
+        let loads = velocity
+            .into_iter()
+            .zip(self.value)
+            .map(|(rate, force)| Load { rate, force })
+            .collect();
+        Action {
+            potential: None,
+            loads,
+        }
+    }
+
+    fn points(&self) -> Vec<&Point> {
+        vec![&self.on]
+    }
+}

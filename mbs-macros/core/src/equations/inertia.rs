@@ -1,0 +1,140 @@
+//! Mass matrices: of each part in its own coordinates, and of the mechanism.
+
+use crate::model::{Part, Representation, Vector};
+use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
+use std::collections::BTreeMap;
+
+/// Entries of the parts' own mass matrices (both triangles), summed over parts.
+pub(super) type LocalMass = BTreeMap<(u32, u32), Expr>;
+
+/// The centre of mass of a part; `offset` is where it lies from the frame's origin.
+pub(super) fn center_of(graph: &mut Graph, part: &Part, offset: Vector) -> Vector {
+    match part.representation {
+        // Exactly the coordinates, rather than origin + offset, which would not cancel where the origin has the offset.
+        Representation::Reference => {
+            [part.locals[0], part.locals[1]].map(|x| graph.symbol(Symbol::LocalPosition(x)))
+        }
+        Representation::Natural => {
+            let ends: Vec<Expr> = part
+                .locals
+                .iter()
+                .map(|&x| graph.symbol(Symbol::LocalPosition(x)))
+                .collect();
+            [
+                graph.linear(0.0, &[(ends[0], 0.5), (ends[2], 0.5)]),
+                graph.linear(0.0, &[(ends[1], 0.5), (ends[3], 0.5)]),
+            ]
+        }
+        _ => graph.vector_add(part.frame.origin, offset),
+    }
+}
+
+pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
+    let mut mass = LocalMass::new();
+    for part in parts {
+        match part.representation {
+            // A uniform rod between its ends: m/3 on the diagonal, m/6 across.
+            Representation::Natural => {
+                let (third, sixth) = (
+                    graph.scale(1.0 / 3.0, part.mass),
+                    graph.scale(1.0 / 6.0, part.mass),
+                );
+                for axis in 0..2 {
+                    let (a, b) = (part.locals[axis], part.locals[axis + 2]);
+                    for (i, k, value) in
+                        [(a, a, third), (a, b, sixth), (b, a, sixth), (b, b, third)]
+                    {
+                        add(graph, &mut mass, (i, k), value);
+                    }
+                }
+            }
+            Representation::FreePoint => {
+                part.locals
+                    .iter()
+                    .for_each(|&local| add(graph, &mut mass, (local, local), part.mass));
+            }
+            Representation::Reference => {
+                for (&local, value) in part.locals.iter().zip([part.mass, part.mass, part.inertia])
+                {
+                    add(graph, &mut mass, (local, local), value);
+                }
+            }
+            Representation::Prescribed => prescribed(graph, part, &mut mass),
+            Representation::Coordinate => {}
+        }
+    }
+    mass
+}
+
+/// m ∂c/∂sᵢ · ∂c/∂sₖ + J ∂θ/∂sᵢ ∂θ/∂sₖ over the coordinates that the part follows.
+fn prescribed(graph: &mut Graph, part: &Part, mass: &mut LocalMass) {
+    let offset = graph.turn(part.frame.axis, part.center);
+    let center = center_of(graph, part, offset);
+    let angle = part.frame.angle.unwrap_or_else(|| graph.zero());
+    let followed: Vec<u32> = graph
+        .symbols([center[0], center[1], angle])
+        .into_iter()
+        .filter_map(|symbol| match symbol {
+            Symbol::LocalPosition(local) => Some(local),
+            _ => None,
+        })
+        .collect();
+    let slopes: Vec<[Expr; 3]> = followed
+        .iter()
+        .map(|&local| {
+            [center[0], center[1], angle].map(|x| graph.derivative(x, Symbol::LocalPosition(local)))
+        })
+        .collect();
+    for (i, a) in followed.iter().zip(&slopes) {
+        for (k, b) in followed.iter().zip(&slopes) {
+            let square = graph.dot([a[0], a[1]], [b[0], b[1]]);
+            let translation = graph.mul(part.mass, square);
+            let rotation = graph.product(&[(part.inertia, 1), (a[2], 1), (b[2], 1)]);
+            let value = graph.add(translation, rotation);
+            add(graph, mass, (*i, *k), value);
+        }
+    }
+}
+
+fn add(graph: &mut Graph, mass: &mut LocalMass, slot: (u32, u32), value: Expr) {
+    if graph.is_zero(value) {
+        return;
+    }
+    let sum = match mass.get(&slot) {
+        Some(&before) => graph.add(before, value),
+        None => value,
+    };
+    mass.insert(slot, sum);
+}
+
+/// The upper triangle of M: entries of coordinates that the reduction merged add up; those of constants drop out.
+pub(super) fn global_mass(
+    graph: &mut Graph,
+    reduction: &mut Substitution,
+    local: &LocalMass,
+) -> BTreeMap<(usize, usize), Expr> {
+    let mut terms: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
+    for (&(i, k), &value) in local {
+        let index = |local| match reduction
+            .get(Symbol::LocalPosition(local))
+            .map(|expr| graph.node(expr))
+        {
+            Some(Node::Symbol(Symbol::Coordinate(index))) => Some(*index as usize),
+            _ => None,
+        };
+        if let (Some(row), Some(column)) = (index(i), index(k))
+            && row <= column
+        {
+            let value = graph.substitute(value, reduction);
+            terms.entry((row, column)).or_default().push(value);
+        }
+    }
+    let entries: Vec<_> = terms
+        .into_iter()
+        .map(|(slot, terms)| (slot, graph.sum(terms)))
+        .collect();
+    entries
+        .into_iter()
+        .filter(|&(_, value)| !graph.is_zero(value))
+        .collect()
+}

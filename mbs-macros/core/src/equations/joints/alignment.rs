@@ -1,0 +1,55 @@
+//! The row that keeps the angle between two frames.
+
+use super::{JointRow, row};
+use crate::model::{Arguments, Dimension, Frame, Point};
+use crate::symbolic::{Expr, Graph};
+
+/// Two frames that keep an angle.
+#[derive(Debug)]
+pub(super) struct Alignment {
+    parent: Frame,
+    child: Frame,
+    angle: Expr,
+}
+
+/// Reads the frames behind two points, and `angle =`.
+pub(super) fn read(arguments: &mut Arguments, parent: &Point, child: &Point) -> Option<Alignment> {
+    for (field, point) in [("parent", parent), ("child", child)] {
+        if arguments.is_particle(point.owner) {
+            let name = arguments.owner_name(point.owner);
+            return arguments.fail(field, format!("`{name}` is a particle and has no orientation to hold; use a Body, or PointOnLine or Revolute"));
+        }
+    }
+    if parent.owner == child.owner {
+        let owner = arguments.owner_name(parent.owner);
+        return arguments.fail(
+            "child",
+            format!("both points belong to `{owner}`: a joint holds two different parts"),
+        );
+    }
+    let angle = arguments.scalar_or("angle", 0.0)?;
+    Some(Alignment {
+        parent: arguments.frame(parent.owner),
+        child: arguments.frame(child.owner),
+        angle,
+    })
+}
+
+impl Alignment {
+    /// θ_child − θ_parent − angle where both frames have an angle; else sin of the same from the directions. Either way
+    /// the multiplier is the torque on the child.
+    pub(super) fn row(&self, graph: &mut Graph) -> JointRow {
+        let expr = match (self.parent.angle, self.child.angle) {
+            (Some(parent), Some(child)) => {
+                let relative = graph.sub(child, parent);
+                graph.sub(relative, self.angle)
+            }
+            _ => {
+                let offset = graph.direction(self.angle);
+                let expected = graph.turn(self.parent.axis, offset);
+                graph.cross(expected, self.child.axis)
+            }
+        };
+        row("angle", expr, Dimension::NONE)
+    }
+}

@@ -1,0 +1,107 @@
+//! A position prescribed as a function of time: a rheonomic row.
+
+use super::{Joint, JointEquations, JointRow, Level, ReactionComponent, multiplier_dimension};
+use crate::model::{Arguments, Dimension, Owner, Vector};
+use crate::symbolic::{Expr, Graph, Symbol};
+use syn::{Expr as Syntax, Member};
+
+#[derive(Debug)]
+struct Drive {
+    target: Target,
+    value: Expr,
+    dimension: Option<Dimension>,
+    owner: Option<Owner>,
+}
+
+#[derive(Debug)]
+enum Target {
+    Expression(Expr),
+    /// The direction of a bar that has no angle among its coordinates.
+    Direction(Vector),
+}
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
+    let (value, of_value) = arguments.quantity("value")?;
+    arguments.refuse(
+        "value",
+        &|symbol| !matches!(symbol, Symbol::Time | Symbol::Parameter(_)),
+        "a drive follows time and parameters only; a relation between positions is a `Holonomic` or `Coupling`",
+    )?;
+    arguments.refuse_laws("value")?;
+    let owner = bar_angle(arguments);
+    let (target, of_target) = match owner {
+        Some(owner) => (
+            Target::Direction(arguments.frame(owner).axis),
+            Some(Dimension::NONE),
+        ),
+        None => {
+            super::holonomic::check(arguments, "target")?;
+            let (target, dimension) = arguments.quantity("target")?;
+            (Target::Expression(target), dimension)
+        }
+    };
+    if let (Some(target), Some(value)) = (of_target, of_value)
+        && target != value
+    {
+        return arguments.fail(
+            "value",
+            format!("the target is {target}, but this is {value}"),
+        );
+    }
+    Some(Box::new(Drive {
+        target,
+        value,
+        dimension: of_target.or(of_value),
+        owner,
+    }))
+}
+
+/// Whether the target is `bar.angle` of a bar in natural coordinates.
+fn bar_angle(arguments: &mut Arguments) -> Option<Owner> {
+    let Syntax::Field(field) = arguments.syntax("target")? else {
+        return None;
+    };
+    match &field.member {
+        Member::Named(name) if name == "angle" => {}
+        _ => return None,
+    }
+    let owner = arguments.part_of(&field.base)?;
+    arguments.frame(owner).angle.is_none().then_some(owner)
+}
+
+impl Joint for Drive {
+    /// target − value(t); for a direction sin(θ − value), whose multiplier is the same torque.
+    fn equations(&self, graph: &mut Graph) -> JointEquations {
+        let expr = match self.target {
+            Target::Expression(target) => graph.sub(target, self.value),
+            Target::Direction(axis) => {
+                let wanted = graph.direction(self.value);
+                graph.cross(wanted, axis)
+            }
+        };
+        let dimension = multiplier_dimension(Level::Position, self.dimension);
+        let name = match dimension {
+            Dimension::TORQUE => "torque",
+            Dimension::FORCE => "force",
+            _ => "lambda",
+        };
+        let reaction = ReactionComponent {
+            name,
+            dimension,
+            terms: vec![(0, graph.one())],
+        };
+        JointEquations {
+            rows: vec![JointRow {
+                suffix: String::new(),
+                level: Level::Position,
+                expr,
+                dimension: self.dimension,
+            }],
+            reactions: vec![reaction],
+        }
+    }
+
+    fn owners(&self) -> Vec<Owner> {
+        self.owner.into_iter().collect()
+    }
+}

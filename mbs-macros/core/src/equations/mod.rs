@@ -1,0 +1,279 @@
+//! Stage 3: model → system.
+//!
+//! AFTER THIS STAGE: M, V, applied forces, rows, reactions and outputs are expressions in the generalized coordinates q,
+//! velocities v, time, parameters and inputs. There are no parts, points or tokens any more.
+
+pub mod forces;
+mod inertia;
+pub mod joints;
+mod reactions;
+
+use crate::model::{Dimension, Model, Vector};
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+use forces::Load;
+use joints::{JointEquations, Level};
+use std::collections::BTreeMap;
+
+/// The equations of a mechanism.
+#[derive(Debug)]
+pub struct System {
+    /// All expressions.
+    pub graph: Graph,
+    /// Number of coordinates N.
+    pub size: usize,
+    /// Upper triangle of M, structurally nonzero entries only.
+    pub mass: BTreeMap<(usize, usize), Expr>,
+    /// Potential energy V.
+    pub potential: Expr,
+    /// Applied generalized forces f.
+    pub forces: Vec<Expr>,
+    /// Power of the forces without potential.
+    pub power: Expr,
+    /// Rows, holonomic ones first.
+    pub rows: Vec<Row>,
+    /// Reactions in terms of v̇ and λ.
+    pub reactions: Vec<Reaction>,
+    /// Output expressions.
+    pub outputs: Vec<Expr>,
+    /// Event expressions.
+    pub events: Vec<Expr>,
+    /// Points to draw.
+    pub points: Vec<Vector>,
+    /// Guesses of q and v, in parameters.
+    pub guesses: Vec<(Expr, Expr)>,
+}
+
+/// A constraint row.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Its name: joint and component.
+    pub name: String,
+    /// The entry it comes from.
+    pub entry: String,
+    /// Its kind.
+    pub kind: RowKind,
+    /// SI unit of the expression.
+    pub unit: String,
+    /// φ or ψ̇.
+    pub expr: Expr,
+    /// The same in local coordinates, for reactions.
+    local: Expr,
+}
+
+/// The kinds of rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowKind {
+    /// φ(q) = 0
+    Holonomic,
+    /// φ(q, t) = 0
+    Rheonomic,
+    /// N(q) v + n(q, t) = 0
+    Nonholonomic,
+}
+
+impl RowKind {
+    /// Whether the row is a condition on positions.
+    pub fn is_holonomic(self) -> bool {
+        self != RowKind::Nonholonomic
+    }
+}
+
+/// A component of a joint reaction.
+#[derive(Debug, Clone)]
+pub struct Reaction {
+    /// The joint.
+    pub joint: String,
+    /// `fx`, `fy`, `torque`, ….
+    pub component: &'static str,
+    /// SI unit.
+    pub unit: String,
+    /// In terms of q, v, v̇ and λ.
+    pub expr: Expr,
+}
+
+impl System {
+    /// The number of holonomic rows.
+    pub fn holonomic_rows(&self) -> usize {
+        self.rows
+            .iter()
+            .filter(|row| row.kind.is_holonomic())
+            .count()
+    }
+}
+
+/// Builds the equations. What later stages need of the model besides them stays in `model`.
+pub fn derive(model: &mut Model) -> System {
+    let mut graph = std::mem::take(&mut model.graph);
+    let mut reduction = std::mem::take(&mut model.reduction);
+    let inertia = inertia::local_mass(&mut graph, &model.parts);
+
+    let mut potential = gravity_potential(&mut graph, model);
+    let mut loads: Vec<Load> = Vec::new();
+    for (_, force) in &model.forces {
+        let action = force.action(&mut graph);
+        potential = match action.potential {
+            Some(energy) => graph.add(potential, energy),
+            None => potential,
+        };
+        loads.extend(action.loads);
+    }
+    let joints: Vec<(String, JointEquations)> = model
+        .joints
+        .iter()
+        .map(|(name, joint)| (name.clone(), joint.equations(&mut graph)))
+        .collect();
+    let rows = rows(&mut graph, &mut reduction, &joints);
+    let balance = reactions::Balance {
+        inertia: &inertia,
+        potential,
+        loads: &loads,
+        rows: &rows,
+    };
+    let reactions = reactions::derive(&mut graph, &mut reduction, &joints, &model.merged, &balance);
+
+    let mut global = |graph: &mut Graph, expr: Expr| graph.substitute(expr, &mut reduction);
+    let potential = global(&mut graph, potential);
+    let loads: Vec<Load> = loads
+        .iter()
+        .map(|load| Load {
+            rate: global(&mut graph, load.rate),
+            force: global(&mut graph, load.force),
+        })
+        .collect();
+    let size = model.coordinates.len();
+    let outputs = model
+        .outputs
+        .iter()
+        .map(|(_, expr)| global(&mut graph, *expr))
+        .collect();
+    let events = model
+        .events
+        .iter()
+        .map(|(_, expr)| global(&mut graph, *expr))
+        .collect();
+    let points = model
+        .points
+        .iter()
+        .map(|(_, position)| position.map(|x| global(&mut graph, x)))
+        .collect();
+    let mass = inertia::global_mass(&mut graph, &mut reduction, &inertia);
+    let forces = applied_forces(&mut graph, size, potential, &loads);
+    let power = power(&mut graph, &loads);
+    let guesses = model
+        .coordinates
+        .iter()
+        .map(|coordinate| (coordinate.position_guess, coordinate.velocity_guess))
+        .collect();
+    System {
+        graph,
+        size,
+        mass,
+        potential,
+        forces,
+        power,
+        rows,
+        reactions,
+        outputs,
+        events,
+        points,
+        guesses,
+    }
+}
+
+/// V = −Σ m g · c.
+fn gravity_potential(graph: &mut Graph, model: &Model) -> Expr {
+    let mut terms = Vec::new();
+    for part in &model.parts {
+        let offset = graph.turn(part.frame.axis, part.center);
+        let center = inertia::center_of(graph, part, offset);
+        let along = graph.dot(model.gravity, center);
+        let energy = graph.mul(part.mass, along);
+        terms.push(graph.neg(energy));
+    }
+    graph.sum(terms)
+}
+
+/// f_j = −∂V/∂q_j + Σ force · ∂rate/∂v_j.
+fn applied_forces(graph: &mut Graph, size: usize, potential: Expr, loads: &[Load]) -> Vec<Expr> {
+    (0..size as u32)
+        .map(|j| {
+            let slope = graph.derivative(potential, Symbol::Coordinate(j));
+            let mut terms = vec![graph.neg(slope)];
+            for load in loads {
+                let lever = graph.derivative(load.rate, Symbol::Velocity(j));
+                terms.push(graph.mul(load.force, lever));
+            }
+            graph.sum(terms)
+        })
+        .collect()
+}
+
+fn power(graph: &mut Graph, loads: &[Load]) -> Expr {
+    let terms: Vec<Expr> = loads
+        .iter()
+        .map(|load| graph.mul(load.force, load.rate))
+        .collect();
+    graph.sum(terms)
+}
+
+/// All rows, holonomic ones first, each in local and in generalized coordinates.
+fn rows(
+    graph: &mut Graph,
+    reduction: &mut Substitution,
+    joints: &[(String, JointEquations)],
+) -> Vec<Row> {
+    let mut list = Vec::new();
+    for level in [Level::Position, Level::Velocity] {
+        for (entry, equations) in joints {
+            for row in equations.rows.iter().filter(|row| row.level == level) {
+                let expr = graph.substitute(row.expr, reduction);
+                let kind = match level {
+                    Level::Velocity => RowKind::Nonholonomic,
+                    Level::Position if graph.depends_on(expr, |symbol| symbol == Symbol::Time) => {
+                        RowKind::Rheonomic
+                    }
+                    Level::Position => RowKind::Holonomic,
+                };
+                let name = match row.suffix.as_str() {
+                    "" => entry.clone(),
+                    index if index.starts_with('[') => format!("{entry}{index}"),
+                    suffix => format!("{entry}.{suffix}"),
+                };
+                let unit = unit_of(row.dimension, level);
+                list.push(Row {
+                    name,
+                    entry: entry.clone(),
+                    kind,
+                    unit,
+                    expr,
+                    local: row.expr,
+                });
+            }
+        }
+    }
+    list
+}
+
+fn unit_of(dimension: Option<Dimension>, level: Level) -> String {
+    match (dimension, level) {
+        (Some(Dimension::NONE), Level::Position) => "rad".to_owned(),
+        (Some(dimension), _) => dimension.unit(),
+        (None, _) => String::new(),
+    }
+}
+
+/// The index of each row of each joint in the list of all rows: (joint, its row) → row.
+fn row_indices(joints: &[(String, JointEquations)]) -> BTreeMap<(usize, usize), u32> {
+    let mut indices = BTreeMap::new();
+    for level in [Level::Position, Level::Velocity] {
+        for (joint, (_, equations)) in joints.iter().enumerate() {
+            for (slot, row) in equations.rows.iter().enumerate() {
+                if row.level == level {
+                    let next = indices.len() as u32;
+                    indices.insert((joint, slot), next);
+                }
+            }
+        }
+    }
+    indices
+}

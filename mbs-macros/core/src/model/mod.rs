@@ -1,0 +1,114 @@
+//! Stage 2: tree → model.
+//!
+//! AFTER THIS STAGE: every name is resolved, every dimension checked, every expression symbolic (in the *local*
+//! coordinates of the parts), every point merged that a joint merges, and no user error is left to find.
+
+mod arguments;
+mod check;
+mod dimension;
+mod expression;
+mod geometry;
+mod parts;
+mod placement;
+mod reduce;
+mod resolve;
+mod value;
+
+use crate::equations::{forces::Force, joints::Joint};
+use crate::symbolic::{Expr, Graph, Substitution};
+
+pub use arguments::Arguments;
+pub use dimension::{Dimension, UNITS, unit};
+pub use geometry::{Frame, Owner, Point, Vector};
+pub use parts::{Part, Representation};
+pub use reduce::MergedJoint;
+pub use resolve::resolve;
+
+/// A mechanism with all names resolved.
+#[derive(Debug)]
+pub struct Model {
+    /// All expressions.
+    pub graph: Graph,
+    /// The name given to `mechanism!`.
+    pub name: String,
+    /// Its documentation.
+    pub doc: String,
+    /// Its declaration as text.
+    pub text: String,
+    /// Parameters, in declaration order.
+    pub parameters: Vec<Quantity>,
+    /// Inputs, in declaration order.
+    pub inputs: Vec<Quantity>,
+    /// Outputs with their expressions.
+    pub outputs: Vec<(Quantity, Expr)>,
+    /// Events with their expressions.
+    pub events: Vec<(String, Expr)>,
+    /// Acceleration of gravity.
+    pub gravity: Vector,
+    /// Coordinates of the parts on their own.
+    pub locals: Vec<Local>,
+    /// Bars, bodies, particles.
+    pub parts: Vec<Part>,
+    /// Joints and constraints that leave rows (merged joints are in `merged`).
+    pub joints: Vec<(String, Box<dyn Joint>)>,
+    /// Force elements.
+    pub forces: Vec<(String, Box<dyn Force>)>,
+    /// The generalized coordinates.
+    pub coordinates: Vec<Coordinate>,
+    /// Local coordinates in terms of the generalized ones.
+    pub reduction: Substitution,
+    /// Joints that the reduction dissolved.
+    pub merged: Vec<MergedJoint>,
+    /// What the reduction did, in sentences.
+    pub reductions: Vec<String>,
+    /// Points to draw.
+    pub points: Vec<(String, Vector)>,
+    /// Lines to draw: part, from, to.
+    pub segments: Vec<(String, usize, usize)>,
+    /// Paths of the users' laws and the number of their arguments.
+    pub laws: Vec<Law>,
+}
+
+/// A parameter, input or output.
+#[derive(Debug, Clone)]
+pub struct Quantity {
+    /// Its name.
+    pub name: String,
+    /// SI unit, empty where dimensionless or not stated.
+    pub unit: String,
+    /// Default value.
+    pub default: f64,
+    /// Documentation comment.
+    pub doc: String,
+}
+
+/// A coordinate of a part on its own.
+#[derive(Debug, Clone)]
+pub struct Local {
+    /// For example `crank.b.x`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+}
+
+/// A generalized coordinate.
+#[derive(Debug, Clone)]
+pub struct Coordinate {
+    /// The name of the local coordinate it stands for.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// Initial guess, in parameters.
+    pub position_guess: Expr,
+    /// Initial guess of its rate, in parameters.
+    pub velocity_guess: Expr,
+}
+
+/// A user's law.
+#[derive(Debug, Clone)]
+pub struct Law {
+    /// Where the function is.
+    pub path: syn::Expr,
+    /// The number of its arguments.
+    pub arguments: usize,
+}

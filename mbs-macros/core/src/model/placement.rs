@@ -1,0 +1,242 @@
+//! Initial guesses: what was declared, carried along the joints from the ground outwards.
+//!
+//! A part is placed when its angle and one of its points are known, or two of its points; then all its points are known
+//! and place its neighbours. What stays unknown starts at angle 0 and position 0; assembly has the last word.
+
+use super::geometry::{Owner, Point, Vector};
+use super::parts::{Part, Representation};
+use super::resolve::{JointElement, Resolver};
+use crate::symbolic::{Expr, Graph};
+use std::collections::HashMap;
+
+/// Guesses of local coordinates and their rates, in parameters.
+#[derive(Debug, Default)]
+pub(super) struct Guesses {
+    values: HashMap<u32, (Expr, Expr)>,
+}
+
+impl Guesses {
+    pub(super) fn position(&self, local: u32, graph: &mut Graph) -> Expr {
+        self.values
+            .get(&local)
+            .map_or_else(|| graph.zero(), |value| value.0)
+    }
+
+    pub(super) fn velocity(&self, local: u32, graph: &mut Graph) -> Expr {
+        self.values
+            .get(&local)
+            .map_or_else(|| graph.zero(), |value| value.1)
+    }
+}
+
+/// A placed frame: origin, axis, and their rates.
+#[derive(Clone, Copy)]
+struct Pose {
+    origin: Vector,
+    velocity: Vector,
+    angle: Expr,
+    axis: Vector,
+    rate: Expr,
+}
+
+/// Where a point is and how fast it moves.
+#[derive(Clone, Copy)]
+struct Known {
+    position: Vector,
+    velocity: Vector,
+}
+
+/// Places all parts.
+pub(super) fn place(resolver: &mut Resolver, joints: &[JointElement]) -> Guesses {
+    let parts = resolver.parts.clone();
+    let pairs: Vec<(&Point, &Point)> = joints
+        .iter()
+        .filter_map(|element| element.joint.coincident())
+        .collect();
+    let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
+    let mut desperate = false;
+    loop {
+        let mut progress = false;
+        for (index, part) in parts.iter().enumerate() {
+            if poses[index].is_some()
+                || matches!(
+                    part.representation,
+                    Representation::Prescribed | Representation::Coordinate
+                )
+            {
+                continue;
+            }
+            let known = known_points(&mut resolver.graph, index, &pairs, &poses);
+            if let Some(pose) = pose(&mut resolver.graph, part, &known, desperate) {
+                poses[index] = Some(pose);
+                progress = true;
+                if desperate {
+                    break;
+                }
+            }
+        }
+        match (progress, desperate) {
+            (true, _) => desperate = false,
+            (false, false) => desperate = true,
+            (false, true) => break,
+        }
+    }
+    let mut guesses = Guesses::default();
+    for (part, pose) in parts.iter().zip(poses) {
+        if part.representation == Representation::Coordinate {
+            let zero = resolver.graph.zero();
+            let value = (
+                part.guess.angle.unwrap_or(zero),
+                part.guess.rate.unwrap_or(zero),
+            );
+            guesses.values.insert(part.locals[0], value);
+        } else if let Some(pose) = pose {
+            store(&mut resolver.graph, part, &pose, &mut guesses);
+        }
+    }
+    guesses
+}
+
+/// The points of a part that its joints place: (local coordinates in the part, position and velocity).
+fn known_points(
+    graph: &mut Graph,
+    part: usize,
+    pairs: &[(&Point, &Point)],
+    poses: &[Option<Pose>],
+) -> Vec<(Vector, Known)> {
+    let mut known = Vec::new();
+    for &(a, b) in pairs {
+        for (own, other) in [(a, b), (b, a)] {
+            if own.owner != Owner::Part(part) {
+                continue;
+            }
+            let place = match other.owner {
+                Owner::Ground => {
+                    let zero = graph.zero();
+                    Some(Known {
+                        position: other.position,
+                        velocity: [zero; 2],
+                    })
+                }
+                Owner::Part(index) => poses[index].map(|pose| point_of(graph, &pose, other.local)),
+            };
+            known.extend(place.map(|place| (own.local, place)));
+        }
+    }
+    known
+}
+
+fn point_of(graph: &mut Graph, pose: &Pose, local: Vector) -> Known {
+    let arm = graph.turn(pose.axis, local);
+    let turned = graph.perpendicular(arm);
+    let swing = graph.vector_scale(pose.rate, turned);
+    Known {
+        position: graph.vector_add(pose.origin, arm),
+        velocity: graph.vector_add(pose.velocity, swing),
+    }
+}
+
+fn pose(
+    graph: &mut Graph,
+    part: &Part,
+    known: &[(Vector, Known)],
+    desperate: bool,
+) -> Option<Pose> {
+    let zero = graph.zero();
+    let guess = &part.guess;
+    let mut known = known.to_vec();
+    if let Some(origin) = guess.origin {
+        known.push((
+            [zero; 2],
+            Known {
+                position: origin,
+                velocity: guess.velocity.unwrap_or([zero; 2]),
+            },
+        ));
+    }
+    if let (Some(end), Some(length)) = (guess.end, part.length) {
+        known.push((
+            [length, zero],
+            Known {
+                position: end,
+                velocity: [zero; 2],
+            },
+        ));
+    }
+    let is_point = part.kind == "Particle";
+    let (angle, rate) = match (guess.angle, two_points(graph, &known)) {
+        (Some(angle), _) => (angle, guess.rate.unwrap_or(zero)),
+        _ if is_point => (zero, zero),
+        (None, Some((angle, rate))) => (angle, guess.rate.unwrap_or(rate)),
+        (None, None) if desperate => (zero, guess.rate.unwrap_or(zero)),
+        (None, None) => return None,
+    };
+    let axis = graph.direction(angle);
+    let (local, place) = match known.first() {
+        Some(known) => *known,
+        None if desperate => (
+            [zero; 2],
+            Known {
+                position: [zero; 2],
+                velocity: guess.velocity.unwrap_or([zero; 2]),
+            },
+        ),
+        None => return None,
+    };
+    // origin = known point − its arm, and the same for velocities
+    let mut pose = Pose {
+        origin: [zero; 2],
+        velocity: [zero; 2],
+        angle,
+        axis,
+        rate,
+    };
+    let arm = point_of(graph, &pose, local);
+    pose.origin = graph.vector_sub(place.position, arm.position);
+    pose.velocity = graph.vector_sub(place.velocity, arm.velocity);
+    Some(pose)
+}
+
+/// Angle and rate from two known points at different places of the part.
+fn two_points(graph: &mut Graph, known: &[(Vector, Known)]) -> Option<(Expr, Expr)> {
+    let (first, second) = known
+        .iter()
+        .enumerate()
+        .find_map(|(i, a)| known[i + 1..].iter().find(|b| b.0 != a.0).map(|b| (a, b)))?;
+    let inside = graph.vector_sub(second.0, first.0);
+    let outside = graph.vector_sub(second.1.position, first.1.position);
+    let spread = graph.vector_sub(second.1.velocity, first.1.velocity);
+    let (to, from) = (
+        graph.atan2(outside[1], outside[0]),
+        graph.atan2(inside[1], inside[0]),
+    );
+    let angle = graph.sub(to, from);
+    let cross = graph.cross(outside, spread);
+    let square = graph.dot(outside, outside);
+    let rate = graph.div(cross, square);
+    Some((angle, rate))
+}
+
+fn store(graph: &mut Graph, part: &Part, pose: &Pose, guesses: &mut Guesses) {
+    let zero = graph.zero();
+    let points: Vec<Vector> = match part.representation {
+        Representation::Natural => vec![[zero, zero], [part.length.unwrap_or(zero), zero]],
+        Representation::FreePoint => vec![[zero, zero]],
+        Representation::Reference => vec![part.center],
+        Representation::Prescribed | Representation::Coordinate => Vec::new(),
+    };
+    for (slot, local) in points.into_iter().enumerate() {
+        let place = point_of(graph, pose, local);
+        for axis in 0..2 {
+            guesses.values.insert(
+                part.locals[2 * slot + axis],
+                (place.position[axis], place.velocity[axis]),
+            );
+        }
+    }
+    if part.representation == Representation::Reference {
+        guesses
+            .values
+            .insert(part.locals[2], (pose.angle, pose.rate));
+    }
+}

@@ -1,0 +1,320 @@
+//! The reduction: points that a revolute joins become one, and points joined to the ground become constants.
+
+use super::geometry::{Owner, Point, Vector};
+use super::placement::Guesses;
+use super::resolve::{JointElement, Resolver};
+use super::{Coordinate, Representation};
+use crate::symbolic::{Expr, Substitution, Symbol};
+use std::collections::BTreeMap;
+
+/// A joint that left no row: its points were merged.
+#[derive(Debug, Clone)]
+pub struct MergedJoint {
+    /// The joint's name.
+    pub joint: String,
+    /// The force on the child is what these ends need from their surroundings: pairs of local coordinates of the parts
+    /// on the child's side. Empty where the child is the ground; then `parent` is taken with the opposite sign.
+    pub child: Vec<[u32; 2]>,
+    /// The same for the parent's side.
+    pub parent: Vec<[u32; 2]>,
+}
+
+/// The outcome of the reduction.
+pub(super) struct Reduction {
+    pub substitution: Substitution,
+    pub merged: Vec<MergedJoint>,
+    pub sentences: Vec<String>,
+    /// Local coordinates that stay, in order: (local, name).
+    kept: Vec<(u32, String)>,
+}
+
+/// A set of joined points: ends of parts, and at most one place of the ground.
+#[derive(Default)]
+struct Cluster {
+    ends: Vec<[u32; 2]>,
+    ground: Option<Vector>,
+    joints: Vec<usize>,
+}
+
+/// Merges what revolutes between free points join.
+pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option<Reduction> {
+    let mut clusters = Clusters::default();
+    for (index, element) in joints.iter().enumerate() {
+        let Some((parent, child)) = element.joint.merges() else {
+            continue;
+        };
+        if !mergeable(parent) || !mergeable(child) {
+            continue;
+        }
+        if parent.owner == Owner::Ground && child.owner == Owner::Ground {
+            resolver.fail::<()>(
+                element.span,
+                "this joint joins the ground with itself; remove it",
+            );
+            continue;
+        }
+        if let Err(message) = clusters.join(parent, child, index, joints) {
+            resolver.fail::<()>(element.span, message);
+        }
+    }
+    if !resolver.errors.is_empty() {
+        return None;
+    }
+    let mut reduction = Reduction {
+        substitution: Substitution::default(),
+        merged: Vec::new(),
+        sentences: Vec::new(),
+        kept: Vec::new(),
+    };
+    let mut leaders: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
+    let mut fixed: BTreeMap<u32, Vector> = BTreeMap::new();
+    for cluster in clusters
+        .list
+        .iter()
+        .filter(|cluster| !cluster.ends.is_empty())
+    {
+        let leader = *cluster
+            .ends
+            .iter()
+            .min()
+            .expect("clusters here have an end");
+        for &end in &cluster.ends {
+            match cluster.ground {
+                Some(place) => drop(fixed.insert(end[0], place)),
+                None => drop(leaders.insert(end[0], leader)),
+            }
+        }
+        describe(resolver, cluster, leader, joints, &mut reduction.sentences);
+        for &joint in &cluster.joints {
+            reduction.merged.push(sides(cluster, joint, joints));
+        }
+    }
+    substitute(resolver, &leaders, &fixed, &mut reduction);
+    Some(reduction)
+}
+
+/// A point that is a pair of coordinates, or a place of the ground.
+fn mergeable(point: &Point) -> bool {
+    point.free.is_some() || point.owner == Owner::Ground
+}
+
+#[derive(Default)]
+struct Clusters {
+    list: Vec<Cluster>,
+}
+
+impl Clusters {
+    fn find(&mut self, point: &Point) -> usize {
+        let found = match point.free {
+            Some(end) => self
+                .list
+                .iter()
+                .position(|cluster| cluster.ends.contains(&end)),
+            None => self
+                .list
+                .iter()
+                .position(|cluster| cluster.ground == Some(point.position)),
+        };
+        found.unwrap_or_else(|| {
+            let mut cluster = Cluster::default();
+            match point.free {
+                Some(end) => cluster.ends.push(end),
+                None => cluster.ground = Some(point.position),
+            }
+            self.list.push(cluster);
+            self.list.len() - 1
+        })
+    }
+
+    fn join(
+        &mut self,
+        parent: &Point,
+        child: &Point,
+        joint: usize,
+        joints: &[JointElement],
+    ) -> Result<(), String> {
+        let (a, b) = (self.find(parent), self.find(child));
+        if a == b {
+            let others: Vec<_> = self.list[a]
+                .joints
+                .iter()
+                .map(|&index| format!("`{}`", joints[index].name))
+                .collect();
+            return Err(format!(
+                "`{}` and `{}` are joined already by {}; remove this joint",
+                parent.label,
+                child.label,
+                others.join(" and ")
+            ));
+        }
+        if self.list[a].ground.is_some() && self.list[b].ground.is_some() {
+            return Err(format!(
+                "`{}` and `{}` are both held by the ground, at different places: this joint cannot close",
+                parent.label, child.label
+            ));
+        }
+        let moved = std::mem::take(&mut self.list[b]);
+        let cluster = &mut self.list[a];
+        cluster.ends.extend(moved.ends);
+        cluster.joints.extend(moved.joints);
+        cluster.joints.push(joint);
+        cluster.ground = cluster.ground.or(moved.ground);
+        Ok(())
+    }
+}
+
+fn describe(
+    resolver: &Resolver,
+    cluster: &Cluster,
+    leader: [u32; 2],
+    joints: &[JointElement],
+    sentences: &mut Vec<String>,
+) {
+    if cluster.joints.is_empty() {
+        return;
+    }
+    let point = |end: [u32; 2]| {
+        let name = &resolver.locals[end[0] as usize].name;
+        name.trim_end_matches(".x").to_owned()
+    };
+    let names: Vec<_> = cluster
+        .joints
+        .iter()
+        .map(|&joint| format!("`{}`", joints[joint].name))
+        .collect();
+    let ends: Vec<_> = cluster.ends.iter().map(|&end| point(end)).collect();
+    sentences.push(match cluster.ground {
+        Some(_) => format!(
+            "{}: {} held by the ground, {} coordinates and as many rows saved",
+            names.join(", "),
+            ends.join(", "),
+            2 * ends.len()
+        ),
+        None => format!(
+            "{}: {} are one point (`{}`), {} coordinates and as many rows saved",
+            names.join(", "),
+            ends.join(", "),
+            point(leader),
+            2 * (ends.len() - 1)
+        ),
+    });
+}
+
+/// Which ends are on the child's side of a joint: the joints of a cluster form a tree over its members.
+fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoint {
+    let pair = |index: usize| {
+        joints[index]
+            .joint
+            .merges()
+            .map(|(parent, child)| (parent.free, child.free))
+    };
+    let reach = |start: Option<[u32; 2]>| -> Vec<[u32; 2]> {
+        let mut members = vec![start];
+        let mut grown = true;
+        while grown {
+            grown = false;
+            for &other in cluster.joints.iter().filter(|&&other| other != joint) {
+                let Some((a, b)) = pair(other) else { continue };
+                for (from, to) in [(a, b), (b, a)] {
+                    if members.contains(&from) && !members.contains(&to) {
+                        members.push(to);
+                        grown = true;
+                    }
+                }
+            }
+        }
+        if members.contains(&None) {
+            Vec::new()
+        } else {
+            members.into_iter().flatten().collect()
+        }
+    };
+    let (parent, child) = pair(joint).unwrap_or_default();
+    MergedJoint {
+        joint: joints[joint].name.clone(),
+        child: reach(child),
+        parent: reach(parent),
+    }
+}
+
+/// Replaces local coordinates by generalized ones (or constants).
+fn substitute(
+    resolver: &mut Resolver,
+    leaders: &BTreeMap<u32, [u32; 2]>,
+    fixed: &BTreeMap<u32, Vector>,
+    reduction: &mut Reduction,
+) {
+    let graph = &mut resolver.graph;
+    let zero = graph.zero();
+    let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
+    for part in &resolver.parts {
+        let pairs = matches!(
+            part.representation,
+            Representation::Natural | Representation::FreePoint
+        );
+        for (slot, &local) in part.locals.iter().enumerate() {
+            let component = slot % 2;
+            let first = if pairs {
+                part.locals[slot - component]
+            } else {
+                local
+            };
+            let set = |graph: &mut crate::symbolic::Graph,
+                       substitution: &mut Substitution,
+                       values: [Expr; 3]| {
+                let _ = graph;
+                substitution.insert(Symbol::LocalPosition(local), values[0]);
+                substitution.insert(Symbol::LocalVelocity(local), values[1]);
+                substitution.insert(Symbol::LocalAcceleration(local), values[2]);
+            };
+            if let Some(place) = fixed.get(&first) {
+                set(
+                    graph,
+                    &mut reduction.substitution,
+                    [place[component], zero, zero],
+                );
+                continue;
+            }
+            let leader = leaders
+                .get(&first)
+                .map_or(local, |leader| leader[component]);
+            let index = *index_of.entry(leader).or_insert_with(|| {
+                let index = reduction.kept.len() as u32;
+                reduction
+                    .kept
+                    .push((leader, resolver.locals[leader as usize].name.clone()));
+                index
+            });
+            let name = resolver.locals[leader as usize].name.clone();
+            graph.set_name(Symbol::Coordinate(index), name.clone());
+            graph.set_name(Symbol::Velocity(index), format!("{name}'"));
+            graph.set_name(Symbol::Acceleration(index), format!("{name}''"));
+            let symbols = [
+                Symbol::Coordinate(index),
+                Symbol::Velocity(index),
+                Symbol::Acceleration(index),
+            ];
+            let values = symbols.map(|symbol| graph.symbol(symbol));
+            set(graph, &mut reduction.substitution, values);
+        }
+    }
+}
+
+impl Reduction {
+    /// The generalized coordinates with their guesses.
+    pub(super) fn coordinates(
+        &self,
+        resolver: &mut Resolver,
+        guesses: &Guesses,
+    ) -> Vec<Coordinate> {
+        self.kept
+            .iter()
+            .map(|(local, name)| Coordinate {
+                name: name.clone(),
+                unit: resolver.locals[*local as usize].unit.clone(),
+                position_guess: guesses.position(*local, &mut resolver.graph),
+                velocity_guess: guesses.velocity(*local, &mut resolver.graph),
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,562 @@
+//! Name resolution: entries are evaluated when first asked for, so that they may stand in any order.
+
+use super::geometry::{Frame, Owner, Point, Vector};
+use super::parts::{Part, Representation};
+use super::value::Value;
+use super::{Arguments, Dimension, Law, Local, Model, Quantity, check, placement, reduce};
+use crate::diagnostics::{Errors, did_you_mean};
+use crate::equations::{forces, joints};
+use crate::schema::Group;
+use crate::symbolic::{Expr, Graph, Symbol};
+use crate::syntax::{Declaration, Entry};
+use proc_macro2::Span;
+use std::collections::{HashMap, HashSet};
+use syn::spanned::Spanned;
+
+/// Resolves a declaration.
+///
+/// # Errors
+/// Everything that is wrong with it is recorded in `errors`; the model is then incomplete and must not be used.
+pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> {
+    let mut resolver = Resolver::new(declaration, errors);
+    resolver.declare();
+    let gravity = resolver.gravity();
+    for index in 0..declaration.entries.len() {
+        resolver.force(index);
+    }
+    let (outputs, events) = resolver.outputs();
+    let (joints, forces) = resolver.elements();
+    if !resolver.errors.is_empty() {
+        return None;
+    }
+    check::connected(&mut resolver, &joints, &forces);
+    check::used(&mut resolver);
+    let reduction = reduce::reduce(&mut resolver, &joints)?;
+    let guesses = placement::place(&mut resolver, &joints);
+    let coordinates = reduction.coordinates(&mut resolver, &guesses);
+    let (points, segments) = resolver.drawing(&joints, &forces);
+    let joints = joints
+        .into_iter()
+        .filter(|element| {
+            !reduction
+                .merged
+                .iter()
+                .any(|merged| merged.joint == element.name)
+        })
+        .map(|element| (element.name, element.joint))
+        .collect();
+    let Resolver {
+        graph,
+        parameters,
+        inputs,
+        locals,
+        parts,
+        laws,
+        ..
+    } = resolver;
+    Some(Model {
+        name: declaration.name.to_string(),
+        doc: declaration.doc.clone(),
+        text: declaration.text.clone(),
+        graph,
+        parameters,
+        inputs,
+        outputs,
+        events,
+        gravity,
+        locals,
+        parts,
+        joints,
+        forces: forces
+            .into_iter()
+            .map(|element| (element.name, element.force))
+            .collect(),
+        coordinates,
+        reduction: reduction.substitution,
+        merged: reduction.merged,
+        reductions: reduction.sentences,
+        points,
+        segments,
+        laws,
+    })
+}
+
+/// A joint or constraint with what later checks need.
+pub(super) struct JointElement {
+    pub name: String,
+    pub span: Span,
+    pub joint: Box<dyn joints::Joint>,
+}
+
+/// A force element with what later checks need.
+pub(super) struct ForceElement {
+    pub name: String,
+    pub force: Box<dyn forces::Force>,
+}
+
+enum State {
+    Waiting,
+    Working,
+    Done(Option<Value>),
+}
+
+/// The state of stage 2.
+pub struct Resolver<'d> {
+    pub(super) declaration: &'d Declaration,
+    pub(super) errors: &'d mut Errors,
+    pub(super) graph: Graph,
+    pub(super) parameters: Vec<Quantity>,
+    pub(super) inputs: Vec<Quantity>,
+    pub(super) locals: Vec<Local>,
+    pub(super) parts: Vec<Part>,
+    pub(super) laws: Vec<Law>,
+    /// Names that some expression has asked for.
+    pub(super) used: HashSet<String>,
+    names: HashMap<String, usize>,
+    states: Vec<State>,
+    silent: bool,
+}
+
+impl<'d> Resolver<'d> {
+    fn new(declaration: &'d Declaration, errors: &'d mut Errors) -> Self {
+        Resolver {
+            declaration,
+            errors,
+            graph: Graph::default(),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            locals: Vec::new(),
+            parts: Vec::new(),
+            laws: Vec::new(),
+            used: HashSet::new(),
+            names: HashMap::new(),
+            states: Vec::new(),
+            silent: false,
+        }
+    }
+
+    /// Records an error, and answers with nothing.
+    pub(super) fn fail<T>(&mut self, span: Span, message: impl std::fmt::Display) -> Option<T> {
+        if !self.silent {
+            self.errors.at(span, message);
+        }
+        None
+    }
+
+    /// Runs something without recording its errors.
+    pub(super) fn silently<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.silent, true);
+        let result = run(self);
+        self.silent = before;
+        result
+    }
+
+    fn declare(&mut self) {
+        for (index, entry) in self.declaration.entries.iter().enumerate() {
+            self.states.push(State::Waiting);
+            if let Some(earlier) = self.names.insert(entry.name.to_string(), index) {
+                self.names.insert(entry.name.to_string(), earlier);
+                self.fail::<()>(
+                    entry.span(),
+                    format!("`{}` is declared twice; rename one of them", entry.name),
+                );
+            }
+        }
+        check::arguments(self);
+    }
+
+    fn gravity(&mut self) -> Vector {
+        let zero = self.graph.zero();
+        let Some(world) = &self.declaration.world else {
+            return [zero; 2];
+        };
+        Arguments::new(self, world)
+            .vector("gravity")
+            .unwrap_or([zero; 2])
+    }
+
+    pub(super) fn entry(&self, index: usize) -> &'d Entry {
+        &self.declaration.entries[index]
+    }
+
+    /// The value of a name.
+    pub(super) fn lookup(&mut self, name: &str, span: Span) -> Option<Value> {
+        let number = |value: f64, graph: &mut Graph| graph.constant(value);
+        match name {
+            "ground" => return Some(Value::Frame(Owner::Ground)),
+            "t" => {
+                return Some(Value::Scalar(
+                    self.graph.symbol(Symbol::Time),
+                    Some(Dimension::TIME),
+                ));
+            }
+            "pi" => {
+                return Some(Value::Scalar(
+                    number(std::f64::consts::PI, &mut self.graph),
+                    None,
+                ));
+            }
+            "X" | "Y" => {
+                let (one, zero) = (self.graph.one(), self.graph.zero());
+                let axis = if name == "X" {
+                    [one, zero]
+                } else {
+                    [zero, one]
+                };
+                return Some(Value::Vector(axis, Some(Dimension::NONE)));
+            }
+            "Z" => return self.fail(span, "a planar world has no axis Z"),
+            _ => {}
+        }
+        let Some(&index) = self.names.get(name) else {
+            let known: Vec<&str> = self.names.keys().map(String::as_str).collect();
+            let mut known: Vec<&str> = known
+                .into_iter()
+                .chain(["ground", "t", "X", "Y", "pi"])
+                .collect();
+            known.sort_unstable();
+            let hint = did_you_mean(name, known);
+            return self.fail(span, format!("nothing here is named `{name}`{hint}"));
+        };
+        if !self.silent {
+            self.used.insert(name.to_owned());
+        }
+        if matches!(self.states[index], State::Working) {
+            return self.fail(span, format!("`{name}` depends on itself"));
+        }
+        self.force(index);
+        match &self.states[index] {
+            State::Done(Some(value)) => Some(value.clone()),
+            State::Done(None) => {
+                let entry = self.entry(index);
+                if is_value(entry) {
+                    // Its own error is recorded already.
+                    return None;
+                }
+                self.fail(
+                    span,
+                    format!(
+                        "`{name}` is a {}; it has no value that an expression could use",
+                        entry.kind
+                    ),
+                )
+            }
+            State::Waiting | State::Working => None,
+        }
+    }
+
+    /// Evaluates an entry that has a value, once.
+    fn force(&mut self, index: usize) {
+        if !matches!(self.states[index], State::Waiting) {
+            return;
+        }
+        self.states[index] = State::Working;
+        let silent = std::mem::replace(&mut self.silent, false);
+        let entry = self.entry(index);
+        let value = match entry.kind.to_string().as_str() {
+            "Param" => self.parameter(entry),
+            "Input" => self.input(entry),
+            "Let" => entry
+                .positional
+                .first()
+                .and_then(|syntax| self.evaluate(syntax)),
+            "Point" => self.ground_point(entry),
+            "Coordinate" => self.coordinate(entry),
+            "Bar" => self.bar(entry),
+            "Body" => self.body(entry),
+            "Particle" => self.particle(entry),
+            _ => None,
+        };
+        self.silent = silent;
+        self.states[index] = State::Done(value);
+    }
+
+    fn parameter(&mut self, entry: &Entry) -> Option<Value> {
+        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let symbol = Symbol::Parameter(self.parameters.len() as u32);
+        self.graph.set_name(symbol, entry.name.to_string());
+        self.parameters.push(quantity(entry, default, dimension));
+        Some(Value::Scalar(self.graph.symbol(symbol), dimension))
+    }
+
+    fn input(&mut self, entry: &Entry) -> Option<Value> {
+        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let symbol = Symbol::Input(self.inputs.len() as u32);
+        self.graph.set_name(symbol, entry.name.to_string());
+        self.inputs.push(quantity(entry, default, dimension));
+        Some(Value::Scalar(self.graph.symbol(symbol), dimension))
+    }
+
+    fn ground_point(&mut self, entry: &Entry) -> Option<Value> {
+        let position = Arguments::new(self, entry).vector("position")?;
+        let label = entry.name.to_string();
+        Some(Value::Point(Point {
+            position,
+            owner: Owner::Ground,
+            local: position,
+            free: None,
+            label,
+        }))
+    }
+
+    /// A new local coordinate.
+    pub(super) fn local(&mut self, name: String, unit: &str) -> u32 {
+        let index = self.locals.len() as u32;
+        self.graph
+            .set_name(Symbol::LocalPosition(index), name.clone());
+        self.graph
+            .set_name(Symbol::LocalVelocity(index), format!("{name}'"));
+        self.locals.push(Local {
+            name,
+            unit: unit.to_owned(),
+        });
+        index
+    }
+
+    /// A user's law.
+    pub(super) fn law(&mut self, path: &syn::Expr, arguments: usize) -> Option<u32> {
+        if !matches!(path, syn::Expr::Path(_)) {
+            return self.fail(
+                path.span(),
+                "expected the path of a function `fn([f64; K]) -> (f64, [f64; K])`",
+            );
+        }
+        let same = |law: &Law| law.arguments == arguments && tokens(&law.path) == tokens(path);
+        if let Some(known) = self.laws.iter().position(same) {
+            return Some(known as u32);
+        }
+        self.laws.push(Law {
+            path: path.clone(),
+            arguments,
+        });
+        Some(self.laws.len() as u32 - 1)
+    }
+
+    /// The frame of the ground or of a part.
+    pub(super) fn frame(&mut self, owner: Owner) -> Frame {
+        match owner {
+            Owner::Part(part) => self.parts[part].frame.clone(),
+            Owner::Ground => {
+                let (zero, one) = (self.graph.zero(), self.graph.one());
+                Frame {
+                    origin: [zero, zero],
+                    axis: [one, zero],
+                    angle: Some(zero),
+                    rate: zero,
+                }
+            }
+        }
+    }
+
+    pub(super) fn owner_name(&self, owner: Owner) -> &str {
+        match owner {
+            Owner::Ground => "ground",
+            Owner::Part(part) => &self.parts[part].name,
+        }
+    }
+
+    pub(super) fn bar_length(&self, owner: Owner) -> Option<Expr> {
+        match owner {
+            Owner::Ground => None,
+            Owner::Part(part) => self.parts[part].length,
+        }
+    }
+
+    /// The points that have a name in a part.
+    pub(super) fn point_names(&self, owner: Owner) -> &'static [&'static str] {
+        match owner {
+            Owner::Ground => &["origin"],
+            Owner::Part(part) => match self.parts[part].kind {
+                "Bar" => &["a", "b", "center"],
+                "Body" => &["origin", "center"],
+                _ => &["origin"],
+            },
+        }
+    }
+
+    /// `crank.a`, `ground.origin`, ….
+    pub(super) fn named_point(&mut self, owner: Owner, name: &str) -> Option<Point> {
+        if !self.point_names(owner).contains(&name) {
+            return None;
+        }
+        let label = format!("{}.{name}", self.owner_name(owner));
+        let zero = self.graph.zero();
+        let Owner::Part(index) = owner else {
+            return Some(self.point_of(owner, [zero, zero], label));
+        };
+        let part = &self.parts[index];
+        let free = match (&part.representation, name) {
+            (Representation::Natural | Representation::FreePoint, "a" | "origin") => {
+                Some([part.locals[0], part.locals[1]])
+            }
+            (Representation::Natural, "b") => Some([part.locals[2], part.locals[3]]),
+            _ => None,
+        };
+        let length = part.length.unwrap_or(zero);
+        let local = match name {
+            "b" => [length, zero],
+            "center" if part.kind == "Bar" => [self.graph.scale(0.5, length), zero],
+            "center" => part.center,
+            _ => [zero, zero],
+        };
+        let mut point = self.point_of(owner, local, label);
+        if let Some([x, y]) = free {
+            let position = [Symbol::LocalPosition(x), Symbol::LocalPosition(y)];
+            point.position = position.map(|symbol| self.graph.symbol(symbol));
+            point.free = Some([x, y]);
+        }
+        Some(point)
+    }
+
+    fn outputs(&mut self) -> (Vec<(Quantity, Expr)>, Vec<(String, Expr)>) {
+        let (mut outputs, mut events) = (Vec::new(), Vec::new());
+        for entry in &self.declaration.entries {
+            let Some(syntax) = entry.positional.first() else {
+                continue;
+            };
+            match entry.kind.to_string().as_str() {
+                "Output" => {
+                    let Some(value) = self.evaluate(syntax) else {
+                        continue;
+                    };
+                    let vector = |v: Vector, dimension| {
+                        vec![(".x", v[0], dimension), (".y", v[1], dimension)]
+                    };
+                    let components = match value {
+                        Value::Scalar(x, dimension) => vec![("", x, dimension)],
+                        Value::Vector(v, dimension) => vector(v, dimension),
+                        Value::Point(point) => vector(point.position, Some(Dimension::LENGTH)),
+                        other => {
+                            let what = other.describe();
+                            self.fail::<()>(
+                                syntax.span(),
+                                format!(
+                                    "an output is a number, vector or point, but this is {what}"
+                                ),
+                            );
+                            continue;
+                        }
+                    };
+                    for (suffix, expr, dimension) in components {
+                        let mut quantity = quantity(entry, 0.0, dimension);
+                        quantity.name.push_str(suffix);
+                        outputs.push((quantity, expr));
+                    }
+                }
+                "Event" => {
+                    if let Some((expr, _)) = self.scalar(syntax) {
+                        events.push((entry.name.to_string(), expr));
+                    }
+                }
+                _ => {}
+            }
+        }
+        (outputs, events)
+    }
+
+    fn elements(&mut self) -> (Vec<JointElement>, Vec<ForceElement>) {
+        let (mut found_joints, mut found_forces) = (Vec::new(), Vec::new());
+        for entry in &self.declaration.entries {
+            let Some(kind) = crate::schema::kind(&entry.kind.to_string()) else {
+                continue;
+            };
+            let name = entry.name.to_string();
+            match kind.group {
+                Group::Joint | Group::Constraint => {
+                    if let Some(joint) = joints::read(kind.name, &mut Arguments::new(self, entry)) {
+                        found_joints.push(JointElement {
+                            name,
+                            span: entry.span(),
+                            joint,
+                        });
+                    }
+                }
+                Group::Force => {
+                    if let Some(force) = forces::read(kind.name, &mut Arguments::new(self, entry)) {
+                        found_forces.push(ForceElement { name, force });
+                    }
+                }
+                Group::Value | Group::Part => {}
+            }
+        }
+        // The length of a bar in natural coordinates is a row of its own.
+        for part in &self.parts {
+            if let (Representation::Natural, Some(length)) = (&part.representation, part.length) {
+                let joint = joints::bar_length(part, length, &self.graph);
+                found_joints.push(JointElement {
+                    name: part.name.clone(),
+                    span: part.span,
+                    joint,
+                });
+            }
+        }
+        (found_joints, found_forces)
+    }
+
+    /// Points and lines for an animation: bars from end to end, bodies from their origin to their joints.
+    fn drawing(
+        &mut self,
+        joints: &[JointElement],
+        forces: &[ForceElement],
+    ) -> (Vec<(String, Vector)>, Vec<(String, usize, usize)>) {
+        let mut points: Vec<(String, Vector)> = Vec::new();
+        let mut segments = Vec::new();
+        for index in 0..self.parts.len() {
+            let owner = Owner::Part(index);
+            let part = &self.parts[index];
+            let (name, kind) = (part.name.clone(), part.kind);
+            if part.representation == Representation::Coordinate {
+                continue;
+            }
+            let first = points.len();
+            for end in if kind == "Bar" {
+                vec!["a", "b"]
+            } else {
+                vec!["origin"]
+            } {
+                if let Some(point) = self.named_point(owner, end) {
+                    points.push((point.label, point.position));
+                }
+            }
+            if kind == "Bar" {
+                segments.push((name, first, first + 1));
+                continue;
+            }
+            let attached = joints
+                .iter()
+                .flat_map(|joint| joint.joint.points())
+                .chain(forces.iter().flat_map(|f| f.force.points()));
+            for point in attached.filter(|point| point.owner == owner) {
+                if points[first..]
+                    .iter()
+                    .all(|(_, position)| *position != point.position)
+                {
+                    segments.push((name.clone(), first, points.len()));
+                    points.push((point.label.clone(), point.position));
+                }
+            }
+        }
+        (points, segments)
+    }
+}
+
+fn is_value(entry: &Entry) -> bool {
+    matches!(
+        entry.kind.to_string().as_str(),
+        "Param" | "Input" | "Let" | "Point" | "Coordinate" | "Bar" | "Body" | "Particle"
+    )
+}
+
+fn quantity(entry: &Entry, default: f64, dimension: Option<Dimension>) -> Quantity {
+    let unit = dimension.map_or_else(String::new, Dimension::unit);
+    Quantity {
+        name: entry.name.to_string(),
+        unit,
+        default,
+        doc: entry.doc.clone(),
+    }
+}
+
+fn tokens(syntax: &syn::Expr) -> String {
+    quote::ToTokens::to_token_stream(syntax).to_string()
+}

@@ -1,0 +1,53 @@
+//! What an expression of the declaration can be.
+
+use super::dimension::Dimension;
+use super::geometry::{Owner, Point, Vector};
+use crate::symbolic::Expr;
+
+/// The value of an expression. A dimension of `None` is that of a bare number: it fits anywhere.
+#[derive(Debug, Clone)]
+pub(super) enum Value {
+    Scalar(Expr, Option<Dimension>),
+    Vector(Vector, Option<Dimension>),
+    Point(Point),
+    Frame(Owner),
+    List(Vec<(proc_macro2::Span, Value)>),
+}
+
+impl Value {
+    pub(super) fn describe(&self) -> String {
+        match self {
+            Value::Scalar(_, dimension) => {
+                dimension.map_or("a number".to_owned(), |d| d.to_string())
+            }
+            Value::Vector(..) => "a vector".to_owned(),
+            Value::Point(point) => format!("the point `{}`", point.label),
+            Value::Frame(Owner::Ground) => "the ground".to_owned(),
+            Value::Frame(Owner::Part(_)) => "a part".to_owned(),
+            Value::List(_) => "a list".to_owned(),
+        }
+    }
+
+    /// All expressions inside.
+    pub(super) fn expressions(&self) -> Vec<Expr> {
+        match self {
+            Value::Scalar(x, _) => vec![*x],
+            Value::Vector(v, _) => v.to_vec(),
+            Value::Point(point) => point.position.to_vec(),
+            Value::Frame(_) => Vec::new(),
+            Value::List(items) => items
+                .iter()
+                .flat_map(|(_, value)| value.expressions())
+                .collect(),
+        }
+    }
+}
+
+/// The common dimension of two summands; `Err` if they differ.
+pub(super) fn unify(a: Option<Dimension>, b: Option<Dimension>) -> Result<Option<Dimension>, ()> {
+    match (a, b) {
+        (Some(a), Some(b)) if a != b => Err(()),
+        (Some(a), _) => Ok(Some(a)),
+        (None, b) => Ok(b),
+    }
+}

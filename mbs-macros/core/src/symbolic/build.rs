@@ -1,0 +1,320 @@
+//! Constructors: every node is made here, in canonical form.
+
+use super::{Expr, Function, Graph, Node, Symbol};
+
+impl Graph {
+    pub(super) fn intern(&mut self, node: Node) -> Expr {
+        if let Some(&expr) = self.index.get(&node) {
+            return expr;
+        }
+        let expr = Expr(self.nodes.len() as u32);
+        self.nodes.push(node.clone());
+        self.index.insert(node, expr);
+        expr
+    }
+
+    /// A number.
+    pub fn constant(&mut self, value: f64) -> Expr {
+        // −0 and 0 are one node; −0 + 0 is 0.
+        self.intern(Node::Constant((value + 0.0).to_bits()))
+    }
+
+    /// Zero.
+    pub fn zero(&mut self) -> Expr {
+        self.constant(0.0)
+    }
+
+    /// One.
+    pub fn one(&mut self) -> Expr {
+        self.constant(1.0)
+    }
+
+    /// A symbol.
+    pub fn symbol(&mut self, symbol: Symbol) -> Expr {
+        self.intern(Node::Symbol(symbol))
+    }
+
+    /// a + b.
+    pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        self.linear(0.0, &[(a, 1.0), (b, 1.0)])
+    }
+
+    /// a − b.
+    pub fn sub(&mut self, a: Expr, b: Expr) -> Expr {
+        self.linear(0.0, &[(a, 1.0), (b, -1.0)])
+    }
+
+    /// −a.
+    pub fn neg(&mut self, a: Expr) -> Expr {
+        self.linear(0.0, &[(a, -1.0)])
+    }
+
+    /// factor · a.
+    pub fn scale(&mut self, factor: f64, a: Expr) -> Expr {
+        self.linear(0.0, &[(a, factor)])
+    }
+
+    /// The sum of all.
+    pub fn sum(&mut self, terms: impl IntoIterator<Item = Expr>) -> Expr {
+        let terms: Vec<_> = terms.into_iter().map(|term| (term, 1.0)).collect();
+        self.linear(0.0, &terms)
+    }
+
+    /// constant + Σ coefficient · term.
+    pub fn linear(&mut self, constant: f64, terms: &[(Expr, f64)]) -> Expr {
+        let mut constant = constant;
+        let mut flat: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
+        for &(term, coefficient) in terms {
+            self.flatten_term(term, coefficient, &mut constant, &mut flat);
+        }
+        collect(&mut flat);
+        self.pythagoras(&mut flat, &mut constant);
+        match flat.as_slice() {
+            [] => self.constant(constant),
+            [(term, 1.0)] if constant == 0.0 => *term,
+            _ => {
+                let terms = flat
+                    .into_iter()
+                    .map(|(term, coefficient)| (term, coefficient.to_bits()))
+                    .collect();
+                self.intern(Node::Sum {
+                    constant: (constant + 0.0).to_bits(),
+                    terms,
+                })
+            }
+        }
+    }
+
+    /// A nested sum is dissolved where that costs no multiplication: coefficient ±1, or a single scaled term.
+    fn flatten_term(
+        &mut self,
+        term: Expr,
+        coefficient: f64,
+        constant: &mut f64,
+        flat: &mut Vec<(Expr, f64)>,
+    ) {
+        if coefficient == 0.0 {
+            return;
+        }
+        match self.node(term) {
+            Node::Constant(bits) => *constant += coefficient * f64::from_bits(*bits),
+            Node::Sum {
+                constant: inner,
+                terms,
+            } if coefficient.abs() == 1.0 || terms.len() == 1 => {
+                *constant += coefficient * f64::from_bits(*inner);
+                flat.extend(
+                    terms
+                        .iter()
+                        .map(|&(term, bits)| (term, coefficient * f64::from_bits(bits))),
+                );
+            }
+            _ => flat.push((term, coefficient)),
+        }
+    }
+
+    /// c·m·sin²x + c·m·cos²x = c·m.
+    fn pythagoras(&mut self, terms: &mut Vec<(Expr, f64)>, constant: &mut f64) {
+        let mut position = 0;
+        while position < terms.len() {
+            let (term, coefficient) = terms[position];
+            let Some((partner, rest)) = self.cosine_partner(term) else {
+                position += 1;
+                continue;
+            };
+            let found = terms
+                .iter()
+                .position(|&(other, c)| other == partner && c == coefficient);
+            let Some(found) = found else {
+                position += 1;
+                continue;
+            };
+            terms.swap_remove(position.max(found));
+            terms.swap_remove(position.min(found));
+            self.flatten_term(rest, coefficient, constant, terms);
+            collect(terms);
+            position = 0;
+        }
+    }
+
+    /// For m·sin²x: the terms m·cos²x and m.
+    fn cosine_partner(&mut self, term: Expr) -> Option<(Expr, Expr)> {
+        let Node::Product(factors) = self.node(term) else {
+            return None;
+        };
+        let (slot, angle) = factors
+            .iter()
+            .enumerate()
+            .find_map(|(slot, &(factor, power))| match self.node(factor) {
+                Node::Function(Function::Sin, angle) if power >= 2 => Some((slot, *angle)),
+                _ => None,
+            })?;
+        let mut rest: Vec<(Expr, i32)> = factors.to_vec();
+        rest[slot].1 -= 2;
+        let cos = self.function(Function::Cos, angle);
+        let mut partner = rest.clone();
+        partner.push((cos, 2));
+        Some((self.product(&partner), self.product(&rest)))
+    }
+
+    /// a · b.
+    pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        self.product(&[(a, 1), (b, 1)])
+    }
+
+    /// a / b.
+    pub fn div(&mut self, a: Expr, b: Expr) -> Expr {
+        self.product(&[(a, 1), (b, -1)])
+    }
+
+    /// a².
+    pub fn square(&mut self, a: Expr) -> Expr {
+        self.product(&[(a, 2)])
+    }
+
+    /// Π factor^power.
+    pub fn product(&mut self, factors: &[(Expr, i32)]) -> Expr {
+        let mut coefficient = 1.0;
+        let mut flat: Vec<(Expr, i32)> = Vec::with_capacity(factors.len());
+        let mut pending: Vec<(Expr, i32)> = factors.to_vec();
+        while let Some((factor, power)) = pending.pop() {
+            if power == 0 {
+                continue;
+            }
+            match self.node(factor) {
+                Node::Constant(bits) => coefficient *= f64::from_bits(*bits).powi(power),
+                Node::Sum { constant: 0, terms } if terms.len() == 1 => {
+                    coefficient *= f64::from_bits(terms[0].1).powi(power);
+                    pending.push((terms[0].0, power));
+                }
+                Node::Product(inner) => pending.extend(inner.iter().map(|&(f, p)| (f, p * power))),
+                _ => flat.push((factor, power)),
+            }
+        }
+        flat.sort_unstable();
+        let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(flat.len());
+        for (factor, power) in flat {
+            match merged.last_mut() {
+                Some(last) if last.0 == factor => last.1 += power,
+                _ => merged.push((factor, power)),
+            }
+        }
+        merged.retain(|&(_, power)| power != 0);
+        // √x · √x = x
+        if let Some(slot) = merged.iter().position(|&(f, p)| {
+            p.abs() >= 2 && matches!(self.node(f), Node::Function(Function::Sqrt, _))
+        }) {
+            let (root, power) = merged[slot];
+            let Node::Function(_, inside) = *self.node(root) else {
+                unreachable!("matched above")
+            };
+            merged[slot] = (root, power % 2);
+            merged.push((inside, power / 2));
+            let product = self.product(&merged);
+            return self.scale(coefficient, product);
+        }
+        if coefficient == 0.0 {
+            return self.zero();
+        }
+        let product = match merged.as_slice() {
+            [] => return self.constant(coefficient),
+            [(factor, 1)] => *factor,
+            _ => self.intern(Node::Product(merged.into())),
+        };
+        if coefficient == 1.0 {
+            product
+        } else {
+            self.linear(0.0, &[(product, coefficient)])
+        }
+    }
+
+    /// base^exponent.
+    pub fn power(&mut self, base: Expr, exponent: f64) -> Expr {
+        if exponent == exponent.trunc() && exponent.abs() < 1e6 {
+            return self.product(&[(base, exponent as i32)]);
+        }
+        if exponent == 0.5 {
+            return self.function(Function::Sqrt, base);
+        }
+        match self.as_constant(base) {
+            Some(value) if value >= 0.0 => self.constant(value.powf(exponent)),
+            _ => self.intern(Node::Power(base, exponent.to_bits())),
+        }
+    }
+
+    /// An elementary function.
+    pub fn function(&mut self, function: Function, x: Expr) -> Expr {
+        if let Some(value) = self.as_constant(x) {
+            let result = function.evaluate(value);
+            if result.is_finite() {
+                return self.constant(result);
+            }
+        }
+        // Odd and even functions take the sign out, so that sin(−x) and sin(x) share.
+        if let Some(positive) = self.without_sign(x) {
+            match function {
+                Function::Sin
+                | Function::Tan
+                | Function::Asin
+                | Function::Atan
+                | Function::Sinh
+                | Function::Tanh
+                | Function::Sign => {
+                    let value = self.function(function, positive);
+                    return self.neg(value);
+                }
+                Function::Cos | Function::Cosh | Function::Abs => {
+                    return self.function(function, positive);
+                }
+                _ => {}
+            }
+        }
+        self.intern(Node::Function(function, x))
+    }
+
+    /// If `x` is minus something simple, that something.
+    fn without_sign(&mut self, x: Expr) -> Option<Expr> {
+        let Node::Sum { constant: 0, terms } = self.node(x) else {
+            return None;
+        };
+        match **terms {
+            [(term, bits)] if f64::from_bits(bits) < 0.0 => {
+                Some(self.scale(-f64::from_bits(bits), term))
+            }
+            _ => None,
+        }
+    }
+
+    /// atan2(y, x).
+    pub fn atan2(&mut self, y: Expr, x: Expr) -> Expr {
+        match (self.as_constant(y), self.as_constant(x)) {
+            (Some(y), Some(x)) => self.constant(y.atan2(x)),
+            _ => self.intern(Node::Atan2(y, x)),
+        }
+    }
+
+    /// The value of a user's law.
+    pub fn law(&mut self, law: u32, arguments: &[Expr]) -> Expr {
+        self.intern(Node::Law {
+            law,
+            partial: None,
+            arguments: arguments.into(),
+        })
+    }
+}
+
+/// Sorts by term and adds up coefficients.
+fn collect(terms: &mut Vec<(Expr, f64)>) {
+    terms.sort_unstable_by_key(|&(term, _)| term);
+    let mut kept = 0;
+    for i in 0..terms.len() {
+        if kept > 0 && terms[kept - 1].0 == terms[i].0 {
+            terms[kept - 1].1 += terms[i].1;
+        } else {
+            terms[kept] = terms[i];
+            kept += 1;
+        }
+    }
+    terms.truncate(kept);
+    terms.retain(|&(_, coefficient)| coefficient != 0.0);
+}

@@ -1,0 +1,156 @@
+//! Derivatives, memoised per node and symbol.
+
+use super::{Expr, Function, Graph, Node, Symbol};
+
+impl Graph {
+    /// ∂expr/∂symbol.
+    pub fn derivative(&mut self, expr: Expr, symbol: Symbol) -> Expr {
+        if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
+            return known;
+        }
+        let result = match self.node(expr).clone() {
+            Node::Constant(_) => self.zero(),
+            Node::Symbol(own) => self.constant(if own == symbol { 1.0 } else { 0.0 }),
+            Node::Sum { terms, .. } => {
+                let terms: Vec<_> = terms
+                    .iter()
+                    .map(|&(term, coefficient)| {
+                        (self.derivative(term, symbol), f64::from_bits(coefficient))
+                    })
+                    .collect();
+                self.linear(0.0, &terms)
+            }
+            Node::Product(factors) => self.product_rule(&factors, symbol),
+            Node::Function(function, x) => {
+                let inner = self.derivative(x, symbol);
+                if self.is_zero(inner) {
+                    inner
+                } else {
+                    let outer = self.function_derivative(function, expr, x);
+                    self.mul(outer, inner)
+                }
+            }
+            Node::Power(x, exponent) => {
+                let inner = self.derivative(x, symbol);
+                let exponent = f64::from_bits(exponent);
+                let outer = self.power(x, exponent - 1.0);
+                let product = self.mul(outer, inner);
+                self.scale(exponent, product)
+            }
+            Node::Atan2(y, x) => {
+                // d atan2(y, x) = (x dy − y dx) / (x² + y²)
+                let (dy, dx) = (self.derivative(y, symbol), self.derivative(x, symbol));
+                let (first, second) = (self.mul(x, dy), self.mul(y, dx));
+                let numerator = self.sub(first, second);
+                let (xx, yy) = (self.square(x), self.square(y));
+                let denominator = self.add(xx, yy);
+                self.div(numerator, denominator)
+            }
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => {
+                // Laws supply first partials; a second one cannot be asked for (model::check refuses laws in rows).
+                let mut terms = Vec::new();
+                for (slot, &argument) in arguments.iter().enumerate() {
+                    let inner = self.derivative(argument, symbol);
+                    if self.is_zero(inner) || partial.is_some() {
+                        continue;
+                    }
+                    let outer = self.intern(Node::Law {
+                        law,
+                        partial: Some(slot as u32),
+                        arguments: arguments.clone(),
+                    });
+                    terms.push(self.mul(outer, inner));
+                }
+                self.sum(terms)
+            }
+        };
+        self.derivatives.insert((expr, symbol), result);
+        result
+    }
+
+    fn product_rule(&mut self, factors: &[(Expr, i32)], symbol: Symbol) -> Expr {
+        let mut terms = Vec::new();
+        for (slot, &(factor, power)) in factors.iter().enumerate() {
+            let inner = self.derivative(factor, symbol);
+            if self.is_zero(inner) {
+                continue;
+            }
+            let mut rest = factors.to_vec();
+            rest[slot].1 -= 1;
+            rest.push((inner, 1));
+            terms.push((self.product(&rest), f64::from(power)));
+        }
+        self.linear(0.0, &terms)
+    }
+
+    /// The outer derivative of a function `value` = function(x).
+    fn function_derivative(&mut self, function: Function, value: Expr, x: Expr) -> Expr {
+        let one = self.one();
+        match function {
+            Function::Sin => self.function(Function::Cos, x),
+            Function::Cos => {
+                let sin = self.function(Function::Sin, x);
+                self.neg(sin)
+            }
+            Function::Tan => {
+                let square = self.square(value);
+                self.add(one, square)
+            }
+            Function::Asin | Function::Acos => {
+                let square = self.square(x);
+                let inside = self.sub(one, square);
+                let root = self.function(Function::Sqrt, inside);
+                let inverse = self.div(one, root);
+                if function == Function::Asin {
+                    inverse
+                } else {
+                    self.neg(inverse)
+                }
+            }
+            Function::Atan => {
+                let square = self.square(x);
+                let denominator = self.add(one, square);
+                self.div(one, denominator)
+            }
+            Function::Sqrt => {
+                let inverse = self.div(one, value);
+                self.scale(0.5, inverse)
+            }
+            Function::Exp => value,
+            Function::Ln => self.div(one, x),
+            Function::Sinh => self.function(Function::Cosh, x),
+            Function::Cosh => self.function(Function::Sinh, x),
+            Function::Tanh => {
+                let square = self.square(value);
+                self.sub(one, square)
+            }
+            Function::Abs => self.function(Function::Sign, x),
+            Function::Sign | Function::Step => self.zero(),
+        }
+    }
+}
+
+impl Graph {
+    /// d(expr)/dt along the motion: positions change with their velocities, velocities with their accelerations, and
+    /// time with 1.
+    pub fn rate(&mut self, expr: Expr) -> Expr {
+        let mut terms = Vec::new();
+        for symbol in self.symbols([expr]) {
+            let rate = match symbol {
+                Symbol::Time => self.one(),
+                Symbol::LocalPosition(i) => self.symbol(Symbol::LocalVelocity(i)),
+                Symbol::LocalVelocity(i) => self.symbol(Symbol::LocalAcceleration(i)),
+                Symbol::Coordinate(i) => self.symbol(Symbol::Velocity(i)),
+                Symbol::Velocity(i) => self.symbol(Symbol::Acceleration(i)),
+                _ => continue,
+            };
+            let partial = self.derivative(expr, symbol);
+            terms.push(self.mul(partial, rate));
+        }
+        self.sum(terms)
+    }
+}

@@ -1,0 +1,99 @@
+//! The interpreter: numbers for symbols. Slow and simple, the oracle against which generated code is tested.
+
+use super::{Expr, Function, Graph, Node, Symbol};
+use std::collections::HashMap;
+
+impl Function {
+    /// The function's value.
+    pub fn evaluate(self, x: f64) -> f64 {
+        match self {
+            Function::Sin => x.sin(),
+            Function::Cos => x.cos(),
+            Function::Tan => x.tan(),
+            Function::Asin => x.asin(),
+            Function::Acos => x.acos(),
+            Function::Atan => x.atan(),
+            Function::Sqrt => x.sqrt(),
+            Function::Exp => x.exp(),
+            Function::Ln => x.ln(),
+            Function::Sinh => x.sinh(),
+            Function::Cosh => x.cosh(),
+            Function::Tanh => x.tanh(),
+            Function::Abs => x.abs(),
+            Function::Sign => {
+                if x == 0.0 {
+                    0.0
+                } else {
+                    x.signum()
+                }
+            }
+            Function::Step => {
+                if x > 0.0 {
+                    1.0
+                } else {
+                    0.0
+                }
+            }
+        }
+    }
+}
+
+/// A law for the interpreter: value and partials for the arguments given.
+pub type LawEvaluation<'a> = &'a dyn Fn(u32, &[f64]) -> (f64, Vec<f64>);
+
+/// Evaluates expressions of a graph for given values of the symbols.
+pub struct Evaluator<'a> {
+    graph: &'a Graph,
+    symbols: &'a dyn Fn(Symbol) -> f64,
+    laws: LawEvaluation<'a>,
+    done: HashMap<Expr, f64>,
+}
+
+impl<'a> Evaluator<'a> {
+    /// An evaluator; `symbols` gives the value of each symbol, `laws` evaluates the user's laws.
+    pub fn new(
+        graph: &'a Graph,
+        symbols: &'a dyn Fn(Symbol) -> f64,
+        laws: LawEvaluation<'a>,
+    ) -> Self {
+        Evaluator {
+            graph,
+            symbols,
+            laws,
+            done: HashMap::new(),
+        }
+    }
+
+    /// The value of an expression.
+    pub fn value(&mut self, expr: Expr) -> f64 {
+        if let Some(&known) = self.done.get(&expr) {
+            return known;
+        }
+        let result = match self.graph.node(expr) {
+            Node::Constant(bits) => f64::from_bits(*bits),
+            Node::Symbol(symbol) => (self.symbols)(*symbol),
+            Node::Sum { constant, terms } => terms
+                .iter()
+                .fold(f64::from_bits(*constant), |sum, &(term, c)| {
+                    sum + f64::from_bits(c) * self.value(term)
+                }),
+            Node::Product(factors) => factors.iter().fold(1.0, |product, &(factor, power)| {
+                product * self.value(factor).powi(power)
+            }),
+            Node::Function(function, x) => function.evaluate(self.value(*x)),
+            Node::Power(x, exponent) => self.value(*x).powf(f64::from_bits(*exponent)),
+            Node::Atan2(y, x) => self.value(*y).atan2(self.value(*x)),
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => {
+                let arguments: Vec<f64> = arguments.iter().map(|&x| self.value(x)).collect();
+                let (value, partials) = (self.laws)(*law, &arguments);
+                partial.map_or(value, |slot| partials[slot as usize])
+            }
+        };
+        self.done.insert(expr, result);
+        result
+    }
+}

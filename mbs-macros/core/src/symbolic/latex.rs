@@ -1,0 +1,136 @@
+//! Expressions as LaTeX, for `mbs explain --latex` and the book.
+
+use super::{Expr, Function, Graph, Node};
+
+impl Graph {
+    /// The expression as LaTeX.
+    pub fn latex(&self, expr: Expr) -> String {
+        match self.node(expr) {
+            Node::Constant(bits) => number(f64::from_bits(*bits)),
+            Node::Symbol(symbol) => identifier(&self.name(*symbol)),
+            Node::Sum { constant, terms } => self.latex_sum(f64::from_bits(*constant), terms),
+            Node::Product(factors) => self.latex_product(factors),
+            Node::Function(Function::Sqrt, x) => format!("\\sqrt{{{}}}", self.latex(*x)),
+            Node::Function(Function::Abs, x) => format!("\\left|{}\\right|", self.latex(*x)),
+            Node::Function(function, x) => {
+                format!("\\{}{}", latex_function(*function), self.latex_group(*x))
+            }
+            Node::Power(x, exponent) => {
+                format!("{}^{{{}}}", self.latex_group(*x), f64::from_bits(*exponent))
+            }
+            Node::Atan2(y, x) => {
+                format!(
+                    "\\operatorname{{atan2}}\\left({}, {}\\right)",
+                    self.latex(*y),
+                    self.latex(*x)
+                )
+            }
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => {
+                let arguments: Vec<_> = arguments.iter().map(|&x| self.latex(x)).collect();
+                let partial = partial.map_or(String::new(), |slot| format!("_{{,{slot}}}"));
+                format!(
+                    "\\ell_{{{law}}}{partial}\\left({}\\right)",
+                    arguments.join(", ")
+                )
+            }
+        }
+    }
+
+    fn latex_sum(&self, constant: f64, terms: &[(Expr, u64)]) -> String {
+        let mut out = String::new();
+        for &(term, bits) in terms {
+            let coefficient = f64::from_bits(bits);
+            let sign = match (out.is_empty(), coefficient < 0.0) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, true) => " - ",
+                (false, false) => " + ",
+            };
+            out.push_str(sign);
+            if coefficient.abs() != 1.0 {
+                out.push_str(&number(coefficient.abs()));
+                out.push_str("\\,");
+            }
+            let is_sum = matches!(self.node(term), Node::Sum { .. });
+            out.push_str(&if is_sum {
+                self.latex_group(term)
+            } else {
+                self.latex(term)
+            });
+        }
+        if constant != 0.0 {
+            out.push_str(if constant < 0.0 { " - " } else { " + " });
+            out.push_str(&number(constant.abs()));
+        }
+        out
+    }
+
+    fn latex_product(&self, factors: &[(Expr, i32)]) -> String {
+        let side = |positive: bool| -> String {
+            let chosen: Vec<_> = factors
+                .iter()
+                .filter(|(_, power)| (*power > 0) == positive)
+                .map(|&(factor, power)| {
+                    let base = match self.node(factor) {
+                        Node::Symbol(_) => self.latex(factor),
+                        Node::Function(..) if power.abs() == 1 => self.latex(factor),
+                        _ => self.latex_group(factor),
+                    };
+                    if power.abs() == 1 {
+                        base
+                    } else {
+                        format!("{{{base}}}^{{{}}}", power.abs())
+                    }
+                })
+                .collect();
+            chosen.join("\\,")
+        };
+        let (numerator, denominator) = (side(true), side(false));
+        match (numerator.is_empty(), denominator.is_empty()) {
+            (_, true) => numerator,
+            (true, false) => format!("\\frac{{1}}{{{denominator}}}"),
+            (false, false) => format!("\\frac{{{numerator}}}{{{denominator}}}"),
+        }
+    }
+
+    fn latex_group(&self, expr: Expr) -> String {
+        format!("\\left({}\\right)", self.latex(expr))
+    }
+}
+
+fn latex_function(function: Function) -> &'static str {
+    match function {
+        Function::Asin => "arcsin",
+        Function::Acos => "arccos",
+        Function::Atan => "arctan",
+        Function::Sign => "operatorname{sgn}",
+        Function::Step => "Theta",
+        other => other.name(),
+    }
+}
+
+fn number(value: f64) -> String {
+    let text = format!("{value}");
+    if text.len() > 9 {
+        format!("{value:.6}")
+    } else {
+        text
+    }
+}
+
+/// `crank.b.x` → crank with the index b, x, set upright.
+fn identifier(name: &str) -> String {
+    let escaped = name.replace('_', "\\_");
+    match escaped.split_once('.') {
+        Some((part, rest)) => format!(
+            "\\mathrm{{{part}}}_{{\\mathrm{{{}}}}}",
+            rest.replace('.', ",")
+        ),
+        None if escaped.chars().count() == 1 => escaped,
+        None => format!("\\mathrm{{{escaped}}}"),
+    }
+}

@@ -1,0 +1,253 @@
+//! Hash-consed symbolic expressions.
+//!
+//! An [`Expr`] is an index into a [`Graph`]; equal expressions have equal indices, so that common subexpressions are
+//! found by construction and every pass over a graph is linear in its size. Sums and products are kept in a canonical
+//! form (flat, sorted by index, coefficients collected), but **never expanded**: a product of sums stays one.
+
+mod build;
+mod derivative;
+mod evaluate;
+mod latex;
+mod print;
+mod substitute;
+
+use std::collections::HashMap;
+
+pub use evaluate::{Evaluator, LawEvaluation};
+pub use substitute::Substitution;
+
+/// A node of a [`Graph`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Expr(pub(crate) u32);
+
+/// What a symbol stands for.
+///
+/// *Local* coordinates are those of each part on its own, before joints merge points; *global* ones are the generalized
+/// coordinates of the mechanism. Part-wise quantities (reactions above all) are derived in the former and substituted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Symbol {
+    /// Time t.
+    Time,
+    /// A declared parameter.
+    Parameter(u32),
+    /// A declared input.
+    Input(u32),
+    /// Coordinate, velocity and acceleration of a part on its own.
+    LocalPosition(u32),
+    /// See [`Symbol::LocalPosition`].
+    LocalVelocity(u32),
+    /// See [`Symbol::LocalPosition`].
+    LocalAcceleration(u32),
+    /// Generalized coordinate q.
+    Coordinate(u32),
+    /// Generalized velocity v.
+    Velocity(u32),
+    /// Generalized acceleration v̇.
+    Acceleration(u32),
+    /// Lagrange multiplier λ of a row.
+    Multiplier(u32),
+    /// Entry of the constant inverse M⁻¹: known once the parameters are.
+    InverseMass(u32, u32),
+    /// Entry of a matrix argument of a generated kernel (A of the rows to be weighted).
+    RowEntry(u32, u32),
+    /// Entry of a second matrix argument (W).
+    WeightedEntry(u32, u32),
+    /// Entry of a vector argument.
+    VectorEntry(u32),
+}
+
+impl Symbol {
+    /// Whether the symbol is known as soon as the parameters are.
+    pub fn is_parameter_like(self) -> bool {
+        matches!(self, Symbol::Parameter(_) | Symbol::InverseMass(..))
+    }
+
+    /// Whether the symbol is a velocity.
+    pub fn is_velocity(self) -> bool {
+        matches!(self, Symbol::LocalVelocity(_) | Symbol::Velocity(_))
+    }
+}
+
+/// Elementary functions of one argument.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Function {
+    /// sin
+    Sin,
+    /// cos
+    Cos,
+    /// tan
+    Tan,
+    /// arcsin
+    Asin,
+    /// arccos
+    Acos,
+    /// arctan
+    Atan,
+    /// square root
+    Sqrt,
+    /// exponential
+    Exp,
+    /// natural logarithm
+    Ln,
+    /// hyperbolic sine
+    Sinh,
+    /// hyperbolic cosine
+    Cosh,
+    /// hyperbolic tangent
+    Tanh,
+    /// absolute value
+    Abs,
+    /// −1, 0 or 1
+    Sign,
+    /// 1 where the argument is positive, else 0
+    Step,
+}
+
+/// The operation at a node. Construct nodes through [`Graph`]'s methods only: they keep the canonical form.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Node {
+    /// A number (its bits, so that it can be hashed; −0 is stored as 0).
+    Constant(u64),
+    /// A symbol.
+    Symbol(Symbol),
+    /// constant + Σ coefficient · term.
+    Sum {
+        /// Bits of the constant.
+        constant: u64,
+        /// Terms, sorted, with the bits of their coefficients.
+        terms: Box<[(Expr, u64)]>,
+    },
+    /// Π factor^power; numeric coefficients live in sums.
+    Product(Box<[(Expr, i32)]>),
+    /// An elementary function.
+    Function(Function, Expr),
+    /// atan2(y, x).
+    Atan2(Expr, Expr),
+    /// base^exponent with a constant exponent that is not an integer.
+    Power(Expr, u64),
+    /// A law supplied by the user: its value (`partial: None`) or the partial by one argument.
+    Law {
+        /// Index of the law in its declaration.
+        law: u32,
+        /// Which partial, if not the value.
+        partial: Option<u32>,
+        /// The arguments.
+        arguments: Box<[Expr]>,
+    },
+}
+
+/// The arena of all expressions of one mechanism.
+#[derive(Debug, Clone, Default)]
+pub struct Graph {
+    nodes: Vec<Node>,
+    index: HashMap<Node, Expr>,
+    derivatives: HashMap<(Expr, Symbol), Expr>,
+    names: HashMap<Symbol, String>,
+    hints: HashMap<Expr, String>,
+}
+
+impl Graph {
+    /// The node of an expression.
+    pub fn node(&self, expr: Expr) -> &Node {
+        &self.nodes[expr.0 as usize]
+    }
+
+    /// The number of nodes.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether nothing was built yet.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The display name of a symbol.
+    pub fn name(&self, symbol: Symbol) -> String {
+        self.names
+            .get(&symbol)
+            .cloned()
+            .unwrap_or_else(|| match symbol {
+                Symbol::Time => "t".to_owned(),
+                Symbol::InverseMass(i, j) => format!("inverse_mass[{i}][{j}]"),
+                Symbol::RowEntry(i, j) => format!("a[{i}][{j}]"),
+                Symbol::WeightedEntry(i, j) => format!("w[{i}][{j}]"),
+                Symbol::VectorEntry(i) => format!("x[{i}]"),
+                Symbol::Multiplier(i) => format!("lambda[{i}]"),
+                other => format!("{other:?}"),
+            })
+    }
+
+    /// Gives a symbol its display name.
+    pub fn set_name(&mut self, symbol: Symbol, name: impl Into<String>) {
+        self.names.insert(symbol, name.into());
+    }
+
+    /// Suggests a name for the temporary that will hold `expr` in generated code (the first suggestion stays).
+    pub fn suggest_name(&mut self, expr: Expr, name: impl Into<String>) {
+        self.hints.entry(expr).or_insert_with(|| name.into());
+    }
+
+    /// The suggested name of an expression.
+    pub fn suggested_name(&self, expr: Expr) -> Option<&str> {
+        self.hints.get(&expr).map(String::as_str)
+    }
+
+    /// The number behind an expression, if it is one.
+    pub fn as_constant(&self, expr: Expr) -> Option<f64> {
+        match self.node(expr) {
+            Node::Constant(bits) => Some(f64::from_bits(*bits)),
+            _ => None,
+        }
+    }
+
+    /// Whether the expression is the number zero.
+    pub fn is_zero(&self, expr: Expr) -> bool {
+        self.as_constant(expr) == Some(0.0)
+    }
+
+    /// Calls `visit` on each direct operand.
+    pub fn for_each_operand(&self, expr: Expr, mut visit: impl FnMut(Expr)) {
+        match self.node(expr) {
+            Node::Constant(_) | Node::Symbol(_) => {}
+            Node::Sum { terms, .. } => terms.iter().for_each(|&(term, _)| visit(term)),
+            Node::Product(factors) => factors.iter().for_each(|&(factor, _)| visit(factor)),
+            Node::Function(_, x) | Node::Power(x, _) => visit(*x),
+            Node::Atan2(y, x) => {
+                visit(*y);
+                visit(*x);
+            }
+            Node::Law { arguments, .. } => arguments.iter().for_each(|&x| visit(x)),
+        }
+    }
+
+    /// The symbols on which an expression depends, sorted.
+    pub fn symbols(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Symbol> {
+        let mut found = Vec::new();
+        let mut seen = std::collections::HashSet::new();
+        let mut stack: Vec<Expr> = roots.into_iter().collect();
+        while let Some(expr) = stack.pop() {
+            if !seen.insert(expr) {
+                continue;
+            }
+            match self.node(expr) {
+                Node::Symbol(symbol) => found.push(*symbol),
+                _ => self.for_each_operand(expr, |operand| stack.push(operand)),
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// Whether the expression depends on a symbol for which `predicate` holds.
+    pub fn depends_on(&self, expr: Expr, predicate: impl Fn(Symbol) -> bool) -> bool {
+        self.symbols([expr]).into_iter().any(predicate)
+    }
+
+    /// Whether a user's law occurs in the expression.
+    pub fn contains_law(&self, expr: Expr) -> bool {
+        let mut found = matches!(self.node(expr), Node::Law { .. });
+        self.for_each_operand(expr, |operand| found = found || self.contains_law(operand));
+        found
+    }
+}

@@ -1,0 +1,178 @@
+//! Expressions as text, for people: stable, infix, with as few parentheses as precedence allows.
+
+use super::{Expr, Function, Graph, Node};
+
+impl Function {
+    /// The name used in declarations, dumps and (as a method of `f64`) in generated code.
+    pub fn name(self) -> &'static str {
+        match self {
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Tan => "tan",
+            Function::Asin => "asin",
+            Function::Acos => "acos",
+            Function::Atan => "atan",
+            Function::Sqrt => "sqrt",
+            Function::Exp => "exp",
+            Function::Ln => "ln",
+            Function::Sinh => "sinh",
+            Function::Cosh => "cosh",
+            Function::Tanh => "tanh",
+            Function::Abs => "abs",
+            Function::Sign => "sign",
+            Function::Step => "step",
+        }
+    }
+}
+
+/// How tightly the context binds: a sum inside a product needs parentheses.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Precedence {
+    Sum,
+    Product,
+    Power,
+}
+
+impl Graph {
+    /// The expression as text.
+    pub fn text(&self, expr: Expr) -> String {
+        let mut out = String::new();
+        self.write(expr, Precedence::Sum, &mut out);
+        out
+    }
+
+    /// The expression as text, cut to about `limit` characters.
+    pub fn short_text(&self, expr: Expr, limit: usize) -> String {
+        let text = self.text(expr);
+        match text.char_indices().nth(limit) {
+            Some((cut, _)) => format!("{} …", &text[..cut]),
+            None => text,
+        }
+    }
+
+    fn write(&self, expr: Expr, outer: Precedence, out: &mut String) {
+        match self.node(expr) {
+            Node::Constant(bits) => {
+                let value = f64::from_bits(*bits);
+                if value < 0.0 && outer > Precedence::Sum {
+                    out.push_str(&format!("({value})"));
+                } else {
+                    out.push_str(&value.to_string());
+                }
+            }
+            Node::Symbol(symbol) => out.push_str(&self.name(*symbol)),
+            Node::Sum { constant, terms } => {
+                let single = *constant == 0 && terms.len() == 1;
+                let parentheses = outer
+                    > if single {
+                        Precedence::Product
+                    } else {
+                        Precedence::Sum
+                    };
+                let negative_single =
+                    single && f64::from_bits(terms[0].1) < 0.0 && outer > Precedence::Sum;
+                self.parenthesise(parentheses || negative_single, out, |out| {
+                    self.write_sum(*constant, terms, out)
+                });
+            }
+            Node::Product(factors) => {
+                self.parenthesise(outer > Precedence::Product, out, |out| {
+                    self.write_product(factors, out)
+                });
+            }
+            Node::Function(function, x) => {
+                out.push_str(function.name());
+                self.parenthesise(true, out, |out| self.write(*x, Precedence::Sum, out));
+            }
+            Node::Power(x, exponent) => {
+                self.write(*x, Precedence::Power, out);
+                out.push_str(&format!("^{}", f64::from_bits(*exponent)));
+            }
+            Node::Atan2(y, x) => {
+                out.push_str("atan2(");
+                self.write(*y, Precedence::Sum, out);
+                out.push_str(", ");
+                self.write(*x, Precedence::Sum, out);
+                out.push(')');
+            }
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => {
+                out.push_str(&match partial {
+                    None => format!("law{law}("),
+                    Some(slot) => format!("law{law}_d{slot}("),
+                });
+                for (slot, &x) in arguments.iter().enumerate() {
+                    if slot > 0 {
+                        out.push_str(", ");
+                    }
+                    self.write(x, Precedence::Sum, out);
+                }
+                out.push(')');
+            }
+        }
+    }
+
+    fn parenthesise(&self, needed: bool, out: &mut String, inside: impl FnOnce(&mut String)) {
+        if needed {
+            out.push('(');
+        }
+        inside(out);
+        if needed {
+            out.push(')');
+        }
+    }
+
+    fn write_sum(&self, constant: u64, terms: &[(Expr, u64)], out: &mut String) {
+        let mut first = true;
+        for &(term, bits) in terms {
+            let coefficient = f64::from_bits(bits);
+            match (first, coefficient < 0.0) {
+                (true, true) => out.push('-'),
+                (true, false) => {}
+                (false, true) => out.push_str(" - "),
+                (false, false) => out.push_str(" + "),
+            }
+            first = false;
+            if coefficient.abs() != 1.0 {
+                out.push_str(&format!("{}·", coefficient.abs()));
+            }
+            self.write(term, Precedence::Product, out);
+        }
+        let constant = f64::from_bits(constant);
+        if constant != 0.0 {
+            out.push_str(&format!(
+                " {} {}",
+                if constant < 0.0 { "-" } else { "+" },
+                constant.abs()
+            ));
+        }
+    }
+
+    fn write_product(&self, factors: &[(Expr, i32)], out: &mut String) {
+        let mut first = true;
+        for &(factor, power) in factors.iter().filter(|(_, power)| *power > 0) {
+            if !first {
+                out.push('·');
+            }
+            first = false;
+            self.write_factor(factor, power, out);
+        }
+        if first {
+            out.push('1');
+        }
+        for &(factor, power) in factors.iter().filter(|(_, power)| *power < 0) {
+            out.push('/');
+            self.write_factor(factor, -power, out);
+        }
+    }
+
+    fn write_factor(&self, factor: Expr, power: i32, out: &mut String) {
+        self.write(factor, Precedence::Power, out);
+        if power != 1 {
+            out.push_str(&format!("^{power}"));
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! Replacement of symbols by expressions.
+
+use super::{Expr, Graph, Node, Symbol};
+use std::collections::HashMap;
+
+/// A substitution with its memory, so that many expressions can share the work.
+#[derive(Debug, Clone, Default)]
+pub struct Substitution {
+    map: HashMap<Symbol, Expr>,
+    done: HashMap<Expr, Expr>,
+}
+
+impl Substitution {
+    /// Replaces `symbol` by `expr` from now on (to be called before the first use).
+    pub fn insert(&mut self, symbol: Symbol, expr: Expr) {
+        self.map.insert(symbol, expr);
+    }
+
+    /// What a symbol is replaced by.
+    pub fn get(&self, symbol: Symbol) -> Option<Expr> {
+        self.map.get(&symbol).copied()
+    }
+}
+
+impl Graph {
+    /// `expr` with all symbols of the substitution replaced. Name suggestions carry over.
+    pub fn substitute(&mut self, expr: Expr, substitution: &mut Substitution) -> Expr {
+        if let Some(&known) = substitution.done.get(&expr) {
+            return known;
+        }
+        let result = match self.node(expr).clone() {
+            Node::Constant(_) => expr,
+            Node::Symbol(symbol) => substitution.get(symbol).unwrap_or(expr),
+            Node::Sum { constant, terms } => {
+                let terms: Vec<_> = terms
+                    .iter()
+                    .map(|&(x, c)| (self.substitute(x, substitution), f64::from_bits(c)))
+                    .collect();
+                self.linear(f64::from_bits(constant), &terms)
+            }
+            Node::Product(factors) => {
+                let factors: Vec<_> = factors
+                    .iter()
+                    .map(|&(x, p)| (self.substitute(x, substitution), p))
+                    .collect();
+                self.product(&factors)
+            }
+            Node::Function(function, x) => {
+                let x = self.substitute(x, substitution);
+                self.function(function, x)
+            }
+            Node::Power(x, exponent) => {
+                let x = self.substitute(x, substitution);
+                self.power(x, f64::from_bits(exponent))
+            }
+            Node::Atan2(y, x) => {
+                let (y, x) = (
+                    self.substitute(y, substitution),
+                    self.substitute(x, substitution),
+                );
+                self.atan2(y, x)
+            }
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => {
+                let arguments = arguments
+                    .iter()
+                    .map(|&x| self.substitute(x, substitution))
+                    .collect();
+                self.intern(Node::Law {
+                    law,
+                    partial,
+                    arguments,
+                })
+            }
+        };
+        if let Some(name) = self.hints.get(&expr).cloned()
+            && !matches!(self.node(result), Node::Symbol(_) | Node::Constant(_))
+        {
+            self.suggest_name(result, name);
+        }
+        substitution.done.insert(expr, result);
+        result
+    }
+
+    /// `expr` where all velocities are zero.
+    pub fn without_velocities(&mut self, expr: Expr) -> Expr {
+        let zero = self.zero();
+        let mut rest = Substitution::default();
+        for symbol in self
+            .symbols([expr])
+            .into_iter()
+            .filter(|symbol| symbol.is_velocity())
+        {
+            rest.insert(symbol, zero);
+        }
+        self.substitute(expr, &mut rest)
+    }
+}

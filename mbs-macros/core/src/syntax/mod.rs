@@ -1,0 +1,64 @@
+//! Stage 1: tokens → tree.
+//!
+//! One production, `name: Kind(positional, named = value)`. The tree keeps its tokens, so that every later error can
+//! point at the offending one. AFTER THIS STAGE: entries are well formed and their kinds exist; nothing is resolved.
+
+mod parse;
+
+use proc_macro2::Span;
+use syn::{Expr, Ident, Visibility};
+
+pub use parse::parse;
+
+/// A declaration as written.
+#[derive(Debug)]
+pub struct Declaration {
+    /// Visibility written before the name; public if none was.
+    pub visibility: Option<Visibility>,
+    /// The mechanism's name.
+    pub name: Ident,
+    /// The text of `doc:` and of documentation comments before the name.
+    pub doc: String,
+    /// `world: Planar(…)`.
+    pub world: Option<Entry>,
+    /// All other entries, in order.
+    pub entries: Vec<Entry>,
+    /// The tokens, as text.
+    pub text: String,
+}
+
+/// `name: Kind(positional, named = value)`.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// Its name.
+    pub name: Ident,
+    /// Its kind.
+    pub kind: Ident,
+    /// Its documentation comment.
+    pub doc: String,
+    /// Positional arguments.
+    pub positional: Vec<Expr>,
+    /// Named arguments.
+    pub named: Vec<NamedArgument>,
+}
+
+impl Entry {
+    /// The named argument, if given.
+    pub fn named(&self, name: &str) -> Option<&NamedArgument> {
+        self.named.iter().find(|argument| argument.name == name)
+    }
+
+    /// Where the entry is.
+    pub fn span(&self) -> Span {
+        self.name.span()
+    }
+}
+
+/// `name = value`.
+#[derive(Debug, Clone)]
+pub struct NamedArgument {
+    /// The argument's name.
+    pub name: Ident,
+    /// Its value.
+    pub value: Expr,
+}

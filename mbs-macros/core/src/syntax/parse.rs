@@ -1,0 +1,269 @@
+//! The parser: entries are split at commas first, so that one broken entry does not hide the others.
+
+use super::{Declaration, Entry, NamedArgument};
+use crate::diagnostics::{Errors, did_you_mean};
+use crate::schema;
+use proc_macro2::{TokenStream, TokenTree};
+use syn::parse::{Parse, ParseStream};
+use syn::spanned::Spanned;
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced};
+
+/// Parses a declaration. What parsed is returned even if some entries did not.
+pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
+    let text = tokens.to_string();
+    let Header {
+        doc,
+        visibility,
+        name,
+        body,
+    } = match syn::parse2(tokens) {
+        Ok(header) => header,
+        Err(error) => {
+            errors.push(error);
+            return None;
+        }
+    };
+    let mut declaration = Declaration {
+        visibility,
+        name,
+        doc,
+        world: None,
+        entries: Vec::new(),
+        text,
+    };
+    for chunk in split_at_commas(body) {
+        match syn::parse2::<Item>(chunk) {
+            Ok(Item::Doc(doc)) => {
+                if !declaration.doc.is_empty() {
+                    declaration.doc.push('\n');
+                }
+                declaration.doc.push_str(&doc);
+            }
+            Ok(Item::Entry(entry)) => place(entry, &mut declaration, errors),
+            Err(error) => errors.push(error),
+        }
+    }
+    if declaration.world.is_none() {
+        errors.at(
+            declaration.name.span(),
+            "this mechanism has no world; write `world: Planar(gravity = [0.0, -9.81_m_per_s2]),` as its first entry",
+        );
+    }
+    Some(declaration)
+}
+
+fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
+    if schema::RESERVED.contains(&entry.name.to_string().as_str()) {
+        errors.at(
+            entry.name.span(),
+            format!("`{}` is reserved; choose another name", entry.name),
+        );
+        return;
+    }
+    if entry.name == "world" {
+        if declaration.world.is_some() {
+            errors.at(
+                entry.name.span(),
+                "the world is already declared; keep one `world:` entry",
+            );
+        } else if schema::world(&entry.kind.to_string()).is_none() {
+            let known = schema::WORLDS.iter().map(|kind| kind.name);
+            let hint = did_you_mean(&entry.kind.to_string(), known.clone());
+            let known: Vec<_> = known.collect();
+            errors.at(
+                entry.kind.span(),
+                format!(
+                    "there is no world `{}`{hint} (worlds: {})",
+                    entry.kind,
+                    known.join(", ")
+                ),
+            );
+            declaration.world = Some(entry);
+        } else {
+            declaration.world = Some(entry);
+        }
+        return;
+    }
+    if schema::kind(&entry.kind.to_string()).is_none() {
+        let known = schema::KINDS.iter().map(|kind| kind.name);
+        let hint = did_you_mean(&entry.kind.to_string(), known.clone());
+        let hint = if hint.is_empty() {
+            format!(" (kinds: {})", known.collect::<Vec<_>>().join(", "))
+        } else {
+            hint
+        };
+        errors.at(
+            entry.kind.span(),
+            format!("there is no kind `{}`{hint}", entry.kind),
+        );
+        return;
+    }
+    declaration.entries.push(entry);
+}
+
+struct Header {
+    doc: String,
+    visibility: Option<Visibility>,
+    name: Ident,
+    body: TokenStream,
+}
+
+impl Parse for Header {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let doc = documentation(&input.call(Attribute::parse_outer)?)?;
+        let visibility = match input.parse()? {
+            Visibility::Inherited => None,
+            written => Some(written),
+        };
+        let name: Ident = input.parse().map_err(|error| {
+            syn::Error::new(
+                error.span(),
+                "expected the mechanism's name, as in `mechanism!(SliderCrank { … })`",
+            )
+        })?;
+        let body;
+        braced!(body in input);
+        let body = body.parse()?;
+        if !input.is_empty() {
+            return Err(input.error("nothing may follow the closing brace of a mechanism"));
+        }
+        Ok(Header {
+            doc,
+            visibility,
+            name,
+            body,
+        })
+    }
+}
+
+enum Item {
+    Doc(String),
+    Entry(Entry),
+}
+
+impl Parse for Item {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let doc = documentation(&input.call(Attribute::parse_outer)?)?;
+        let name: Ident = input.parse()?;
+        if !input.peek(Token![:]) {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("expected `{name}: Kind(…)`"),
+            ));
+        }
+        input.parse::<Token![:]>()?;
+        let value: Expr = input.parse()?;
+        if !input.is_empty() {
+            return Err(input.error("expected `,` between entries"));
+        }
+        if name == "doc" {
+            return match value {
+                Expr::Lit(ExprLit {
+                    lit: Lit::Str(text),
+                    ..
+                }) => Ok(Item::Doc(text.value())),
+                other => Err(syn::Error::new(
+                    other.span(),
+                    "`doc:` takes a text in quotes",
+                )),
+            };
+        }
+        entry(name, doc, value).map(Item::Entry)
+    }
+}
+
+fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
+    let expected = || format!("expected `{name}: Kind(…)`, for example `{name}: Param(1.0_m)`");
+    let Expr::Call(call) = value else {
+        return Err(syn::Error::new(value.span(), expected()));
+    };
+    let kind = match &*call.func {
+        Expr::Path(path) => path.path.get_ident().cloned(),
+        _ => None,
+    };
+    let Some(kind) = kind else {
+        return Err(syn::Error::new(call.func.span(), expected()));
+    };
+    let mut entry = Entry {
+        name,
+        kind,
+        doc,
+        positional: Vec::new(),
+        named: Vec::new(),
+    };
+    for argument in call.args {
+        match argument {
+            Expr::Assign(assign) => {
+                let Expr::Path(path) = &*assign.left else {
+                    return Err(syn::Error::new(
+                        assign.left.span(),
+                        "expected `name = value`",
+                    ));
+                };
+                let Some(name) = path.path.get_ident().cloned() else {
+                    return Err(syn::Error::new(
+                        assign.left.span(),
+                        "expected `name = value`",
+                    ));
+                };
+                if entry.named(&name.to_string()).is_some() {
+                    return Err(syn::Error::new(
+                        name.span(),
+                        format!("`{name}` is given twice; keep one"),
+                    ));
+                }
+                entry.named.push(NamedArgument {
+                    name,
+                    value: *assign.right,
+                });
+            }
+            positional if entry.named.is_empty() => entry.positional.push(positional),
+            positional => {
+                return Err(syn::Error::new(
+                    positional.span(),
+                    "positional arguments come before named ones",
+                ));
+            }
+        }
+    }
+    Ok(entry)
+}
+
+fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
+    let mut lines = Vec::new();
+    for attribute in attributes {
+        match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => {
+                if let Expr::Lit(ExprLit {
+                    lit: Lit::Str(line),
+                    ..
+                }) = &pair.value
+                {
+                    lines.push(line.value().trim().to_owned());
+                }
+            }
+            other => {
+                return Err(syn::Error::new(
+                    other.span(),
+                    "only documentation comments (`///`) may stand here",
+                ));
+            }
+        }
+    }
+    Ok(lines.join("\n"))
+}
+
+fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {
+    let mut chunks = vec![TokenStream::new()];
+    for token in body {
+        match &token {
+            TokenTree::Punct(punct) if punct.as_char() == ',' => chunks.push(TokenStream::new()),
+            _ => chunks
+                .last_mut()
+                .expect("starts with one chunk")
+                .extend([token]),
+        }
+    }
+    chunks.retain(|chunk| !chunk.is_empty());
+    chunks
+}

@@ -1,0 +1,77 @@
+//! The factor of a mass matrix that depends on the configuration.
+
+/// M = L Lᵀ, with the inverse diagonal kept.
+#[derive(Debug, Clone)]
+pub struct Cholesky<const N: usize> {
+    lower: [[f64; N]; N],
+    inverse_diagonal: [f64; N],
+}
+
+impl<const N: usize> Cholesky<N> {
+    /// The factor of M; `None` if M is not positive definite.
+    #[inline]
+    pub fn new(mass: &[[f64; N]; N]) -> Option<Self> {
+        Self::factor(mass).ok()
+    }
+
+    /// The factor of M, of which the lower triangle is read.
+    ///
+    /// # Errors
+    /// The column at which M stops being positive definite (to 1e-14 of its diagonal).
+    #[inline]
+    pub fn factor(mass: &[[f64; N]; N]) -> Result<Self, usize> {
+        let mut lower = *mass;
+        let mut inverse_diagonal = [0.0; N];
+        for k in 0..N {
+            let mut pivot = lower[k][k];
+            for j in 0..k {
+                pivot -= lower[k][j] * lower[k][j];
+            }
+            // Written so that NaN is refused, too.
+            if !(pivot > 1e-14 * mass[k][k] && pivot.is_finite()) {
+                return Err(k);
+            }
+            let inverse = 1.0 / pivot.sqrt();
+            inverse_diagonal[k] = inverse;
+            for i in k + 1..N {
+                let mut entry = lower[i][k];
+                for j in 0..k {
+                    entry -= lower[i][j] * lower[k][j];
+                }
+                lower[i][k] = entry * inverse;
+            }
+        }
+        Ok(Cholesky {
+            lower,
+            inverse_diagonal,
+        })
+    }
+
+    /// x ← M⁻¹ x.
+    #[inline]
+    pub fn solve(&self, x: &mut [f64; N]) {
+        for i in 0..N {
+            let mut value = x[i];
+            for j in 0..i {
+                value -= self.lower[i][j] * x[j];
+            }
+            x[i] = value * self.inverse_diagonal[i];
+        }
+        for i in (0..N).rev() {
+            let mut value = x[i];
+            for j in i + 1..N {
+                value -= self.lower[j][i] * x[j];
+            }
+            x[i] = value * self.inverse_diagonal[i];
+        }
+    }
+
+    /// w = M⁻¹ a, row by row.
+    #[inline]
+    pub fn solve_rows<const R: usize>(&self, a: &[[f64; N]; R], w: &mut [[f64; N]; R]) {
+        for (w, a) in w.iter_mut().zip(a) {
+            *w = *a;
+            self.solve(w);
+        }
+    }
+}
