@@ -35,12 +35,18 @@ pub struct Reference {
     pub columns: &'static [(&'static str, &'static str)],
 }
 
-/// The [`Build`] function of a mechanism type.
+/// The [`Build`] function of a mechanism type, from its default parameters or from others.
 #[macro_export]
 macro_rules! build_scene {
     ($mechanism:ty) => {
+        $crate::build_scene!(
+            $mechanism,
+            <$mechanism as ::std::default::Default>::default()
+        )
+    };
+    ($mechanism:ty, $start:expr) => {
         |parameters, settings| {
-            let mut mechanism = <$mechanism as ::std::default::Default>::default();
+            let mut mechanism: $mechanism = $start;
             for (name, value) in parameters {
                 ::mbs_runtime::Mechanism::set_parameter(&mut mechanism, name, *value)
                     .map_err(::mbs_runtime::SimulationError::UnknownName)?;

@@ -1,8 +1,14 @@
 //! The scenes, one module each.
 
-mod double_four_bar;
-mod pendulum;
-mod slider_crank;
+pub mod andrews;
+pub mod chaplygin_sleigh;
+pub mod double_four_bar;
+pub mod double_pendulum;
+pub mod driven_slider_crank;
+pub mod four_bar_40;
+pub mod knife_edge;
+pub mod pendulum;
+pub mod slider_crank;
 
 use crate::scene::Scene;
 
@@ -14,6 +20,14 @@ pub fn scenes() -> &'static [Scene] {
 const SCENES: &[Scene] = &[
     pendulum::SCENE,
     pendulum::BY_ANGLE,
+    double_pendulum::SCENE,
     slider_crank::SCENE,
+    driven_slider_crank::SCENE,
     double_four_bar::SCENE,
+    four_bar_40::SCENE,
+    andrews::SCENE,
+    andrews::IFTOMM,
+    chaplygin_sleigh::SCENE,
+    knife_edge::SCENE,
+    knife_edge::MOVING,
 ];
