@@ -14,6 +14,7 @@ mod substitute;
 use std::collections::HashMap;
 
 pub use evaluate::{Evaluator, LawEvaluation};
+pub use latex::latex_identifier;
 pub use substitute::Substitution;
 
 /// A node of a [`Graph`].
