@@ -19,7 +19,7 @@ mod simulation_error;
 mod sink;
 mod state;
 
-pub use alf3f::TwoLevelStepper;
+pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;

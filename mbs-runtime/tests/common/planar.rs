@@ -100,3 +100,52 @@ impl Scene<6, 5> for FourBar {
         G * (q[1] + 1.5 * q[3] + q[5])
     }
 }
+
+/// Forty four-bars in a row: 82 coordinates, 81 rows (LIM A02).
+#[derive(Clone, Default)]
+pub struct FortyFourBars;
+
+impl Scene<82, 81> for FortyFourBars {
+    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 81) };
+    fn guess(&self) -> ([f64; 82], [f64; 82]) {
+        let q = std::array::from_fn(|i| if i % 2 == 0 { (i / 2) as f64 } else { 1.0 });
+        (q, std::array::from_fn(|i| if i % 2 == 0 { 1.0 } else { 0.0 }))
+    }
+    fn mass(&self, _: &[f64; 82]) -> [[f64; 82]; 82] {
+        let mut m = [[0.0; 82]; 82];
+        for i in 0..82 {
+            m[i][i] = if (2..80).contains(&i) { 1.0 } else { 2.0 / 3.0 };
+            if i < 80 {
+                m[i][i + 2] = 1.0 / 6.0;
+                m[i + 2][i] = 1.0 / 6.0;
+            }
+        }
+        m
+    }
+    fn force(&self, _: f64, _: &[f64; 82], _: &[f64; 82]) -> [f64; 82] {
+        std::array::from_fn(|i| match i {
+            _ if i % 2 == 0 => 0.0,
+            1 | 81 => -G,
+            _ => -1.5 * G,
+        })
+    }
+    fn rows(&self, _: f64, q: &[f64; 82]) -> ([f64; 81], [[f64; 82]; 81], [f64; 81]) {
+        let (mut phi, mut a) = ([0.0; 81], [[0.0; 82]; 81]);
+        for p in 0..41 {
+            let (x, y) = (q[2 * p] - p as f64, q[2 * p + 1]);
+            phi[p] = (x * x + y * y - 1.0) / 2.0;
+            (a[p][2 * p], a[p][2 * p + 1]) = (x, y);
+        }
+        for p in 0..40 {
+            let (x, y) = (q[2 * p + 2] - q[2 * p], q[2 * p + 3] - q[2 * p + 1]);
+            phi[41 + p] = (x * x + y * y - 1.0) / 2.0;
+            (a[41 + p][2 * p], a[41 + p][2 * p + 1]) = (-x, -y);
+            (a[41 + p][2 * p + 2], a[41 + p][2 * p + 3]) = (x, y);
+        }
+        (phi, a, [0.0; 81])
+    }
+    fn potential(&self, q: &[f64; 82]) -> f64 {
+        let f = self.force(0.0, q, q);
+        -(0..82).map(|i| f[i] * q[i]).sum::<f64>()
+    }
+}
