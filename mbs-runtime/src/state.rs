@@ -1,5 +1,10 @@
 //! Where a simulation stands: all that is needed to continue it bit for bit.
 
+use crate::linear::largest;
+
+/// Multipliers that grow by more than this in a weak step are not kept.
+const USUAL_GROWTH: f64 = 3.0;
+
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State<const N: usize, const R: usize> {
@@ -27,9 +32,19 @@ impl<const N: usize, const R: usize> State<N, R> {
     }
 
     /// Keeps the impulses κ₁ of a step of h for the next one.
+    ///
+    /// A `weak` step, at a singular pose, can have multipliers that are huge along a direction which does nothing there
+    /// and everything at the next step: those are not kept.
     #[inline(always)]
-    pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &[f64; R]) {
+    pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &[f64; R], weak: bool) {
         let rate = 1.0 / h;
+        if weak {
+            let before = largest(&self.multipliers);
+            if before > 0.0 && rate.abs() * largest(impulse) > USUAL_GROWTH * before {
+                self.multiplier_changes = [0.0; R];
+                return;
+            }
+        }
         for i in 0..R {
             let force = rate * impulse[i];
             self.multiplier_changes[i] = force - self.multipliers[i];

@@ -110,7 +110,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         Ok(())
     }
 
-    /// The end of the step becomes the start of the next one.
+    /// The end of the step becomes the start of the next one. `weak`: rows were redundant, or nearly so.
     #[inline(always)]
     pub(crate) fn commit(
         &mut self,
@@ -118,6 +118,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         h: f64,
         q: [f64; N],
         v: [f64; N],
+        weak: bool,
     ) -> Result<(), Fault> {
         if !crate::linear::finite(&q) {
             return Err(Fault::NonFinite("positions"));
@@ -128,7 +129,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         self.state.time = time;
         self.state.positions = q;
         self.state.velocities = v;
-        self.state.keep_impulse(h, &self.work.impulse[0]);
+        self.state.keep_impulse(h, &self.work.impulse[0], weak);
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())

@@ -144,7 +144,8 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
 
         end.metric(system, &q)?;
         work.impulse[1] = self.project(system, end, &mut vb)?;
-        core.commit(t1, h, q, vb)?;
+        let weak = core.work.dual.regularised || self.end_dual.regularised;
+        core.commit(t1, h, q, vb, weak)?;
         Ok(Outcome::Done)
     }
 

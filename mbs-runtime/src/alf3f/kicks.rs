@@ -53,6 +53,7 @@ where
     let rate = 1.0 / h;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
     let mut matrix = if F::DIRECT && !work.symmetric.weak { Matrix::Start } else { Matrix::None };
+    work.dual.regularised = false;
     let mut last = f64::INFINITY;
     let mut iterations = 0;
     loop {
@@ -100,7 +101,8 @@ where
     let mut v = flow.velocities(system, &va, &q, end);
     end.metric(system, &q)?;
     core.project_velocity(&mut v);
-    core.commit(t1, h, q, v)
+    let weak = core.work.symmetric.weak || core.work.dual.regularised;
+    core.commit(t1, h, q, v, weak)
 }
 
 /// max φ_i² / tolerance_i².

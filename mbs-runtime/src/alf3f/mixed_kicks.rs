@@ -44,6 +44,7 @@ where
     // NaN is below nothing: the first correction always begins with a factorisation.
     let mut last = f64::NAN;
     let mut fresh = false;
+    work.dual.regularised = false;
     let mut iterations = 0;
     let v = loop {
         flow.positions(system, &va, &mut q)?;
@@ -116,7 +117,9 @@ where
     };
     counters.iterations += iterations as u64;
     work.impulse[0] = kappa;
-    core.commit(t1, h, q, v)
+    let weak = core.work.dual.regularised
+        || (S::STRUCTURE.holonomic_rows > 0 && core.work.symmetric.weak);
+    core.commit(t1, h, q, v, weak)
 }
 
 /// Factors S of the holonomic rows, with unit rows in place of the others.
