@@ -28,11 +28,18 @@ pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
     let size = largest(&guess).max(1.0);
     let mut node = Box::new(Node::new(system, &guess).map_err(fault)?);
     let mut phi = [0.0; R];
-    node.evaluate(system, 0.0, &guess, &mut phi).map_err(fault)?;
+    node.evaluate(system, 0.0, &guess, &mut phi)
+        .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    close(system, &mut node, &mut q, &mut phi, settings.constraint_tolerance * size)
-        .map_err(fault)?;
+    close(
+        system,
+        &mut node,
+        &mut q,
+        &mut phi,
+        settings.constraint_tolerance * size,
+    )
+    .map_err(fault)?;
 
     let verdict = judge(system, settings, &node, &phi, residual_before, &guess, &q);
     if !(verdict.residual <= ASSEMBLED * size) {
@@ -54,11 +61,11 @@ pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
     check_finite("a multiplier", &state.multipliers)?;
     check_finite("a change of a multiplier", &state.multiplier_changes)?;
     let q = &state.positions;
-    let fault =
-        |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
+    let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
     let mut node = Box::new(Node::new(system, q).map_err(fault)?);
     let mut phi = [0.0; R];
-    node.evaluate(system, state.time, q, &mut phi).map_err(fault)?;
+    node.evaluate(system, state.time, q, &mut phi)
+        .map_err(fault)?;
     Ok(judge(system, settings, &node, &phi, largest(&phi), q, q))
 }
 
@@ -76,7 +83,10 @@ fn judge<S: System<N, R>, const N: usize, const R: usize>(
     let rows = dependence(&node.a, &node.w);
     let mut change = [0.0; N];
     system.momentum(q, &std::array::from_fn(|i| q[i] - guess[i]), &mut change);
-    let moved = (0..N).map(|i| change[i] * (q[i] - guess[i])).sum::<f64>().max(0.0);
+    let moved = (0..N)
+        .map(|i| change[i] * (q[i] - guess[i]))
+        .sum::<f64>()
+        .max(0.0);
     let mut mass = Box::new([[0.0; N]; N]);
     system.mass_matrix(q, &mut *mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
@@ -88,9 +98,17 @@ fn judge<S: System<N, R>, const N: usize, const R: usize>(
     AssemblyVerdict {
         residual_before,
         residual: largest(phi),
-        moved: if total > 0.0 { (moved / total).sqrt() } else { 0.0 },
+        moved: if total > 0.0 {
+            (moved / total).sqrt()
+        } else {
+            0.0
+        },
         rank: rows.rank,
-        redundant_rows: rows.dependent.iter().filter_map(|&i| Some(S::MODEL.rows.get(i)?.name)).collect(),
+        redundant_rows: rows
+            .dependent
+            .iter()
+            .filter_map(|&i| Some(S::MODEL.rows.get(i)?.name))
+            .collect(),
         worst_rows: worst,
     }
 }

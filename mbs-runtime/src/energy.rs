@@ -16,6 +16,9 @@ pub(crate) fn balance<S: System<N, R>, const N: usize, const R: usize>(
         potential,
         nonconservative_work: ledger.nonconservative_work,
         drive_work: ledger.drive_work,
-        error: total - ledger.initial.unwrap_or(total) - ledger.nonconservative_work - ledger.drive_work,
+        error: total
+            - ledger.initial.unwrap_or(total)
+            - ledger.nonconservative_work
+            - ledger.drive_work,
     }
 }

@@ -17,16 +17,30 @@ pub struct Samples<'a> {
 impl<'a> Samples<'a> {
     pub(crate) fn new(simulation: &'a mut dyn AnySimulation, until: f64, interval: f64) -> Self {
         let start = simulation.time();
-        Samples { simulation, start, until, interval, next: 0, ended: false }
+        Samples {
+            simulation,
+            start,
+            until,
+            interval,
+            next: 0,
+            ended: false,
+        }
     }
 
     fn advance(&mut self) -> Result<Option<Sample>, SimulationError> {
         let (name, value) = ("sample interval", self.interval);
         if !(value > 0.0 && value.is_finite()) {
-            return Err(SimulationError::Setting { name, value, wanted: "a positive finite value" });
+            return Err(SimulationError::Setting {
+                name,
+                value,
+                wanted: "a positive finite value",
+            });
         }
         if !(self.until.is_finite() && self.until >= self.start) {
-            return Err(SimulationError::Time { now: self.start, wanted: self.until });
+            return Err(SimulationError::Time {
+                now: self.start,
+                wanted: self.until,
+            });
         }
         // Multiples of the interval, not a running sum: the instants do not drift.
         let time = self.start + self.next as f64 * self.interval;
@@ -35,7 +49,8 @@ impl<'a> Samples<'a> {
             return Ok(None);
         }
         self.next += 1;
-        self.simulation.run_until(time.min(self.until).max(self.simulation.time()))?;
+        self.simulation
+            .run_until(time.min(self.until).max(self.simulation.time()))?;
         Ok(Some(self.simulation.sample()))
     }
 }

@@ -153,10 +153,20 @@ impl PaperSettings {
         positive("max_augmentations", self.max_augmentations as f64)?;
         positive("max_updates", self.max_updates as f64)?;
         positive("smallest_step", self.smallest_step)?;
-        require("penalty_growth", self.penalty_growth, self.penalty_growth > 1.0, "a finite value above 1")?;
+        require(
+            "penalty_growth",
+            self.penalty_growth,
+            self.penalty_growth > 1.0,
+            "a finite value above 1",
+        )?;
         positive("mass_scale", self.mass_scale)?;
         let frequency = self.stabilisation_frequency;
-        require("stabilisation_frequency", frequency, frequency >= 0.0, "zero or a positive finite value")
+        require(
+            "stabilisation_frequency",
+            frequency,
+            frequency >= 0.0,
+            "zero or a positive finite value",
+        )
     }
 }
 
@@ -173,6 +183,10 @@ fn require(
     if holds && value.is_finite() {
         Ok(())
     } else {
-        Err(SimulationError::Setting { name, value, wanted })
+        Err(SimulationError::Setting {
+            name,
+            value,
+            wanted,
+        })
     }
 }

@@ -78,7 +78,10 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         let speed = largest(simulation.velocities()).max(1.0);
         for (row, value) in S::MODEL.rows.iter().zip(rates) {
             if value.abs() > RESUMABLE * speed {
-                return Err(SimulationError::State { what: row.name, value });
+                return Err(SimulationError::State {
+                    what: row.name,
+                    value,
+                });
             }
         }
         Ok(simulation)
@@ -90,7 +93,10 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         state: State<N, R>,
         assembly: AssemblyVerdict,
     ) -> Result<Self, SimulationError> {
-        let report = Report { rank: assembly.rank, ..Report::default() };
+        let report = Report {
+            rank: assembly.rank,
+            ..Report::default()
+        };
         let mut simulation = Simulation {
             integrator: Integrator::new(system, state, &settings)?,
             settings,
@@ -199,7 +205,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     fn take_stock(&mut self) {
         let state = self.state();
         self.power =
-            self.system().nonconservative_power(state.time, &state.positions, &state.velocities);
+            self.system()
+                .nonconservative_power(state.time, &state.positions, &state.velocities);
     }
 
     /// Runs to `time` and lands exactly on it: the last step is shortened.
@@ -336,7 +343,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     fn event(&mut self, index: usize) -> f64 {
         let mut values = std::mem::take(&mut self.events);
         let state = self.state();
-        self.system().events(state.time, &state.positions, &state.velocities, &mut values);
+        self.system()
+            .events(state.time, &state.positions, &state.velocities, &mut values);
         self.events = values;
         self.events.get(index).copied().unwrap_or(0.0)
     }
@@ -351,8 +359,17 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     /// # Errors
     /// No input has this name.
     pub fn input(&self, name: &str) -> Result<f64, UnknownName> {
-        let index = find("input", name, S::MODEL.inputs.iter().map(|input| input.name))?;
-        Ok(self.system().inputs().get(index).copied().unwrap_or(f64::NAN))
+        let index = find(
+            "input",
+            name,
+            S::MODEL.inputs.iter().map(|input| input.name),
+        )?;
+        Ok(self
+            .system()
+            .inputs()
+            .get(index)
+            .copied()
+            .unwrap_or(f64::NAN))
     }
 
     /// Sets an `Input` from now on.
@@ -360,9 +377,16 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     /// # Errors
     /// No input has this name, or the value is NaN or infinite.
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), SimulationError> {
-        let index = find("input", name, S::MODEL.inputs.iter().map(|input| input.name))?;
+        let index = find(
+            "input",
+            name,
+            S::MODEL.inputs.iter().map(|input| input.name),
+        )?;
         if !value.is_finite() {
-            return Err(SimulationError::Input { name: name.to_owned(), value });
+            return Err(SimulationError::Input {
+                name: name.to_owned(),
+                value,
+            });
         }
         if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
             *input = value;
@@ -377,7 +401,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     /// # Errors
     /// No output has this name.
     pub fn output(&self, name: &str) -> Result<f64, UnknownName> {
-        let index = find("output", name, S::MODEL.outputs.iter().map(|output| output.name))?;
+        let index = find(
+            "output",
+            name,
+            S::MODEL.outputs.iter().map(|output| output.name),
+        )?;
         Ok(self.outputs().get(index).copied().unwrap_or(f64::NAN))
     }
 
@@ -385,14 +413,20 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     pub fn outputs(&self) -> Vec<f64> {
         let state = self.state();
         let mut outputs = vec![0.0; S::MODEL.outputs.len()];
-        self.system().outputs(state.time, &state.positions, &state.velocities, &mut outputs);
+        self.system().outputs(
+            state.time,
+            &state.positions,
+            &state.velocities,
+            &mut outputs,
+        );
         outputs
     }
 
     /// Named points in world axes, m, in the order of [`Model::points`].
     pub fn points(&self) -> Vec<[f64; 3]> {
         let mut points = vec![[0.0; 3]; S::MODEL.points.len()];
-        self.system().points(self.time(), self.positions(), &mut points);
+        self.system()
+            .points(self.time(), self.positions(), &mut points);
         points
     }
 
@@ -406,8 +440,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     /// # Errors
     /// A mass matrix that is not positive definite, or rows that admit no finite multiplier.
     pub fn reactions(&self) -> Result<Reactions, SimulationError> {
-        crate::reactions::reactions(self.system(), self.state())
-            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.time(), self.settings.step))
+        crate::reactions::reactions(self.system(), self.state()).map_err(|fault| {
+            SimulationError::from_fault(fault, S::MODEL, self.time(), self.settings.step)
+        })
     }
 
     /// The current instant as a row of results.
@@ -445,5 +480,8 @@ fn find(
     name: &str,
     known: impl Iterator<Item = &'static str> + Clone,
 ) -> Result<usize, UnknownName> {
-    known.clone().position(|candidate| candidate == name).ok_or_else(|| UnknownName::new(what, name, known))
+    known
+        .clone()
+        .position(|candidate| candidate == name)
+        .ok_or_else(|| UnknownName::new(what, name, known))
 }

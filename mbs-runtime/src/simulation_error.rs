@@ -96,14 +96,21 @@ impl SimulationError {
         const MOTION: &str = "equations of motion";
         let name = |row: usize| model.rows.get(row).map_or("unnamed row", |row| row.name);
         match fault {
-            Fault::Row { row, residual, iterations } => SimulationError::NotConverged {
+            Fault::Row {
+                row,
+                residual,
+                iterations,
+            } => SimulationError::NotConverged {
                 time,
                 step,
                 row: name(row),
                 residual,
                 iterations,
             },
-            Fault::Flow { residual, iterations } => SimulationError::NotConverged {
+            Fault::Flow {
+                residual,
+                iterations,
+            } => SimulationError::NotConverged {
                 time,
                 step,
                 row: MOTION,
@@ -127,10 +134,18 @@ impl fmt::Display for SimulationError {
         match self {
             Parameter(error) => error.fmt(out),
             UnknownName(error) => error.fmt(out),
-            Setting { name, value, wanted } => {
+            Setting {
+                name,
+                value,
+                wanted,
+            } => {
                 write!(out, "setting `{name}` is {value}; give it {wanted}")
             }
-            Flow { flow, because, instead } => write!(
+            Flow {
+                flow,
+                because,
+                instead,
+            } => write!(
                 out,
                 "the {} flow cannot be used here: {because}; use {}, or leave the choice to the runtime",
                 flow.name(),
@@ -141,15 +156,27 @@ impl fmt::Display for SimulationError {
                 "cannot run to t = {wanted} s from t = {now} s; give a finite time that is not in the past"
             ),
             Assembly(verdict) => {
-                write!(out, "the mechanism cannot be assembled near its declared guess; ")?;
+                write!(
+                    out,
+                    "the mechanism cannot be assembled near its declared guess; "
+                )?;
                 write!(out, "these rows pull apart: ")?;
                 for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
                     let comma = if i > 0 { ", " } else { "" };
                     write!(out, "{comma}`{row}` (residual {residual:.3e})")?;
                 }
-                write!(out, "; check the lengths in these joints, or start from a closer guess")
+                write!(
+                    out,
+                    "; check the lengths in these joints, or start from a closer guess"
+                )
             }
-            NotConverged { time, step, row, residual, iterations } => write!(
+            NotConverged {
+                time,
+                step,
+                row,
+                residual,
+                iterations,
+            } => write!(
                 out,
                 "`{row}` did not converge in the step from t = {time} s (h = {step} s): residual {residual:.3e} after {iterations} iterations; use a smaller step"
             ),
@@ -166,7 +193,10 @@ impl fmt::Display for SimulationError {
                 "Algorithm 1 cannot satisfy `{row}` beyond t = {time} s, not even with a step of {step:.1e} s; loosen `velocity_tolerance`, or use the two-level method, which passes singular poses"
             ),
             Input { name, value } => {
-                write!(out, "input `{name}` cannot be {value}; give it a finite value")
+                write!(
+                    out,
+                    "input `{name}` cannot be {value}; give it a finite value"
+                )
             }
             State { what, value } => write!(
                 out,

@@ -10,7 +10,14 @@ use mbs_runtime::{Flow, Settings, Simulation, State};
 type Run<T, const N: usize, const R: usize> = Simulation<Hand<T, N, R>, N, R>;
 
 fn start<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64) -> Run<T, N, R> {
-    Simulation::with_settings(Parameters(scene), Settings { step, ..Settings::default() }).unwrap()
+    Simulation::with_settings(
+        Parameters(scene),
+        Settings {
+            step,
+            ..Settings::default()
+        },
+    )
+    .unwrap()
 }
 
 fn run<T: Scene<N, R>, const N: usize, const R: usize>(
@@ -20,12 +27,19 @@ fn run<T: Scene<N, R>, const N: usize, const R: usize>(
 ) -> Run<T, N, R> {
     let mut simulation = start(scene, step);
     simulation.run_until(time).unwrap();
-    println!("{} h = {step}: {:?}", simulation.flow().name(), simulation.report());
+    println!(
+        "{} h = {step}: {:?}",
+        simulation.flow().name(),
+        simulation.report()
+    );
     simulation
 }
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    a.iter()
+        .zip(b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max)
 }
 
 /// The ratio of differences of three runs with steps h, h/2, h/4: 4 at second order.
@@ -34,10 +48,14 @@ fn order_ratio<T: Scene<N, R>, const N: usize, const R: usize>(
     step: f64,
     time: f64,
 ) -> f64 {
-    let [a, b, c] = [1.0, 2.0, 4.0]
-        .map(|divisor| *run(scene.clone(), step / divisor, time).positions());
+    let [a, b, c] =
+        [1.0, 2.0, 4.0].map(|divisor| *run(scene.clone(), step / divisor, time).positions());
     let ratio = distance(&a, &b) / distance(&b, &c);
-    println!("differences {:e} {:e}, ratio {ratio}", distance(&a, &b), distance(&b, &c));
+    println!(
+        "differences {:e} {:e}, ratio {ratio}",
+        distance(&a, &b),
+        distance(&b, &c)
+    );
     ratio
 }
 
@@ -45,7 +63,10 @@ fn order_ratio<T: Scene<N, R>, const N: usize, const R: usize>(
 fn reversal<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64, time: f64) -> f64 {
     let forward = run(scene.clone(), step, time);
     let back = State::new(0.0, *forward.positions(), forward.velocities().map(|v| -v));
-    let settings = Settings { step, ..Settings::default() };
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
     let mut simulation = Simulation::resume(Parameters(scene.clone()), settings, back).unwrap();
     simulation.run_until(time).unwrap();
     let error = distance(simulation.positions(), start(scene, step).positions());
@@ -77,7 +98,14 @@ fn second_order() {
     assert_second_order(order_ratio(Towing, 1e-2, 2.0));
     assert_second_order(order_ratio(Oscillator, 1e-2, 2.0));
     assert_second_order(order_ratio(Shaken, 1e-2, 2.0));
-    assert_second_order(order_ratio(StiffPendulum { stiffness: 1e3, damping: 20.0 }, 5e-3, 0.5));
+    assert_second_order(order_ratio(
+        StiffPendulum {
+            stiffness: 1e3,
+            damping: 20.0,
+        },
+        5e-3,
+        0.5,
+    ));
     assert_second_order(order_ratio(StiffSpring(1e4), 1e-3, 0.2));
 }
 
@@ -102,7 +130,10 @@ fn sleigh_keeps_its_energy_exactly() {
 fn mixed_rows_keep_energy_and_constraints() {
     let report = run(Towing, 1e-3, 5.0).report();
     assert!(report.energy_error < 1e-4, "{report:?}");
-    assert!(report.holonomic_error < 1e-10 && report.velocity_error < 1e-10, "{report:?}");
+    assert!(
+        report.holonomic_error < 1e-10 && report.velocity_error < 1e-10,
+        "{report:?}"
+    );
 }
 
 #[test]
@@ -111,21 +142,30 @@ fn slider_crank_in_angles_passes_singular_poses() {
     assert!(report.energy_error < 4e-4, "{report:?}");
     let coarse = run(SliderCrankAngles, 2e-3, 10.0).report();
     assert_second_order(coarse.energy_error / report.energy_error);
-    assert!(report.holonomic_error < 1e-10 && report.velocity_error < 1e-10, "{report:?}");
+    assert!(
+        report.holonomic_error < 1e-10 && report.velocity_error < 1e-10,
+        "{report:?}"
+    );
 }
 
 #[test]
 fn stiff_spring_takes_large_steps() {
     let report = run(StiffSpring(1e6), 1e-2, 2.0).report();
     assert!(report.iterations < 4 * report.stages, "{report:?}");
-    assert!(report.holonomic_error < 1e-10 && report.velocity_error < 1e-10, "{report:?}");
+    assert!(
+        report.holonomic_error < 1e-10 && report.velocity_error < 1e-10,
+        "{report:?}"
+    );
 }
 
 /// NUMERICS section 4: error constants that do not depend on the damper.
 #[test]
 fn stiff_damper_costs_no_accuracy() {
     for (damping, step, bound) in [(1e3, 1e-2, 2.5e-3), (1e3, 2e-2, 1e-2), (1e5, 2e-2, 1e-2)] {
-        let scene = StiffPendulum { stiffness: 1e6, damping };
+        let scene = StiffPendulum {
+            stiffness: 1e6,
+            damping,
+        };
         let angles = |run: Run<StiffPendulum, 4, 1>| {
             let q = run.positions();
             [q[1].atan2(q[0]), (q[3] - q[1]).atan2(q[2] - q[0])]

@@ -12,23 +12,38 @@ fn start<T: Scene<N, R>, const N: usize, const R: usize>(
     step: f64,
     paper: PaperSettings,
 ) -> Simulation<Hand<T, N, R>, N, R> {
-    let settings = Settings { step, method: Method::Paper(paper), ..Settings::default() };
+    let settings = Settings {
+        step,
+        method: Method::Paper(paper),
+        ..Settings::default()
+    };
     Simulation::with_settings(Parameters(scene), settings).unwrap()
 }
 
 fn tolerance(velocity_tolerance: f64) -> PaperSettings {
-    PaperSettings { velocity_tolerance, ..PaperSettings::default() }
+    PaperSettings {
+        velocity_tolerance,
+        ..PaperSettings::default()
+    }
 }
 
 fn fine(update_tolerance: f64) -> PaperSettings {
-    PaperSettings { update_tolerance, ..tolerance(update_tolerance) }
+    PaperSettings {
+        update_tolerance,
+        ..tolerance(update_tolerance)
+    }
 }
 
 #[test]
 fn loose_tolerance_passes_singular_poses_at_the_cost_of_energy() {
     let mut simulation = start(SliderCrank, 1e-3, tolerance(1e-3));
     let result = simulation.run_until(20.0);
-    println!("t = {} {:?} {:?}", simulation.time(), simulation.energy(), simulation.report());
+    println!(
+        "t = {} {:?} {:?}",
+        simulation.time(),
+        simulation.energy(),
+        simulation.report()
+    );
     result.unwrap();
     // NUMERICS measured 0.09 to 0.7 J; which side of that depends on the tolerance of the outer loop.
     let lost = simulation.report().energy_error;
@@ -40,16 +55,31 @@ fn tight_tolerance_underflows_at_the_first_singular_pose() {
     let mut simulation = start(SliderCrank, 1e-3, fine(1e-6));
     let error = simulation.run_until(20.0).unwrap_err();
     println!("{error}\n{:?}", simulation.report());
-    assert!((0.38..0.40).contains(&simulation.time()), "t = {}", simulation.time());
-    assert!(matches!(error, SimulationError::StepUnderflow { .. }), "{error}");
+    assert!(
+        (0.38..0.40).contains(&simulation.time()),
+        "t = {}",
+        simulation.time()
+    );
+    assert!(
+        matches!(error, SimulationError::StepUnderflow { .. }),
+        "{error}"
+    );
 }
 
 #[test]
 fn stabilised_rows_pass() {
-    let paper = PaperSettings { stabilisation_frequency: 20.0, ..tolerance(1e-3) };
+    let paper = PaperSettings {
+        stabilisation_frequency: 20.0,
+        ..tolerance(1e-3)
+    };
     let mut simulation = start(SliderCrank, 1e-3, paper);
     let result = simulation.run_until(20.0);
-    println!("t = {} {:?} {:?}", simulation.time(), simulation.energy(), simulation.report());
+    println!(
+        "t = {} {:?} {:?}",
+        simulation.time(),
+        simulation.energy(),
+        simulation.report()
+    );
     result.unwrap();
 }
 
@@ -60,7 +90,8 @@ fn ratio<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64, ti
         println!("{:?} {:?}", simulation.report(), simulation.energy());
         *simulation.positions()
     });
-    let distance = |a: &[f64; N], b: &[f64; N]| (0..N).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+    let distance =
+        |a: &[f64; N], b: &[f64; N]| (0..N).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
     distance(&a, &b) / distance(&b, &c)
 }
 
@@ -81,12 +112,19 @@ fn second_order_away_from_singular_poses() {
 #[test]
 fn restarting_the_multipliers_changes_nothing_for_quadratic_rows() {
     let [a, b] = [true, false].map(|restart_multipliers| {
-        let paper = PaperSettings { restart_multipliers, ..fine(1e-10) };
+        let paper = PaperSettings {
+            restart_multipliers,
+            ..fine(1e-10)
+        };
         let mut simulation = start(SliderCrank, 1e-3, paper);
         simulation.run_until(0.2).unwrap();
         *simulation.positions()
     });
-    let difference = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    let difference = a
+        .iter()
+        .zip(&b)
+        .map(|(a, b)| (a - b).abs())
+        .fold(0.0, f64::max);
     println!("difference {difference:e}");
     assert!(difference < 1e-9, "{difference:e}");
 }

@@ -7,6 +7,10 @@ use crate::{Settings, State, System};
 /// Most passes of the iteration on the velocity rows.
 const REFINEMENTS: usize = 10;
 
+/// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so
+/// close to a singular pose that its multiplier has no direction; the next step closes it.
+const LOST: f64 = 1e-6;
+
 /// System, state, and the workspace of a step.
 pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) system: S,
@@ -49,6 +53,8 @@ pub(crate) struct RowScale<const R: usize> {
     factor: [f64; R],
     /// Lengths below this are taken for this: rows may vanish at a singular pose.
     floor: [f64; R],
+    /// (LOST / tolerance)².
+    pub(crate) lost: f64,
 }
 
 impl<const R: usize> RowScale<R> {
@@ -62,6 +68,7 @@ impl<const R: usize> RowScale<R> {
         let mut scale = RowScale {
             factor: [size * size; R],
             floor: [1.0; R],
+            lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
         };
         for i in 0..R {
             if lengths[i] > 1e-8 * longest {
@@ -104,7 +111,13 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
 
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        let Core { system, state, start, work, .. } = self;
+        let Core {
+            system,
+            state,
+            start,
+            work,
+            ..
+        } = self;
         start.evaluate(system, state.time, &state.positions, &mut work.phi)?;
         work.symmetric.factor(&start.gram);
         Ok(())
@@ -138,7 +151,12 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.
     #[inline(always)]
     pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
-        let Core { end, work, counters, .. } = self;
+        let Core {
+            end,
+            work,
+            counters,
+            ..
+        } = self;
         work.symmetric.factor(&end.gram);
         let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
         work.symmetric.solve(&mut multiplier);

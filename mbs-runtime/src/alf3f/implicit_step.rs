@@ -67,7 +67,16 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         h: f64,
     ) -> Result<Outcome, Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
-        let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+        let Core {
+            system,
+            state,
+            max_iterations,
+            start,
+            end,
+            work,
+            scale,
+            counters,
+        } = core;
         let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
         let mut weights = scale.weights(&start.lengths_squared());
         let floor = largest(&v0).max(1e-3);
@@ -107,7 +116,11 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             }
             self.solver.jacobian.solve(&mut change);
             let mut multiplier: [f64; R] = std::array::from_fn(|i| {
-                let rate = if i < holonomic { 2.0 / h * defect[i] } else { defect[i] };
+                let rate = if i < holonomic {
+                    2.0 / h * defect[i]
+                } else {
+                    defect[i]
+                };
                 -rate - dot(&end.a[i], &change)
             });
             work.dual.solve(&mut multiplier);
@@ -121,8 +134,8 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
 
             let size = largest(&change);
             let speed = largest(&vb);
-            let settled = size <= CONVERGED * speed
-                || (size >= 0.5 * last_change && size <= 1e-10 * speed);
+            let settled =
+                size <= CONVERGED * speed || (size >= 0.5 * last_change && size <= 1e-10 * speed);
             if settled && (residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED)) {
                 break q;
             }
@@ -131,7 +144,10 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
                 return Err(if R > 0 && residual > 1.0 {
                     not_converged(&defect, &weights, iterations)
                 } else {
-                    Fault::Flow { residual: size, iterations }
+                    Fault::Flow {
+                        residual: size,
+                        iterations,
+                    }
                 });
             }
             if size > 0.1 * last_change {

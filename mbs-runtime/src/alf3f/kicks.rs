@@ -39,7 +39,16 @@ where
     S: System<N, R>,
     F: KickFlow<S, N, R>,
 {
-    let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+    let Core {
+        system,
+        state,
+        max_iterations,
+        start,
+        end,
+        work,
+        scale,
+        counters,
+    } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let weights = scale.weights(&lengths);
@@ -51,8 +60,13 @@ where
 
     let mut q = state.positions;
     let rate = 1.0 / h;
+    let weak_start = work.symmetric.weak;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    let mut matrix = if F::DIRECT && !work.symmetric.weak { Matrix::Start } else { Matrix::None };
+    let mut matrix = if F::DIRECT && !weak_start {
+        Matrix::Start
+    } else {
+        Matrix::None
+    };
     work.dual.regularised = false;
     let mut last = f64::INFINITY;
     let mut iterations = 0;
@@ -66,7 +80,12 @@ where
         // Renewed where one more correction at the present rate would not do.
         let slow = !(residual * residual <= last) && iterations > 0;
         if matrix == Matrix::None || slow {
-            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < STAGNATED {
+            let taken = if work.dual.regularised {
+                scale.lost
+            } else {
+                STAGNATED
+            };
+            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
                 break;
             }
             if iterations == *max_iterations || !residual.is_finite() {
@@ -101,7 +120,7 @@ where
     let mut v = flow.velocities(system, &va, &q, end);
     end.metric(system, &q)?;
     core.project_velocity(&mut v);
-    let weak = core.work.symmetric.weak || core.work.dual.regularised;
+    let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
     core.commit(t1, h, q, v, weak)
 }
 

@@ -26,7 +26,16 @@ where
     F: KickFlow<S, N, R>,
 {
     let holonomic = S::STRUCTURE.holonomic_rows;
-    let Core { system, state, max_iterations, start, end, work, scale, counters } = core;
+    let Core {
+        system,
+        state,
+        max_iterations,
+        start,
+        end,
+        work,
+        scale,
+        counters,
+    } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let mut weights = scale.weights(&lengths);
@@ -69,7 +78,12 @@ where
             break v;
         }
         if !(residual < SLOW * last) {
-            if fresh && residual > 0.5 * last && residual < STAGNATED {
+            let taken = if work.dual.regularised {
+                scale.lost
+            } else {
+                STAGNATED
+            };
+            if fresh && residual > 0.5 * last && residual < taken {
                 break v;
             }
             if iterations == *max_iterations || !residual.is_finite() {
@@ -117,8 +131,8 @@ where
     };
     counters.iterations += iterations as u64;
     work.impulse[0] = kappa;
-    let weak = core.work.dual.regularised
-        || (S::STRUCTURE.holonomic_rows > 0 && core.work.symmetric.weak);
+    let weak =
+        core.work.dual.regularised || (S::STRUCTURE.holonomic_rows > 0 && core.work.symmetric.weak);
     core.commit(t1, h, q, v, weak)
 }
 

@@ -1,7 +1,7 @@
 //! ALF-3F: the two-level step and the paper's Algorithm 1.
 
-mod fault;
 mod core;
+mod fault;
 mod implicit_step;
 mod kicks;
 mod mixed_kicks;

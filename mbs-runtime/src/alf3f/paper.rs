@@ -54,9 +54,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             Method::TwoLevel => PaperSettings::default(),
         };
         let instant = |system: &S| {
-            Instant::new(system, &state.positions).map(Box::new).map_err(|fault| {
-                SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
-            })
+            Instant::new(system, &state.positions)
+                .map(Box::new)
+                .map_err(|fault| {
+                    SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
+                })
         };
         let mut stepper = PaperStepper {
             start: instant(&system)?,
@@ -69,9 +71,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             state,
         };
         let time = stepper.state.time;
-        stepper.refresh().map_err(|fault| {
-            SimulationError::from_fault(fault, S::MODEL, time, settings.step)
-        })?;
+        stepper
+            .refresh()
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         Ok(stepper)
     }
 
@@ -108,8 +110,14 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
 
     /// Recomputes what is known of the current instant.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        let State { time, positions, velocities, .. } = &self.state;
-        self.start.place(&self.system, &self.settings, *time, positions, velocities)
+        let State {
+            time,
+            positions,
+            velocities,
+            ..
+        } = &self.state;
+        self.start
+            .place(&self.system, &self.settings, *time, positions, velocities)
     }
 
     /// Lines 1 and 2 with the step control around the algorithm: halve on failure, double back after success.
@@ -120,7 +128,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         let end = self.state.time + h;
         self.drive = [0.0; R];
         let mut left = h;
-        let mut size = if self.state.fields.step > 0.0 { self.state.fields.step.min(h) } else { h };
+        let mut size = if self.state.fields.step > 0.0 {
+            self.state.fields.step.min(h)
+        } else {
+            h
+        };
         while left > 0.0 {
             // Steps are h/2ⁿ, so that sums of them meet the end exactly.
             let trial = size.min(left);
@@ -166,7 +178,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         } else {
             self.state.fields.momentum
         };
-        let force0 = self.start.total_force(&self.system, t0, &q0, &v0, &mu0, &lambda0);
+        let force0 = self
+            .start
+            .total_force(&self.system, t0, &q0, &v0, &mu0, &lambda0);
         let known = std::array::from_fn(|i| momentum0[i] + 0.5 * h * force0[i]);
 
         // 3, 4
@@ -208,10 +222,18 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         for i in 0..R {
             let (start, end) = (&self.start, &self.end);
             let impulse = end.constraint_mass[i] * x.mu[i] - start.constraint_mass[i] * mu0[i]
-                + 0.5 * h * (start.row_force(i, &mu0, &lambda0) + end.row_force(i, &x.mu, &x.lambda));
+                + 0.5
+                    * h
+                    * (start.row_force(i, &mu0, &lambda0) + end.row_force(i, &x.mu, &x.lambda));
             self.drive[i] -= 0.5 * impulse * (start.node.b[i] + end.node.b[i]);
         }
-        let State { time, positions, velocities, fields, .. } = &mut self.state;
+        let State {
+            time,
+            positions,
+            velocities,
+            fields,
+            ..
+        } = &mut self.state;
         (*time, *positions, *velocities) = (t1, x.q, x.v);
         fields.momentum = momentum;
         fields.constraint_momentum =
@@ -278,11 +300,14 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
             let lambda: [f64; R] =
                 std::array::from_fn(|r| x.lambda[r] - x.penalty[r] * self.end.phi[r]);
-            let force = self.end.total_force(&self.system, t1, &x.q, &x.v, &mu, &lambda);
+            let force = self
+                .end
+                .total_force(&self.system, t1, &x.q, &x.v, &mu, &lambda);
             let momentum = self.end.momentum(&self.system, &x.q, &x.v, &mu);
             let mut change = std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n]);
             let (jacobian, factors) = &mut *self.jacobian;
-            self.end.jacobian(&self.system, t1, &x.q, &x.v, h, &x.penalty, jacobian);
+            self.end
+                .jacobian(&self.system, t1, &x.q, &x.v, h, &x.penalty, jacobian);
             if !factors.factor(&jacobian.total) {
                 return Err(Fault::Mass);
             }
@@ -299,7 +324,10 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
                 break;
             }
         }
-        Err(Fault::Flow { residual: size, iterations: self.settings.max_newton_iterations })
+        Err(Fault::Flow {
+            residual: size,
+            iterations: self.settings.max_newton_iterations,
+        })
     }
 
     /// The row furthest from ψ̇ = 0.

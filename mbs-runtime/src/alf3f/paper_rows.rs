@@ -62,14 +62,17 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         for i in 0..R {
             let length_squared = self.node.gram[i][i];
             if !(length_squared > 0.0) {
-                return Err(Fault::Row { row: i, residual: length_squared, iterations: 0 });
+                return Err(Fault::Row {
+                    row: i,
+                    residual: length_squared,
+                    iterations: 0,
+                });
             }
             let mass = settings.mass_scale / length_squared;
             // c_R = M⁻¹a/(a M⁻¹ aᵀ), (19).
             let direction = self.node.w[i].map(|w| w / length_squared);
             self.constraint_mass[i] = mass;
-            self.constraint_damping[i] =
-                2.0 * mass * omega - quadratic(&self.f_v, &direction);
+            self.constraint_damping[i] = 2.0 * mass * omega - quadratic(&self.f_v, &direction);
             self.constraint_stiffness[i] = if i < S::STRUCTURE.holonomic_rows {
                 mass * omega * omega - quadratic(&self.f_q, &direction)
             } else {
@@ -174,7 +177,11 @@ pub(super) struct Jacobian<const N: usize> {
 
 impl<const N: usize> Jacobian<N> {
     pub(super) fn new() -> Self {
-        Jacobian { mass: [[0.0; N]; N], f_v: [[0.0; N]; N], total: [[0.0; N]; N] }
+        Jacobian {
+            mass: [[0.0; N]; N],
+            f_v: [[0.0; N]; N],
+            total: [[0.0; N]; N],
+        }
     }
 }
 

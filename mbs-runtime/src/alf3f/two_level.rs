@@ -60,10 +60,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
             flow: match flow {
                 Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new()),
                 Flow::Trapezoid => Stepping::Trapezoid(Box::new(Trapezoid::new())),
-                Flow::Implicit => Stepping::Implicit(
-                    Box::new(ImplicitStep::new()),
-                    Box::new(Trapezoid::new()),
-                ),
+                Flow::Implicit => {
+                    Stepping::Implicit(Box::new(ImplicitStep::new()), Box::new(Trapezoid::new()))
+                }
             },
         })
     }
@@ -75,9 +74,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
     /// The state is then still that before the step.
     #[inline]
     pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
-        self.try_step(h).map_err(|fault| {
-            SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h)
-        })
+        self.try_step(h)
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
     }
 
     #[inline(always)]

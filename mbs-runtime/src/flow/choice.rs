@@ -16,12 +16,16 @@ pub(crate) fn choose<S: System<N, R>, const N: usize, const R: usize>(
 ) -> Result<Flow, SimulationError> {
     let natural = natural(&S::STRUCTURE);
     match settings.flow {
-        Some(Flow::Leapfrog) if !S::STRUCTURE.constant_mass => {
-            Err(refuse(Flow::Leapfrog, "the mass matrix depends on the positions", natural))
-        }
-        Some(Flow::Leapfrog) if S::STRUCTURE.velocity_forces => {
-            Err(refuse(Flow::Leapfrog, "forces depend on velocities", natural))
-        }
+        Some(Flow::Leapfrog) if !S::STRUCTURE.constant_mass => Err(refuse(
+            Flow::Leapfrog,
+            "the mass matrix depends on the positions",
+            natural,
+        )),
+        Some(Flow::Leapfrog) if S::STRUCTURE.velocity_forces => Err(refuse(
+            Flow::Leapfrog,
+            "forces depend on velocities",
+            natural,
+        )),
         Some(Flow::Trapezoid) if S::STRUCTURE.velocity_forces => Err(refuse(
             Flow::Trapezoid,
             "forces depend on velocities, and kicks beside dampers lose accuracy",
@@ -33,7 +37,11 @@ pub(crate) fn choose<S: System<N, R>, const N: usize, const R: usize>(
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
             })?;
             let stiff = settings.step * settings.step * stiffness > STIFF;
-            Ok(if stiff { Flow::Trapezoid } else { Flow::Leapfrog })
+            Ok(if stiff {
+                Flow::Trapezoid
+            } else {
+                Flow::Leapfrog
+            })
         }
         None => Ok(natural),
     }
@@ -50,7 +58,11 @@ fn natural(structure: &Structure) -> Flow {
 }
 
 fn refuse(flow: Flow, because: &'static str, instead: Flow) -> SimulationError {
-    SimulationError::Flow { flow, because, instead }
+    SimulationError::Flow {
+        flow,
+        because,
+        instead,
+    }
 }
 
 /// The largest eigenvalue of M⁻¹(−∂f/∂q) in size, 1/s², by power iteration.

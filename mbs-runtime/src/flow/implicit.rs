@@ -117,7 +117,11 @@ impl<const N: usize> Implicit<N> {
             }
         }
         self.current = self.jacobian.factor(&jacobian);
-        if self.current { Ok(()) } else { Err(Fault::Mass) }
+        if self.current {
+            Ok(())
+        } else {
+            Err(Fault::Mass)
+        }
     }
 
     /// M₁ − h/2 F_v₁ as of the last J, factored: the metric in which the velocities of the step follow an impulse.
@@ -128,7 +132,11 @@ impl<const N: usize> Implicit<N> {
                 matrix[i][j] -= 0.5 * self.h * self.f_v[i][j];
             }
         }
-        if metric.factor(&matrix) { Ok(()) } else { Err(Fault::Mass) }
+        if metric.factor(&matrix) {
+            Ok(())
+        } else {
+            Err(Fault::Mass)
+        }
     }
 
     /// Solves for v_b, starting from the one given, and returns q₁ = base + h/2 v_b.
@@ -162,6 +170,9 @@ impl<const N: usize> Implicit<N> {
             self.current = size < 0.1 * last;
             last = size;
         }
-        Err(Fault::Flow { residual: last, iterations: MAX_ITERATIONS })
+        Err(Fault::Flow {
+            residual: last,
+            iterations: MAX_ITERATIONS,
+        })
     }
 }

@@ -30,15 +30,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Leap
     const DIRECT: bool = true;
 
     #[inline(always)]
-    fn begin(
-        &mut self,
-        _: &S,
-        t: f64,
-        q: &[f64; N],
-        _: &[f64; N],
-        start: &Node<S, N, R>,
-        h: f64,
-    ) {
+    fn begin(&mut self, _: &S, t: f64, q: &[f64; N], _: &[f64; N], start: &Node<S, N, R>, h: f64) {
         self.h = h;
         self.t1 = t + h;
         for i in 0..N {
@@ -83,8 +75,6 @@ impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Leap
         end: &mut Node<S, N, R>,
     ) -> [f64; N] {
         system.acceleration(self.t1, q1, &mut end.acceleration);
-        std::array::from_fn(|i| {
-            va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i])
-        })
+        std::array::from_fn(|i| va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i]))
     }
 }

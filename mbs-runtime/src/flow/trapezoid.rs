@@ -41,7 +41,10 @@ impl<const N: usize, const R: usize> Trapezoid<N, R> {
             q0: [0.0; N],
             vb: [0.0; N],
             solver: Implicit::new(),
-            tangents: Tangents { mass: [[0.0; N]; N], f_v: [[0.0; N]; N] },
+            tangents: Tangents {
+                mass: [[0.0; N]; N],
+                f_v: [[0.0; N]; N],
+            },
             far: [[0.0; N]; R],
             directions: [[0.0; N]; R],
         }
@@ -72,7 +75,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Trap
         let h = self.h;
         let Tangents { mass, f_v } = &mut self.tangents;
         system.mass_matrix(&self.q0, mass);
-        self.solver.start_tangent(system, self.t0, &self.q0, va, f_v);
+        self.solver
+            .start_tangent(system, self.t0, &self.q0, va, f_v);
         for r in 0..R {
             let w = &w0[r];
             let mut far = [0.0; N];

@@ -68,7 +68,11 @@ impl<const K: usize> Dual<K> {
             return 0.0;
         }
         let relative = |(inverse, length): (&f64, &f64)| 1.0 / (inverse * length);
-        self.inverse_pivot.iter().zip(length_squared).map(relative).fold(f64::INFINITY, f64::min)
+        self.inverse_pivot
+            .iter()
+            .zip(length_squared)
+            .map(relative)
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// x ← B⁻¹ x, or the least-squares x ← Bᵀ(BBᵀ + εI)⁻¹x on rows of unit length.

@@ -30,7 +30,11 @@ impl<const K: usize> Proximal<K> {
         for i in 0..K {
             // A row that vanishes altogether gets no multiplier.
             let length = length_squared[i].abs();
-            self.scale[i] = if length > f64::MIN_POSITIVE { 1.0 / length.sqrt() } else { 0.0 };
+            self.scale[i] = if length > f64::MIN_POSITIVE {
+                1.0 / length.sqrt()
+            } else {
+                0.0
+            };
         }
         for i in 0..K {
             for j in 0..K {

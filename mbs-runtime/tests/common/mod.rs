@@ -33,7 +33,11 @@ pub trait Scene<const N: usize, const R: usize>: Clone + Default {
     }
 }
 
-pub const fn structure(constant_mass: bool, velocity_forces: bool, holonomic_rows: usize) -> Structure {
+pub const fn structure(
+    constant_mass: bool,
+    velocity_forces: bool,
+    holonomic_rows: usize,
+) -> Structure {
     Structure {
         constant_mass,
         velocity_forces,
@@ -44,7 +48,12 @@ pub const fn structure(constant_mass: bool, velocity_forces: bool, holonomic_row
 }
 
 pub const fn row(name: &'static str, kind: RowKind) -> Row {
-    Row { name, entry: name, kind, unit: "m" }
+    Row {
+        name,
+        entry: name,
+        kind,
+        unit: "m",
+    }
 }
 
 /// A scene as a mechanism without parameters.
@@ -75,7 +84,11 @@ pub struct Hand<T, const N: usize, const R: usize> {
 impl<T: Scene<N, R>, const N: usize, const R: usize> Hand<T, N, R> {
     pub fn new(scene: T) -> Self {
         let inverse = invert(scene.mass(&scene.guess().0));
-        Hand { scene, inverse, inputs: [0.0] }
+        Hand {
+            scene,
+            inverse,
+            inputs: [0.0],
+        }
     }
     fn total(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N] {
         let (f, g) = (self.scene.force(t, q, v), self.scene.kinetic_gradient(q, v));
@@ -201,7 +214,12 @@ impl<T: Scene<N, R>, const N: usize, const R: usize> System<N, R> for Hand<T, N,
         for i in 0..N {
             for j in 0..N {
                 for k in 0..N {
-                    gamma.set(i, j, k, 0.5 * (slope[k][i][j] + slope[j][i][k] - slope[i][j][k]));
+                    gamma.set(
+                        i,
+                        j,
+                        k,
+                        0.5 * (slope[k][i][j] + slope[j][i][k] - slope[i][j][k]),
+                    );
                 }
             }
         }
@@ -235,7 +253,10 @@ impl<T: Scene<N, R>, const N: usize, const R: usize> System<N, R> for Hand<T, N,
         gamma: &mut [f64; R],
     ) {
         let e = 1e-6;
-        let at = |e: f64| self.scene.rows(t + e, &std::array::from_fn(|i| q[i] + e * v[i]));
+        let at = |e: f64| {
+            self.scene
+                .rows(t + e, &std::array::from_fn(|i| q[i] + e * v[i]))
+        };
         let (up, down) = (at(e), at(-e));
         for i in 0..R {
             gamma[i] = (up.2[i] - down.2[i]) / (2.0 * e);

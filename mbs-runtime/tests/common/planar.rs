@@ -10,7 +10,10 @@ pub const G: f64 = 9.81;
 pub struct SliderCrank;
 
 impl Scene<4, 3> for SliderCrank {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 3) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 3)
+    };
     const ROWS: &'static [Row] = &[
         row("crank.length", Holonomic),
         row("rod.length", Holonomic),
@@ -24,7 +27,12 @@ impl Scene<4, 3> for SliderCrank {
     }
     fn mass(&self, _: &[f64; 4]) -> [[f64; 4]; 4] {
         let (a, b, c) = (2.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0);
-        [[a, 0.0, c, 0.0], [0.0, a, 0.0, c], [c, 0.0, b, 0.0], [0.0, c, 0.0, b]]
+        [
+            [a, 0.0, c, 0.0],
+            [0.0, a, 0.0, c],
+            [c, 0.0, b, 0.0],
+            [0.0, c, 0.0, b],
+        ]
     }
     fn force(&self, _: f64, _: &[f64; 4], _: &[f64; 4]) -> [f64; 4] {
         [0.0, -G, 0.0, -G / 2.0]
@@ -33,7 +41,11 @@ impl Scene<4, 3> for SliderCrank {
         let [x2, y2, x3, y3] = *q;
         let (dx, dy) = (x3 - x2, y3 - y2);
         (
-            [(x2 * x2 + y2 * y2 - 1.0) / 2.0, (dx * dx + dy * dy - 1.0) / 2.0, y3],
+            [
+                (x2 * x2 + y2 * y2 - 1.0) / 2.0,
+                (dx * dx + dy * dy - 1.0) / 2.0,
+                y3,
+            ],
             [[x2, y2, 0.0, 0.0], [-dx, -dy, dx, dy], [0.0, 0.0, 0.0, 1.0]],
             [0.0; 3],
         )
@@ -51,7 +63,10 @@ impl Scene<4, 3> for SliderCrank {
 pub struct FourBar;
 
 impl Scene<6, 5> for FourBar {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 5) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 5)
+    };
     const ROWS: &'static [Row] = &[
         row("crank0", Holonomic),
         row("crank1", Holonomic),
@@ -60,7 +75,10 @@ impl Scene<6, 5> for FourBar {
         row("coupler2", Holonomic),
     ];
     fn guess(&self) -> ([f64; 6], [f64; 6]) {
-        ([0.0, 1.0, 1.0, 1.0, 2.0, 1.0], [1.0, 0.0, 1.0, 0.0, 1.0, 0.0])
+        (
+            [0.0, 1.0, 1.0, 1.0, 2.0, 1.0],
+            [1.0, 0.0, 1.0, 0.0, 1.0, 0.0],
+        )
     }
     fn mass(&self, _: &[f64; 6]) -> [[f64; 6]; 6] {
         let mut m = [[0.0; 6]; 6];
@@ -106,10 +124,16 @@ impl Scene<6, 5> for FourBar {
 pub struct FortyFourBars;
 
 impl Scene<82, 81> for FortyFourBars {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 81) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 81)
+    };
     fn guess(&self) -> ([f64; 82], [f64; 82]) {
         let q = std::array::from_fn(|i| if i % 2 == 0 { (i / 2) as f64 } else { 1.0 });
-        (q, std::array::from_fn(|i| if i % 2 == 0 { 1.0 } else { 0.0 }))
+        (
+            q,
+            std::array::from_fn(|i| if i % 2 == 0 { 1.0 } else { 0.0 }),
+        )
     }
     fn mass(&self, _: &[f64; 82]) -> [[f64; 82]; 82] {
         let mut m = [[0.0; 82]; 82];
@@ -155,7 +179,10 @@ impl Scene<82, 81> for FortyFourBars {
 pub struct DampedSliderCrank;
 
 impl Scene<4, 3> for DampedSliderCrank {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, true, 3) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, true, 3)
+    };
     const ROWS: &'static [Row] = SliderCrank::ROWS;
     fn guess(&self) -> ([f64; 4], [f64; 4]) {
         SliderCrank.guess()
@@ -187,7 +214,10 @@ impl Scene<6, 5> for FlatFourBar {
     const STRUCTURE: Structure = FourBar::STRUCTURE;
     const ROWS: &'static [Row] = FourBar::ROWS;
     fn guess(&self) -> ([f64; 6], [f64; 6]) {
-        ([1.0, 0.0, 2.0, 0.0, 3.0, 0.0], [0.0, 1.0, 0.0, 1.0, 0.0, 1.0])
+        (
+            [1.0, 0.0, 2.0, 0.0, 3.0, 0.0],
+            [0.0, 1.0, 0.0, 1.0, 0.0, 1.0],
+        )
     }
     fn mass(&self, q: &[f64; 6]) -> [[f64; 6]; 6] {
         FourBar.mass(q)
@@ -208,7 +238,10 @@ impl Scene<6, 5> for FlatFourBar {
 pub struct Doubled;
 
 impl Scene<2, 2> for Doubled {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 2) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 2)
+    };
     const ROWS: &'static [Row] = &[row("rod", Holonomic), row("copy", Holonomic)];
     fn guess(&self) -> ([f64; 2], [f64; 2]) {
         ([1.1, 0.1], [0.3, 0.0])
@@ -221,7 +254,11 @@ impl Scene<2, 2> for Doubled {
     }
     fn rows(&self, _: f64, q: &[f64; 2]) -> ([f64; 2], [[f64; 2]; 2], [f64; 2]) {
         let phi = (q[0] * q[0] + q[1] * q[1] - 1.0) / 2.0;
-        ([phi, 2.0 * phi], [[q[0], q[1]], [2.0 * q[0], 2.0 * q[1]]], [0.0; 2])
+        (
+            [phi, 2.0 * phi],
+            [[q[0], q[1]], [2.0 * q[0], 2.0 * q[1]]],
+            [0.0; 2],
+        )
     }
     fn potential(&self, q: &[f64; 2]) -> f64 {
         G * q[1]

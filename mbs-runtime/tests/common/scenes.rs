@@ -52,18 +52,31 @@ pub struct Sleigh {
 impl Default for Sleigh {
     fn default() -> Self {
         let a = 0.5;
-        Sleigh { mass: 1.0, inertia: 0.3, a, guess: ([0.0; 3], [0.3, a * 2.0, 2.0]), drag: 0.0 }
+        Sleigh {
+            mass: 1.0,
+            inertia: 0.3,
+            a,
+            guess: ([0.0; 3], [0.3, a * 2.0, 2.0]),
+            drag: 0.0,
+        }
     }
 }
 
 impl Scene<3, 1> for Sleigh {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 0) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 0)
+    };
     const ROWS: &'static [Row] = &[row("edge", Nonholonomic)];
     fn guess(&self) -> ([f64; 3], [f64; 3]) {
         self.guess
     }
     fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
-        [[self.mass, 0.0, 0.0], [0.0, self.mass, 0.0], [0.0, 0.0, self.inertia]]
+        [
+            [self.mass, 0.0, 0.0],
+            [0.0, self.mass, 0.0],
+            [0.0, 0.0, self.inertia],
+        ]
     }
     fn force(&self, _: f64, _: &[f64; 3], _: &[f64; 3]) -> [f64; 3] {
         [0.0; 3]
@@ -81,7 +94,10 @@ impl Scene<3, 1> for Sleigh {
 pub struct DampedSleigh(pub Sleigh);
 
 impl Scene<3, 1> for DampedSleigh {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, true, 0) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, true, 0)
+    };
     const ROWS: &'static [Row] = Sleigh::ROWS;
     fn guess(&self) -> ([f64; 3], [f64; 3]) {
         self.0.guess()
@@ -109,7 +125,10 @@ impl Scene<3, 1> for DampedSleigh {
 pub struct Towing;
 
 impl Scene<5, 2> for Towing {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 1) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 1)
+    };
     const ROWS: &'static [Row] = &[row("rod", Holonomic), row("edge", Nonholonomic)];
     fn guess(&self) -> ([f64; 5], [f64; 5]) {
         ([0.0, 0.0, 0.0, 0.6, -0.8], [0.3, 0.8, 1.6, 0.3, 0.8])
@@ -128,7 +147,10 @@ impl Scene<5, 2> for Towing {
         let (x, y) = (q[3] - q[0], q[4] - q[1]);
         (
             [(x * x + y * y - 1.0) / 2.0, 0.0],
-            [[-x, -y, 0.0, x, y], [-q[2].sin(), q[2].cos(), -0.5, 0.0, 0.0]],
+            [
+                [-x, -y, 0.0, x, y],
+                [-q[2].sin(), q[2].cos(), -0.5, 0.0, 0.0],
+            ],
             [0.0; 2],
         )
     }
@@ -146,7 +168,10 @@ pub struct StiffPendulum {
 
 impl Default for StiffPendulum {
     fn default() -> Self {
-        StiffPendulum { stiffness: 1e6, damping: 1e3 }
+        StiffPendulum {
+            stiffness: 1e6,
+            damping: 1e3,
+        }
     }
 }
 
@@ -169,13 +194,22 @@ impl Scene<4, 1> for StiffPendulum {
         ([1.0, 0.0, 2.0, 0.0], [0.0; 4])
     }
     fn mass(&self, _: &[f64; 4]) -> [[f64; 4]; 4] {
-        super::invert([[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+        super::invert([
+            [1.0, 0.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0, 0.0],
+            [0.0, 0.0, 1.0, 0.0],
+            [0.0, 0.0, 0.0, 1.0],
+        ])
     }
     fn force(&self, _: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
         self.spring(q, v).0
     }
     fn rows(&self, _: f64, q: &[f64; 4]) -> ([f64; 1], [[f64; 4]; 1], [f64; 1]) {
-        ([(q[0] * q[0] + q[1] * q[1] - 1.0) / 2.0], [[q[0], q[1], 0.0, 0.0]], [0.0])
+        (
+            [(q[0] * q[0] + q[1] * q[1] - 1.0) / 2.0],
+            [[q[0], q[1], 0.0, 0.0]],
+            [0.0],
+        )
     }
     fn potential(&self, q: &[f64; 4]) -> f64 {
         let stretch = (q[2] - q[0]).hypot(q[3] - q[1]) - 1.0;
@@ -198,7 +232,10 @@ impl Default for StiffSpring {
 
 impl StiffSpring {
     fn scene(&self) -> StiffPendulum {
-        StiffPendulum { stiffness: self.0, damping: 0.0 }
+        StiffPendulum {
+            stiffness: self.0,
+            damping: 0.0,
+        }
     }
 }
 
@@ -255,7 +292,10 @@ impl Shaken {
 }
 
 impl Scene<2, 1> for Shaken {
-    const STRUCTURE: Structure = Structure { position_forces: false, ..structure(true, false, 1) };
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 1)
+    };
     const ROWS: &'static [Row] = &[row("rod", Rheonomic)];
     fn guess(&self) -> ([f64; 2], [f64; 2]) {
         ([0.6, -0.8], [0.0; 2])
