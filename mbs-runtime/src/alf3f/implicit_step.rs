@@ -107,7 +107,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
 
             let residual = worst(&defect, &weights);
             let slow = !(residual < 1e-2 * last || residual <= 1.0);
-            if !(last_change.is_finite() && !slow) || self.solver.is_stale() {
+            if !last_change.is_finite() || slow || self.solver.is_stale() {
                 self.solver.refresh(system, &q, &vb)?;
                 if !self.factor(system, end, &mut work.dual) {
                     return Ok(Outcome::Lost);
