@@ -35,6 +35,19 @@ pub(crate) struct Work<const R: usize> {
     pub(crate) phi: [f64; R],
 }
 
+impl<const R: usize> Work<R> {
+    #[inline(never)]
+    fn new() -> Box<Self> {
+        Box::new(Work {
+            matrix: [[0.0; R]; R],
+            dual: Dual::new(),
+            symmetric: SymmetricDual::new(),
+            impulse: [[0.0; R]; 2],
+            phi: [0.0; R],
+        })
+    }
+}
+
 /// Work done since the start.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Counters {
@@ -61,7 +74,7 @@ impl<const R: usize> RowScale<R> {
     fn new<S: System<N, R>, const N: usize>(system: &S, tolerance: f64) -> Result<Self, Fault> {
         let (q, _) = system.guess();
         let size = tolerance * largest(&q).max(1.0);
-        let mut node = Box::new(Node::new(system, &q)?);
+        let mut node = Node::new(system, &q)?;
         node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
         let lengths = node.lengths_squared();
         let longest = largest(&lengths);
@@ -88,7 +101,7 @@ impl<const R: usize> RowScale<R> {
 
 impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     pub(crate) fn new(system: S, state: State<N, R>, settings: &Settings) -> Result<Self, Fault> {
-        let node = Box::new(Node::new(&system, &state.positions)?);
+        let node = Node::new(&system, &state.positions)?;
         let mut core = Core {
             scale: RowScale::new(&system, settings.constraint_tolerance)?,
             system,
@@ -96,13 +109,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
             max_iterations: settings.max_iterations,
             end: node.clone(),
             start: node,
-            work: Box::new(Work {
-                matrix: [[0.0; R]; R],
-                dual: Dual::new(),
-                symmetric: SymmetricDual::new(),
-                impulse: [[0.0; R]; 2],
-                phi: [0.0; R],
-            }),
+            work: Work::new(),
             counters: Counters::default(),
         };
         core.refresh()?;

@@ -49,8 +49,9 @@ pub(super) struct ImplicitStep<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> ImplicitStep<N, R> {
-    pub(super) fn new() -> Self {
-        ImplicitStep {
+    #[inline(never)]
+    pub(super) fn new() -> Box<Self> {
+        Box::new(ImplicitStep {
             solver: Implicit::new(),
             mean: [[0.0; N]; R],
             along_mean: [[0.0; N]; R],
@@ -58,7 +59,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             metric: [[0.0; R]; R],
             end_dual: Dual::new(),
             velocity_metric: Pivoted::new(),
-        }
+        })
     }
 
     pub(super) fn step<S: System<N, R>>(

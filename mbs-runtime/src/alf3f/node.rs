@@ -20,15 +20,19 @@ pub(crate) struct Node<S: System<N, R>, const N: usize, const R: usize> {
 
 impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
     /// A node with the metric at q and all arrays clear.
-    pub(crate) fn new(system: &S, q: &[f64; N]) -> Result<Self, Fault> {
-        Ok(Node {
-            mass: system.factor_mass(q).ok_or(Fault::Mass)?,
+    ///
+    /// On the heap from the start, and in a frame of its own: large systems are built on small stacks.
+    #[inline(never)]
+    pub(crate) fn new(system: &S, q: &[f64; N]) -> Result<Box<Self>, Fault> {
+        let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
+        Ok(Box::new(Node {
+            mass,
             a: [[0.0; N]; R],
             w: [[0.0; N]; R],
             b: [0.0; R],
             gram: [[0.0; R]; R],
             acceleration: [0.0; N],
-        })
+        }))
     }
 
     /// M, W and S at q, for the A that is there.

@@ -16,7 +16,7 @@ pub(super) struct Unknowns<const N: usize, const R: usize> {
 
 /// One instant of Algorithm 1.
 pub(super) struct Instant<S: System<N, R>, const N: usize, const R: usize> {
-    pub(super) node: Node<S, N, R>,
+    pub(super) node: Box<Node<S, N, R>>,
     pub(super) phi: [f64; R],
     /// m̄ of (18), times the scale of the settings.
     pub(super) constraint_mass: [f64; R],
