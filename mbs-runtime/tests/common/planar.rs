@@ -1,4 +1,4 @@
-//! Planar mechanisms of bars in natural coordinates: the prototype's slider-crank and N-four-bar.
+//! Planar mechanisms of bars in natural coordinates: slider-crank and N-four-bar.
 
 use super::{Scene, row, structure};
 use mbs_runtime::{Row, RowKind::Holonomic, Structure};
