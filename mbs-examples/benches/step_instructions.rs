@@ -19,14 +19,25 @@ fn main() {
     if let [_, mode, name, step, steps] = arguments.as_slice()
         && mode == "--count"
     {
-        let (Ok(step), Ok(steps)) = (step.parse(), steps.parse()) else { return };
+        let (Ok(step), Ok(steps)) = (step.parse(), steps.parse()) else {
+            return;
+        };
         return run(name, step, steps);
     }
-    println!("instructions a step of the double four-bar, over {} steps", STEPS[1] - STEPS[0]);
-    println!("{:>8} {:>14} {:>12} {:>8}", "h, s", "hand-written", "generated", "ratio");
+    println!(
+        "instructions a step of the double four-bar, over {} steps",
+        STEPS[1] - STEPS[0]
+    );
+    println!(
+        "{:>8} {:>14} {:>12} {:>8}",
+        "h, s", "hand-written", "generated", "ratio"
+    );
     for step in [1e-3, 1e-2] {
         match (count("hand-written", step), count("generated", step)) {
-            (Some(hand), Some(generated)) => println!("{step:>8} {hand:>14.1} {generated:>12.1} {:>8.3}", generated / hand),
+            (Some(hand), Some(generated)) => println!(
+                "{step:>8} {hand:>14.1} {generated:>12.1} {:>8.3}",
+                generated / hand
+            ),
             _ => {
                 println!("callgrind gave no count: is valgrind installed?");
                 return;
@@ -44,10 +55,20 @@ fn run(name: &str, step: f64, steps: u64) {
         println!("{}", mechanism.energy());
         return;
     }
-    let Ok(system) = DoubleFourBar::default().prepare() else { return };
-    let Ok(simulation) = Simulation::new(DoubleFourBar::default()) else { return };
-    let settings = Settings { step, ..Settings::default() };
-    let Ok(mut stepper) = TwoLevelStepper::new(system, simulation.state().clone(), &settings) else { return };
+    let Ok(system) = DoubleFourBar::default().prepare() else {
+        return;
+    };
+    let Ok(simulation) = Simulation::new(DoubleFourBar::default()) else {
+        return;
+    };
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    let Ok(mut stepper) = TwoLevelStepper::new(system, simulation.state().clone(), &settings)
+    else {
+        return;
+    };
     for _ in 0..steps {
         if let Err(error) = stepper.step(black_box(step)) {
             println!("{error}");

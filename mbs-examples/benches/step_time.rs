@@ -20,10 +20,20 @@ fn double_four_bar(criterion: &mut Criterion) {
         assert!((mechanism.energy() - 35.835).abs() < 1e-2);
     });
     group.bench_function("generated", |bencher| {
-        let Ok(system) = DoubleFourBar::default().prepare() else { return };
-        let Ok(simulation) = Simulation::new(DoubleFourBar::default()) else { return };
-        let settings = Settings { step: STEP, ..Settings::default() };
-        let Ok(mut stepper) = TwoLevelStepper::new(system, simulation.state().clone(), &settings) else { return };
+        let Ok(system) = DoubleFourBar::default().prepare() else {
+            return;
+        };
+        let Ok(simulation) = Simulation::new(DoubleFourBar::default()) else {
+            return;
+        };
+        let settings = Settings {
+            step: STEP,
+            ..Settings::default()
+        };
+        let Ok(mut stepper) = TwoLevelStepper::new(system, simulation.state().clone(), &settings)
+        else {
+            return;
+        };
         bencher.iter(|| stepper.step(black_box(STEP)));
     });
     group.finish();
@@ -32,8 +42,13 @@ fn double_four_bar(criterion: &mut Criterion) {
 fn scenes(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("simulated step with energy ledger");
     for scene in mbs_examples::scenes::scenes() {
-        let settings = Settings { step: scene.step, ..Settings::default() };
-        let Ok(mut simulation) = (scene.build)(&[], settings) else { continue };
+        let settings = Settings {
+            step: scene.step,
+            ..Settings::default()
+        };
+        let Ok(mut simulation) = (scene.build)(&[], settings) else {
+            continue;
+        };
         group.bench_function(scene.name, |bencher| bencher.iter(|| simulation.step()));
     }
     group.finish();

@@ -26,7 +26,7 @@ pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
     let size = largest(&guess).max(1.0);
-    let mut node = Box::new(Node::new(system, &guess).map_err(fault)?);
+    let mut node = Node::new(system, &guess).map_err(fault)?;
     let mut phi = [0.0; R];
     node.evaluate(system, 0.0, &guess, &mut phi)
         .map_err(fault)?;
@@ -62,7 +62,7 @@ pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
     check_finite("a change of a multiplier", &state.multiplier_changes)?;
     let q = &state.positions;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
-    let mut node = Box::new(Node::new(system, q).map_err(fault)?);
+    let mut node = Node::new(system, q).map_err(fault)?;
     let mut phi = [0.0; R];
     node.evaluate(system, state.time, q, &mut phi)
         .map_err(fault)?;

@@ -48,9 +48,14 @@ struct Symmetric {
 impl DoubleFourBar {
     /// Bars of 1 m and 1 kg, cranks upright, turning at −1 rad/s.
     pub fn new() -> Self {
-        let m = [[2.0 / 3.0, 1.0 / 6.0, 0.0], [1.0 / 6.0, 1.0, 1.0 / 6.0], [0.0, 1.0 / 6.0, 2.0 / 3.0]];
+        let m = [
+            [2.0 / 3.0, 1.0 / 6.0, 0.0],
+            [1.0 / 6.0, 1.0, 1.0 / 6.0],
+            [0.0, 1.0 / 6.0, 2.0 / 3.0],
+        ];
         let inverse = invert(m);
-        let coupler = std::array::from_fn(|j| std::array::from_fn(|i| inverse[i][j + 1] - inverse[i][j]));
+        let coupler =
+            std::array::from_fn(|j| std::array::from_fn(|i| inverse[i][j + 1] - inverse[i][j]));
         let mut mechanism = DoubleFourBar {
             mass: Mass { inverse, coupler },
             q: [0.0, 1.0, 1.0, 1.0, 2.0, 1.0],
@@ -59,7 +64,12 @@ impl DoubleFourBar {
             change: [0.0; R],
             rows: [[0.0; 2]; R],
             weighted: [[0.0; N]; R],
-            dual: Symmetric { upper: [[0.0; R]; R], inverse_pivot: [0.0; R], regular: true, matrix: [[0.0; R]; R] },
+            dual: Symmetric {
+                upper: [[0.0; R]; R],
+                inverse_pivot: [0.0; R],
+                regular: true,
+                matrix: [[0.0; R]; R],
+            },
         };
         mechanism.rows = directions(&mechanism.q);
         mechanism.weighted = mechanism.mass.weigh(&mechanism.rows);
@@ -70,7 +80,9 @@ impl DoubleFourBar {
     /// T + V.
     pub fn energy(&self) -> f64 {
         let q = &self.q;
-        let bar = |ax: f64, ay: f64, bx: f64, by: f64| (ax * ax + ay * ay + bx * bx + by * by + ax * bx + ay * by) / 6.0;
+        let bar = |ax: f64, ay: f64, bx: f64, by: f64| {
+            (ax * ax + ay * ay + bx * bx + by * by + ax * bx + ay * by) / 6.0
+        };
         let v = &self.v;
         let kinetic = bar(0.0, 0.0, v[0], v[1])
             + bar(0.0, 0.0, v[2], v[3])
@@ -83,7 +95,8 @@ impl DoubleFourBar {
     /// One step of h seconds.
     pub fn step(&mut self, h: f64) {
         let lengths: [f64; R] = std::array::from_fn(|i| self.dual.matrix[i][i]);
-        let mut kappa: [f64; R] = std::array::from_fn(|i| h * (self.multiplier[i] + self.change[i]));
+        let mut kappa: [f64; R] =
+            std::array::from_fn(|i| h * (self.multiplier[i] + self.change[i]));
         let mut va = self.v;
         accumulate(&mut va, &self.weighted, &kappa);
         let fall = 0.5 * h * GRAVITY;
@@ -97,7 +110,9 @@ impl DoubleFourBar {
                 q[2 * p + 1] = self.q[2 * p + 1] + h * (va[2 * p + 1] - fall);
             }
             rows = directions(&q);
-            let phi: [f64; R] = std::array::from_fn(|i| 0.5 * (rows[i][0] * rows[i][0] + rows[i][1] * rows[i][1] - 1.0));
+            let phi: [f64; R] = std::array::from_fn(|i| {
+                0.5 * (rows[i][0] * rows[i][0] + rows[i][1] * rows[i][1] - 1.0)
+            });
             let residual = (0..R).fold(0.0, |worst: f64, i| worst.max(phi[i] * phi[i]));
             if residual <= TOLERANCE {
                 break;
@@ -160,7 +175,11 @@ impl Mass {
     /// M⁻¹Aᵀ.
     fn weigh(&self, rows: &[[f64; 2]; R]) -> [[f64; N]; R] {
         std::array::from_fn(|i| {
-            let column = if i < 3 { &self.inverse[i] } else { &self.coupler[i - 3] };
+            let column = if i < 3 {
+                &self.inverse[i]
+            } else {
+                &self.coupler[i - 3]
+            };
             std::array::from_fn(|c| column[c / 2] * rows[i][c % 2])
         })
     }
@@ -214,7 +233,8 @@ impl Symmetric {
 
     fn solve(&self, x: &mut [f64; R]) {
         if !self.regular {
-            let full = std::array::from_fn(|i| std::array::from_fn(|j| self.matrix[i.min(j)][i.max(j)]));
+            let full =
+                std::array::from_fn(|i| std::array::from_fn(|j| self.matrix[i.min(j)][i.max(j)]));
             return least_squares(&full, x);
         }
         for k in 0..R {
@@ -241,11 +261,15 @@ struct General {
 impl General {
     #[cold]
     fn new(rows: &[[f64; 2]; R], weighted: &[[f64; N]; R], lengths: &[f64; R]) -> Self {
-        let matrix: [[f64; R]; R] = std::array::from_fn(|i| std::array::from_fn(|j| row_times(rows, i, &weighted[j])));
+        let matrix: [[f64; R]; R] =
+            std::array::from_fn(|i| std::array::from_fn(|j| row_times(rows, i, &weighted[j])));
         let mut lu = matrix;
         for k in 0..R {
             if lu[k][k].abs() <= SMALL_PIVOT * lengths[k] {
-                return General { lu, matrix: Some(matrix) };
+                return General {
+                    lu,
+                    matrix: Some(matrix),
+                };
             }
             for i in k + 1..R {
                 lu[i][k] /= lu[k][k];

@@ -7,6 +7,10 @@ use crate::{Settings, State, System};
 /// Most passes of the iteration on the velocity rows.
 const REFINEMENTS: usize = 10;
 
+/// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so
+/// close to a singular pose that its multiplier has no direction; the next step closes it.
+const LOST: f64 = 1e-6;
+
 /// System, state, and the workspace of a step.
 pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) system: S,
@@ -31,6 +35,19 @@ pub(crate) struct Work<const R: usize> {
     pub(crate) phi: [f64; R],
 }
 
+impl<const R: usize> Work<R> {
+    #[inline(never)]
+    fn new() -> Box<Self> {
+        Box::new(Work {
+            matrix: [[0.0; R]; R],
+            dual: Dual::new(),
+            symmetric: SymmetricDual::new(),
+            impulse: [[0.0; R]; 2],
+            phi: [0.0; R],
+        })
+    }
+}
+
 /// Work done since the start.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Counters {
@@ -49,19 +66,22 @@ pub(crate) struct RowScale<const R: usize> {
     factor: [f64; R],
     /// Lengths below this are taken for this: rows may vanish at a singular pose.
     floor: [f64; R],
+    /// (LOST / tolerance)².
+    pub(crate) lost: f64,
 }
 
 impl<const R: usize> RowScale<R> {
     fn new<S: System<N, R>, const N: usize>(system: &S, tolerance: f64) -> Result<Self, Fault> {
         let (q, _) = system.guess();
         let size = tolerance * largest(&q).max(1.0);
-        let mut node = Box::new(Node::new(system, &q)?);
+        let mut node = Node::new(system, &q)?;
         node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
         let lengths = node.lengths_squared();
         let longest = largest(&lengths);
         let mut scale = RowScale {
             factor: [size * size; R],
             floor: [1.0; R],
+            lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
         };
         for i in 0..R {
             if lengths[i] > 1e-8 * longest {
@@ -81,7 +101,7 @@ impl<const R: usize> RowScale<R> {
 
 impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     pub(crate) fn new(system: S, state: State<N, R>, settings: &Settings) -> Result<Self, Fault> {
-        let node = Box::new(Node::new(&system, &state.positions)?);
+        let node = Node::new(&system, &state.positions)?;
         let mut core = Core {
             scale: RowScale::new(&system, settings.constraint_tolerance)?,
             system,
@@ -89,13 +109,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
             max_iterations: settings.max_iterations,
             end: node.clone(),
             start: node,
-            work: Box::new(Work {
-                matrix: [[0.0; R]; R],
-                dual: Dual::new(),
-                symmetric: SymmetricDual::new(),
-                impulse: [[0.0; R]; 2],
-                phi: [0.0; R],
-            }),
+            work: Work::new(),
             counters: Counters::default(),
         };
         core.refresh()?;
@@ -116,7 +130,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         Ok(())
     }
 
-    /// The end of the step becomes the start of the next one.
+    /// The end of the step becomes the start of the next one. `weak`: rows were redundant, or nearly so.
     #[inline(always)]
     pub(crate) fn commit(
         &mut self,
@@ -124,6 +138,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         h: f64,
         q: [f64; N],
         v: [f64; N],
+        weak: bool,
     ) -> Result<(), Fault> {
         if !crate::linear::finite(&q) {
             return Err(Fault::NonFinite("positions"));
@@ -134,7 +149,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         self.state.time = time;
         self.state.positions = q;
         self.state.velocities = v;
-        self.state.keep_impulse(h, &self.work.impulse[0]);
+        self.state.keep_impulse(h, &self.work.impulse[0], weak);
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())

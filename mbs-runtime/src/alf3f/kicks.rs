@@ -1,4 +1,4 @@
-//! Kick, flow, kick with holonomic rows only (NUMERICS: two-level ALF-3F).
+//! Kick, flow, kick with holonomic rows only: the two-level form of ALF-3F.
 //!
 //! ```text
 //! M₀ v_a = M₀ v₀ + A₀ᵀ κ₁      (26) with κ₁ = −M̄μ
@@ -60,12 +60,14 @@ where
 
     let mut q = state.positions;
     let rate = 1.0 / h;
+    let weak_start = work.symmetric.weak;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    let mut matrix = if F::DIRECT && !work.symmetric.weak {
+    let mut matrix = if F::DIRECT && !weak_start {
         Matrix::Start
     } else {
         Matrix::None
     };
+    work.dual.regularised = false;
     let mut last = f64::INFINITY;
     let mut iterations = 0;
     loop {
@@ -78,7 +80,12 @@ where
         // Renewed where one more correction at the present rate would not do.
         let slow = !(residual * residual <= last) && iterations > 0;
         if matrix == Matrix::None || slow {
-            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < STAGNATED {
+            let taken = if work.dual.regularised {
+                scale.lost
+            } else {
+                STAGNATED
+            };
+            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
                 break;
             }
             if iterations == *max_iterations || !residual.is_finite() {
@@ -111,9 +118,10 @@ where
     work.impulse[0] = kappa;
 
     let mut v = flow.velocities(system, &va, &q, end);
-    end.metric(system, &q)?;
+    end.metric(system, t1, &q)?;
     core.project_velocity(&mut v);
-    core.commit(t1, h, q, v)
+    let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
+    core.commit(t1, h, q, v, weak)
 }
 
 /// max φ_i² / tolerance_i².

@@ -11,7 +11,7 @@
 //! mid-step and the row is tested at the end of the step: with a tight tolerance the step underflows there.
 
 use super::core::Counters;
-use super::paper_rows::{Instant, Jacobian};
+use super::paper_rows::{Instant, Jacobian, Unknowns};
 use super::{Fault, kicks};
 use crate::linear::{Pivoted, dot, finite, largest};
 use crate::{Method, PaperSettings, Settings, SimulationError, State, System};
@@ -27,15 +27,6 @@ pub struct PaperStepper<S: System<N, R>, const N: usize, const R: usize> {
     /// Work of each row against b during the last step, J.
     drive: [f64; R],
     counters: Counters,
-}
-
-/// The unknowns at the end of a step.
-struct Unknowns<const N: usize, const R: usize> {
-    v: [f64; N],
-    q: [f64; N],
-    mu: [f64; R],
-    lambda: [f64; R],
-    penalty: [f64; R],
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
@@ -306,8 +297,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             let momentum = self.end.momentum(&self.system, &x.q, &x.v, &mu);
             let mut change = std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n]);
             let (jacobian, factors) = &mut *self.jacobian;
-            self.end
-                .jacobian(&self.system, t1, &x.q, &x.v, h, &x.penalty, jacobian);
+            self.end.jacobian(&self.system, t1, h, x, jacobian);
             if !factors.factor(&jacobian.total) {
                 return Err(Fault::Mass);
             }
