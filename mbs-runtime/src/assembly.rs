@@ -45,7 +45,7 @@ pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
     if !(verdict.residual <= ASSEMBLED * size) {
         return Err(SimulationError::Assembly(verdict));
     }
-    project(&node, &mut v);
+    project(system, &node, &mut v);
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -168,13 +168,14 @@ fn holonomic_gram<S: System<N, R>, const N: usize, const R: usize>(
 
 /// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
 fn project<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
     node: &Node<S, N, R>,
     v: &mut [f64; N],
 ) {
     let mut solver = Box::new(SymmetricDual::new());
     solver.factor(&node.gram);
     for _ in 0..3 {
-        let rates = node.velocity_rows(v);
+        let rates = node.velocity_rows(system, v);
         // Velocities that satisfy the rows are left as they are.
         if largest(&rates) <= 1e-14 * largest(&v[..]) {
             return;

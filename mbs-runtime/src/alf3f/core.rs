@@ -57,15 +57,13 @@ pub(crate) struct Counters {
     pub(crate) rejected: u64,
 }
 
-/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i|² ∝ a_i M⁻¹ a_iᵀ, which is at hand.
+/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i| at the declared guess.
 ///
 /// It depends on the system alone, so that a resumed run takes the same decisions.
 #[derive(Clone, Copy)]
 pub(crate) struct RowScale<const R: usize> {
-    /// (tolerance · size)² |a|² / (a M⁻¹ aᵀ) at the declared guess.
-    factor: [f64; R],
-    /// Lengths below this are taken for this: rows may vanish at a singular pose.
-    floor: [f64; R],
+    /// 1/(tolerance · size · |a_i|)².
+    pub(crate) weights: [f64; R],
     /// (LOST / tolerance)².
     pub(crate) lost: f64,
 }
@@ -74,28 +72,23 @@ impl<const R: usize> RowScale<R> {
     fn new<S: System<N, R>, const N: usize>(system: &S, tolerance: f64) -> Result<Self, Fault> {
         let (q, _) = system.guess();
         let size = tolerance * largest(&q).max(1.0);
-        let mut node = Node::new(system, &q)?;
+        let mut node = Box::new(Node::new(system, &q)?);
         node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
         let lengths = node.lengths_squared();
         let longest = largest(&lengths);
-        let mut scale = RowScale {
-            factor: [size * size; R],
-            floor: [1.0; R],
+        let weights = std::array::from_fn(|i| {
+            // A row that vanishes at the guess has no length to go by there.
+            let length = if lengths[i] > 1e-8 * longest {
+                dot(&node.a[i], &node.a[i])
+            } else {
+                1.0
+            };
+            1.0 / (size * size * length)
+        });
+        Ok(RowScale {
+            weights,
             lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
-        };
-        for i in 0..R {
-            if lengths[i] > 1e-8 * longest {
-                scale.factor[i] *= dot(&node.a[i], &node.a[i]) / lengths[i];
-                scale.floor[i] = 1e-4 * lengths[i];
-            }
-        }
-        Ok(scale)
-    }
-
-    /// 1/tolerance² of each row.
-    #[inline(always)]
-    pub(crate) fn weights(&self, lengths_squared: &[f64; R]) -> [f64; R] {
-        ::core::array::from_fn(|i| 1.0 / (self.factor[i] * lengths_squared[i].max(self.floor[i])))
+        })
     }
 }
 
@@ -159,19 +152,20 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     #[inline(always)]
     pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
         let Core {
+            system,
             end,
             work,
             counters,
             ..
         } = self;
         work.symmetric.factor(&end.gram);
-        let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
         work.symmetric.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
         if work.symmetric.weak {
             counters.regularised += u64::from(work.symmetric.regularised);
-            refine(end, work, v);
+            refine(system, end, work, v);
         }
     }
 }
@@ -181,6 +175,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
 #[cold]
 #[inline(never)]
 fn refine<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
     end: &Node<S, N, R>,
     work: &mut Work<R>,
     v: &mut [f64; N],
@@ -188,7 +183,7 @@ fn refine<S: System<N, R>, const N: usize, const R: usize>(
     let tolerance = 1e-14 * largest(&v[..]);
     let mut last = f64::INFINITY;
     for _ in 0..REFINEMENTS {
-        let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
         let residual = largest(&multiplier);
         if residual <= tolerance || residual > 0.9 * last {
             return;

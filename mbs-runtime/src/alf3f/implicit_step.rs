@@ -79,7 +79,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             counters,
         } = core;
         let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
-        let mut weights = scale.weights(&start.lengths_squared());
+        let mut weights = scale.weights;
         let floor = largest(&v0).max(1e-3);
         for weight in &mut weights[holonomic..] {
             *weight /= floor * floor;
@@ -217,7 +217,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         let mut total = [0.0; R];
         let passes = if self.end_dual.regularised { 4 } else { 1 };
         for _ in 0..passes {
-            let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+            let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
             self.end_dual.solve(&mut multiplier);
             accumulate(v, &self.along_end, &multiplier);
             for i in 0..R {

@@ -50,8 +50,7 @@ where
         counters,
     } = core;
     let (t0, t1) = (state.time, state.time + h);
-    let lengths = start.lengths_squared();
-    let weights = scale.weights(&lengths);
+    let weights = &scale.weights;
 
     let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
@@ -73,7 +72,7 @@ where
     loop {
         flow.positions(system, &va, &mut q)?;
         system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
-        let residual = worst(&work.phi, &weights);
+        let residual = worst(&work.phi, weights);
         if residual <= 1.0 {
             break;
         }
@@ -89,11 +88,11 @@ where
                 break;
             }
             if iterations == *max_iterations || !residual.is_finite() {
-                return Err(not_converged(&work.phi, &weights, iterations));
+                return Err(not_converged(&work.phi, weights, iterations));
             }
             let directions = flow.directions(system, &va, &start.w)?;
             system.gram(&end.a, directions, &mut work.matrix);
-            work.dual.factor(&work.matrix, &lengths);
+            work.dual.factor(&work.matrix, &start.lengths_squared());
             counters.regularised += u64::from(work.dual.regularised);
             matrix = Matrix::Fresh;
         } else if matrix == Matrix::Fresh {

@@ -38,7 +38,7 @@ where
     } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
-    let mut weights = scale.weights(&lengths);
+    let mut weights = scale.weights;
     let speed = largest(&state.velocities).max(1e-3);
     for weight in &mut weights[holonomic..] {
         *weight /= speed * speed;

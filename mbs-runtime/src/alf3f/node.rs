@@ -67,7 +67,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
 
     /// A v + b.
     #[inline(always)]
-    pub(crate) fn velocity_rows(&self, v: &[f64; N]) -> [f64; R] {
-        ::core::array::from_fn(|i| crate::linear::dot(&self.a[i], v) + self.b[i])
+    pub(crate) fn velocity_rows(&self, system: &S, v: &[f64; N]) -> [f64; R] {
+        let mut rates = [0.0; R];
+        system.row_rates(&self.a, v, &mut rates);
+        ::core::array::from_fn(|i| rates[i] + self.b[i])
     }
 }

@@ -96,7 +96,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
 
     /// A v + b now.
     pub(crate) fn rates(&self) -> [f64; R] {
-        self.start.node.velocity_rows(&self.state.velocities)
+        self.start
+            .node
+            .velocity_rows(&self.system, &self.state.velocities)
     }
 
     /// Recomputes what is known of the current instant.
@@ -209,7 +211,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         if !finite(&x.v) || !finite(&x.q) || !finite(&momentum) {
             return Err(Fault::NonFinite("velocities"));
         }
-        let rates = self.end.node.velocity_rows(&x.v);
+        let rates = self.end.node.velocity_rows(&self.system, &x.v);
         for i in 0..R {
             let (start, end) = (&self.start, &self.end);
             let impulse = end.constraint_mass[i] * x.mu[i] - start.constraint_mass[i] * mu0[i]
@@ -246,11 +248,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
     ) -> Result<bool, Fault> {
         let settings = self.settings;
         let tolerance = settings.velocity_tolerance;
-        let mut before = self.end.node.velocity_rows(&x.v);
+        let mut before = self.end.node.velocity_rows(&self.system, &x.v);
         let (entry, admissible) = (x.v, largest(&before) <= tolerance);
         for _ in 0..settings.max_augmentations {
             self.newton(t1, h, known, x)?;
-            let rates = self.end.node.velocity_rows(&x.v);
+            let rates = self.end.node.velocity_rows(&self.system, &x.v);
             let augmentable = |i: usize| {
                 rates[i].abs() <= tolerance
                     || rates[i].abs() <= settings.augmentation_ratio * before[i].abs()
@@ -287,7 +289,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
     ) -> Result<(), Fault> {
         let mut size = 0.0;
         for _ in 0..self.settings.max_newton_iterations {
-            let rates = self.end.node.velocity_rows(&x.v);
+            let rates = self.end.node.velocity_rows(&self.system, &x.v);
             let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
             let lambda: [f64; R] =
                 std::array::from_fn(|r| x.lambda[r] - x.penalty[r] * self.end.phi[r]);
