@@ -11,7 +11,7 @@ pub(super) enum Value {
     Vector(Vector, Option<Dimension>),
     Point(Point),
     Frame(Owner),
-    List(Vec<(proc_macro2::Span, Value)>),
+    List(Vec<Value>),
 }
 
 impl Value {
@@ -24,7 +24,10 @@ impl Value {
             Value::Point(point) => format!("the point `{}`", point.label),
             Value::Frame(Owner::Ground) => "the ground".to_owned(),
             Value::Frame(Owner::Part(_)) => "a part".to_owned(),
-            Value::List(_) => "a list".to_owned(),
+            Value::List(items) => {
+                let items: Vec<_> = items.iter().map(Value::describe).collect();
+                format!("a list of {}", items.join(" and "))
+            }
         }
     }
 
@@ -35,10 +38,7 @@ impl Value {
             Value::Vector(v, _) => v.to_vec(),
             Value::Point(point) => point.position.to_vec(),
             Value::Frame(_) => Vec::new(),
-            Value::List(items) => items
-                .iter()
-                .flat_map(|(_, value)| value.expressions())
-                .collect(),
+            Value::List(items) => items.iter().flat_map(Value::expressions).collect(),
         }
     }
 }

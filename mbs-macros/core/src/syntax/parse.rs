@@ -4,9 +4,10 @@ use super::{Declaration, Entry, NamedArgument};
 use crate::diagnostics::{Errors, did_you_mean};
 use crate::schema;
 use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::spanned::Spanned;
-use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced};
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced, token};
 
 /// Parses a declaration. What parsed is returned even if some entries did not.
 pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
@@ -121,6 +122,12 @@ impl Parse for Header {
                 "expected the mechanism's name, as in `mechanism!(SliderCrank { … })`",
             )
         })?;
+        if !input.peek(token::Brace) {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("expected the entries in braces: `{name} {{ … }}`"),
+            ));
+        }
         let body;
         braced!(body in input);
         let body = body.parse()?;
@@ -144,12 +151,16 @@ enum Item {
 impl Parse for Item {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let doc = documentation(&input.call(Attribute::parse_outer)?)?;
-        let name: Ident = input.parse()?;
+        let name = entry_name(input)?;
         if !input.peek(Token![:]) {
-            return Err(syn::Error::new(
-                name.span(),
-                format!("expected `{name}: Kind(…)`"),
-            ));
+            let message = match schema::kind(&name.to_string()) {
+                Some(kind) => format!(
+                    "this `{kind}` has no name; write `name: {kind}(…)`",
+                    kind = kind.name
+                ),
+                None => format!("expected `:` after `{name}`, as in `{name}: Kind(…)`"),
+            };
+            return Err(syn::Error::new(name.span(), message));
         }
         input.parse::<Token![:]>()?;
         let value: Expr = input.parse()?;
@@ -162,8 +173,8 @@ impl Parse for Item {
                     lit: Lit::Str(text),
                     ..
                 }) => Ok(Item::Doc(text.value())),
-                other => Err(syn::Error::new(
-                    other.span(),
+                other => Err(syn::Error::new_spanned(
+                    other,
                     "`doc:` takes a text in quotes",
                 )),
             };
@@ -172,17 +183,31 @@ impl Parse for Item {
     }
 }
 
+fn entry_name(input: ParseStream) -> syn::Result<Ident> {
+    if !input.peek(Ident::peek_any) {
+        return Err(input.error("expected an entry, as in `name: Kind(…)`"));
+    }
+    let name = input.call(Ident::parse_any)?;
+    match syn::parse2::<Ident>(name.to_token_stream()) {
+        Ok(name) => Ok(name),
+        Err(_) => Err(syn::Error::new(
+            name.span(),
+            format!("`{name}` is a word of Rust; choose another name"),
+        )),
+    }
+}
+
 fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
     let expected = || format!("expected `{name}: Kind(…)`, for example `{name}: Param(1.0_m)`");
     let Expr::Call(call) = value else {
-        return Err(syn::Error::new(value.span(), expected()));
+        return Err(syn::Error::new_spanned(value, expected()));
     };
     let kind = match &*call.func {
         Expr::Path(path) => path.path.get_ident().cloned(),
         _ => None,
     };
     let Some(kind) = kind else {
-        return Err(syn::Error::new(call.func.span(), expected()));
+        return Err(syn::Error::new_spanned(call.func, expected()));
     };
     let mut entry = Entry {
         name,
@@ -195,14 +220,14 @@ fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
         match argument {
             Expr::Assign(assign) => {
                 let Expr::Path(path) = &*assign.left else {
-                    return Err(syn::Error::new(
-                        assign.left.span(),
+                    return Err(syn::Error::new_spanned(
+                        assign.left,
                         "expected `name = value`",
                     ));
                 };
                 let Some(name) = path.path.get_ident().cloned() else {
-                    return Err(syn::Error::new(
-                        assign.left.span(),
+                    return Err(syn::Error::new_spanned(
+                        assign.left,
                         "expected `name = value`",
                     ));
                 };
@@ -219,8 +244,8 @@ fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
             }
             positional if entry.named.is_empty() => entry.positional.push(positional),
             positional => {
-                return Err(syn::Error::new(
-                    positional.span(),
+                return Err(syn::Error::new_spanned(
+                    positional,
                     "positional arguments come before named ones",
                 ));
             }
@@ -243,8 +268,8 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
                 }
             }
             other => {
-                return Err(syn::Error::new(
-                    other.span(),
+                return Err(syn::Error::new_spanned(
+                    other,
                     "only documentation comments (`///`) may stand here",
                 ));
             }
