@@ -36,6 +36,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         .filter(|field| field.positional)
         .map(|field| field.name)
         .collect();
+    let mut misplaced = false;
     if let Some(surplus) = entry.positional.get(positional.len()) {
         let takes = match positional.as_slice() {
             [] => "no positional arguments".to_owned(),
@@ -50,6 +51,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
             Place::of(surplus),
             format!("`{}` takes {takes}; name the others", kind.name),
         );
+        misplaced = true;
     }
     for argument in &entry.named {
         let name = argument.name.to_string();
@@ -65,6 +67,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
                     known.join(", ")
                 ),
             );
+            misplaced = true;
         } else if positional
             .iter()
             .position(|known| *known == name)
@@ -75,6 +78,10 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
                 format!("`{name}` is given by position already"),
             );
         }
+    }
+    if misplaced {
+        // What seems to be missing may be what stands in the wrong place.
+        return;
     }
     for (slot, field) in kind
         .fields

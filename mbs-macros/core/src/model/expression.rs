@@ -5,7 +5,8 @@ use super::geometry::{Owner, Point};
 use super::resolve::Resolver;
 use super::value::{Value, unify};
 use crate::diagnostics::{Place, did_you_mean};
-use crate::symbolic::{Expr, Function, Symbol};
+use crate::symbolic::{Expr, Function, Node, Symbol};
+use crate::syntax::{MAX_DEPTH, TOO_DEEP};
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr as Syntax, Lit, Member, UnOp};
@@ -49,12 +50,32 @@ enum Shape {
 impl Resolver<'_> {
     /// The value of an expression; `None` after recording what is wrong with it.
     pub(super) fn evaluate(&mut self, syntax: &Syntax) -> Option<Value> {
-        let value = self.evaluate_any(syntax)?;
-        let infinite = |x: Expr| self.graph.as_constant(x).is_some_and(|x| !x.is_finite());
-        if value.expressions().into_iter().any(infinite) {
+        if self.depth > MAX_DEPTH {
+            return self.fail(Place::of(syntax), TOO_DEEP);
+        }
+        self.depth += 1;
+        let value = self.evaluate_any(syntax);
+        self.depth -= 1;
+        let value = value?;
+        let finite = |x: Expr| match *self.graph.node(x) {
+            Node::Constant(bits) => f64::from_bits(bits).is_finite(),
+            Node::Sum {
+                constant,
+                ref terms,
+            } => {
+                let coefficients = terms.iter().map(|&(_, bits)| bits);
+                coefficients
+                    .chain([constant])
+                    .all(|bits| f64::from_bits(bits).is_finite())
+            }
+            // Where these have a value, they have become that number.
+            Node::Function(_, x) | Node::Power(x, _) => self.graph.as_constant(x).is_none(),
+            _ => true,
+        };
+        if !value.expressions().into_iter().all(finite) {
             return self.fail(
                 Place::of(syntax),
-                "this is too large for a number, or not a number at all",
+                "the result of this is no finite number; check its arguments",
             );
         }
         Some(value)
@@ -392,6 +413,12 @@ impl Resolver<'_> {
                 let Some(exponent_value) = self.graph.as_constant(exponent_expr) else {
                     return self.fail(Place::of(exponent), "the exponent must be a number");
                 };
+                if exponent_value.abs() > 1000.0 {
+                    return self.fail(
+                        Place::of(exponent),
+                        "this exponent is too large; exponents go up to 1000",
+                    );
+                }
                 let dimension = match dimension {
                     Some(d) if d != Dimension::NONE => {
                         if exponent_value.fract() != 0.0 || exponent_value.abs() > 20.0 {

@@ -111,6 +111,8 @@ pub struct Resolver<'d> {
     names: HashMap<String, usize>,
     states: Vec<State>,
     silent: bool,
+    /// How many evaluations are under way, each for the sake of the one before.
+    pub(super) depth: usize,
 }
 
 impl<'d> Resolver<'d> {
@@ -128,6 +130,7 @@ impl<'d> Resolver<'d> {
             names: HashMap::new(),
             states: Vec::new(),
             silent: false,
+            depth: 0,
         }
     }
 
@@ -236,7 +239,7 @@ impl<'d> Resolver<'d> {
                 self.fail(
                     span,
                     format!(
-                        "`{name}` is a {}; it has no value that an expression could use",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use",
                         entry.kind
                     ),
                 )

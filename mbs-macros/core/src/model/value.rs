@@ -25,8 +25,11 @@ impl Value {
             Value::Frame(Owner::Ground) => "the ground".to_owned(),
             Value::Frame(Owner::Part(_)) => "a part".to_owned(),
             Value::List(items) => {
-                let items: Vec<_> = items.iter().map(Value::describe).collect();
-                format!("a list of {}", items.join(" and "))
+                let items = items.iter().map(|item| match item {
+                    Value::List(_) => "a list".to_owned(),
+                    other => other.describe(),
+                });
+                format!("a list of {}", items.collect::<Vec<_>>().join(", "))
             }
         }
     }

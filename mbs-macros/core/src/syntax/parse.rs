@@ -1,6 +1,6 @@
 //! The parser: entries are split at commas first, so that one broken entry does not hide the others.
 
-use super::{Declaration, Entry, NamedArgument};
+use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
 use crate::diagnostics::{Errors, did_you_mean};
 use crate::schema;
 use proc_macro2::{TokenStream, TokenTree};
@@ -11,6 +11,10 @@ use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced,
 
 /// Parses a declaration. What parsed is returned even if some entries did not.
 pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
+    if let Err(error) = height(&tokens, MAX_DEPTH) {
+        errors.push(error);
+        return None;
+    }
     let text = tokens.to_string();
     let Header {
         doc,
@@ -32,7 +36,9 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
         entries: Vec::new(),
         text,
     };
+    let mut broken_world = false;
     for chunk in split_at_commas(body) {
+        broken_world |= starts_with_world(&chunk);
         match syn::parse2::<Item>(chunk) {
             Ok(Item::Doc(doc)) => {
                 if !declaration.doc.is_empty() {
@@ -44,7 +50,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
             Err(error) => errors.push(error),
         }
     }
-    if declaration.world.is_none() {
+    if declaration.world.is_none() && !broken_world {
         errors.at(
             declaration.name.span(),
             "this mechanism has no world; write `world: Planar(gravity = [0.0, -9.81_m_per_s2]),` as its first entry",
@@ -83,6 +89,17 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
         } else {
             declaration.world = Some(entry);
         }
+        return;
+    }
+    if schema::world(&entry.kind.to_string()).is_some() {
+        errors.at(
+            entry.name.span(),
+            format!(
+                "a world has no name of its own; write `world: {}(…)`",
+                entry.kind
+            ),
+        );
+        declaration.world.get_or_insert(entry);
         return;
     }
     if schema::kind(&entry.kind.to_string()).is_none() {
@@ -163,6 +180,12 @@ impl Parse for Item {
             return Err(syn::Error::new(name.span(), message));
         }
         input.parse::<Token![:]>()?;
+        if input.is_empty() {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("expected `{name}: Kind(…)`"),
+            ));
+        }
         let value: Expr = input.parse()?;
         if !input.is_empty() {
             return Err(input.error("expected `,` between entries"));
@@ -183,12 +206,21 @@ impl Parse for Item {
     }
 }
 
+fn starts_with_world(entry: &TokenStream) -> bool {
+    let first = entry.clone().into_iter().next();
+    matches!(first, Some(TokenTree::Ident(name)) if name == "world")
+}
+
 fn entry_name(input: ParseStream) -> syn::Result<Ident> {
     if !input.peek(Ident::peek_any) {
         return Err(input.error("expected an entry, as in `name: Kind(…)`"));
     }
     let name = input.call(Ident::parse_any)?;
     match syn::parse2::<Ident>(name.to_token_stream()) {
+        Ok(name) if name.to_string().starts_with("r#") => Err(syn::Error::new(
+            name.span(),
+            "names are written without `r#`; choose another name",
+        )),
         Ok(name) => Ok(name),
         Err(_) => Err(syn::Error::new(
             name.span(),
@@ -276,6 +308,45 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
         }
     }
     Ok(lines.join("\n"))
+}
+
+/// At least the height of the tree that these tokens will become. An error at the token where it grows beyond `limit`.
+///
+/// A sum of n terms is a tree of height n above its highest term; within a term every sign may be a level. A pair of
+/// brackets weighs as much as the levels of grammar inside it.
+fn height(tokens: &TokenStream, limit: usize) -> syn::Result<usize> {
+    const BRACKETS: usize = 3;
+    let (mut sums, mut term, mut inside) = (0, 0, 0);
+    let (mut highest_term, mut highest) = (0, 0);
+    let mut after_operand = false;
+    for token in tokens.clone() {
+        match &token {
+            TokenTree::Punct(sign) => match sign.as_char() {
+                ',' => (sums, term, inside, highest_term) = (0, 0, 0, 0),
+                '+' | '-' if after_operand => {
+                    sums += 1;
+                    (term, inside) = (0, 0);
+                }
+                '+' | '-' | '*' | '/' | '.' => term += 1,
+                _ => sums += 1,
+            },
+            TokenTree::Group(group) => {
+                let within = match limit.checked_sub(sums + term + BRACKETS) {
+                    Some(left) => height(&group.stream(), left)?,
+                    None => 0,
+                };
+                inside = inside.max(within + BRACKETS);
+            }
+            TokenTree::Ident(_) | TokenTree::Literal(_) => {}
+        }
+        after_operand = !matches!(token, TokenTree::Punct(_));
+        highest_term = highest_term.max(term + inside);
+        highest = highest.max(sums + highest_term);
+        if highest > limit {
+            return Err(syn::Error::new(token.span(), TOO_DEEP));
+        }
+    }
+    Ok(highest)
 }
 
 fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {
