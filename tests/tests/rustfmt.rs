@@ -8,13 +8,7 @@ use std::process::{Command, Output};
 /// What rustfmt says of some files; nothing if it is not installed.
 fn check(files: &[PathBuf]) -> Option<Output> {
     let rustfmt = Command::new("rustfmt")
-        .args([
-            "--check",
-            "--edition",
-            "2024",
-            "--config",
-            "skip_children=true",
-        ])
+        .args(["--check", "--edition", "2024"])
         .args(files)
         .output();
     match rustfmt {
