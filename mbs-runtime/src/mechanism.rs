@@ -66,6 +66,23 @@ pub trait System<const N: usize, const R: usize>: Clone {
     fn solve_mass_rows(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R]);
     /// `gram[i][j]` = a_i · w_j, where `a` has the zero pattern of A.
     fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]);
+    /// `w` = M⁻¹ a row by row and `gram` = A M⁻¹ Aᵀ, where `a` is A(q, t) and `mass` the factor of M(q). Generated where
+    /// one fused function is cheaper than the two it stands for.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn metric(
+        &self,
+        mass: &Self::Mass,
+        t: f64,
+        q: &[f64; N],
+        a: &[[f64; N]; R],
+        w: &mut [[f64; N]; R],
+        gram: &mut [[f64; R]; R],
+    ) {
+        let _ = (t, q);
+        self.solve_mass_rows(mass, a, w);
+        self.gram(a, w, gram);
+    }
     /// p = M(q) v.
     fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]);
     /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), so that

@@ -40,10 +40,7 @@ impl Explain {
 
 /// The equations of motion in LaTeX.
 fn latex(model: &Model) -> Result<String, String> {
-    Err(format!(
-        "the equations of {} are not available in LaTeX yet; leave out --latex",
-        model.name
-    ))
+    mbs_macros_core::explain::latex(model.declaration)
 }
 
 fn explain(out: &mut String, scene: &Scene) -> fmt::Result {

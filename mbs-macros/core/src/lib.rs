@@ -9,6 +9,7 @@
 
 pub mod compile;
 pub mod diagnostics;
+pub mod explain;
 pub mod schema;
 pub mod symbolic;
 

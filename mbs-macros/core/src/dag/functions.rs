@@ -221,8 +221,67 @@ fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<F
         }
     }
     list.push(lowering.finish("gram"));
+    let separate: usize = list
+        .iter()
+        .filter(|kernel| kernel.name != "solve_mass")
+        .map(|kernel| kernel.cost().total())
+        .sum();
+    if derived.constant_mass && separate <= LONGEST_KERNEL {
+        let fused = metric(graph, hoisted, derived);
+        if fused.cost().total() < separate {
+            list.push(fused);
+        }
+    }
     list.retain(|kernel| kernel.operations.len() <= LONGEST_KERNEL);
     list
+}
+
+/// W = M⁻¹Aᵀ and S = A M⁻¹Aᵀ straight from q: factors of the same varying product add up to constants, so that for bars
+/// in natural coordinates an entry of S is little more than the dot product of two bars.
+fn metric(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Function {
+    let system = &derived.system;
+    let (size, rows) = (system.size, system.rows.len());
+    let block = blocks(size, &system.mass);
+    let row = |r: usize| -> Vec<(usize, Expr)> {
+        derived
+            .jacobian
+            .range((r, 0)..(r + 1, 0))
+            .map(|(&(_, column), &entry)| (column, entry))
+            .collect()
+    };
+    let mut lowering = Lowering::new(graph, hoisted);
+    for r in 0..rows {
+        for i in 0..size {
+            let entries: Vec<_> = row(r)
+                .into_iter()
+                .filter(|&(j, _)| block[i] == block[j])
+                .collect();
+            let terms: Vec<_> = entries
+                .iter()
+                .map(|&(j, entry)| lowering.inverse_times(i, j, &[entry]))
+                .collect();
+            if !terms.is_empty() {
+                let value = lowering.graph().sum(terms);
+                lowering.output("w", Place::Entry(r, i), value);
+            }
+        }
+    }
+    for r in 0..rows {
+        for s in r..rows {
+            let mut terms = Vec::new();
+            for (i, a) in row(r) {
+                for (j, b) in row(s).into_iter().filter(|&(j, _)| block[i] == block[j]) {
+                    terms.push(lowering.inverse_times(i, j, &[a, b]));
+                }
+            }
+            let value = lowering.graph().sum(terms);
+            lowering.output("gram", Place::Entry(r, s), value);
+            if s > r {
+                lowering.output("gram", Place::Entry(s, r), value);
+            }
+        }
+    }
+    lowering.finish("metric")
 }
 
 impl Lowering<'_> {
@@ -237,6 +296,14 @@ impl Lowering<'_> {
             })
             .collect();
         graph.sum(terms)
+    }
+
+    /// (M⁻¹)_ij times factors, as one flat product.
+    fn inverse_times(&mut self, i: usize, j: usize, factors: &[Expr]) -> Expr {
+        let graph = self.graph();
+        let mut all = vec![(inverse_entry(graph, i, j), 1)];
+        all.extend(factors.iter().map(|&factor| (factor, 1)));
+        graph.product(&all)
     }
 
     /// a_r · w_s over the columns where a_r is not zero.

@@ -151,28 +151,15 @@ impl<'a> Lowering<'a> {
 
     /// constant + Σ coefficient · term.
     fn sum(&mut self, constant: f64, terms: &[(Expr, u64)]) -> Operand {
-        // What is known already adds up to one constant.
-        let mut known: Vec<(Expr, f64)> = Vec::new();
-        // Groups with the same constant factor: (|coefficient|, known factor) → signed varying parts.
-        let mut groups: Vec<((u64, Option<Expr>), Vec<(Expr, bool)>)> = Vec::new();
-        for &(term, bits) in terms {
-            let coefficient = f64::from_bits(bits);
-            if self.hoist && self.hoisted.is_known(self.graph, term) {
-                known.push((term, coefficient));
-                continue;
-            }
-            let (factor, varying) = self.split(term);
-            let key = (coefficient.abs().to_bits(), factor);
-            let part = (varying, coefficient < 0.0);
-            match groups.iter_mut().find(|(other, _)| *other == key) {
-                Some((_, parts)) => parts.push(part),
-                None => groups.push((key, vec![part])),
-            }
-        }
+        let Grouped { known, groups } = self.group(terms);
         // Signed summands: (value, negative).
         let mut summands: Vec<(Operand, bool)> = Vec::new();
-        for ((magnitude, factor), parts) in groups {
-            let magnitude = f64::from_bits(magnitude);
+        for Group {
+            magnitude,
+            factor,
+            parts,
+        } in groups
+        {
             if magnitude == 1.0 && factor.is_none() {
                 for (varying, negative) in parts {
                     summands.push((self.operand(varying), negative));
@@ -205,6 +192,53 @@ impl<'a> Lowering<'a> {
             }
         }
         self.signed_sum(&summands)
+    }
+
+    /// Terms as known part and groups. Known factors of the same varying part add up first, k x + l x = (k + l) x; then
+    /// varying parts with the same factor form a group, k x + k y = k (x + y).
+    fn group(&mut self, terms: &[(Expr, u64)]) -> Grouped {
+        let mut known: Vec<(Expr, f64)> = Vec::new();
+        let mut by_varying: Vec<(Expr, Vec<(Option<Expr>, f64)>)> = Vec::new();
+        for &(term, bits) in terms {
+            let coefficient = f64::from_bits(bits);
+            if self.hoist && self.hoisted.is_known(self.graph, term) {
+                known.push((term, coefficient));
+                continue;
+            }
+            let (factor, varying) = self.split(term);
+            match by_varying.iter_mut().find(|(other, _)| *other == varying) {
+                Some((_, factors)) => factors.push((factor, coefficient)),
+                None => by_varying.push((varying, vec![(factor, coefficient)])),
+            }
+        }
+        let mut groups: Vec<Group> = Vec::new();
+        for (varying, factors) in by_varying {
+            let (factor, coefficient) = match factors.as_slice() {
+                [single] => *single,
+                several => {
+                    let one = self.graph.one();
+                    let terms: Vec<_> = several
+                        .iter()
+                        .map(|&(factor, c)| (factor.unwrap_or(one), c))
+                        .collect();
+                    (Some(self.graph.linear(0.0, &terms)), 1.0)
+                }
+            };
+            let magnitude = coefficient.abs();
+            let part = (varying, coefficient < 0.0);
+            match groups
+                .iter_mut()
+                .find(|group| group.magnitude == magnitude && group.factor == factor)
+            {
+                Some(group) => group.parts.push(part),
+                None => groups.push(Group {
+                    magnitude,
+                    factor,
+                    parts: vec![part],
+                }),
+            }
+        }
+        Grouped { known, groups }
     }
 
     fn signed_sum(&mut self, summands: &[(Operand, bool)]) -> Operand {
@@ -296,7 +330,7 @@ impl<'a> Lowering<'a> {
         }
         let half = self.integer_power(base, power / 2);
         let square = self.push(Operation::Multiply(half, half));
-        if power % 2 == 0 {
+        if power.is_multiple_of(2) {
             square
         } else {
             self.push(Operation::Multiply(square, base))
@@ -331,4 +365,19 @@ fn rank(operand: Operand) -> (u8, u64, Option<Symbol>) {
         Operand::Symbol(symbol) => (2, 0, Some(symbol)),
         Operand::Value(value) => (3, value as u64, None),
     }
+}
+
+/// The terms of a sum, sorted for lowering.
+struct Grouped {
+    /// Terms that depend on parameters only, with their coefficients.
+    known: Vec<(Expr, f64)>,
+    groups: Vec<Group>,
+}
+
+/// magnitude · factor · Σ ± part.
+struct Group {
+    magnitude: f64,
+    factor: Option<Expr>,
+    /// Varying parts, and whether they count negative.
+    parts: Vec<(Expr, bool)>,
 }

@@ -102,6 +102,11 @@ const METHODS: &[(&str, &str, Ending)] = &[
         "(&self, t: f64, q: &[f64; N], v: &[f64; N], acceleration: &[f64; N], lambda: &[f64; R], reactions: &mut [f64])",
         Ending::Slice("reactions"),
     ),
+    (
+        "metric",
+        "(&self, mass: &Self::Mass, t: f64, q: &[f64; N], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
+        Ending::Writes,
+    ),
 ];
 
 /// Kernels: name, signature, and the loop that stands in where straight-line code would be too long.

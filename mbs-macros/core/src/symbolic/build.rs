@@ -70,18 +70,28 @@ impl Graph {
         collect(&mut flat);
         self.pythagoras(&mut flat, &mut constant);
         match flat.as_slice() {
-            [] => self.constant(constant),
-            [(term, 1.0)] if constant == 0.0 => *term,
-            _ => {
-                let terms = flat
-                    .into_iter()
-                    .map(|(term, coefficient)| (term, coefficient.to_bits()))
-                    .collect();
-                self.intern(Node::Sum {
-                    constant: (constant + 0.0).to_bits(),
-                    terms,
-                })
-            }
+            [] => return self.constant(constant),
+            [(term, 1.0)] if constant == 0.0 => return *term,
+            _ => {}
+        }
+        // a − b and b − a share a node: the first coefficient of a proper sum is positive, its negative a scaled term.
+        let negative = flat.len() > 1 && flat[0].1 < 0.0;
+        let sign = if negative { -1.0 } else { 1.0 };
+        let terms = flat
+            .into_iter()
+            .map(|(term, coefficient)| (term, (sign * coefficient).to_bits()))
+            .collect();
+        let sum = self.intern(Node::Sum {
+            constant: (sign * constant + 0.0).to_bits(),
+            terms,
+        });
+        if negative {
+            self.intern(Node::Sum {
+                constant: 0,
+                terms: [(sum, (-1.0f64).to_bits())].into(),
+            })
+        } else {
+            sum
         }
     }
 
@@ -101,7 +111,15 @@ impl Graph {
             Node::Sum {
                 constant: inner,
                 terms,
-            } if coefficient.abs() == 1.0 || terms.len() == 1 => {
+            } if terms.len() == 1 => {
+                *constant += coefficient * f64::from_bits(*inner);
+                let (term, bits) = terms[0];
+                self.flatten_term(term, coefficient * f64::from_bits(bits), constant, flat);
+            }
+            Node::Sum {
+                constant: inner,
+                terms,
+            } if coefficient.abs() == 1.0 => {
                 *constant += coefficient * f64::from_bits(*inner);
                 flat.extend(
                     terms

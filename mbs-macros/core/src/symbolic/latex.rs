@@ -7,7 +7,7 @@ impl Graph {
     pub fn latex(&self, expr: Expr) -> String {
         match self.node(expr) {
             Node::Constant(bits) => number(f64::from_bits(*bits)),
-            Node::Symbol(symbol) => identifier(&self.name(*symbol)),
+            Node::Symbol(symbol) => latex_identifier(&self.name(*symbol)),
             Node::Sum { constant, terms } => self.latex_sum(f64::from_bits(*constant), terms),
             Node::Product(factors) => self.latex_product(factors),
             Node::Function(Function::Sqrt, x) => format!("\\sqrt{{{}}}", self.latex(*x)),
@@ -122,15 +122,29 @@ fn number(value: f64) -> String {
     }
 }
 
-/// `crank.b.x` → crank with the index b, x, set upright.
-fn identifier(name: &str) -> String {
-    let escaped = name.replace('_', "\\_");
-    match escaped.split_once('.') {
-        Some((part, rest)) => format!(
-            "\\mathrm{{{part}}}_{{\\mathrm{{{}}}}}",
-            rest.replace('.', ",")
+/// A name as LaTeX: `crank.b.x'` becomes crank with the index b,x and a dot.
+pub fn latex_identifier(name: &str) -> String {
+    let accent = match name.len() - name.trim_end_matches('\'').len() {
+        0 => "",
+        1 => "\\dot",
+        _ => "\\ddot",
+    };
+    let escaped = name.trim_end_matches('\'').replace('_', "\\_");
+    let (part, rest) = match escaped.split_once('.') {
+        Some((part, rest)) => (
+            part.to_owned(),
+            format!("_{{\\mathrm{{{}}}}}", rest.replace('.', ",")),
         ),
-        None if escaped.chars().count() == 1 => escaped,
-        None => format!("\\mathrm{{{escaped}}}"),
+        None => (escaped, String::new()),
+    };
+    let part = if part.chars().count() == 1 {
+        part
+    } else {
+        format!("\\mathrm{{{part}}}")
+    };
+    if accent.is_empty() {
+        format!("{part}{rest}")
+    } else {
+        format!("{accent}{{{part}}}{rest}")
     }
 }

@@ -14,6 +14,7 @@ mod substitute;
 use std::collections::HashMap;
 
 pub use evaluate::{Evaluator, LawEvaluation};
+pub use latex::latex_identifier;
 pub use substitute::Substitution;
 
 /// A node of a [`Graph`].
@@ -185,7 +186,17 @@ impl Graph {
 
     /// Suggests a name for the temporary that will hold `expr` in generated code (the first suggestion stays).
     pub fn suggest_name(&mut self, expr: Expr, name: impl Into<String>) {
-        self.hints.entry(expr).or_insert_with(|| name.into());
+        let name = name.into();
+        if let Node::Sum { constant: 0, terms } = self.node(expr)
+            && let [(opposite, sign)] = **terms
+            && f64::from_bits(sign) == -1.0
+        {
+            // What will be computed is the opposite.
+            self.hints
+                .entry(opposite)
+                .or_insert_with(|| format!("minus_{name}"));
+        }
+        self.hints.entry(expr).or_insert(name);
     }
 
     /// The suggested name of an expression.
