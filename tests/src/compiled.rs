@@ -25,10 +25,16 @@ pub fn table<S: System<N, R>, const N: usize, const R: usize>(
     system: &S,
     at: &Arguments<N, R>,
 ) -> Table {
-    let Arguments { time: t, q, v, acceleration, lambda } = at;
+    let Arguments {
+        time: t,
+        q,
+        v,
+        acceleration,
+        lambda,
+    } = at;
     let t = *t;
     let mut table = Table::default();
-    let mut sparse = |table: &mut Table, function, sink, entries: Entries| {
+    let sparse = |table: &mut Table, function, sink, entries: Entries| {
         for (place, value) in entries.0 {
             table.insert((function, sink, place), value);
         }
@@ -54,7 +60,8 @@ pub fn table<S: System<N, R>, const N: usize, const R: usize>(
     table.vector("constraints", "phi", &phi[..holonomic]);
     table.vector("constraints", "b", &b);
     let mut rows = Box::new([[0.0; N]; R]);
-    a.0.iter().for_each(|&([i, j, _], value)| rows[i][j] = value);
+    a.0.iter()
+        .for_each(|&([i, j, _], value)| rows[i][j] = value);
     sparse(&mut table, "constraints", "a", a);
     let (mut rate, mut gamma) = (Entries::default(), [f64::NAN; R]);
     system.constraint_rates(t, q, v, &mut rate, &mut gamma);
@@ -70,8 +77,7 @@ pub fn table<S: System<N, R>, const N: usize, const R: usize>(
     system.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
     sparse(&mut table, "applied_force_tangents", "f_q", f_q);
     sparse(&mut table, "applied_force_tangents", "f_v", f_v);
-    let (mut f_q, mut f_v, mut p_q) =
-        (Entries::default(), Entries::default(), Entries::default());
+    let (mut f_q, mut f_v, mut p_q) = (Entries::default(), Entries::default(), Entries::default());
     system.force_tangents(t, q, v, &mut f_q, &mut f_v, &mut p_q);
     sparse(&mut table, "force_tangents", "f_q", f_q);
     sparse(&mut table, "force_tangents", "f_v", f_v);
@@ -121,6 +127,17 @@ pub fn table<S: System<N, R>, const N: usize, const R: usize>(
         for (i, row) in gram.iter().enumerate() {
             for (j, &value) in row.iter().enumerate() {
                 table.insert(("gram", "gram", [i, j, 0]), value);
+            }
+        }
+        // Either generated, or the two kernels above one after the other.
+        *w = [[0.0; N]; R];
+        system.metric(&mass, t, q, &rows, &mut w, &mut gram);
+        for i in 0..R {
+            for (j, &value) in w[i].iter().enumerate() {
+                table.insert(("metric", "w", [i, j, 0]), value);
+            }
+            for (j, &value) in gram[i].iter().enumerate() {
+                table.insert(("metric", "gram", [i, j, 0]), value);
             }
         }
     }

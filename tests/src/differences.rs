@@ -20,9 +20,7 @@ fn slope(function: &dyn Fn(f64) -> Vec<f64>) -> (Vec<f64>, f64) {
             let [far_left, left, right, far_right] =
                 [-2.0, -1.0, 1.0, 2.0].map(|steps| function(steps * h));
             (0..centre.len())
-                .map(|i| {
-                    (far_left[i] - far_right[i] + 8.0 * (right[i] - left[i])) / (12.0 * h)
-                })
+                .map(|i| (far_left[i] - far_right[i] + 8.0 * (right[i] - left[i])) / (12.0 * h))
                 .collect()
         })
         .collect();
@@ -37,7 +35,10 @@ fn slope(function: &dyn Fn(f64) -> Vec<f64>) -> (Vec<f64>, f64) {
             slopes[pair][i]
         })
         .collect();
-    let size = centre.iter().chain(&best).fold(0.0, |size: f64, x| size.max(x.abs()));
+    let size = centre
+        .iter()
+        .chain(&best)
+        .fold(0.0, |size: f64, x| size.max(x.abs()));
     (best, size)
 }
 
@@ -64,7 +65,10 @@ impl Findings {
     }
 
     fn identity(&mut self, what: &str, given: &[f64], expected: &[f64]) {
-        let size = expected.iter().chain(given).fold(1e-3, |size: f64, x| size.max(x.abs()));
+        let size = expected
+            .iter()
+            .chain(given)
+            .fold(1e-3, |size: f64, x| size.max(x.abs()));
         self.compare(what, given, expected, EXACT * size);
     }
 }
@@ -157,7 +161,11 @@ fn constraints<S: System<N, R>, const N: usize, const R: usize>(
     let (t, q, v) = (at.time, &at.q, &at.v);
     let holonomic = S::STRUCTURE.holonomic_rows;
     let (phi, a, b) = dense.constraints(t, q);
-    findings.identity("phi", &dense.holonomic(t, q)[..holonomic], &phi[..holonomic]);
+    findings.identity(
+        "phi",
+        &dense.holonomic(t, q)[..holonomic],
+        &phi[..holonomic],
+    );
     for j in 0..N {
         let entries: Vec<f64> = (0..holonomic).map(|i| a[i * N + j]).collect();
         findings.derivative(&format!("A, column {j}"), &entries, &|s| {
@@ -215,8 +223,11 @@ fn tangents<S: System<N, R>, const N: usize, const R: usize>(
     let (t, q, v) = (at.time, &at.q, &at.v);
     let (mut f_q, mut f_v) = (Box::new([[0.0; N]; N]), Box::new([[0.0; N]; N]));
     system.applied_force_tangents(t, q, v, &mut *f_q, &mut *f_v);
-    let (mut total_q, mut total_v, mut p_q) =
-        (Box::new([[0.0; N]; N]), Box::new([[0.0; N]; N]), Box::new([[0.0; N]; N]));
+    let (mut total_q, mut total_v, mut p_q) = (
+        Box::new([[0.0; N]; N]),
+        Box::new([[0.0; N]; N]),
+        Box::new([[0.0; N]; N]),
+    );
     system.force_tangents(t, q, v, &mut *total_q, &mut *total_v, &mut *p_q);
     for j in 0..N {
         findings.derivative(&format!("∂f/∂q, column {j}"), &column(&*f_q, j), &|s| {
@@ -225,12 +236,16 @@ fn tangents<S: System<N, R>, const N: usize, const R: usize>(
         findings.derivative(&format!("∂f/∂v, column {j}"), &column(&*f_v, j), &|s| {
             dense.applied(t, q, &along(v, s, &unit(j)))
         });
-        findings.derivative(&format!("∂F/∂q, column {j}"), &column(&*total_q, j), &|s| {
-            dense.total(t, &along(q, s, &unit(j)), v)
-        });
-        findings.derivative(&format!("∂F/∂v, column {j}"), &column(&*total_v, j), &|s| {
-            dense.total(t, q, &along(v, s, &unit(j)))
-        });
+        findings.derivative(
+            &format!("∂F/∂q, column {j}"),
+            &column(&*total_q, j),
+            &|s| dense.total(t, &along(q, s, &unit(j)), v),
+        );
+        findings.derivative(
+            &format!("∂F/∂v, column {j}"),
+            &column(&*total_v, j),
+            &|s| dense.total(t, q, &along(v, s, &unit(j))),
+        );
         findings.derivative(&format!("∂p/∂q, column {j}"), &column(&*p_q, j), &|s| {
             dense.momentum(&along(q, s, &unit(j)), v)
         });
@@ -256,13 +271,20 @@ fn inertia<S: System<N, R>, const N: usize, const R: usize>(
     let mut sink = Affinities(&mut gamma);
     system.affinities(q, &mut sink);
     if S::STRUCTURE.constant_mass {
-        let none = gamma.as_flattened().as_flattened().iter().all(|&entry| entry == 0.0);
+        let none = gamma
+            .as_flattened()
+            .as_flattened()
+            .iter()
+            .all(|&entry| entry == 0.0);
         findings.identity("affinities", &[f64::from(u8::from(none))], &[1.0]);
         return;
     }
-    let slopes: Vec<(Vec<f64>, f64)> =
-        (0..N).map(|k| slope(&|s| dense.mass(&along(q, s, &unit(k))))).collect();
-    let size = slopes.iter().fold(0.0, |size: f64, (_, other)| size.max(*other));
+    let slopes: Vec<(Vec<f64>, f64)> = (0..N)
+        .map(|k| slope(&|s| dense.mass(&along(q, s, &unit(k)))))
+        .collect();
+    let size = slopes
+        .iter()
+        .fold(0.0, |size: f64, (_, other)| size.max(*other));
     for i in 0..N {
         for j in 0..N {
             let expected: Vec<f64> = (0..N)
@@ -294,9 +316,8 @@ fn kernels<S: System<N, R>, const N: usize, const R: usize>(
     let dense = Dense(system);
     let q = &at.q;
     let mass = dense.mass(q);
-    let times_mass = |x: &[f64; N]| -> [f64; N] {
-        std::array::from_fn(|i| dot(&mass[i * N..][..N], x))
-    };
+    let times_mass =
+        |x: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| dot(&mass[i * N..][..N], x)) };
     let Some(factor) = system.factor_mass(q) else {
         findings.0.push("M is not positive definite".to_owned());
         return;
@@ -310,9 +331,12 @@ fn kernels<S: System<N, R>, const N: usize, const R: usize>(
     let mut a = Box::new([[0.0; N]; R]);
     system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
     // Any rows with the zeros of A.
-    a.as_flattened_mut().iter_mut().filter(|entry| **entry != 0.0).for_each(|entry| {
-        *entry = 0.5 + random.within(1.0);
-    });
+    a.as_flattened_mut()
+        .iter_mut()
+        .filter(|entry| **entry != 0.0)
+        .for_each(|entry| {
+            *entry = 0.5 + random.within(1.0);
+        });
     let mut w = Box::new([[0.0; N]; R]);
     system.solve_mass_rows(&factor, &a, &mut w);
     for i in 0..R {
@@ -325,6 +349,23 @@ fn kernels<S: System<N, R>, const N: usize, const R: usize>(
     for i in 0..R {
         let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
         findings.identity(&format!("row {i} of the Gram matrix"), &gram[i], &expected);
+    }
+    let mut a = Box::new([[0.0; N]; R]);
+    system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
+    let mut w = Box::new([[0.0; N]; R]);
+    system.metric(&factor, at.time, q, &a, &mut w, &mut gram);
+    for i in 0..R {
+        let mut expected = a[i];
+        system.solve_mass(&factor, &mut expected);
+        findings.identity(&format!("row {i} of W of the metric"), &w[i], &expected);
+    }
+    for i in 0..R {
+        let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
+        findings.identity(
+            &format!("row {i} of A W of the metric"),
+            &gram[i],
+            &expected,
+        );
     }
     let mut explicit = [0.0; N];
     system.acceleration(at.time, q, &mut explicit);

@@ -45,13 +45,20 @@ mechanism!(Press {
         angle = 10.0_deg
     ),
     slot: PointOnLine(wheel.point(radius, 0.0_m), plate.origin, axis = Y),
-    weld: Fixed(ram.point(0.1_m, 0.0_m), plate.point(0.0_m, -0.05_m), angle = 0.2),
+    weld: Fixed(
+        ram.point(0.1_m, 0.0_m),
+        plate.point(0.0_m, -0.05_m),
+        angle = 0.2
+    ),
     motor: Drive(wheel.angle, value = speed * t + 0.1 * (2.0_per_s * t).sin()),
 
     friction: Torque(pinion, value = -brake * pinion.rate * 1.0_s, from = wheel),
     push: Force(
         ram.point(0.0_m, 0.1_m),
-        value = [-load, 3.0_N * (4.0_per_s * t).cos() - 2.0_N_s_per_m * ram.velocity.y]
+        value = [
+            -load,
+            3.0_N * (4.0_per_s * t).cos() - 2.0_N_s_per_m * ram.velocity.y
+        ]
     ),
     return_spring: SpringDamper(
         ground.point(1.5_m, 0.2_m),
@@ -84,7 +91,11 @@ mechanism!(Truss {
     mass: Param(0.8_kg),
 
     crank: Bar(mass = mass, length = length, angle = 40.0_deg),
-    rocker: Bar(mass = 2.0 * mass, from = [2.0_m, 0.0_m], to = [2.1_m, 1.1_m]),
+    rocker: Bar(
+        mass = 2.0 * mass,
+        from = [2.0_m, 0.0_m],
+        to = [2.1_m, 1.1_m]
+    ),
     coupler: Bar(mass = mass, length = 1.4_m, angle = 10.0_deg),
     strut: Bar(length = 0.7_m, angle = -60.0_deg),
     weight: Particle(mass = 0.5_kg),
@@ -97,14 +108,12 @@ mechanism!(Truss {
     hang: Revolute(coupler.b, strut.a),
     end: Revolute(strut.b, weight.origin),
     rope: Distance(crank.b, bead.origin, length = 0.6_m),
-    level: Coupling(
-        crank.b.y,
-        bead.origin.x,
-        ratio = 0.7,
-        offset = 0.05_m
-    ),
+    level: Coupling(crank.b.y, bead.origin.x, ratio = 0.7, offset = 0.05_m),
     motor: Drive(crank.angle, value = 0.6 + 1.5_rad_per_s * t),
-    lift: Drive(bead.origin.y - 0.2 * weight.origin.x, value = 0.3_m + 0.1_m_per_s * t),
+    lift: Drive(
+        bead.origin.y - 0.2 * weight.origin.x,
+        value = 0.3_m + 0.1_m_per_s * t
+    ),
     ramp: Holonomic(cross(coupler.x, rocker.x) - 0.1 * (1.0_per_s * t).sin()),
 
     cord: SpringDamper(weight.origin, bead.origin, law = laws::stiffening),
@@ -174,10 +183,7 @@ mechanism!(Chain {
         inertia = 0.02_kg_m2,
         center_of_mass = [0.1_m, 0.03_m],
         frame = Frame(
-            [
-                slide + length * first.cos(),
-                length * first.sin()
-            ],
+            [slide + length * first.cos(), length * first.sin()],
             first + second
         )
     ),
@@ -191,7 +197,10 @@ mechanism!(Chain {
     loose: Particle(mass = 0.3_kg, at = [0.2_m, -0.8_m]),
 
     rope: Distance(bob.origin, loose.origin, length = 0.5_m),
-    motor: Torque(upper, value = 0.5_N_m * second.sin() - 0.1_N_m_s * first.rate),
+    motor: Torque(
+        upper,
+        value = 0.5_N_m * second.sin() - 0.1_N_m_s * first.rate
+    ),
     spring: SpringDamper(
         ground.origin,
         bob.origin,
@@ -214,16 +223,26 @@ mechanism!(Functions {
     half: Let(0.45 * (x + 2.0 * y).sin()),
     above: Let(1.5 + x * x + y * y),
 
-    wheel: Body(mass = 1.0_kg, inertia = 1.2_kg_m2, frame = Frame([0.0_m, 0.0_m], x)),
-    flywheel: Body(mass = 1.0_kg, inertia = 0.7_kg_m2, frame = Frame([0.0_m, 0.0_m], y)),
+    wheel: Body(
+        mass = 1.0_kg,
+        inertia = 1.2_kg_m2,
+        frame = Frame([0.0_m, 0.0_m], x)
+    ),
+    flywheel: Body(
+        mass = 1.0_kg,
+        inertia = 0.7_kg_m2,
+        frame = Frame([0.0_m, 0.0_m], y)
+    ),
 
     trigonometric: Torque(
         wheel,
-        value = 1.0_N_m * (x.sin() * y.cos() + (0.3 * x).tan() + half.asin() - half.acos() + (x * y).atan())
+        value = 1.0_N_m
+            * (x.sin() * y.cos() + (0.3 * x).tan() + half.asin() - half.acos() + (x * y).atan())
     ),
     hyperbolic: Torque(
         flywheel,
-        value = 1.0_N_m * (half.sinh() + (x - y).cosh() + (size * y).tanh() + half.exp() - above.ln())
+        value =
+            1.0_N_m * (half.sinh() + (x - y).cosh() + (size * y).tanh() + half.exp() - above.ln())
     ),
     rough: Torque(
         wheel,
@@ -232,7 +251,10 @@ mechanism!(Functions {
     ),
     powers: Torque(
         flywheel,
-        value = 1.0_N_m * (above.sqrt() + above.powf(1.7) - above.powi(3) / 10.0 + above.powf(-0.5) + size.powf(0.3))
+        value = 1.0_N_m
+            * (above.sqrt() + above.powf(1.7) - above.powi(3) / 10.0
+                + above.powf(-0.5)
+                + size.powf(0.3))
     ),
     pairs: Torque(
         wheel,
@@ -240,9 +262,13 @@ mechanism!(Functions {
     ),
     vectors: Torque(
         flywheel,
-        value = 1.0_N_m * (dot([x, y], [y, 2.0]) + cross([x, above], unit([y, above])) + norm([above, y]))
+        value = 1.0_N_m
+            * (dot([x, y], [y, 2.0]) + cross([x, above], unit([y, above])) + norm([above, y]))
     ),
-    fitted: Torque(wheel, value = 1.0_N_m * law(laws::blend, x, y * size, x.rate * 1.0_s)),
+    fitted: Torque(
+        wheel,
+        value = 1.0_N_m * law(laws::blend, x, y * size, x.rate * 1.0_s)
+    ),
 
     out: Output(rate(half * above)),
     crossing: Event(x - y),

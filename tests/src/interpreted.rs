@@ -20,7 +20,9 @@ pub struct Interpreted {
 
 /// Stages 1 to 4 of a declaration that is known to be right.
 pub fn analysis(declaration: &str) -> Analysis {
-    let tokens = declaration.parse().expect("a declaration is made of tokens");
+    let tokens = declaration
+        .parse()
+        .expect("a declaration is made of tokens");
     match analyse(tokens).1 {
         Ok(analysis) => analysis,
         Err(failure) => panic!("{}", failure.to_compile_errors()),
@@ -40,7 +42,11 @@ impl Interpreted {
         let parameters: Vec<f64> = <M as Mechanism>::MODEL
             .parameters
             .iter()
-            .map(|parameter| mechanism.parameter(parameter.name).expect("named by the model"))
+            .map(|parameter| {
+                mechanism
+                    .parameter(parameter.name)
+                    .expect("named by the model")
+            })
             .collect();
         let mut interpreted = Interpreted {
             analysis,
@@ -81,8 +87,12 @@ impl Interpreted {
     fn run_preparation(&self, stage: usize, constants: &mut [f64]) {
         let known = constants.to_vec();
         let symbols = |symbol: Symbol| self.parameter(symbol);
-        let results = Run { symbols: &symbols, constants: &known, laws: &|_, _| unreachable!() }
-            .function(&self.program.preparation[stage]);
+        let results = Run {
+            symbols: &symbols,
+            constants: &known,
+            laws: &|_, _| unreachable!(),
+        }
+        .function(&self.program.preparation[stage]);
         for (output, value) in results {
             match output.place {
                 Place::Constant(slot) => constants[slot] = value,
@@ -133,7 +143,11 @@ impl Interpreted {
         }
 
         let mut program = Table::default();
-        let run = Run { symbols: &symbols, constants: &self.constants, laws: &laws };
+        let run = Run {
+            symbols: &symbols,
+            constants: &self.constants,
+            laws: &laws,
+        };
         for function in &self.program.functions {
             for (output, value) in run.function(function) {
                 program.insert((function.name, output.sink, indices(output.place)), value);
@@ -170,7 +184,11 @@ impl Interpreted {
         vector("kinetic_energy", "", &[derived.kinetic]);
         vector("potential_energy", "", &[system.potential]);
         vector("nonconservative_power", "", &[system.power]);
-        let reactions: Vec<Expr> = system.reactions.iter().map(|reaction| reaction.expr).collect();
+        let reactions: Vec<Expr> = system
+            .reactions
+            .iter()
+            .map(|reaction| reaction.expr)
+            .collect();
         vector("reactions", "reactions", &reactions);
         if let Some(acceleration) = &derived.acceleration {
             vector("acceleration", "acceleration", acceleration);
@@ -179,8 +197,16 @@ impl Interpreted {
             ("mass_matrix", "mass", &system.mass),
             ("constraints", "a", &derived.jacobian),
             ("constraint_rates", "a_rate", &derived.jacobian_rate),
-            ("applied_force_tangents", "f_q", &derived.applied_by_position),
-            ("applied_force_tangents", "f_v", &derived.applied_by_velocity),
+            (
+                "applied_force_tangents",
+                "f_q",
+                &derived.applied_by_position,
+            ),
+            (
+                "applied_force_tangents",
+                "f_v",
+                &derived.applied_by_velocity,
+            ),
             ("force_tangents", "f_q", &derived.total_by_position),
             ("force_tangents", "f_v", &derived.total_by_velocity),
             ("force_tangents", "p_q", &derived.momentum_by_position),

@@ -15,10 +15,7 @@ pub fn stiffening([length, rate]: [f64; 2]) -> (f64, [f64; 2]) {
 /// A torque against turning: of [angle, rate].
 pub fn saturating([angle, rate]: [f64; 2]) -> (f64, [f64; 2]) {
     let tanh = (2.0 * rate).tanh();
-    (
-        0.7 * angle + 0.2 * tanh,
-        [0.7, 0.4 * (1.0 - tanh * tanh)],
-    )
+    (0.7 * angle + 0.2 * tanh, [0.7, 0.4 * (1.0 - tanh * tanh)])
 }
 
 /// Three arguments, as called by `law(…)` in an expression.

@@ -6,5 +6,5 @@ pub mod fixtures;
 pub mod interpreted;
 pub mod laws;
 pub mod random;
-pub mod tampered;
 pub mod table;
+pub mod tampered;

@@ -39,7 +39,12 @@ impl Table {
             let size = sizes.entry((key.0, key.1)).or_default();
             *size = size.max(value.abs());
         }
-        let mut keys: Vec<Key> = self.values.keys().chain(other.values.keys()).copied().collect();
+        let mut keys: Vec<Key> = self
+            .values
+            .keys()
+            .chain(other.values.keys())
+            .copied()
+            .collect();
         keys.sort_unstable();
         keys.dedup();
         keys.retain(|key| self.has(key.0) && other.has(key.0));
@@ -47,7 +52,11 @@ impl Table {
         keys.iter()
             .filter_map(|key| {
                 let (a, b) = (get(self, key), get(other, key));
-                let size = if each_by_itself { a.abs().max(b.abs()) } else { sizes[&(key.0, key.1)] };
+                let size = if each_by_itself {
+                    a.abs().max(b.abs())
+                } else {
+                    sizes[&(key.0, key.1)]
+                };
                 let equal = (a - b).abs() <= relative * size;
                 (!equal).then(|| format!("{key:?}: {a:e} against {b:e}"))
             })

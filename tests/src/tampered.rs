@@ -4,9 +4,31 @@ use mbs_runtime::{MatrixSink, Model, Structure, System, TensorSink};
 
 /// The functions that can be made wrong, by the argument or value that they give.
 pub const QUANTITIES: &[&str] = &[
-    "mass", "p", "affinities", "holonomic", "phi", "a", "b", "a_rate", "gamma", "f", "F", "f_q",
-    "f_v", "F_q", "F_v", "p_q", "acceleration", "T", "V", "power", "solve_mass",
-    "solve_mass_rows", "gram",
+    "mass",
+    "p",
+    "affinities",
+    "holonomic",
+    "phi",
+    "a",
+    "b",
+    "a_rate",
+    "gamma",
+    "f",
+    "F",
+    "f_q",
+    "f_v",
+    "F_q",
+    "F_v",
+    "p_q",
+    "acceleration",
+    "T",
+    "V",
+    "power",
+    "solve_mass",
+    "solve_mass_rows",
+    "gram",
+    "metric_rows",
+    "metric_gram",
 ];
 
 /// Relative size of the error.
@@ -40,7 +62,10 @@ impl<S> Tampered<S> {
     }
 
     fn sink<'a, T>(&self, quantity: &str, sink: &'a mut T) -> Wrong<'a, T> {
-        Wrong { sink, wrong: quantity == self.wrong }
+        Wrong {
+            sink,
+            wrong: quantity == self.wrong,
+        }
     }
 }
 
@@ -52,7 +77,11 @@ struct Wrong<'a, T> {
 
 impl<T> Wrong<'_, T> {
     fn value(&self, value: f64) -> f64 {
-        if self.wrong { value + ERROR * value.abs().max(1.0) } else { value }
+        if self.wrong {
+            value + ERROR * value.abs().max(1.0)
+        } else {
+            value
+        }
     }
 }
 
@@ -104,12 +133,26 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         self.inner.gram(a, w, gram);
         self.vector("gram", gram.as_flattened_mut());
     }
+    fn metric(
+        &self,
+        mass: &Self::Mass,
+        t: f64,
+        q: &[f64; N],
+        a: &[[f64; N]; R],
+        w: &mut [[f64; N]; R],
+        gram: &mut [[f64; R]; R],
+    ) {
+        self.inner.metric(mass, t, q, a, w, gram);
+        self.vector("metric_rows", w.as_flattened_mut());
+        self.vector("metric_gram", gram.as_flattened_mut());
+    }
     fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]) {
         self.inner.momentum(q, v, p);
         self.vector("p", p);
     }
     fn affinities(&self, q: &[f64; N], gamma: &mut impl TensorSink) {
-        self.inner.affinities(q, &mut self.sink("affinities", gamma));
+        self.inner
+            .affinities(q, &mut self.sink("affinities", gamma));
     }
     fn holonomic(&self, t: f64, q: &[f64; N], phi: &mut [f64; R]) {
         self.inner.holonomic(t, q, phi);
@@ -135,7 +178,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         a_rate: &mut impl MatrixSink,
         gamma: &mut [f64; R],
     ) {
-        self.inner.constraint_rates(t, q, v, &mut self.sink("a_rate", a_rate), gamma);
+        self.inner
+            .constraint_rates(t, q, v, &mut self.sink("a_rate", a_rate), gamma);
         self.vector("gamma", gamma);
     }
     fn applied_forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
@@ -155,7 +199,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         f_v: &mut impl MatrixSink,
     ) {
         let (mut f_q, mut f_v) = (self.sink("f_q", f_q), self.sink("f_v", f_v));
-        self.inner.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
+        self.inner
+            .applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
     }
     fn force_tangents(
         &self,
@@ -167,7 +212,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         p_q: &mut impl MatrixSink,
     ) {
         let (mut f_q, mut f_v) = (self.sink("F_q", f_q), self.sink("F_v", f_v));
-        self.inner.force_tangents(t, q, v, &mut f_q, &mut f_v, &mut self.sink("p_q", p_q));
+        self.inner
+            .force_tangents(t, q, v, &mut f_q, &mut f_v, &mut self.sink("p_q", p_q));
     }
     fn acceleration(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N]) {
         self.inner.acceleration(t, q, acceleration);
@@ -179,7 +225,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
     fn potential_energy(&self, q: &[f64; N]) -> f64 {
         let energy = self.inner.potential_energy(q);
         // A constant error would not matter.
-        if self.wrong == "V" { energy * (1.0 + ERROR) + ERROR * q[0] } else { energy }
+        if self.wrong == "V" {
+            energy * (1.0 + ERROR) + ERROR * q[0]
+        } else {
+            energy
+        }
     }
     fn nonconservative_power(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64 {
         self.number("power", self.inner.nonconservative_power(t, q, v))
@@ -202,6 +252,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         lambda: &[f64; R],
         reactions: &mut [f64],
     ) {
-        self.inner.reactions(t, q, v, acceleration, lambda, reactions);
+        self.inner
+            .reactions(t, q, v, acceleration, lambda, reactions);
     }
 }

@@ -16,9 +16,7 @@ fn count(size: usize) -> usize {
 }
 
 /// A system whose inputs are not their defaults, and states for it.
-fn prepare<M, S, const N: usize, const R: usize>(
-    mechanism: &M,
-) -> (S, Vec<Arguments<N, R>>, Random)
+fn prepare<M, S, const N: usize, const R: usize>(mechanism: &M) -> (S, Vec<Arguments<N, R>>, Random)
 where
     M: Mechanism<System = S>,
     S: System<N, R>,
@@ -29,7 +27,9 @@ where
         *input += random.within(1.0);
     }
     let (guess, _) = system.guess();
-    let states = (0..count(N)).map(|_| Arguments::near(&guess, &mut random)).collect();
+    let states = (0..count(N))
+        .map(|_| Arguments::near(&guess, &mut random))
+        .collect();
     (system, states, random)
 }
 
@@ -40,7 +40,10 @@ where
 {
     let (system, states, mut random) = prepare(&M::default());
     for at in &states {
-        assert_none(differences::findings(&system, at, &mut random), S::MODEL.name);
+        assert_none(
+            differences::findings(&system, at, &mut random),
+            S::MODEL.name,
+        );
     }
 }
 
@@ -56,9 +59,15 @@ where
         let compiled = compiled::table(&system, at);
         let (symbolic, program) = interpreted.tables(&system, at);
         assert_none(compiled.differences(&symbolic, 1e-11, false), "expressions");
-        assert_none(compiled.differences(&program, 4.0 * f64::EPSILON, true), "programs");
+        assert_none(
+            compiled.differences(&program, 4.0 * f64::EPSILON, true),
+            "programs",
+        );
         for function in interpreted.functions() {
-            assert!(compiled.has(function) || !program.has(function), "{function}");
+            assert!(
+                compiled.has(function) || !program.has(function),
+                "{function}"
+            );
         }
     }
 }
@@ -68,7 +77,12 @@ fn assert_none(findings: Vec<String>, what: &str) {
         findings.is_empty(),
         "{what}: {} findings\n{}",
         findings.len(),
-        findings.iter().take(20).cloned().collect::<Vec<_>>().join("\n")
+        findings
+            .iter()
+            .take(20)
+            .cloned()
+            .collect::<Vec<_>>()
+            .join("\n")
     );
 }
 
@@ -156,7 +170,9 @@ fn an_error_in_any_function_is_found() {
         {
             let (system, states, mut random) = prepare(&M::default());
             let tampered = Tampered::new(system, wrong);
-            states.iter().any(|at| !differences::findings(&tampered, at, &mut random).is_empty())
+            states
+                .iter()
+                .any(|at| !differences::findings(&tampered, at, &mut random).is_empty())
         }
         finds::<fixtures::Truss, _, _, _>(wrong)
             || finds::<fixtures::Chain, _, _, _>(wrong)
