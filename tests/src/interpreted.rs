@@ -2,16 +2,19 @@
 
 use crate::laws;
 use crate::random::Arguments;
-use crate::table::{Table, indices};
+use crate::table::{Key, Table, indices};
 use mbs_macros_core::dag::{self, Operand, Place, Program, Run};
+use mbs_macros_core::derivatives::Derived;
+use mbs_macros_core::model::Law;
 use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, Symbol};
 use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::{Mechanism, System};
 
 /// A declaration that was compiled once more, inside the test.
 pub struct Interpreted {
-    analysis: Analysis,
+    laws: Vec<Law>,
     graph: Graph,
+    expressions: Vec<(Key, Expr)>,
     program: Program,
     parameters: Vec<f64>,
     inverse: Vec<Vec<f64>>,
@@ -36,9 +39,10 @@ impl Interpreted {
         M: Mechanism<System = S>,
         S: System<N, R>,
     {
-        let program = dag::lower(analysis(<M as Mechanism>::MODEL.declaration).derived);
         let analysis = analysis(<M as Mechanism>::MODEL.declaration);
         let graph = analysis.derived.system.graph.clone();
+        let expressions = expressions(&analysis.derived);
+        let program = dag::lower(analysis.derived);
         let parameters: Vec<f64> = <M as Mechanism>::MODEL
             .parameters
             .iter()
@@ -49,8 +53,9 @@ impl Interpreted {
             })
             .collect();
         let mut interpreted = Interpreted {
-            analysis,
+            laws: analysis.model.laws,
             graph,
+            expressions,
             program,
             parameters,
             inverse: Vec::new(),
@@ -132,14 +137,12 @@ impl Interpreted {
             Symbol::WeightedEntry(i, j) => w[i as usize][j as usize],
             other => self.parameter(other),
         };
-        let laws = |law: u32, arguments: &[f64]| {
-            laws::call(&self.analysis.model.laws[law as usize], arguments)
-        };
+        let laws = |law: u32, arguments: &[f64]| laws::call(&self.laws[law as usize], arguments);
 
         let mut symbolic = Table::default();
         let mut evaluator = Evaluator::new(&self.graph, &symbols, &laws);
-        for (function, sink, place, expr) in self.expressions() {
-            symbolic.insert((function, sink, place), evaluator.value(expr));
+        for &(key, expr) in &self.expressions {
+            symbolic.insert(key, evaluator.value(expr));
         }
 
         let mut program = Table::default();
@@ -155,81 +158,75 @@ impl Interpreted {
         }
         (symbolic, program)
     }
+}
 
-    /// Every derived expression and where the generated code writes it.
-    fn expressions(&self) -> Vec<(&'static str, &'static str, [usize; 3], Expr)> {
-        let derived = &self.analysis.derived;
-        let system = &derived.system;
-        let mut list = Vec::new();
-        let mut vector = |function, sink, values: &[Expr]| {
-            for (i, &value) in values.iter().enumerate() {
-                list.push((function, sink, [i, 0, 0], value));
-            }
-        };
-        let holonomic: Vec<Expr> = system
-            .rows
-            .iter()
-            .filter(|row| row.kind.is_holonomic())
-            .map(|row| row.expr)
-            .collect();
-        vector("momentum", "p", &derived.momentum);
-        vector("holonomic", "phi", &holonomic);
-        vector("constraints", "phi", &holonomic);
-        vector("constraints", "b", &derived.rheonomic);
-        vector("constraint_rates", "gamma", &derived.convective);
-        vector("applied_forces", "f", &system.forces);
-        vector("forces", "f", &derived.total_forces);
-        vector("outputs", "outputs", &system.outputs);
-        vector("events", "events", &system.events);
-        vector("kinetic_energy", "", &[derived.kinetic]);
-        vector("potential_energy", "", &[system.potential]);
-        vector("nonconservative_power", "", &[system.power]);
-        let reactions: Vec<Expr> = system
-            .reactions
-            .iter()
-            .map(|reaction| reaction.expr)
-            .collect();
-        vector("reactions", "reactions", &reactions);
-        if let Some(acceleration) = &derived.acceleration {
-            vector("acceleration", "acceleration", acceleration);
+/// Every derived expression and where the generated code writes it.
+fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
+    let system = &derived.system;
+    let mut list = Vec::new();
+    let mut vector = |function, sink, values: &[Expr]| {
+        for (i, &value) in values.iter().enumerate() {
+            list.push(((function, sink, [i, 0, 0]), value));
         }
-        for (function, sink, matrix) in [
-            ("mass_matrix", "mass", &system.mass),
-            ("constraints", "a", &derived.jacobian),
-            ("constraint_rates", "a_rate", &derived.jacobian_rate),
-            (
-                "applied_force_tangents",
-                "f_q",
-                &derived.applied_by_position,
-            ),
-            (
-                "applied_force_tangents",
-                "f_v",
-                &derived.applied_by_velocity,
-            ),
-            ("force_tangents", "f_q", &derived.total_by_position),
-            ("force_tangents", "f_v", &derived.total_by_velocity),
-            ("force_tangents", "p_q", &derived.momentum_by_position),
-        ] {
-            for (&(i, j), &value) in matrix {
-                list.push((function, sink, [i, j, 0], value));
-                if function == "mass_matrix" && i != j {
-                    list.push((function, sink, [j, i, 0], value));
-                }
+    };
+    let holonomic: Vec<Expr> = system
+        .rows
+        .iter()
+        .filter(|row| row.kind.is_holonomic())
+        .map(|row| row.expr)
+        .collect();
+    vector("momentum", "p", &derived.momentum);
+    vector("holonomic", "phi", &holonomic);
+    vector("constraints", "phi", &holonomic);
+    vector("constraints", "b", &derived.rheonomic);
+    vector("constraint_rates", "gamma", &derived.convective);
+    vector("applied_forces", "f", &system.forces);
+    vector("forces", "f", &derived.total_forces);
+    vector("outputs", "outputs", &system.outputs);
+    vector("events", "events", &system.events);
+    vector("kinetic_energy", "", &[derived.kinetic]);
+    vector("potential_energy", "", &[system.potential]);
+    vector("nonconservative_power", "", &[system.power]);
+    let reactions: Vec<Expr> = system
+        .reactions
+        .iter()
+        .map(|reaction| reaction.expr)
+        .collect();
+    vector("reactions", "reactions", &reactions);
+    if let Some(acceleration) = &derived.acceleration {
+        vector("acceleration", "acceleration", acceleration);
+    }
+    for (function, sink, matrix) in [
+        ("mass_matrix", "mass", &system.mass),
+        ("constraints", "a", &derived.jacobian),
+        ("constraint_rates", "a_rate", &derived.jacobian_rate),
+        (
+            "applied_force_tangents",
+            "f_q",
+            &derived.applied_by_position,
+        ),
+        (
+            "applied_force_tangents",
+            "f_v",
+            &derived.applied_by_velocity,
+        ),
+        ("force_tangents", "f_q", &derived.total_by_position),
+        ("force_tangents", "f_v", &derived.total_by_velocity),
+        ("force_tangents", "p_q", &derived.momentum_by_position),
+    ] {
+        for (&(i, j), &value) in matrix {
+            list.push(((function, sink, [i, j, 0]), value));
+            if function == "mass_matrix" && i != j {
+                list.push(((function, sink, [j, i, 0]), value));
             }
         }
-        for (&(i, j, k), &value) in &derived.affinities {
-            list.push(("affinities", "gamma", [i, j, k], value));
-        }
-        for (i, point) in system.points.iter().enumerate() {
-            list.push(("points", "points", [i, 0, 0], point[0]));
-            list.push(("points", "points", [i, 1, 0], point[1]));
-        }
-        list
     }
-
-    /// Names of the generated functions.
-    pub fn functions(&self) -> impl Iterator<Item = &'static str> + '_ {
-        self.program.functions.iter().map(|function| function.name)
+    for (&(i, j, k), &value) in &derived.affinities {
+        list.push((("affinities", "gamma", [i, j, k]), value));
     }
+    for (i, point) in system.points.iter().enumerate() {
+        list.push((("points", "points", [i, 0, 0]), point[0]));
+        list.push((("points", "points", [i, 1, 0]), point[1]));
+    }
+    list
 }

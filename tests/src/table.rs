@@ -1,7 +1,7 @@
 //! Values of generated functions by name and place.
 
 use mbs_macros_core::dag::Place;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Function, argument that receives the value, and indices in it.
 pub type Key = (&'static str, &'static str, [usize; 3]);
@@ -26,13 +26,13 @@ impl Table {
         }
     }
 
-    /// Whether anything of this function is there.
-    pub fn has(&self, function: &str) -> bool {
-        self.values.keys().any(|key| key.0 == function)
+    /// The functions of which there are values.
+    pub fn functions(&self) -> BTreeSet<&'static str> {
+        self.values.keys().map(|key| key.0).collect()
     }
 
     /// Where this table differs from another by more than `relative` of the largest value of the same function and sink
-    /// (`ulps = true`: of the value itself). Functions that only one of the two has are not compared.
+    /// (`each_by_itself`: of the value itself). Functions that only one of the two has are not compared.
     pub fn differences(&self, other: &Table, relative: f64, each_by_itself: bool) -> Vec<String> {
         let mut sizes: BTreeMap<(&str, &str), f64> = BTreeMap::new();
         for (key, value) in self.values.iter().chain(&other.values) {
@@ -47,7 +47,8 @@ impl Table {
             .collect();
         keys.sort_unstable();
         keys.dedup();
-        keys.retain(|key| self.has(key.0) && other.has(key.0));
+        let (ours, theirs) = (self.functions(), other.functions());
+        keys.retain(|key| ours.contains(key.0) && theirs.contains(key.0));
         let get = |table: &Table, key: &Key| table.values.get(key).copied().unwrap_or(0.0);
         keys.iter()
             .filter_map(|key| {
@@ -61,16 +62,6 @@ impl Table {
                 (!equal).then(|| format!("{key:?}: {a:e} against {b:e}"))
             })
             .collect()
-    }
-
-    /// The number of values.
-    pub fn len(&self) -> usize {
-        self.values.len()
-    }
-
-    /// Whether there are no values.
-    pub fn is_empty(&self) -> bool {
-        self.values.is_empty()
     }
 }
 

@@ -336,6 +336,20 @@ proptest! {
     }
 }
 
+/// A sum whose coefficients collect to one is dissolved like any other.
+#[test]
+fn a_sum_that_collects_to_itself_is_flat() {
+    let mut graph = Graph::default();
+    let [x, y, z] = [0, 1, 2].map(|i| graph.symbol(Symbol::Coordinate(i)));
+    let sum = graph.add(x, y);
+    let terms = [(sum, 3.0), (z, 1.0)];
+    let first = graph.linear(0.0, &terms);
+    for rest in [[(sum, -2.0)], [(sum, -4.0)]] {
+        let expr = graph.linear(0.0, &[(first, 1.0), rest[0]]);
+        assert_eq!(rebuild(&mut graph, expr), expr, "{}", graph.text(expr));
+    }
+}
+
 /// Expressions as the outputs of a system that has nothing else.
 mod program {
     use super::*;
