@@ -26,7 +26,7 @@ pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
     let size = largest(&guess).max(1.0);
-    let mut node = Box::new(Node::new(system, &guess).map_err(fault)?);
+    let mut node = Node::new(system, &guess).map_err(fault)?;
     let mut phi = [0.0; R];
     node.evaluate(system, 0.0, &guess, &mut phi)
         .map_err(fault)?;
@@ -45,7 +45,7 @@ pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
     if !(verdict.residual <= ASSEMBLED * size) {
         return Err(SimulationError::Assembly(verdict));
     }
-    project(&node, &mut v);
+    project(system, &node, &mut v);
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -62,7 +62,7 @@ pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
     check_finite("a change of a multiplier", &state.multiplier_changes)?;
     let q = &state.positions;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
-    let mut node = Box::new(Node::new(system, q).map_err(fault)?);
+    let mut node = Node::new(system, q).map_err(fault)?;
     let mut phi = [0.0; R];
     node.evaluate(system, state.time, q, &mut phi)
         .map_err(fault)?;
@@ -168,13 +168,14 @@ fn holonomic_gram<S: System<N, R>, const N: usize, const R: usize>(
 
 /// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
 fn project<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
     node: &Node<S, N, R>,
     v: &mut [f64; N],
 ) {
     let mut solver = Box::new(SymmetricDual::new());
     solver.factor(&node.gram);
     for _ in 0..3 {
-        let rates = node.velocity_rows(v);
+        let rates = node.velocity_rows(system, v);
         // Velocities that satisfy the rows are left as they are.
         if largest(&rates) <= 1e-14 * largest(&v[..]) {
             return;

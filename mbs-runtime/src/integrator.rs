@@ -76,7 +76,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
                 let core = &stepper.core;
                 Trace {
                     phi: &core.work.phi,
-                    rates: core.start.velocity_rows(&core.state.velocities),
+                    rates: core
+                        .start
+                        .velocity_rows(&core.system, &core.state.velocities),
                     // After the commit `end` is the node where the step began.
                     drive: std::array::from_fn(|i| {
                         -core.work.impulse[0][i] * core.end.b[i]

@@ -1,5 +1,8 @@
 //! Multibody mechanisms declared in Rust, simulated with ALF-3F.
 
+// Comparisons are negated on purpose, so that a NaN fails the test.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 pub mod alf3f;
 mod any;
 mod assembly;
@@ -22,7 +25,7 @@ mod simulation_error;
 mod sink;
 mod state;
 
-pub use alf3f::TwoLevelStepper;
+pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;

@@ -83,6 +83,13 @@ pub trait System<const N: usize, const R: usize>: Clone {
         self.solve_mass_rows(mass, a, w);
         self.gram(a, w, gram);
     }
+    /// A v, where `a` has the zero pattern of A.
+    #[inline(always)]
+    fn row_rates(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R]) {
+        for (rate, a) in rates.iter_mut().zip(a) {
+            *rate = crate::linear::dot(a, v);
+        }
+    }
     /// p = M(q) v.
     fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]);
     /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), so that

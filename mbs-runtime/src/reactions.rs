@@ -13,7 +13,7 @@ pub(crate) fn reactions<S: System<N, R>, const N: usize, const R: usize>(
     state: &State<N, R>,
 ) -> Result<Reactions, Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
-    let mut node = Box::new(Node::new(system, q)?);
+    let mut node = Node::new(system, q)?;
     node.evaluate(system, t, q, &mut [0.0; R])?;
 
     let mut acceleration = [0.0; N];

@@ -1,5 +1,12 @@
 //! Where a simulation stands: all that is needed to continue it bit for bit.
 
+use crate::linear::largest;
+
+/// Multipliers that grow by more than this in a step are not kept.
+const USUAL_GROWTH: f64 = 10.0;
+/// The same for a step beside a singular pose.
+const USUAL_GROWTH_WEAK: f64 = 2.0;
+
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct State<const N: usize, const R: usize> {
@@ -27,9 +34,25 @@ impl<const N: usize, const R: usize> State<N, R> {
     }
 
     /// Keeps the impulses κ₁ of a step of h for the next one.
+    ///
+    /// A `weak` step, beside a singular pose, can have multipliers that are huge along a direction which does nothing
+    /// there and everything at the next step; begun with those, Newton's method may end on another branch of the
+    /// mechanism. Multipliers that jump are forgotten: the next step begins with none.
     #[inline(always)]
-    pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &[f64; R]) {
+    pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &[f64; R], weak: bool) {
         let rate = 1.0 / h;
+        let before = largest(&self.multipliers);
+        let now = rate.abs() * largest(impulse);
+        let usual = if weak {
+            USUAL_GROWTH_WEAK
+        } else {
+            USUAL_GROWTH
+        };
+        if now > usual * before && (weak || before > 0.0) {
+            self.multipliers = [0.0; R];
+            self.multiplier_changes = [0.0; R];
+            return;
+        }
         for i in 0..R {
             let force = rate * impulse[i];
             self.multiplier_changes[i] = force - self.multipliers[i];

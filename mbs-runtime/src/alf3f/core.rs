@@ -7,6 +7,10 @@ use crate::{Settings, State, System};
 /// Most passes of the iteration on the velocity rows.
 const REFINEMENTS: usize = 10;
 
+/// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so
+/// close to a singular pose that its multiplier has no direction; the next step closes it.
+const LOST: f64 = 1e-6;
+
 /// System, state, and the workspace of a step.
 pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) system: S,
@@ -31,6 +35,19 @@ pub(crate) struct Work<const R: usize> {
     pub(crate) phi: [f64; R],
 }
 
+impl<const R: usize> Work<R> {
+    #[inline(never)]
+    fn new() -> Box<Self> {
+        Box::new(Work {
+            matrix: [[0.0; R]; R],
+            dual: Dual::new(),
+            symmetric: SymmetricDual::new(),
+            impulse: [[0.0; R]; 2],
+            phi: [0.0; R],
+        })
+    }
+}
+
 /// Work done since the start.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Counters {
@@ -40,15 +57,15 @@ pub(crate) struct Counters {
     pub(crate) rejected: u64,
 }
 
-/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i|² ∝ a_i M⁻¹ a_iᵀ, which is at hand.
+/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i| at the declared guess.
 ///
 /// It depends on the system alone, so that a resumed run takes the same decisions.
 #[derive(Clone, Copy)]
 pub(crate) struct RowScale<const R: usize> {
-    /// (tolerance · size)² |a|² / (a M⁻¹ aᵀ) at the declared guess.
-    factor: [f64; R],
-    /// Lengths below this are taken for this: rows may vanish at a singular pose.
-    floor: [f64; R],
+    /// 1/(tolerance · size · |a_i|)².
+    pub(crate) weights: [f64; R],
+    /// (LOST / tolerance)².
+    pub(crate) lost: f64,
 }
 
 impl<const R: usize> RowScale<R> {
@@ -59,29 +76,25 @@ impl<const R: usize> RowScale<R> {
         node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
         let lengths = node.lengths_squared();
         let longest = largest(&lengths);
-        let mut scale = RowScale {
-            factor: [size * size; R],
-            floor: [1.0; R],
-        };
-        for i in 0..R {
-            if lengths[i] > 1e-8 * longest {
-                scale.factor[i] *= dot(&node.a[i], &node.a[i]) / lengths[i];
-                scale.floor[i] = 1e-4 * lengths[i];
-            }
-        }
-        Ok(scale)
-    }
-
-    /// 1/tolerance² of each row.
-    #[inline(always)]
-    pub(crate) fn weights(&self, lengths_squared: &[f64; R]) -> [f64; R] {
-        ::core::array::from_fn(|i| 1.0 / (self.factor[i] * lengths_squared[i].max(self.floor[i])))
+        let weights = std::array::from_fn(|i| {
+            // A row that vanishes at the guess has no length to go by there.
+            let length = if lengths[i] > 1e-8 * longest {
+                dot(&node.a[i], &node.a[i])
+            } else {
+                1.0
+            };
+            1.0 / (size * size * length)
+        });
+        Ok(RowScale {
+            weights,
+            lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
+        })
     }
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     pub(crate) fn new(system: S, state: State<N, R>, settings: &Settings) -> Result<Self, Fault> {
-        let node = Box::new(Node::new(&system, &state.positions)?);
+        let node = Node::new(&system, &state.positions)?;
         let mut core = Core {
             scale: RowScale::new(&system, settings.constraint_tolerance)?,
             system,
@@ -89,13 +102,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
             max_iterations: settings.max_iterations,
             end: node.clone(),
             start: node,
-            work: Box::new(Work {
-                matrix: [[0.0; R]; R],
-                dual: Dual::new(),
-                symmetric: SymmetricDual::new(),
-                impulse: [[0.0; R]; 2],
-                phi: [0.0; R],
-            }),
+            work: Work::new(),
             counters: Counters::default(),
         };
         core.refresh()?;
@@ -116,7 +123,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         Ok(())
     }
 
-    /// The end of the step becomes the start of the next one.
+    /// The end of the step becomes the start of the next one. `weak`: rows were redundant, or nearly so.
     #[inline(always)]
     pub(crate) fn commit(
         &mut self,
@@ -124,6 +131,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         h: f64,
         q: [f64; N],
         v: [f64; N],
+        weak: bool,
     ) -> Result<(), Fault> {
         if !crate::linear::finite(&q) {
             return Err(Fault::NonFinite("positions"));
@@ -134,7 +142,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         self.state.time = time;
         self.state.positions = q;
         self.state.velocities = v;
-        self.state.keep_impulse(h, &self.work.impulse[0]);
+        self.state.keep_impulse(h, &self.work.impulse[0], weak);
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
@@ -144,19 +152,20 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
     #[inline(always)]
     pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
         let Core {
+            system,
             end,
             work,
             counters,
             ..
         } = self;
         work.symmetric.factor(&end.gram);
-        let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
         work.symmetric.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
         if work.symmetric.weak {
             counters.regularised += u64::from(work.symmetric.regularised);
-            refine(end, work, v);
+            refine(system, end, work, v);
         }
     }
 }
@@ -166,6 +175,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
 #[cold]
 #[inline(never)]
 fn refine<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
     end: &Node<S, N, R>,
     work: &mut Work<R>,
     v: &mut [f64; N],
@@ -173,7 +183,7 @@ fn refine<S: System<N, R>, const N: usize, const R: usize>(
     let tolerance = 1e-14 * largest(&v[..]);
     let mut last = f64::INFINITY;
     for _ in 0..REFINEMENTS {
-        let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
         let residual = largest(&multiplier);
         if residual <= tolerance || residual > 0.9 * last {
             return;

@@ -49,8 +49,9 @@ pub(super) struct ImplicitStep<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> ImplicitStep<N, R> {
-    pub(super) fn new() -> Self {
-        ImplicitStep {
+    #[inline(never)]
+    pub(super) fn new() -> Box<Self> {
+        Box::new(ImplicitStep {
             solver: Implicit::new(),
             mean: [[0.0; N]; R],
             along_mean: [[0.0; N]; R],
@@ -58,7 +59,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             metric: [[0.0; R]; R],
             end_dual: Dual::new(),
             velocity_metric: Pivoted::new(),
-        }
+        })
     }
 
     pub(super) fn step<S: System<N, R>>(
@@ -78,7 +79,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             counters,
         } = core;
         let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
-        let mut weights = scale.weights(&start.lengths_squared());
+        let mut weights = scale.weights;
         let floor = largest(&v0).max(1e-3);
         for weight in &mut weights[holonomic..] {
             *weight /= floor * floor;
@@ -107,7 +108,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
 
             let residual = worst(&defect, &weights);
             let slow = !(residual < 1e-2 * last || residual <= 1.0);
-            if !(last_change.is_finite() && !slow) || self.solver.is_stale() {
+            if !last_change.is_finite() || slow || self.solver.is_stale() {
                 self.solver.refresh(system, &q, &vb)?;
                 if !self.factor(system, end, &mut work.dual) {
                     return Ok(Outcome::Lost);
@@ -158,9 +159,10 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         counters.iterations += iterations as u64;
         work.impulse[0] = kappa;
 
-        end.metric(system, &q)?;
+        end.metric(system, t1, &q)?;
         work.impulse[1] = self.project(system, end, &mut vb)?;
-        core.commit(t1, h, q, vb)?;
+        let weak = core.work.dual.regularised || self.end_dual.regularised;
+        core.commit(t1, h, q, vb, weak)?;
         Ok(Outcome::Done)
     }
 
@@ -215,7 +217,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         let mut total = [0.0; R];
         let passes = if self.end_dual.regularised { 4 } else { 1 };
         for _ in 0..passes {
-            let mut multiplier = end.velocity_rows(v).map(|rate| -rate);
+            let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
             self.end_dual.solve(&mut multiplier);
             accumulate(v, &self.along_end, &multiplier);
             for i in 0..R {

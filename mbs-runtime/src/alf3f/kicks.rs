@@ -1,4 +1,4 @@
-//! Kick, flow, kick with holonomic rows only (NUMERICS: two-level ALF-3F).
+//! Kick, flow, kick with holonomic rows only: the two-level form of ALF-3F.
 //!
 //! ```text
 //! M₀ v_a = M₀ v₀ + A₀ᵀ κ₁      (26) with κ₁ = −M̄μ
@@ -50,8 +50,7 @@ where
         counters,
     } = core;
     let (t0, t1) = (state.time, state.time + h);
-    let lengths = start.lengths_squared();
-    let weights = scale.weights(&lengths);
+    let weights = &scale.weights;
 
     let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
@@ -60,33 +59,40 @@ where
 
     let mut q = state.positions;
     let rate = 1.0 / h;
+    let weak_start = work.symmetric.weak;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    let mut matrix = if F::DIRECT && !work.symmetric.weak {
+    let mut matrix = if F::DIRECT && !weak_start {
         Matrix::Start
     } else {
         Matrix::None
     };
+    work.dual.regularised = false;
     let mut last = f64::INFINITY;
     let mut iterations = 0;
     loop {
         flow.positions(system, &va, &mut q)?;
         system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
-        let residual = worst(&work.phi, &weights);
+        let residual = worst(&work.phi, weights);
         if residual <= 1.0 {
             break;
         }
         // Renewed where one more correction at the present rate would not do.
         let slow = !(residual * residual <= last) && iterations > 0;
         if matrix == Matrix::None || slow {
-            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < STAGNATED {
+            let taken = if work.dual.regularised {
+                scale.lost
+            } else {
+                STAGNATED
+            };
+            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
                 break;
             }
             if iterations == *max_iterations || !residual.is_finite() {
-                return Err(not_converged(&work.phi, &weights, iterations));
+                return Err(not_converged(&work.phi, weights, iterations));
             }
             let directions = flow.directions(system, &va, &start.w)?;
             system.gram(&end.a, directions, &mut work.matrix);
-            work.dual.factor(&work.matrix, &lengths);
+            work.dual.factor(&work.matrix, &start.lengths_squared());
             counters.regularised += u64::from(work.dual.regularised);
             matrix = Matrix::Fresh;
         } else if matrix == Matrix::Fresh {
@@ -111,9 +117,10 @@ where
     work.impulse[0] = kappa;
 
     let mut v = flow.velocities(system, &va, &q, end);
-    end.metric(system, &q)?;
+    end.metric(system, t1, &q)?;
     core.project_velocity(&mut v);
-    core.commit(t1, h, q, v)
+    let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
+    core.commit(t1, h, q, v, weak)
 }
 
 /// max φ_i² / tolerance_i².

@@ -38,7 +38,7 @@ where
     } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
-    let mut weights = scale.weights(&lengths);
+    let mut weights = scale.weights;
     let speed = largest(&state.velocities).max(1e-3);
     for weight in &mut weights[holonomic..] {
         *weight /= speed * speed;
@@ -53,12 +53,13 @@ where
     // NaN is below nothing: the first correction always begins with a factorisation.
     let mut last = f64::NAN;
     let mut fresh = false;
+    work.dual.regularised = false;
     let mut iterations = 0;
     let v = loop {
         flow.positions(system, &va, &mut q)?;
         system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
         let mut v = flow.velocities(system, &va, &q, end);
-        end.metric(system, &q)?;
+        end.metric(system, t1, &q)?;
         factor_holonomic(end, work);
         for i in holonomic..R {
             for j in 0..N {
@@ -77,7 +78,12 @@ where
             break v;
         }
         if !(residual < SLOW * last) {
-            if fresh && residual > 0.5 * last && residual < STAGNATED {
+            let taken = if work.dual.regularised {
+                scale.lost
+            } else {
+                STAGNATED
+            };
+            if fresh && residual > 0.5 * last && residual < taken {
                 break v;
             }
             if iterations == *max_iterations || !residual.is_finite() {
@@ -125,7 +131,9 @@ where
     };
     counters.iterations += iterations as u64;
     work.impulse[0] = kappa;
-    core.commit(t1, h, q, v)
+    let weak =
+        core.work.dual.regularised || (S::STRUCTURE.holonomic_rows > 0 && core.work.symmetric.weak);
+    core.commit(t1, h, q, v, weak)
 }
 
 /// Factors S of the holonomic rows, with unit rows in place of the others.

@@ -20,25 +20,28 @@ pub(crate) struct Node<S: System<N, R>, const N: usize, const R: usize> {
 
 impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
     /// A node with the metric at q and all arrays clear.
-    pub(crate) fn new(system: &S, q: &[f64; N]) -> Result<Self, Fault> {
-        Ok(Node {
-            mass: system.factor_mass(q).ok_or(Fault::Mass)?,
+    ///
+    /// On the heap from the start, and in a frame of its own: large systems are built on small stacks.
+    #[inline(never)]
+    pub(crate) fn new(system: &S, q: &[f64; N]) -> Result<Box<Self>, Fault> {
+        let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
+        Ok(Box::new(Node {
+            mass,
             a: [[0.0; N]; R],
             w: [[0.0; N]; R],
             b: [0.0; R],
             gram: [[0.0; R]; R],
             acceleration: [0.0; N],
-        })
+        }))
     }
 
     /// M, W and S at q, for the A that is there.
     #[inline(always)]
-    pub(crate) fn metric(&mut self, system: &S, q: &[f64; N]) -> Result<(), Fault> {
+    pub(crate) fn metric(&mut self, system: &S, t: f64, q: &[f64; N]) -> Result<(), Fault> {
         if !S::STRUCTURE.constant_mass {
             self.mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         }
-        system.solve_mass_rows(&self.mass, &self.a, &mut self.w);
-        system.gram(&self.a, &self.w, &mut self.gram);
+        system.metric(&self.mass, t, q, &self.a, &mut self.w, &mut self.gram);
         Ok(())
     }
 
@@ -51,7 +54,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
         phi: &mut [f64; R],
     ) -> Result<(), Fault> {
         system.constraints(t, q, phi, &mut self.a, &mut self.b);
-        self.metric(system, q)?;
+        self.metric(system, t, q)?;
         system.acceleration(t, q, &mut self.acceleration);
         Ok(())
     }
@@ -64,7 +67,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
 
     /// A v + b.
     #[inline(always)]
-    pub(crate) fn velocity_rows(&self, v: &[f64; N]) -> [f64; R] {
-        ::core::array::from_fn(|i| crate::linear::dot(&self.a[i], v) + self.b[i])
+    pub(crate) fn velocity_rows(&self, system: &S, v: &[f64; N]) -> [f64; R] {
+        let mut rates = [0.0; R];
+        system.row_rates(&self.a, v, &mut rates);
+        ::core::array::from_fn(|i| rates[i] + self.b[i])
     }
 }

@@ -11,7 +11,7 @@
 //! mid-step and the row is tested at the end of the step: with a tight tolerance the step underflows there.
 
 use super::core::Counters;
-use super::paper_rows::{Instant, Jacobian};
+use super::paper_rows::{Instant, Jacobian, Unknowns};
 use super::{Fault, kicks};
 use crate::linear::{Pivoted, dot, finite, largest};
 use crate::{Method, PaperSettings, Settings, SimulationError, State, System};
@@ -27,15 +27,6 @@ pub struct PaperStepper<S: System<N, R>, const N: usize, const R: usize> {
     /// Work of each row against b during the last step, J.
     drive: [f64; R],
     counters: Counters,
-}
-
-/// The unknowns at the end of a step.
-struct Unknowns<const N: usize, const R: usize> {
-    v: [f64; N],
-    q: [f64; N],
-    mu: [f64; R],
-    lambda: [f64; R],
-    penalty: [f64; R],
 }
 
 impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
@@ -105,7 +96,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
 
     /// A v + b now.
     pub(crate) fn rates(&self) -> [f64; R] {
-        self.start.node.velocity_rows(&self.state.velocities)
+        self.start
+            .node
+            .velocity_rows(&self.system, &self.state.velocities)
     }
 
     /// Recomputes what is known of the current instant.
@@ -218,7 +211,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         if !finite(&x.v) || !finite(&x.q) || !finite(&momentum) {
             return Err(Fault::NonFinite("velocities"));
         }
-        let rates = self.end.node.velocity_rows(&x.v);
+        let rates = self.end.node.velocity_rows(&self.system, &x.v);
         for i in 0..R {
             let (start, end) = (&self.start, &self.end);
             let impulse = end.constraint_mass[i] * x.mu[i] - start.constraint_mass[i] * mu0[i]
@@ -255,11 +248,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
     ) -> Result<bool, Fault> {
         let settings = self.settings;
         let tolerance = settings.velocity_tolerance;
-        let mut before = self.end.node.velocity_rows(&x.v);
+        let mut before = self.end.node.velocity_rows(&self.system, &x.v);
         let (entry, admissible) = (x.v, largest(&before) <= tolerance);
         for _ in 0..settings.max_augmentations {
             self.newton(t1, h, known, x)?;
-            let rates = self.end.node.velocity_rows(&x.v);
+            let rates = self.end.node.velocity_rows(&self.system, &x.v);
             let augmentable = |i: usize| {
                 rates[i].abs() <= tolerance
                     || rates[i].abs() <= settings.augmentation_ratio * before[i].abs()
@@ -296,7 +289,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
     ) -> Result<(), Fault> {
         let mut size = 0.0;
         for _ in 0..self.settings.max_newton_iterations {
-            let rates = self.end.node.velocity_rows(&x.v);
+            let rates = self.end.node.velocity_rows(&self.system, &x.v);
             let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
             let lambda: [f64; R] =
                 std::array::from_fn(|r| x.lambda[r] - x.penalty[r] * self.end.phi[r]);
@@ -306,8 +299,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             let momentum = self.end.momentum(&self.system, &x.q, &x.v, &mu);
             let mut change = std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n]);
             let (jacobian, factors) = &mut *self.jacobian;
-            self.end
-                .jacobian(&self.system, t1, &x.q, &x.v, h, &x.penalty, jacobian);
+            self.end.jacobian(&self.system, t1, h, x, jacobian);
             if !factors.factor(&jacobian.total) {
                 return Err(Fault::Mass);
             }

@@ -5,9 +5,18 @@ use crate::linear::dot;
 use crate::sink::Discard;
 use crate::{PaperSettings, System};
 
+/// The unknowns at the end of a step.
+pub(super) struct Unknowns<const N: usize, const R: usize> {
+    pub(super) v: [f64; N],
+    pub(super) q: [f64; N],
+    pub(super) mu: [f64; R],
+    pub(super) lambda: [f64; R],
+    pub(super) penalty: [f64; R],
+}
+
 /// One instant of Algorithm 1.
 pub(super) struct Instant<S: System<N, R>, const N: usize, const R: usize> {
-    pub(super) node: Node<S, N, R>,
+    pub(super) node: Box<Node<S, N, R>>,
     pub(super) phi: [f64; R],
     /// m̄ of (18), times the scale of the settings.
     pub(super) constraint_mass: [f64; R],
@@ -56,7 +65,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
     ) -> Result<(), Fault> {
         let Instant { node, phi, .. } = self;
         system.constraints(t, q, phi, &mut node.a, &mut node.b);
-        node.metric(system, q)?;
+        node.metric(system, t, q)?;
         system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
         let omega = settings.stabilisation_frequency;
         for i in 0..R {
@@ -137,15 +146,13 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         &self,
         system: &S,
         t: f64,
-        q: &[f64; N],
-        v: &[f64; N],
         h: f64,
-        penalty: &[f64; R],
+        x: &Unknowns<N, R>,
         jacobian: &mut Jacobian<N>,
     ) {
-        system.mass_matrix(q, &mut jacobian.mass);
+        system.mass_matrix(&x.q, &mut jacobian.mass);
         // ∂F/∂v instead of ∂f/∂v: the quadratic terms depend on v as well.
-        system.force_tangents(t, q, v, &mut Discard, &mut jacobian.f_v, &mut Discard);
+        system.force_tangents(t, &x.q, &x.v, &mut Discard, &mut jacobian.f_v, &mut Discard);
         jacobian.total = jacobian.mass;
         for i in 0..N {
             for j in 0..N {
@@ -155,7 +162,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         for r in 0..R {
             let row = &self.node.a[r];
             let weight =
-                (self.constraint_mass[r] + 0.5 * h * self.constraint_damping[r]) * penalty[r];
+                (self.constraint_mass[r] + 0.5 * h * self.constraint_damping[r]) * x.penalty[r];
             for i in 0..N {
                 if row[i] == 0.0 {
                     continue;

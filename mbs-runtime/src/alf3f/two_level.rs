@@ -59,10 +59,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
             core,
             flow: match flow {
                 Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new()),
-                Flow::Trapezoid => Stepping::Trapezoid(Box::new(Trapezoid::new())),
-                Flow::Implicit => {
-                    Stepping::Implicit(Box::new(ImplicitStep::new()), Box::new(Trapezoid::new()))
-                }
+                Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
+                Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
             },
         })
     }

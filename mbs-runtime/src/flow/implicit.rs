@@ -151,7 +151,8 @@ impl<const N: usize> Implicit<N> {
         for _ in 0..MAX_ITERATIONS {
             let q1 = std::array::from_fn(|i| base[i] + half * vb[i]);
             let mut change = self.defect(system, &q1, vb);
-            if !self.current {
+            let fresh = !self.current;
+            if fresh {
                 self.refresh(system, &q1, vb)?;
             }
             self.jacobian.solve(&mut change);
@@ -160,7 +161,8 @@ impl<const N: usize> Implicit<N> {
             }
             let size = largest(&change);
             let speed = largest(&vb[..]);
-            if size <= CONVERGED * speed || (size >= 0.5 * last && size <= STAGNATED * speed) {
+            let stagnated = fresh && size >= 0.5 * last && size <= STAGNATED * speed;
+            if size <= CONVERGED * speed || stagnated {
                 return Ok(std::array::from_fn(|i| base[i] + half * vb[i]));
             }
             if !size.is_finite() {

@@ -34,8 +34,9 @@ struct Tangents<const N: usize> {
 }
 
 impl<const N: usize, const R: usize> Trapezoid<N, R> {
-    pub(crate) fn new() -> Self {
-        Trapezoid {
+    #[inline(never)]
+    pub(crate) fn new() -> Box<Self> {
+        Box::new(Trapezoid {
             h: 0.0,
             t0: 0.0,
             q0: [0.0; N],
@@ -47,7 +48,7 @@ impl<const N: usize, const R: usize> Trapezoid<N, R> {
             },
             far: [[0.0; N]; R],
             directions: [[0.0; N]; R],
-        }
+        })
     }
 }
 

@@ -5,11 +5,12 @@
 
 use super::PROXIMAL;
 
+/// Kept on the heap, because it is seldom used and large systems are built on small stacks.
 pub(crate) struct Proximal<const K: usize> {
     /// B with rows and columns scaled.
-    scaled: [[f64; K]; K],
+    scaled: Box<[[f64; K]]>,
     /// Cholesky factor of BBᵀ + εI, lower.
-    factor: [[f64; K]; K],
+    factor: Box<[[f64; K]]>,
     /// 1/√(a M⁻¹ aᵀ), row by row.
     scale: [f64; K],
 }
@@ -17,8 +18,8 @@ pub(crate) struct Proximal<const K: usize> {
 impl<const K: usize> Proximal<K> {
     pub(super) fn new() -> Self {
         Proximal {
-            scaled: [[0.0; K]; K],
-            factor: [[0.0; K]; K],
+            scaled: vec![[0.0; K]; K].into_boxed_slice(),
+            factor: vec![[0.0; K]; K].into_boxed_slice(),
             scale: [0.0; K],
         }
     }

@@ -221,6 +221,16 @@ fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<F
         }
     }
     list.push(lowering.finish("gram"));
+    let mut lowering = Lowering::new(graph, hoisted);
+    for r in 0..rows {
+        let columns = derived
+            .jacobian
+            .range((r, 0)..(r + 1, 0))
+            .map(|(&(_, column), _)| column);
+        let value = lowering.row_rate(r, columns);
+        lowering.output("rates", Place::Element(r), value);
+    }
+    let rates = lowering.finish("row_rates");
     let separate: usize = list
         .iter()
         .filter(|kernel| kernel.name != "solve_mass")
@@ -232,6 +242,7 @@ fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<F
             list.push(fused);
         }
     }
+    list.push(rates);
     list.retain(|kernel| kernel.operations.len() <= LONGEST_KERNEL);
     list
 }
@@ -304,6 +315,19 @@ impl Lowering<'_> {
         let mut all = vec![(inverse_entry(graph, i, j), 1)];
         all.extend(factors.iter().map(|&factor| (factor, 1)));
         graph.product(&all)
+    }
+
+    /// a_r · v over the columns where a_r is not zero.
+    fn row_rate(&mut self, r: usize, columns: impl Iterator<Item = usize>) -> Expr {
+        let graph = self.graph();
+        let terms: Vec<Expr> = columns
+            .map(|j| {
+                let a = graph.symbol(Symbol::RowEntry(r as u32, j as u32));
+                let v = graph.symbol(Symbol::Velocity(j as u32));
+                graph.mul(a, v)
+            })
+            .collect();
+        graph.sum(terms)
     }
 
     /// a_r · w_s over the columns where a_r is not zero.

@@ -24,6 +24,7 @@ const TAKEN: &[&str] = &[
     "a_rate",
     "f_q",
     "f_v",
+    "rates",
     "p_q",
     "outputs",
     "events",

@@ -107,6 +107,11 @@ const METHODS: &[(&str, &str, Ending)] = &[
         "(&self, mass: &Self::Mass, t: f64, q: &[f64; N], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
         Ending::Writes,
     ),
+    (
+        "row_rates",
+        "(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R])",
+        Ending::Writes,
+    ),
 ];
 
 /// Kernels: name, signature, and the loop that stands in where straight-line code would be too long.
