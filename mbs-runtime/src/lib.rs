@@ -1,4 +1,49 @@
 //! Multibody mechanisms declared in Rust, simulated with ALF-3F.
+//!
+//! A mechanism with generalized coordinates q, velocities v = q̇, mass matrix M and constraint rows φ obeys
+//!
+//! ```text
+//! d(M v)/dt − ∂T/∂q = f(q, v, t) + Aᵀλ        φ(q, t) = 0,  A v + b = 0,  A = ∂φ/∂q,  b = ∂φ/∂t
+//! ```
+//!
+//! with further rows N(q) v + n(q, t) = 0 where it is nonholonomic. [`mechanism!`] derives all of it symbolically from a
+//! declaration, at compile time, and writes it as Rust; [`Simulation`] assembles and integrates it.
+//!
+//! ```
+//! use mbs_runtime::{Mechanism, Simulation, mechanism};
+//!
+//! mechanism!(Pendulum {
+//!     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+//!     length: Param(1.0_m),
+//!     rod: Bar(mass = 1.0_kg, length = length, angle = 0.0_deg),
+//!     pivot: Revolute(ground.origin, rod.a),
+//!     height: Output(rod.b.y),
+//! });
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let mut simulation = Simulation::new(Pendulum { length: 0.5 })?;
+//! simulation.run_until(1.0)?;
+//! assert!(simulation.output("height")? < 0.0);
+//! assert!(simulation.energy().error.abs() < 1e-4);
+//! assert_eq!(Pendulum::MODEL.rows.len(), 1);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # The integrators
+//!
+//! | method | what it is |
+//! |---|---|
+//! | [`Method::TwoLevel`] | the three fields of ALF-3F with a multiplier of its own for positions and for velocities: kick, flow, kick; second order, symmetric; constraints hold to round-off at every step; redundant rows and singular poses are ordinary input |
+//! | [`Method::Paper`] | Algorithm 1 of Potosakis, Paraskevopoulos, Natsiavas (Nonlinear Dynamics, 2020), to the letter |
+//!
+//! The two-level step chooses the flow between its kicks from the structure of the equations ([`Structure`]):
+//!
+//! | M | forces depend on | flow |
+//! |---|---|---|
+//! | constant | positions | [`Flow::Leapfrog`], explicit (or the trapezoid, where a spring is stiff for the step) |
+//! | depends on q | positions | [`Flow::Trapezoid`], implicit, in momentum form |
+//! | any | velocities | [`Flow::Implicit`], with the multiplier inside the step |
 
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]

@@ -124,7 +124,7 @@ impl Default for PaperSettings {
     fn default() -> Self {
         PaperSettings {
             newton_tolerance: 1e-10,
-            velocity_tolerance: 1e-6,
+            velocity_tolerance: 1e-3,
             update_tolerance: 1e-4,
             penalty: 1e3,
             penalty_growth: 10.0,

@@ -158,7 +158,7 @@ fn stiff_spring_takes_large_steps() {
     );
 }
 
-/// NUMERICS section 4: error constants that do not depend on the damper.
+/// Error constants that do not depend on the damper.
 #[test]
 fn stiff_damper_costs_no_accuracy() {
     for (damping, step, bound) in [(1e3, 1e-2, 2.5e-3), (1e3, 2e-2, 1e-2), (1e5, 2e-2, 1e-2)] {

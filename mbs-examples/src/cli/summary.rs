@@ -4,6 +4,8 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
+use mbs_runtime::{Method, Model};
+
 use super::results::FILES;
 use super::simulate::Run;
 use super::table::{Align, table};
@@ -11,13 +13,8 @@ use super::table::{Align, table};
 /// The one object of `--json`.
 pub fn json(run: &Run) -> String {
     let (model, report) = (run.simulation.model(), run.simulation.report());
-    let outputs = run.simulation.outputs();
-    let last: Map<String, Value> = model
-        .outputs
-        .iter()
-        .zip(outputs)
-        .map(|(output, value)| (output.name.to_owned(), json!(value)))
-        .collect();
+    let settings = run.simulation.settings();
+    let last = by_declared_name(model, &run.simulation.outputs());
     let reference = run.reference.as_ref().ok().map(|columns| {
         let file = run.scene.reference.map(|reference| reference.file);
         let columns: Map<String, Value> = columns
@@ -32,7 +29,8 @@ pub fn json(run: &Run) -> String {
     let object = json!({
         "scene": run.scene.name,
         "method": run.simulation.settings().method.name(),
-        "flow": run.simulation.flow().name(),
+        // Algorithm 1 has its own discretisation.
+        "flow": matches!(settings.method, Method::TwoLevel).then(|| run.simulation.flow().name()),
         "order": 2,
         "step_s": run.simulation.settings().step,
         "coordinates": model.coordinates.len(),
@@ -53,6 +51,23 @@ pub fn json(run: &Run) -> String {
         "reference": reference,
     });
     format!("{object:#}\n")
+}
+
+/// Outputs under the names of the declaration: a vector, whose components are `p1.x` and `p1.y`, is `p1: [x, y]`.
+fn by_declared_name(model: &Model, values: &[f64]) -> Map<String, Value> {
+    let mut object = Map::new();
+    for (output, value) in model.outputs.iter().zip(values) {
+        match output.name.split_once('.') {
+            None => drop(object.insert(output.name.to_owned(), json!(value))),
+            Some((vector, _)) => {
+                let components = object.entry(vector).or_insert_with(|| json!([]));
+                if let Value::Array(components) = components {
+                    components.push(json!(value));
+                }
+            }
+        }
+    }
+    object
 }
 
 /// The summary for people.
@@ -81,10 +96,17 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
     for redundant in &run.simulation.assembly().redundant_rows {
         writeln!(out, "               `{redundant}` is redundant")?;
     }
-    let (method, flow) = (settings.method.name(), run.simulation.flow().name());
+    let method = match settings.method {
+        Method::TwoLevel => format!(
+            "{}, {} flow",
+            settings.method.name(),
+            run.simulation.flow().name()
+        ),
+        Method::Paper(_) => settings.method.name().to_owned(),
+    };
     writeln!(
         out,
-        "  method       {method}, order 2, {flow} flow, step {} s",
+        "  method       {method}, order 2, step {} s",
         settings.step
     )?;
     writeln!(

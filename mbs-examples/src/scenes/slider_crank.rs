@@ -3,6 +3,25 @@
 //!
 //! Reference: the smooth branch, on which the rods stay mirror images, as an ordinary differential equation in the crank
 //! angle.
+//!
+//! # The paper's own scheme on this scene
+//!
+//! `--method alf3f-paper` runs Algorithm 1 to the letter. The impulse of a step acts along A at mid-step while the row is
+//! tested with A at its end; where a step straddles the singular pose the two have opposite signs, and no multiplier can
+//! satisfy the row to a tight tolerance. What happens then depends on two tolerances, that of ψ̇ and that of the outer
+//! loop over q, which the paper leaves open. Measured over 20 s at h = 1e-3 s (`cargo run --release -p mbs-examples
+//! --example paper_tolerances`):
+//!
+//! | ψ̇ | outer loop | ω of k̄, c̄ | reached | energy error | halved steps |
+//! |---|---|---|---|---|---|
+//! | 1e-2 | 1e-3 | 0 | 5.71 s, step underflow | 5.3e-2 J | 21 |
+//! | 1e-3 | 1e-3 | 0 | 20 s | 3.1 J | 40 |
+//! | 1e-3 | 1e-4 (default) | 0 | 20 s | 1.4e-3 J | 0 |
+//! | 1e-3 | 1e-5 | 0 | 1.28 s, step underflow | 2.6e-4 J | 44 |
+//! | 1e-3 | 1e-4 | 20 /s | 20 s | 0.41 J | 0 |
+//! | 1e-4 | 1e-4 | 0 | 20 s | 3.4 J | 154 |
+//! | 1e-6 | 1e-4 | 0 | 0.953 s, step underflow | 1.6e-2 J | 577 |
+//! | 1e-6 | 1e-6 | 0 | 0.392 s, the first singular pose, step underflow | 6e-6 J | 135 |
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

@@ -159,7 +159,7 @@ impl Scene<5, 2> for Towing {
     }
 }
 
-/// First link rigid, second a spring k with a damper c, 1 kg each (NUMERICS section 4).
+/// First link rigid, second a spring k with a damper c, 1 kg each.
 #[derive(Clone)]
 pub struct StiffPendulum {
     pub stiffness: f64,
