@@ -88,9 +88,15 @@ impl Names {
                 Symbol::Velocity(i) => format!("v[{i}]"),
                 Symbol::Acceleration(i) => format!("acceleration[{i}]"),
                 Symbol::Input(i) => format!("self.inputs[{i}]"),
+                // The kernel overwrites its argument: read all of it first.
+                Symbol::VectorEntry(i) => format!("x[{i}]"),
                 _ => continue,
             };
-            let name = claim(&identifier(&graph.name(symbol)), &mut taken);
+            let name = match symbol {
+                Symbol::VectorEntry(i) => format!("x{i}"),
+                _ => identifier(&graph.name(symbol)),
+            };
+            let name = claim(&name, &mut taken);
             bound.insert(symbol, (name, source));
         }
         let mut names = Names {

@@ -69,6 +69,14 @@ impl Graph {
         }
         collect(&mut flat);
         self.pythagoras(&mut flat, &mut constant);
+        // 3 (x + y) − 2 (x + y) is x + y, flat: coefficients may have become ±1 only now.
+        while flat.iter().any(|&(term, c)| self.dissolves(term, c)) {
+            for (term, coefficient) in std::mem::take(&mut flat) {
+                self.flatten_term(term, coefficient, &mut constant, &mut flat);
+            }
+            collect(&mut flat);
+            self.pythagoras(&mut flat, &mut constant);
+        }
         match flat.as_slice() {
             [] => return self.constant(constant),
             [(term, 1.0)] if constant == 0.0 => return *term,
@@ -93,6 +101,11 @@ impl Graph {
         } else {
             sum
         }
+    }
+
+    /// Whether a term of a sum is a sum to be dissolved.
+    fn dissolves(&self, term: Expr, coefficient: f64) -> bool {
+        coefficient.abs() == 1.0 && matches!(self.node(term), Node::Sum { .. })
     }
 
     /// A nested sum is dissolved where that costs no multiplication: coefficient ±1, or a single scaled term.

@@ -1,0 +1,145 @@
+//! What the compiled functions give, as a table.
+
+use crate::random::Arguments;
+use crate::table::Table;
+use mbs_runtime::{MatrixSink, System, TensorSink};
+
+/// Receives entries and keeps them as they come, so that a zero never written is seen to be absent.
+#[derive(Debug, Default)]
+struct Entries(Vec<([usize; 3], f64)>);
+
+impl MatrixSink for Entries {
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        self.0.push(([row, column, 0], value));
+    }
+}
+
+impl TensorSink for Entries {
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
+        self.0.push(([i, j, k], value));
+    }
+}
+
+/// All functions at one instant.
+pub fn table<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    at: &Arguments<N, R>,
+) -> Table {
+    let Arguments {
+        time: t,
+        q,
+        v,
+        acceleration,
+        lambda,
+    } = at;
+    let t = *t;
+    let mut table = Table::default();
+    let sparse = |table: &mut Table, function, sink, entries: Entries| {
+        for (place, value) in entries.0 {
+            table.insert((function, sink, place), value);
+        }
+    };
+    let model = S::MODEL;
+
+    let mut mass = Entries::default();
+    system.mass_matrix(q, &mut mass);
+    sparse(&mut table, "mass_matrix", "mass", mass);
+    let mut p = [f64::NAN; N];
+    system.momentum(q, v, &mut p);
+    table.vector("momentum", "p", &p);
+    let mut gamma = Entries::default();
+    system.affinities(q, &mut gamma);
+    sparse(&mut table, "affinities", "gamma", gamma);
+
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    let mut phi = [f64::NAN; R];
+    system.holonomic(t, q, &mut phi);
+    table.vector("holonomic", "phi", &phi[..holonomic]);
+    let (mut phi, mut a, mut b) = ([f64::NAN; R], Entries::default(), [f64::NAN; R]);
+    system.constraints(t, q, &mut phi, &mut a, &mut b);
+    table.vector("constraints", "phi", &phi[..holonomic]);
+    table.vector("constraints", "b", &b);
+    let mut rows = Box::new([[0.0; N]; R]);
+    a.0.iter()
+        .for_each(|&([i, j, _], value)| rows[i][j] = value);
+    sparse(&mut table, "constraints", "a", a);
+    let (mut rate, mut gamma) = (Entries::default(), [f64::NAN; R]);
+    system.constraint_rates(t, q, v, &mut rate, &mut gamma);
+    sparse(&mut table, "constraint_rates", "a_rate", rate);
+    table.vector("constraint_rates", "gamma", &gamma);
+
+    let mut f = [f64::NAN; N];
+    system.applied_forces(t, q, v, &mut f);
+    table.vector("applied_forces", "f", &f);
+    system.forces(t, q, v, &mut f);
+    table.vector("forces", "f", &f);
+    let (mut f_q, mut f_v) = (Entries::default(), Entries::default());
+    system.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
+    sparse(&mut table, "applied_force_tangents", "f_q", f_q);
+    sparse(&mut table, "applied_force_tangents", "f_v", f_v);
+    let (mut f_q, mut f_v, mut p_q) = (Entries::default(), Entries::default(), Entries::default());
+    system.force_tangents(t, q, v, &mut f_q, &mut f_v, &mut p_q);
+    sparse(&mut table, "force_tangents", "f_q", f_q);
+    sparse(&mut table, "force_tangents", "f_v", f_v);
+    sparse(&mut table, "force_tangents", "p_q", p_q);
+    let mut explicit = [0.0; N];
+    system.acceleration(t, q, &mut explicit);
+    table.vector("acceleration", "acceleration", &explicit);
+
+    table.insert(("kinetic_energy", "", [0; 3]), system.kinetic_energy(q, v));
+    table.insert(("potential_energy", "", [0; 3]), system.potential_energy(q));
+    table.insert(
+        ("nonconservative_power", "", [0; 3]),
+        system.nonconservative_power(t, q, v),
+    );
+
+    let mut outputs = vec![f64::NAN; model.outputs.len()];
+    system.outputs(t, q, v, &mut outputs);
+    table.vector("outputs", "outputs", &outputs);
+    let mut events = vec![f64::NAN; model.events.len()];
+    system.events(t, q, v, &mut events);
+    table.vector("events", "events", &events);
+    let mut points = vec![[f64::NAN; 3]; model.points.len()];
+    system.points(t, q, &mut points);
+    for (i, point) in points.iter().enumerate() {
+        assert_eq!(point[2], 0.0, "planar");
+        table.insert(("points", "points", [i, 0, 0]), point[0]);
+        table.insert(("points", "points", [i, 1, 0]), point[1]);
+    }
+    let mut reactions = vec![f64::NAN; model.reactions.len()];
+    system.reactions(t, q, v, acceleration, lambda, &mut reactions);
+    table.vector("reactions", "reactions", &reactions);
+
+    // The kernels, for x = v̇ and a = A, w = M⁻¹ A.
+    if let Some(mass) = system.factor_mass(q) {
+        let mut x = *acceleration;
+        system.solve_mass(&mass, &mut x);
+        table.vector("solve_mass", "x", &x);
+        let mut w = Box::new([[0.0; N]; R]);
+        system.solve_mass_rows(&mass, &rows, &mut w);
+        for (i, row) in w.iter().enumerate() {
+            for (j, &value) in row.iter().enumerate() {
+                table.insert(("solve_mass_rows", "w", [i, j, 0]), value);
+            }
+        }
+        let mut gram = Box::new([[0.0; R]; R]);
+        system.gram(&rows, &w, &mut gram);
+        for (i, row) in gram.iter().enumerate() {
+            for (j, &value) in row.iter().enumerate() {
+                table.insert(("gram", "gram", [i, j, 0]), value);
+            }
+        }
+        // Either generated, or the two kernels above one after the other.
+        *w = [[0.0; N]; R];
+        system.metric(&mass, t, q, &rows, &mut w, &mut gram);
+        for i in 0..R {
+            for (j, &value) in w[i].iter().enumerate() {
+                table.insert(("metric", "w", [i, j, 0]), value);
+            }
+            for (j, &value) in gram[i].iter().enumerate() {
+                table.insert(("metric", "gram", [i, j, 0]), value);
+            }
+        }
+    }
+    table
+}

@@ -1,0 +1,378 @@
+//! Compiled functions against differences of the functions they are derivatives of.
+
+use crate::random::{Arguments, Random};
+use mbs_runtime::System;
+
+/// Steps of the differences. Each slope is taken with all of them; the one that agrees best with its neighbour counts,
+/// so that neither the curvature of a mechanism of a few centimetres nor the round-off of one of metres decides.
+const STEPS: [f64; 5] = [1e-2, 2e-3, 4e-4, 8e-5, 1.6e-5];
+/// Agreement asked for, relative to the largest component of the slope and of the function.
+const TOLERANCE: f64 = 2e-7;
+/// Agreement asked of identities without differences.
+const EXACT: f64 = 1e-11;
+
+/// d/ds of a vector function at s = 0, by central differences of fourth order.
+fn slope(function: &dyn Fn(f64) -> Vec<f64>) -> (Vec<f64>, f64) {
+    let centre = function(0.0);
+    let slopes: Vec<Vec<f64>> = STEPS
+        .iter()
+        .map(|&h| {
+            let [far_left, left, right, far_right] =
+                [-2.0, -1.0, 1.0, 2.0].map(|steps| function(steps * h));
+            (0..centre.len())
+                .map(|i| (far_left[i] - far_right[i] + 8.0 * (right[i] - left[i])) / (12.0 * h))
+                .collect()
+        })
+        .collect();
+    let best: Vec<f64> = (0..centre.len())
+        .map(|i| {
+            let pair = (1..STEPS.len())
+                .min_by(|&a, &b| {
+                    let change = |k: usize| (slopes[k][i] - slopes[k - 1][i]).abs();
+                    change(a).total_cmp(&change(b))
+                })
+                .expect("more than one step");
+            slopes[pair][i]
+        })
+        .collect();
+    let size = centre
+        .iter()
+        .chain(&best)
+        .fold(0.0, |size: f64, x| size.max(x.abs()));
+    (best, size)
+}
+
+/// What does not agree.
+struct Findings(Vec<String>);
+
+impl Findings {
+    fn compare(&mut self, what: &str, given: &[f64], expected: &[f64], tolerance: f64) {
+        assert_eq!(given.len(), expected.len(), "{what}");
+        for (i, (given, expected)) in given.iter().zip(expected).enumerate() {
+            // A NaN is a finding, too.
+            if !((given - expected).abs() <= tolerance) {
+                self.0.push(format!(
+                    "{what}[{i}]: {given:e}, but {expected:e} is expected to within {tolerance:.1e}"
+                ));
+            }
+        }
+    }
+
+    /// `given` is d/ds of `function`.
+    fn derivative(&mut self, what: &str, given: &[f64], function: &dyn Fn(f64) -> Vec<f64>) {
+        let (expected, size) = slope(function);
+        self.compare(what, given, &expected, TOLERANCE * size.max(1e-3));
+    }
+
+    fn identity(&mut self, what: &str, given: &[f64], expected: &[f64]) {
+        let size = expected
+            .iter()
+            .chain(given)
+            .fold(1e-3, |size: f64, x| size.max(x.abs()));
+        self.compare(what, given, expected, EXACT * size);
+    }
+}
+
+/// All functions of a system in dense form, as closures of the arguments would be too long to write each time.
+struct Dense<'a, S, const N: usize, const R: usize>(&'a S);
+
+impl<S: System<N, R>, const N: usize, const R: usize> Dense<'_, S, N, R> {
+    fn mass(&self, q: &[f64; N]) -> Vec<f64> {
+        let mut mass = Box::new([[0.0; N]; N]);
+        self.0.mass_matrix(q, &mut *mass);
+        mass.as_flattened().to_vec()
+    }
+    fn momentum(&self, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+        let mut p = [0.0; N];
+        self.0.momentum(q, v, &mut p);
+        p.to_vec()
+    }
+    fn holonomic(&self, t: f64, q: &[f64; N]) -> Vec<f64> {
+        let mut phi = [0.0; R];
+        self.0.holonomic(t, q, &mut phi);
+        phi.to_vec()
+    }
+    /// φ, A by rows, b.
+    fn constraints(&self, t: f64, q: &[f64; N]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+        let (mut phi, mut a, mut b) = ([0.0; R], Box::new([[0.0; N]; R]), [0.0; R]);
+        self.0.constraints(t, q, &mut phi, &mut *a, &mut b);
+        (phi.to_vec(), a.as_flattened().to_vec(), b.to_vec())
+    }
+    /// A v + b.
+    fn rates(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+        let (_, a, b) = self.constraints(t, q);
+        (0..R).map(|i| b[i] + dot(&a[i * N..][..N], v)).collect()
+    }
+    fn constraint_rates(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> (Vec<f64>, Vec<f64>) {
+        let (mut rate, mut gamma) = (Box::new([[0.0; N]; R]), [0.0; R]);
+        self.0.constraint_rates(t, q, v, &mut *rate, &mut gamma);
+        (rate.as_flattened().to_vec(), gamma.to_vec())
+    }
+    fn applied(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+        let mut f = [0.0; N];
+        self.0.applied_forces(t, q, v, &mut f);
+        f.to_vec()
+    }
+    fn total(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+        let mut f = [0.0; N];
+        self.0.forces(t, q, v, &mut f);
+        f.to_vec()
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// x + s·direction.
+fn along<const N: usize>(x: &[f64; N], s: f64, direction: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| x[i] + s * direction[i])
+}
+
+fn unit<const N: usize>(i: usize) -> [f64; N] {
+    std::array::from_fn(|j| f64::from(u8::from(i == j)))
+}
+
+fn column<const N: usize>(matrix: &[[f64; N]], j: usize) -> Vec<f64> {
+    matrix.iter().map(|row| row[j]).collect()
+}
+
+/// All that does not agree at an instant.
+pub fn findings<S: System<N, R>, const N: usize, const R: usize>(
+    system: &S,
+    at: &Arguments<N, R>,
+    random: &mut Random,
+) -> Vec<String> {
+    let mut findings = Findings(Vec::new());
+    constraints(&mut findings, system, at);
+    forces(&mut findings, system, at);
+    tangents(&mut findings, system, at);
+    inertia(&mut findings, system, at);
+    kernels(&mut findings, system, at, random);
+    findings.0
+}
+
+fn constraints<S: System<N, R>, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<N, R>,
+) {
+    let dense = Dense(system);
+    let (t, q, v) = (at.time, &at.q, &at.v);
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    let (phi, a, b) = dense.constraints(t, q);
+    findings.identity(
+        "phi",
+        &dense.holonomic(t, q)[..holonomic],
+        &phi[..holonomic],
+    );
+    for j in 0..N {
+        let entries: Vec<f64> = (0..holonomic).map(|i| a[i * N + j]).collect();
+        findings.derivative(&format!("A, column {j}"), &entries, &|s| {
+            dense.holonomic(t, &along(q, s, &unit(j)))[..holonomic].to_vec()
+        });
+    }
+    findings.derivative("b", &b[..holonomic], &|s| {
+        dense.holonomic(t + s, q)[..holonomic].to_vec()
+    });
+    let (a_rate, gamma) = dense.constraint_rates(t, q, v);
+    findings.derivative("rate of A", &a_rate, &|s| {
+        dense.constraints(t + s, &along(q, s, v)).1
+    });
+    findings.derivative("gamma", &gamma, &|s| dense.rates(t + s, &along(q, s, v), v));
+}
+
+/// f + ∂V/∂q is what does work without potential.
+fn forces<S: System<N, R>, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<N, R>,
+) {
+    let dense = Dense(system);
+    let (t, q, v) = (at.time, &at.q, &at.v);
+    let f = dense.applied(t, q, v);
+    let power = system.nonconservative_power(t, q, v);
+    findings.derivative("f·v − power", &[dot(&f, v) - power], &|s| {
+        vec![-system.potential_energy(&along(q, s, v))]
+    });
+    if !S::STRUCTURE.velocity_forces && power == 0.0 {
+        for j in 0..N {
+            findings.derivative(&format!("f[{j}]"), &[f[j]], &|s| {
+                vec![-system.potential_energy(&along(q, s, &unit(j)))]
+            });
+        }
+    }
+    let total = dense.total(t, q, v);
+    let inertial: Vec<f64> = total.iter().zip(&f).map(|(total, f)| total - f).collect();
+    for j in 0..N {
+        // Beside large applied forces the difference has their round-off.
+        let round_off = vec![1e-8 * f[j]];
+        findings.derivative(&format!("F − f, {j}"), &[inertial[j], 0.0], &|s| {
+            let energy = system.kinetic_energy(&along(q, s, &unit(j)), v);
+            vec![energy, round_off[0]]
+        });
+    }
+}
+
+fn tangents<S: System<N, R>, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<N, R>,
+) {
+    let dense = Dense(system);
+    let (t, q, v) = (at.time, &at.q, &at.v);
+    let (mut f_q, mut f_v) = (Box::new([[0.0; N]; N]), Box::new([[0.0; N]; N]));
+    system.applied_force_tangents(t, q, v, &mut *f_q, &mut *f_v);
+    let (mut total_q, mut total_v, mut p_q) = (
+        Box::new([[0.0; N]; N]),
+        Box::new([[0.0; N]; N]),
+        Box::new([[0.0; N]; N]),
+    );
+    system.force_tangents(t, q, v, &mut *total_q, &mut *total_v, &mut *p_q);
+    for j in 0..N {
+        findings.derivative(&format!("∂f/∂q, column {j}"), &column(&*f_q, j), &|s| {
+            dense.applied(t, &along(q, s, &unit(j)), v)
+        });
+        findings.derivative(&format!("∂f/∂v, column {j}"), &column(&*f_v, j), &|s| {
+            dense.applied(t, q, &along(v, s, &unit(j)))
+        });
+        findings.derivative(
+            &format!("∂F/∂q, column {j}"),
+            &column(&*total_q, j),
+            &|s| dense.total(t, &along(q, s, &unit(j)), v),
+        );
+        findings.derivative(
+            &format!("∂F/∂v, column {j}"),
+            &column(&*total_v, j),
+            &|s| dense.total(t, q, &along(v, s, &unit(j))),
+        );
+        findings.derivative(&format!("∂p/∂q, column {j}"), &column(&*p_q, j), &|s| {
+            dense.momentum(&along(q, s, &unit(j)), v)
+        });
+    }
+}
+
+fn inertia<S: System<N, R>, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<N, R>,
+) {
+    let dense = Dense(system);
+    let (q, v) = (&at.q, &at.v);
+    let mass = dense.mass(q);
+    let transposed: Vec<f64> = (0..N * N).map(|i| mass[(i % N) * N + i / N]).collect();
+    findings.identity("M, transposed", &transposed, &mass);
+    let p = dense.momentum(q, v);
+    let expected: Vec<f64> = (0..N).map(|i| dot(&mass[i * N..][..N], v)).collect();
+    findings.identity("p", &p, &expected);
+    findings.identity("T", &[system.kinetic_energy(q, v)], &[0.5 * dot(v, &p)]);
+
+    let mut gamma = vec![[[0.0; N]; N]; N];
+    let mut sink = Affinities(&mut gamma);
+    system.affinities(q, &mut sink);
+    if S::STRUCTURE.constant_mass {
+        let none = gamma
+            .as_flattened()
+            .as_flattened()
+            .iter()
+            .all(|&entry| entry == 0.0);
+        findings.identity("affinities", &[f64::from(u8::from(none))], &[1.0]);
+        return;
+    }
+    let slopes: Vec<(Vec<f64>, f64)> = (0..N)
+        .map(|k| slope(&|s| dense.mass(&along(q, s, &unit(k)))))
+        .collect();
+    let size = slopes
+        .iter()
+        .fold(0.0, |size: f64, (_, other)| size.max(*other));
+    for i in 0..N {
+        for j in 0..N {
+            let expected: Vec<f64> = (0..N)
+                .map(|k| {
+                    let slope = |i: usize, j: usize, k: usize| slopes[k].0[i * N + j];
+                    0.5 * (slope(i, j, k) + slope(i, k, j) - slope(j, k, i))
+                })
+                .collect();
+            let what = format!("affinities[{i}][{j}]");
+            findings.compare(&what, &gamma[i][j], &expected, TOLERANCE * size);
+        }
+    }
+}
+
+struct Affinities<'a, const N: usize>(&'a mut [[[f64; N]; N]]);
+
+impl<const N: usize> mbs_runtime::TensorSink for Affinities<'_, N> {
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
+        self.0[i][j][k] = value;
+    }
+}
+
+fn kernels<S: System<N, R>, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<N, R>,
+    random: &mut Random,
+) {
+    let dense = Dense(system);
+    let q = &at.q;
+    let mass = dense.mass(q);
+    let times_mass =
+        |x: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| dot(&mass[i * N..][..N], x)) };
+    let Some(factor) = system.factor_mass(q) else {
+        findings.0.push("M is not positive definite".to_owned());
+        return;
+    };
+    let x: [f64; N] = random.array(1.0);
+    let mut y = times_mass(&x);
+    system.solve_mass(&factor, &mut y);
+    // The condition number of M decides about the digits.
+    findings.compare("M⁻¹ M x", &y, &x, 1e-8);
+
+    let mut a = Box::new([[0.0; N]; R]);
+    system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
+    // Any rows with the zeros of A.
+    a.as_flattened_mut()
+        .iter_mut()
+        .filter(|entry| **entry != 0.0)
+        .for_each(|entry| {
+            *entry = 0.5 + random.within(1.0);
+        });
+    let mut w = Box::new([[0.0; N]; R]);
+    system.solve_mass_rows(&factor, &a, &mut w);
+    for i in 0..R {
+        let mut expected = a[i];
+        system.solve_mass(&factor, &mut expected);
+        findings.identity(&format!("row {i} of M⁻¹ a"), &w[i], &expected);
+    }
+    let mut gram = Box::new([[0.0; R]; R]);
+    system.gram(&a, &w, &mut gram);
+    for i in 0..R {
+        let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
+        findings.identity(&format!("row {i} of the Gram matrix"), &gram[i], &expected);
+    }
+    let mut a = Box::new([[0.0; N]; R]);
+    system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
+    let mut w = Box::new([[0.0; N]; R]);
+    system.metric(&factor, at.time, q, &a, &mut w, &mut gram);
+    for i in 0..R {
+        let mut expected = a[i];
+        system.solve_mass(&factor, &mut expected);
+        findings.identity(&format!("row {i} of W of the metric"), &w[i], &expected);
+    }
+    for i in 0..R {
+        let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
+        findings.identity(
+            &format!("row {i} of A W of the metric"),
+            &gram[i],
+            &expected,
+        );
+    }
+    let mut explicit = [0.0; N];
+    system.acceleration(at.time, q, &mut explicit);
+    if S::STRUCTURE.constant_mass && !S::STRUCTURE.velocity_forces {
+        let mut expected = [0.0; N];
+        system.applied_forces(at.time, q, &at.v, &mut expected);
+        system.solve_mass(&factor, &mut expected);
+        findings.identity("M⁻¹ f", &explicit, &expected);
+    }
+}

@@ -1,0 +1,232 @@
+//! What the two interpreters give for the same declaration, as tables.
+
+use crate::laws;
+use crate::random::Arguments;
+use crate::table::{Key, Table, indices};
+use mbs_macros_core::dag::{self, Operand, Place, Program, Run};
+use mbs_macros_core::derivatives::Derived;
+use mbs_macros_core::model::Law;
+use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, Symbol};
+use mbs_macros_core::{Analysis, analyse};
+use mbs_runtime::{Mechanism, System};
+
+/// A declaration that was compiled once more, inside the test.
+pub struct Interpreted {
+    laws: Vec<Law>,
+    graph: Graph,
+    expressions: Vec<(Key, Expr)>,
+    program: Program,
+    parameters: Vec<f64>,
+    inverse: Vec<Vec<f64>>,
+    constants: Vec<f64>,
+}
+
+/// Stages 1 to 4 of a declaration that is known to be right.
+pub fn analysis(declaration: &str) -> Analysis {
+    let tokens = declaration
+        .parse()
+        .expect("a declaration is made of tokens");
+    match analyse(tokens).1 {
+        Ok(analysis) => analysis,
+        Err(failure) => panic!("{}", failure.to_compile_errors()),
+    }
+}
+
+impl Interpreted {
+    /// The declaration of a mechanism, with the mechanism's parameters.
+    pub fn new<M, S, const N: usize, const R: usize>(mechanism: &M) -> Self
+    where
+        M: Mechanism<System = S>,
+        S: System<N, R>,
+    {
+        let analysis = analysis(<M as Mechanism>::MODEL.declaration);
+        let graph = analysis.derived.system.graph.clone();
+        let expressions = expressions(&analysis.derived);
+        let program = dag::lower(analysis.derived);
+        let parameters: Vec<f64> = <M as Mechanism>::MODEL
+            .parameters
+            .iter()
+            .map(|parameter| {
+                mechanism
+                    .parameter(parameter.name)
+                    .expect("named by the model")
+            })
+            .collect();
+        let mut interpreted = Interpreted {
+            laws: analysis.model.laws,
+            graph,
+            expressions,
+            program,
+            parameters,
+            inverse: Vec::new(),
+            constants: Vec::new(),
+        };
+        interpreted.prepare::<N>();
+        interpreted
+    }
+
+    /// The constants, in the order in which generated code computes them.
+    fn prepare<const N: usize>(&mut self) {
+        let mut constants = vec![f64::NAN; self.program.constants.len()];
+        self.run_preparation(0, &mut constants);
+        if let Some(entries) = &self.program.constant_mass {
+            let mut mass = Box::new([[0.0; N]; N]);
+            for &(i, j, value) in entries {
+                let value = match value {
+                    Operand::Number(value) => value,
+                    Operand::Constant(slot) => constants[slot],
+                    Operand::Symbol(Symbol::Parameter(i)) => self.parameters[i as usize],
+                    other => panic!("{other:?} in a constant mass matrix"),
+                };
+                mass[i][j] = value;
+                mass[j][i] = value;
+            }
+            let inverse = mbs_runtime::generated::inverse_mass(&mass, &[""; N])
+                .expect("the mechanism was prepared");
+            self.inverse = inverse.iter().map(|row| row.to_vec()).collect();
+        }
+        self.run_preparation(1, &mut constants);
+        self.constants = constants;
+    }
+
+    fn run_preparation(&self, stage: usize, constants: &mut [f64]) {
+        let known = constants.to_vec();
+        let symbols = |symbol: Symbol| self.parameter(symbol);
+        let results = Run {
+            symbols: &symbols,
+            constants: &known,
+            laws: &|_, _| unreachable!(),
+        }
+        .function(&self.program.preparation[stage]);
+        for (output, value) in results {
+            match output.place {
+                Place::Constant(slot) => constants[slot] = value,
+                other => panic!("{other:?} in the preparation"),
+            }
+        }
+    }
+
+    fn parameter(&self, symbol: Symbol) -> f64 {
+        match symbol {
+            Symbol::Parameter(i) => self.parameters[i as usize],
+            Symbol::InverseMass(i, j) => self.inverse[i as usize][j as usize],
+            other => panic!("{other:?} is not known from parameters"),
+        }
+    }
+
+    /// Both tables at an instant: of the symbolic interpreter, and of the interpreter of programs.
+    pub fn tables<S: System<N, R>, const N: usize, const R: usize>(
+        &self,
+        system: &S,
+        at: &Arguments<N, R>,
+    ) -> (Table, Table) {
+        let inputs = system.inputs();
+        let (mut a, mut w) = (Box::new([[0.0; N]; R]), Box::new([[0.0; N]; R]));
+        system.constraints(at.time, &at.q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
+        if let Some(mass) = system.factor_mass(&at.q) {
+            system.solve_mass_rows(&mass, &a, &mut w);
+        }
+        let symbols = |symbol: Symbol| match symbol {
+            Symbol::Time => at.time,
+            Symbol::Input(i) => inputs[i as usize],
+            Symbol::Coordinate(i) => at.q[i as usize],
+            Symbol::Velocity(i) => at.v[i as usize],
+            Symbol::Acceleration(i) | Symbol::VectorEntry(i) => at.acceleration[i as usize],
+            Symbol::Multiplier(i) => at.lambda[i as usize],
+            Symbol::RowEntry(i, j) => a[i as usize][j as usize],
+            Symbol::WeightedEntry(i, j) => w[i as usize][j as usize],
+            other => self.parameter(other),
+        };
+        let laws = |law: u32, arguments: &[f64]| laws::call(&self.laws[law as usize], arguments);
+
+        let mut symbolic = Table::default();
+        let mut evaluator = Evaluator::new(&self.graph, &symbols, &laws);
+        for &(key, expr) in &self.expressions {
+            symbolic.insert(key, evaluator.value(expr));
+        }
+
+        let mut program = Table::default();
+        let run = Run {
+            symbols: &symbols,
+            constants: &self.constants,
+            laws: &laws,
+        };
+        for function in &self.program.functions {
+            for (output, value) in run.function(function) {
+                program.insert((function.name, output.sink, indices(output.place)), value);
+            }
+        }
+        (symbolic, program)
+    }
+}
+
+/// Every derived expression and where the generated code writes it.
+fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
+    let system = &derived.system;
+    let mut list = Vec::new();
+    let mut vector = |function, sink, values: &[Expr]| {
+        for (i, &value) in values.iter().enumerate() {
+            list.push(((function, sink, [i, 0, 0]), value));
+        }
+    };
+    let holonomic: Vec<Expr> = system
+        .rows
+        .iter()
+        .filter(|row| row.kind.is_holonomic())
+        .map(|row| row.expr)
+        .collect();
+    vector("momentum", "p", &derived.momentum);
+    vector("holonomic", "phi", &holonomic);
+    vector("constraints", "phi", &holonomic);
+    vector("constraints", "b", &derived.rheonomic);
+    vector("constraint_rates", "gamma", &derived.convective);
+    vector("applied_forces", "f", &system.forces);
+    vector("forces", "f", &derived.total_forces);
+    vector("outputs", "outputs", &system.outputs);
+    vector("events", "events", &system.events);
+    vector("kinetic_energy", "", &[derived.kinetic]);
+    vector("potential_energy", "", &[system.potential]);
+    vector("nonconservative_power", "", &[system.power]);
+    let reactions: Vec<Expr> = system
+        .reactions
+        .iter()
+        .map(|reaction| reaction.expr)
+        .collect();
+    vector("reactions", "reactions", &reactions);
+    if let Some(acceleration) = &derived.acceleration {
+        vector("acceleration", "acceleration", acceleration);
+    }
+    for (function, sink, matrix) in [
+        ("mass_matrix", "mass", &system.mass),
+        ("constraints", "a", &derived.jacobian),
+        ("constraint_rates", "a_rate", &derived.jacobian_rate),
+        (
+            "applied_force_tangents",
+            "f_q",
+            &derived.applied_by_position,
+        ),
+        (
+            "applied_force_tangents",
+            "f_v",
+            &derived.applied_by_velocity,
+        ),
+        ("force_tangents", "f_q", &derived.total_by_position),
+        ("force_tangents", "f_v", &derived.total_by_velocity),
+        ("force_tangents", "p_q", &derived.momentum_by_position),
+    ] {
+        for (&(i, j), &value) in matrix {
+            list.push(((function, sink, [i, j, 0]), value));
+            if function == "mass_matrix" && i != j {
+                list.push(((function, sink, [j, i, 0]), value));
+            }
+        }
+    }
+    for (&(i, j, k), &value) in &derived.affinities {
+        list.push((("affinities", "gamma", [i, j, k]), value));
+    }
+    for (i, point) in system.points.iter().enumerate() {
+        list.push((("points", "points", [i, 0, 0]), point[0]));
+        list.push((("points", "points", [i, 1, 0]), point[1]));
+    }
+    list
+}

@@ -1,0 +1,62 @@
+//! Deterministic numbers that look random.
+
+/// SplitMix64.
+#[derive(Debug, Clone)]
+pub struct Random(u64);
+
+impl Random {
+    /// Numbers that depend on a text only.
+    pub fn of(text: &str) -> Self {
+        // FNV-1a
+        Random(text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        }))
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let x = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        x ^ (x >> 31)
+    }
+
+    /// A number in [−size, size).
+    pub fn within(&mut self, size: f64) -> f64 {
+        size * ((self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
+    }
+
+    /// Numbers in [−size, size).
+    pub fn array<const N: usize>(&mut self, size: f64) -> [f64; N] {
+        std::array::from_fn(|_| self.within(size))
+    }
+}
+
+/// Arguments of the equations.
+#[derive(Debug, Clone)]
+pub struct Arguments<const N: usize, const R: usize> {
+    /// t
+    pub time: f64,
+    /// q
+    pub q: [f64; N],
+    /// v
+    pub v: [f64; N],
+    /// v̇
+    pub acceleration: [f64; N],
+    /// λ
+    pub lambda: [f64; R],
+}
+
+impl<const N: usize, const R: usize> Arguments<N, R> {
+    /// Arguments near a guess of q; constraints are not respected, since derivatives hold everywhere.
+    pub fn near(guess: &[f64; N], random: &mut Random) -> Self {
+        let mut q: [f64; N] = random.array(0.4);
+        q.iter_mut().zip(guess).for_each(|(q, guess)| *q += guess);
+        Arguments {
+            time: 0.7 + random.within(0.6),
+            q,
+            v: random.array(1.5),
+            acceleration: random.array(2.0),
+            lambda: random.array(2.0),
+        }
+    }
+}

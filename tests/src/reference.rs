@@ -1,0 +1,37 @@
+//! The thinned reference tables in `tests/reference/`.
+
+use std::path::Path;
+
+/// A table of trusted values.
+#[derive(Debug, Clone)]
+pub struct Table {
+    header: Vec<String>,
+    rows: Vec<Vec<f64>>,
+}
+
+/// Reads a table; one that is missing is a failure, not a reason to skip a test.
+pub fn table(file: &str) -> Table {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(file);
+    let text = std::fs::read_to_string(&path)
+        .unwrap_or_else(|error| panic!("{}: {error} (see the README beside it)", path.display()));
+    let mut lines = text.lines();
+    let header = lines.next().expect("a header").split(',').map(str::to_owned).collect();
+    let row = |line: &str| -> Vec<f64> {
+        line.split(',').map(|cell| cell.parse().expect("a number")).collect()
+    };
+    Table { header, rows: lines.map(row).collect() }
+}
+
+impl Table {
+    /// A column by name.
+    pub fn column(&self, name: &str) -> Vec<f64> {
+        let index = self.header.iter().position(|other| other == name);
+        let index = index.unwrap_or_else(|| panic!("no column `{name}` in {:?}", self.header));
+        self.rows.iter().map(|row| row[index]).collect()
+    }
+
+    /// The instants.
+    pub fn times(&self) -> Vec<f64> {
+        self.column("time_s")
+    }
+}

@@ -1,0 +1,258 @@
+//! A system in which one function is slightly wrong: what no test finds, no test tests.
+
+use mbs_runtime::{MatrixSink, Model, Structure, System, TensorSink};
+
+/// The functions that can be made wrong, by the argument or value that they give.
+pub const QUANTITIES: &[&str] = &[
+    "mass",
+    "p",
+    "affinities",
+    "holonomic",
+    "phi",
+    "a",
+    "b",
+    "a_rate",
+    "gamma",
+    "f",
+    "F",
+    "f_q",
+    "f_v",
+    "F_q",
+    "F_v",
+    "p_q",
+    "acceleration",
+    "T",
+    "V",
+    "power",
+    "solve_mass",
+    "solve_mass_rows",
+    "gram",
+    "metric_rows",
+    "metric_gram",
+];
+
+/// Relative size of the error.
+const ERROR: f64 = 1e-4;
+
+/// `inner`, with an error in `wrong`.
+#[derive(Debug, Clone)]
+pub struct Tampered<S> {
+    inner: S,
+    wrong: &'static str,
+}
+
+impl<S> Tampered<S> {
+    /// Makes one quantity wrong.
+    pub fn new(inner: S, wrong: &'static str) -> Self {
+        Tampered { inner, wrong }
+    }
+
+    fn number(&self, quantity: &str, value: f64) -> f64 {
+        if quantity == self.wrong {
+            value + ERROR * value.abs().max(1.0)
+        } else {
+            value
+        }
+    }
+
+    fn vector(&self, quantity: &str, values: &mut [f64]) {
+        if let Some(value) = values.iter_mut().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
+            *value = self.number(quantity, *value);
+        }
+    }
+
+    fn sink<'a, T>(&self, quantity: &str, sink: &'a mut T) -> Wrong<'a, T> {
+        Wrong {
+            sink,
+            wrong: quantity == self.wrong,
+        }
+    }
+}
+
+/// Makes every entry wrong.
+struct Wrong<'a, T> {
+    sink: &'a mut T,
+    wrong: bool,
+}
+
+impl<T> Wrong<'_, T> {
+    fn value(&self, value: f64) -> f64 {
+        if self.wrong {
+            value + ERROR * value.abs().max(1.0)
+        } else {
+            value
+        }
+    }
+}
+
+impl<T: MatrixSink> MatrixSink for Wrong<'_, T> {
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        // One triangle more than the other, so that a wrong M is not merely another M.
+        let more = if row > column { 1.5 } else { 1.0 };
+        let value = value + more * (self.value(value) - value);
+        self.sink.set(row, column, value);
+    }
+}
+
+impl<T: TensorSink> TensorSink for Wrong<'_, T> {
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
+        let value = self.value(value);
+        self.sink.set(i, j, k, value);
+    }
+}
+
+impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<S> {
+    const MODEL: &'static Model = S::MODEL;
+    const STRUCTURE: Structure = S::STRUCTURE;
+    type Mass = S::Mass;
+
+    fn inputs(&self) -> &[f64] {
+        self.inner.inputs()
+    }
+    fn inputs_mut(&mut self) -> &mut [f64] {
+        self.inner.inputs_mut()
+    }
+    fn guess(&self) -> ([f64; N], [f64; N]) {
+        self.inner.guess()
+    }
+    fn mass_matrix(&self, q: &[f64; N], mass: &mut impl MatrixSink) {
+        self.inner.mass_matrix(q, &mut self.sink("mass", mass));
+    }
+    fn factor_mass(&self, q: &[f64; N]) -> Option<Self::Mass> {
+        self.inner.factor_mass(q)
+    }
+    fn solve_mass(&self, mass: &Self::Mass, x: &mut [f64; N]) {
+        self.inner.solve_mass(mass, x);
+        self.vector("solve_mass", x);
+    }
+    fn solve_mass_rows(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R]) {
+        self.inner.solve_mass_rows(mass, a, w);
+        self.vector("solve_mass_rows", w.as_flattened_mut());
+    }
+    fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]) {
+        self.inner.gram(a, w, gram);
+        self.vector("gram", gram.as_flattened_mut());
+    }
+    fn metric(
+        &self,
+        mass: &Self::Mass,
+        t: f64,
+        q: &[f64; N],
+        a: &[[f64; N]; R],
+        w: &mut [[f64; N]; R],
+        gram: &mut [[f64; R]; R],
+    ) {
+        self.inner.metric(mass, t, q, a, w, gram);
+        self.vector("metric_rows", w.as_flattened_mut());
+        self.vector("metric_gram", gram.as_flattened_mut());
+    }
+    fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]) {
+        self.inner.momentum(q, v, p);
+        self.vector("p", p);
+    }
+    fn affinities(&self, q: &[f64; N], gamma: &mut impl TensorSink) {
+        self.inner
+            .affinities(q, &mut self.sink("affinities", gamma));
+    }
+    fn holonomic(&self, t: f64, q: &[f64; N], phi: &mut [f64; R]) {
+        self.inner.holonomic(t, q, phi);
+        self.vector("holonomic", &mut phi[..S::STRUCTURE.holonomic_rows]);
+    }
+    fn constraints(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        phi: &mut [f64; R],
+        a: &mut impl MatrixSink,
+        b: &mut [f64; R],
+    ) {
+        self.inner.constraints(t, q, phi, &mut self.sink("a", a), b);
+        self.vector("phi", &mut phi[..S::STRUCTURE.holonomic_rows]);
+        self.vector("b", &mut b[..S::STRUCTURE.holonomic_rows]);
+    }
+    fn constraint_rates(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        a_rate: &mut impl MatrixSink,
+        gamma: &mut [f64; R],
+    ) {
+        self.inner
+            .constraint_rates(t, q, v, &mut self.sink("a_rate", a_rate), gamma);
+        self.vector("gamma", gamma);
+    }
+    fn applied_forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
+        self.inner.applied_forces(t, q, v, f);
+        self.vector("f", f);
+    }
+    fn forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
+        self.inner.forces(t, q, v, f);
+        self.vector("F", f);
+    }
+    fn applied_force_tangents(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        f_q: &mut impl MatrixSink,
+        f_v: &mut impl MatrixSink,
+    ) {
+        let (mut f_q, mut f_v) = (self.sink("f_q", f_q), self.sink("f_v", f_v));
+        self.inner
+            .applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
+    }
+    fn force_tangents(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        f_q: &mut impl MatrixSink,
+        f_v: &mut impl MatrixSink,
+        p_q: &mut impl MatrixSink,
+    ) {
+        let (mut f_q, mut f_v) = (self.sink("F_q", f_q), self.sink("F_v", f_v));
+        self.inner
+            .force_tangents(t, q, v, &mut f_q, &mut f_v, &mut self.sink("p_q", p_q));
+    }
+    fn acceleration(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N]) {
+        self.inner.acceleration(t, q, acceleration);
+        self.vector("acceleration", acceleration);
+    }
+    fn kinetic_energy(&self, q: &[f64; N], v: &[f64; N]) -> f64 {
+        self.number("T", self.inner.kinetic_energy(q, v))
+    }
+    fn potential_energy(&self, q: &[f64; N]) -> f64 {
+        let energy = self.inner.potential_energy(q);
+        // A constant error would not matter.
+        if self.wrong == "V" {
+            energy * (1.0 + ERROR) + ERROR * q[0]
+        } else {
+            energy
+        }
+    }
+    fn nonconservative_power(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64 {
+        self.number("power", self.inner.nonconservative_power(t, q, v))
+    }
+    fn outputs(&self, t: f64, q: &[f64; N], v: &[f64; N], outputs: &mut [f64]) {
+        self.inner.outputs(t, q, v, outputs);
+    }
+    fn events(&self, t: f64, q: &[f64; N], v: &[f64; N], events: &mut [f64]) {
+        self.inner.events(t, q, v, events);
+    }
+    fn points(&self, t: f64, q: &[f64; N], points: &mut [[f64; 3]]) {
+        self.inner.points(t, q, points);
+    }
+    fn reactions(
+        &self,
+        t: f64,
+        q: &[f64; N],
+        v: &[f64; N],
+        acceleration: &[f64; N],
+        lambda: &[f64; R],
+        reactions: &mut [f64],
+    ) {
+        self.inner
+            .reactions(t, q, v, acceleration, lambda, reactions);
+    }
+}

@@ -1,0 +1,190 @@
+//! Every compiled function of every mechanism against differences of the functions below it, against the interpreter of
+//! expressions, and against the interpreter of programs.
+
+use mbs_examples::scenes;
+use mbs_runtime::{Mechanism, System};
+use mbs_tests::fixtures;
+use mbs_tests::interpreted::{Interpreted, analysis};
+use mbs_tests::random::{Arguments, Random};
+use mbs_tests::tampered::{QUANTITIES, Tampered};
+use mbs_tests::{compiled, differences};
+use std::collections::BTreeSet;
+
+/// States at which each mechanism is examined; large mechanisms get along with fewer.
+fn count(size: usize) -> usize {
+    if size > 20 { 1 } else { 3 }
+}
+
+/// A system whose inputs are not their defaults, and states for it.
+fn prepare<M, S, const N: usize, const R: usize>(mechanism: &M) -> (S, Vec<Arguments<N, R>>, Random)
+where
+    M: Mechanism<System = S>,
+    S: System<N, R>,
+{
+    let mut random = Random::of(<M as Mechanism>::MODEL.name);
+    let mut system = mechanism.prepare().expect("default parameters are good");
+    for input in system.inputs_mut() {
+        *input += random.within(1.0);
+    }
+    let (guess, _) = system.guess();
+    let states = (0..count(N))
+        .map(|_| Arguments::near(&guess, &mut random))
+        .collect();
+    (system, states, random)
+}
+
+fn differences<M, S, const N: usize, const R: usize>()
+where
+    M: Mechanism<System = S>,
+    S: System<N, R>,
+{
+    let (system, states, mut random) = prepare(&M::default());
+    for at in &states {
+        assert_none(
+            differences::findings(&system, at, &mut random),
+            S::MODEL.name,
+        );
+    }
+}
+
+fn interpreters<M, S, const N: usize, const R: usize>()
+where
+    M: Mechanism<System = S>,
+    S: System<N, R>,
+{
+    let mechanism = M::default();
+    let (system, states, _) = prepare(&mechanism);
+    let interpreted = Interpreted::new(&mechanism);
+    for at in &states {
+        let compiled = compiled::table(&system, at);
+        let (symbolic, program) = interpreted.tables(&system, at);
+        assert_none(compiled.differences(&symbolic, 1e-11, false), "expressions");
+        assert_none(
+            compiled.differences(&program, 4.0 * f64::EPSILON, true),
+            "programs",
+        );
+        assert!(program.functions().is_subset(&compiled.functions()));
+    }
+}
+
+fn assert_none(findings: Vec<String>, what: &str) {
+    assert!(
+        findings.is_empty(),
+        "{what}: {} findings\n{}",
+        findings.len(),
+        findings
+            .iter()
+            .take(20)
+            .cloned()
+            .collect::<Vec<_>>()
+            .join("\n")
+    );
+}
+
+macro_rules! mechanisms {
+    ($($test:ident: $mechanism:ty;)*) => {
+        mod against_differences {
+            use super::*;
+            $(#[test]
+            fn $test() {
+                differences::<$mechanism, _, _, _>();
+            })*
+        }
+
+        mod against_interpreters {
+            use super::*;
+            $(#[test]
+            fn $test() {
+                interpreters::<$mechanism, _, _, _>();
+            })*
+        }
+
+        /// Declarations of all mechanisms that are tested here.
+        fn declarations() -> Vec<&'static str> {
+            vec![$(<$mechanism as Mechanism>::MODEL.declaration),*]
+        }
+    };
+}
+
+mechanisms! {
+    press: fixtures::Press;
+    truss: fixtures::Truss;
+    sled: fixtures::Sled;
+    chain: fixtures::Chain;
+    functions: fixtures::Functions;
+    pendulum: scenes::pendulum::Pendulum;
+    pendulum_by_angle: scenes::pendulum::PendulumByAngle;
+    double_pendulum: scenes::double_pendulum::DoublePendulum;
+    slider_crank: scenes::slider_crank::SliderCrank;
+    driven_slider_crank: scenes::driven_slider_crank::DrivenSliderCrank;
+    double_four_bar: scenes::double_four_bar::DoubleFourBar;
+    four_bar_40: scenes::four_bar_40::FourBar40;
+    andrews: scenes::andrews::Andrews;
+    chaplygin_sleigh: scenes::chaplygin_sleigh::ChaplyginSleigh;
+    knife_edge: scenes::knife_edge::KnifeEdge;
+}
+
+#[test]
+fn no_scene_is_forgotten() {
+    let known = declarations();
+    for scene in scenes::scenes() {
+        assert!(
+            known.contains(&scene.model.declaration),
+            "add the mechanism of `{}` to the list in this file",
+            scene.name
+        );
+    }
+}
+
+#[test]
+fn every_kind_of_the_schema_is_used() {
+    let mut used = BTreeSet::new();
+    for declaration in declarations() {
+        let mut errors = mbs_macros_core::diagnostics::Errors::new();
+        let tree = mbs_macros_core::syntax::parse(declaration.parse().unwrap(), &mut errors);
+        errors.stop_if_any().expect("it compiled");
+        let entries = tree.expect("it compiled").entries;
+        used.extend(entries.iter().map(|entry| entry.kind.to_string()));
+    }
+    let missing: Vec<_> = mbs_macros_core::schema::KINDS
+        .iter()
+        .map(|kind| kind.name)
+        .filter(|name| !used.contains(*name))
+        .collect();
+    assert_eq!(missing, Vec::<&str>::new());
+}
+
+/// What is slightly wrong is found: in some mechanism, for each function.
+#[test]
+fn an_error_in_any_function_is_found() {
+    let finds = |wrong: &'static str| {
+        fn finds<M, S, const N: usize, const R: usize>(wrong: &'static str) -> bool
+        where
+            M: Mechanism<System = S>,
+            S: System<N, R>,
+        {
+            let (system, states, mut random) = prepare(&M::default());
+            let tampered = Tampered::new(system, wrong);
+            states
+                .iter()
+                .any(|at| !differences::findings(&tampered, at, &mut random).is_empty())
+        }
+        finds::<fixtures::Truss, _, _, _>(wrong)
+            || finds::<fixtures::Chain, _, _, _>(wrong)
+            || finds::<scenes::pendulum::Pendulum, _, _, _>(wrong)
+    };
+    for &wrong in QUANTITIES {
+        assert!(finds(wrong), "an error in `{wrong}` is not found");
+    }
+    assert!(!finds("nothing"));
+}
+
+/// The interpreters know as many rows and coordinates as the compiled code.
+#[test]
+fn declarations_compile_to_the_same_sizes_again() {
+    for scene in scenes::scenes() {
+        let analysis = analysis(scene.model.declaration);
+        assert_eq!(analysis.derived.system.size, scene.model.coordinates.len());
+        assert_eq!(analysis.derived.system.rows.len(), scene.model.rows.len());
+    }
+}
