@@ -206,7 +206,7 @@ fn forces<S: System<N, R>, const N: usize, const R: usize>(
     let inertial: Vec<f64> = total.iter().zip(&f).map(|(total, f)| total - f).collect();
     for j in 0..N {
         // Beside large applied forces the difference has their round-off.
-        let round_off = vec![1e-8 * f[j]];
+        let round_off = [1e-8 * f[j]];
         findings.derivative(&format!("F − f, {j}"), &[inertial[j], 0.0], &|s| {
             let energy = system.kinetic_energy(&along(q, s, &unit(j)), v);
             vec![energy, round_off[0]]

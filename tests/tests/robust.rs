@@ -324,8 +324,8 @@ fn refusal(expression: &str) -> String {
 
 #[test]
 fn huge_numbers_are_refused() {
+    assert!(refusal("1e999_m").contains("this number is too large"));
     for expression in [
-        "1e999_m",
         "1e308 * 1e308",
         "1e200 * (1e200 * bar.angle)",
         "0.0.powi(-1)",

@@ -1,27 +1,281 @@
-//! Where errors point: the source line, and `~` under what is wrong.
+//! Where errors point: a line of a declaration, and `~` under what is wrong.
 
 use mbs_macros_core::analyse;
 
-/// Compiles a mechanism with this line among its entries. It is wrong, and the only message points at the marked tokens
-/// and contains `message`.
-fn points_at(line: &str, marks: &str, message: &str) {
-    for (others, ready) in [
-        (PENDULUM, line.contains("bar.") || line.contains("bar,")),
-        (ALONE, true),
-    ] {
-        if ready {
-            check(others, line, marks, message);
-            return;
-        }
-    }
-}
-
-/// What the lines may refer to.
-const PENDULUM: &str = "world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+/// What the lines stand after and may refer to.
+const BEFORE: &str = "world: Planar(gravity = [0.0, -9.81_m_per_s2]),
 bar: Bar(mass = 1.0_kg, length = 1.0_m),
 pivot: Revolute(ground.origin, bar.a),
 ";
 
-/// The same without what a line declares anew.
-const ALONE: &str = "world: Planar(gravity = [0.0, -9.81_m_per_s2]),
-";
+/// With these two lines (an entry, and marks under it) the only message contains `message` and is about the marked
+/// tokens.
+fn points_at(lines: &str, message: &str) {
+    let mut lines = lines.lines().filter(|line| !line.trim().is_empty());
+    let (line, marks) = (
+        lines.next().expect("an entry"),
+        lines.next().expect("marks"),
+    );
+    let text = format!("Marked {{\n{BEFORE}{line}\n}}");
+    let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+    let failure = outcome.err().unwrap_or_else(|| panic!("accepted: {line}"));
+    let messages = failure.messages();
+    let [(found, span)] = messages.as_slice() else {
+        panic!("expected one message, found {messages:#?}");
+    };
+    assert_eq!(
+        span.start.line,
+        BEFORE.lines().count() + 2,
+        "another line: {found}"
+    );
+    let columns = span.start.column..span.end.column;
+    let underlined: String = (0..columns.end)
+        .map(|column| if columns.contains(&column) { '~' } else { ' ' })
+        .collect();
+    assert_eq!(
+        underlined,
+        marks.trim_end(),
+        "\n{line}\n{underlined}\n{found}"
+    );
+    assert!(found.contains(message), "the message is: {found}");
+}
+
+#[test]
+fn names() {
+    points_at(
+        "
+        out: Output(bra.b.x),
+                    ~~~",
+        "nothing here is named `bra`; did you mean `bar`?",
+    );
+    points_at(
+        "
+        out: Output(bar.b.volocity.x),
+                          ~~~~~~~~",
+        "did you mean `velocity`?",
+    );
+    points_at(
+        "
+        out: Output(bar.angle.cso()),
+                              ~~~",
+        "did you mean `cos`?",
+    );
+    points_at(
+        "
+        out: Outptu(bar.b),
+             ~~~~~~",
+        "did you mean `Output`?",
+    );
+    points_at(
+        "
+        ground: Particle(mass = 1.0_kg),
+        ~~~~~~",
+        "`ground` is reserved",
+    );
+    points_at(
+        "
+        out: Output(pivot),
+                    ~~~~~",
+        "`pivot` is declared as `Revolute`",
+    );
+}
+
+#[test]
+fn arguments() {
+    points_at(
+        "
+        rod: Distance(bar.b, ground.origin),
+             ~~~~~~~~",
+        "`Distance` needs `length`: the distance kept",
+    );
+    points_at(
+        "
+        rod: Distance(bar.b, ground.origin, lenght = 1.0_m),
+                                            ~~~~~~",
+        "did you mean `length`?",
+    );
+    points_at(
+        "
+        rod: Distance(bar.b, ground.origin, 1.0_m + 2.0_m),
+                                            ~~~~~~~~~~~~~",
+        "takes 2 positional arguments (`parent`, `child`)",
+    );
+    points_at(
+        "
+        out: Output(),
+             ~~~~~~",
+        "`Output` needs `value`",
+    );
+    points_at(
+        "
+        push: Force(on = bar.b, value = [1.0_N, 0.0_N], on = bar.a),
+                                                        ~~",
+        "`on` is given twice",
+    );
+    points_at(
+        "
+        push: Force(on = bar.b, value = [1.0_N, 0.0_N], bar.a),
+                                                        ~~~~~",
+        "positional arguments come before named ones",
+    );
+}
+
+#[test]
+fn dimensions() {
+    points_at(
+        "
+        push: Force(on = bar.b, value = [1.0_N * 2.0_m, 0.0_Nm]),
+                                        ~~~~~~~~~~~~~~~~~~~~~~~",
+        "`value` is a force (N), but this is a torque or energy (N m)",
+    );
+    points_at(
+        "
+        out: Output(bar.b.x + 2.0 * bar.rate),
+                            ~",
+        "a length (m) against a rate (rad/s)",
+    );
+    points_at(
+        "
+        out: Output(exp(2.0 * bar.b.x)),
+                        ~~~~~~~~~~~~~",
+        "`exp` takes a pure number or an angle, but this is a length (m)",
+    );
+    points_at(
+        "
+        load: Input(1.0_N, unit = Nm),
+                                  ~~",
+        "this unit is that of a torque or energy (N m), but the value is a force (N)",
+    );
+    points_at(
+        "
+        rod: Distance(bar.b, ground.origin, length = 2.0_m_per_min2),
+                                                     ~~~~~~~~~~~~~~",
+        "`length` is a length (m), but this is an acceleration (m/s²)",
+    );
+    points_at(
+        "
+        swing: Coupling(bar.angle, bar.b.x, ratio = 2.0_kg),
+                                                    ~~~~~~",
+        "the ratio takes a pure number or angle to a length (m)",
+    );
+}
+
+#[test]
+fn conditions() {
+    points_at(
+        "
+        slip: Holonomic(bar.b.x - 2.0_s * bar.b.velocity.x),
+                                          ~~~~~~~~~~~~~~~~",
+        "a holonomic condition has no velocities",
+    );
+    points_at(
+        "
+        slip: Nonholonomic([bar.b.velocity.x, bar.b.x]),
+                                              ~~~~~~~",
+        "needs velocities",
+    );
+    points_at(
+        "
+        slip: Nonholonomic([bar.rate, norm(bar.b.velocity)]),
+                                      ~~~~~~~~~~~~~~~~~~~~",
+        "affine in the velocities",
+    );
+    points_at(
+        "
+        turn: Drive(bar.angle, value = sin(bar.angle) + 1.0_rad_per_s * t),
+                                           ~~~~~~~~~",
+        "a drive follows time and parameters only",
+    );
+    points_at(
+        "
+        held: PointOnLine(bar.a, ground.origin, axis = Y),
+        ~~~~",
+        "other joints already fix all that `held` holds",
+    );
+    points_at(
+        "
+        rod: Distance(bar.b, ground.origin, length = bar.b.x),
+                                                     ~~~~~~~",
+        "must be known before the motion starts",
+    );
+}
+
+#[test]
+fn parts() {
+    points_at(
+        "
+        bob: Particle(mass = 0.0_kg, free = true),
+        ~~~",
+        "`bob` moves without mass",
+    );
+    points_at(
+        "
+        bob: Particle(mass = 1.0_kg),
+        ~~~",
+        "`bob` is connected to nothing",
+    );
+    points_at(
+        "
+        rod: Bar(mass = 1.0_kg, from = [0.0, 0.0], free = true),
+        ~~~",
+        "`rod` has no length",
+    );
+    points_at(
+        "
+        rod: Bar(mass = 1.0_kg, length = 1.0_m - 1.0_m, free = true),
+                                         ~~~~~~~~~~~~~",
+        "a bar has a positive length",
+    );
+    points_at(
+        "
+        weld: Fixed(ground.origin, bar),
+                                   ~~~",
+        "`child` is a point: name one of `bar`",
+    );
+    points_at(
+        "
+        motor: Torque(on = bar.b, value = 1.0_Nm),
+                           ~~~~~",
+        "`on` is a part or `ground`, but this is the point `bar.b`",
+    );
+}
+
+#[test]
+fn syntax() {
+    points_at(
+        "
+        lever: 2.0 * 1.0_m,
+               ~~~~~~~~~~~",
+        "expected `lever: Kind(…)`",
+    );
+    points_at(
+        "
+        lever = Param(1.0_m),
+        ~~~~~",
+        "expected `:` after `lever`",
+    );
+    points_at(
+        "
+        Param(1.0_m),
+        ~~~~~",
+        "this `Param` has no name",
+    );
+    points_at(
+        "
+        lever: Param(1.0_m) Param(1.0_m),
+                            ~~~~~",
+        "expected `,` between entries",
+    );
+    points_at(
+        "
+        out: Output([bar.b.x, if true { 1.0 } else { 2.0 }]),
+                              ~~~~~~~~~~~~~~~~~~~~~~~~~~~~",
+        "this cannot be part of an expression",
+    );
+    points_at(
+        "
+        doc: concat!(\"two\", \"texts\"),
+             ~~~~~~~~~~~~~~~~~~~~~~~",
+        "`doc:` takes a text in quotes",
+    );
+}

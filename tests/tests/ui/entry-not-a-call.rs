@@ -1,4 +1,4 @@
-use mbs_runtime::mechanism;
+use mbs_runtime::{Simulation, mechanism};
 
 mechanism!(Wrong {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -8,4 +8,6 @@ mechanism!(Wrong {
     pivot: Revolute(ground.origin, bar.a),
 });
 
-fn main() {}
+fn main() {
+    let _ = Simulation::new(Wrong { lever: 2.0 });
+}

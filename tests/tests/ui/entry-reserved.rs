@@ -1,11 +1,13 @@
-use mbs_runtime::mechanism;
+use mbs_runtime::{Simulation, mechanism};
 
 mechanism!(Wrong {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
 
     t: Param(1.0_m),
-    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    bar: Bar(mass = 1.0_kg, length = t),
     pivot: Revolute(ground.origin, bar.a),
 });
 
-fn main() {}
+fn main() {
+    let _ = Simulation::new(Wrong { t: 2.0 });
+}

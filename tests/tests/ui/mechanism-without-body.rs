@@ -1,5 +1,7 @@
-use mbs_runtime::mechanism;
+use mbs_runtime::{Simulation, mechanism};
 
 mechanism!(Wrong);
 
-fn main() {}
+fn main() {
+    let _ = Simulation::new(Wrong::default());
+}

@@ -118,21 +118,22 @@ impl Failure {
     }
 }
 
-/// ", did you mean `x`?" for the candidate nearest to `name`, or nothing if none is near.
+/// "; did you mean `x`?" for the candidate nearest to `name`, or nothing if none is near.
 pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
-    let best = candidates
+    nearest(name, candidates).map_or_else(String::new, |candidate| {
+        format!("; did you mean `{candidate}`?")
+    })
+}
+
+/// The candidate that `name` may be a misspelling of.
+pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let length = name.chars().count();
+    let (distance, candidate) = candidates
         .into_iter()
         .map(|candidate| (distance(name, candidate), candidate))
-        .min();
-    match best {
-        // Another name of the same one letter is no likely meaning.
-        Some((distance, candidate))
-            if distance <= 1 + name.chars().count() / 3 && distance < name.chars().count() =>
-        {
-            format!("; did you mean `{candidate}`?")
-        }
-        _ => String::new(),
-    }
+        .min()?;
+    // Another name of the same one letter is no likely meaning.
+    (distance <= 1 + length / 3 && distance < length).then_some(candidate)
 }
 
 /// Levenshtein distance.

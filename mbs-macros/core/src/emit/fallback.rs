@@ -12,14 +12,15 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
     let name = &declaration.name;
-    let mut fields: Vec<&Ident> = Vec::new();
-    for entry in declaration
+    let read = declaration
         .entries
         .iter()
         .filter(|entry| entry.kind == "Param")
-    {
-        if !fields.contains(&&entry.name) {
-            fields.push(&entry.name);
+        .map(|entry| &entry.name);
+    let mut fields: Vec<&Ident> = Vec::new();
+    for field in read.chain(&declaration.lost) {
+        if !fields.contains(&field) {
+            fields.push(field);
         }
     }
     quote! {

@@ -47,6 +47,8 @@ pub(super) fn emit(declaration: &Declaration, model: &Model) -> TokenStream {
             #( #[doc = #docs] pub #fields: f64, )*
         }
 
+        // Defaults may come close to π/4 and the like.
+        #[allow(clippy::all)]
         impl ::core::default::Default for #name {
             fn default() -> Self {
                 Self { #( #fields: #defaults, )* }

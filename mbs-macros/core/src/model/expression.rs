@@ -171,8 +171,14 @@ impl Resolver<'_> {
             ),
             other => return self.fail(Place::of(other), "expected a number"),
         };
-        let Ok(number) = digits.parse::<f64>() else {
-            return self.fail(Place::of(literal), "this number cannot be read");
+        let number = match digits.parse::<f64>() {
+            Ok(number) if number.is_finite() => number,
+            _ => {
+                return self.fail(
+                    Place::of(literal),
+                    "this number is too large; numbers go up to 1e308",
+                );
+            }
         };
         if suffix.is_empty() {
             let expr = self.graph.constant(number);

@@ -30,6 +30,8 @@ pub struct Declaration {
     pub world: Option<Entry>,
     /// All other entries, in order.
     pub entries: Vec<Entry>,
+    /// Names of entries that could not be read but seem to be parameters: the user's program knows their fields.
+    pub lost: Vec<Ident>,
     /// The tokens, as text.
     pub text: String,
 }
@@ -47,6 +49,21 @@ pub struct Entry {
     pub positional: Vec<Expr>,
     /// Named arguments.
     pub named: Vec<NamedArgument>,
+}
+
+impl Declaration {
+    /// No more than a name.
+    fn nameable(name: Ident) -> Self {
+        Declaration {
+            visibility: None,
+            name,
+            doc: String::new(),
+            world: None,
+            entries: Vec::new(),
+            lost: Vec::new(),
+            text: String::new(),
+        }
+    }
 }
 
 impl Entry {

@@ -1,7 +1,7 @@
 //! The parser: entries are split at commas first, so that one broken entry does not hide the others.
 
 use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
-use crate::diagnostics::{Errors, did_you_mean};
+use crate::diagnostics::{Errors, did_you_mean, nearest};
 use crate::schema;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -11,43 +11,52 @@ use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced,
 
 /// Parses a declaration. What parsed is returned even if some entries did not.
 pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
-    if let Err(error) = height(&tokens, MAX_DEPTH) {
-        errors.push(error);
-        return None;
-    }
-    let text = tokens.to_string();
-    let Header {
-        doc,
-        visibility,
-        name,
-        body,
-    } = match syn::parse2(tokens) {
+    let found = name_of(&tokens);
+    let header = height(&tokens, MAX_DEPTH).and_then(|_| {
+        let text = tokens.to_string();
+        let header: Header = syn::parse2(tokens)?;
+        Ok((header, text))
+    });
+    let (
+        Header {
+            doc,
+            visibility,
+            name,
+            body,
+        },
+        text,
+    ) = match header {
         Ok(header) => header,
         Err(error) => {
             errors.push(error);
-            return None;
+            return found.map(Declaration::nameable);
         }
     };
     let mut declaration = Declaration {
         visibility,
-        name,
         doc,
-        world: None,
-        entries: Vec::new(),
         text,
+        ..Declaration::nameable(name)
     };
     let mut broken_world = false;
     for chunk in split_at_commas(body) {
         broken_world |= starts_with_world(&chunk);
-        match syn::parse2::<Item>(chunk) {
+        match syn::parse2::<Item>(chunk.clone()) {
             Ok(Item::Doc(doc)) => {
                 if !declaration.doc.is_empty() {
                     declaration.doc.push('\n');
                 }
                 declaration.doc.push_str(&doc);
             }
-            Ok(Item::Entry(entry)) => place(entry, &mut declaration, errors),
-            Err(error) => errors.push(error),
+            Ok(Item::Entry(entry)) => {
+                if !place(entry, &mut declaration, errors) {
+                    declaration.lost.extend(lost_parameter(&chunk));
+                }
+            }
+            Err(error) => {
+                errors.push(error);
+                declaration.lost.extend(lost_parameter(&chunk));
+            }
         }
     }
     if declaration.world.is_none() && !broken_world {
@@ -59,13 +68,14 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
     Some(declaration)
 }
 
-fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
+/// Whether the entry has found its place.
+fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bool {
     if schema::RESERVED.contains(&entry.name.to_string().as_str()) {
         errors.at(
             entry.name.span(),
             format!("`{}` is reserved; choose another name", entry.name),
         );
-        return;
+        return false;
     }
     if entry.name == "world" {
         if declaration.world.is_some() {
@@ -89,7 +99,7 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
         } else {
             declaration.world = Some(entry);
         }
-        return;
+        return true;
     }
     if schema::world(&entry.kind.to_string()).is_some() {
         errors.at(
@@ -100,7 +110,7 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
             ),
         );
         declaration.world.get_or_insert(entry);
-        return;
+        return false;
     }
     if schema::kind(&entry.kind.to_string()).is_none() {
         let known = schema::KINDS.iter().map(|kind| kind.name);
@@ -114,9 +124,40 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
             entry.kind.span(),
             format!("there is no kind `{}`{hint}", entry.kind),
         );
-        return;
+        return false;
     }
     declaration.entries.push(entry);
+    true
+}
+
+/// The name of the mechanism, wherever the rest goes wrong.
+fn name_of(tokens: &TokenStream) -> Option<Ident> {
+    tokens.clone().into_iter().find_map(|token| match token {
+        TokenTree::Ident(name) => syn::parse2(name.into_token_stream()).ok(),
+        _ => None,
+    })
+}
+
+/// The name of a wrong entry that seems to be a parameter: `name: Parm(…)` or `name: 1.0_m`.
+fn lost_parameter(chunk: &TokenStream) -> Option<Ident> {
+    let mut tokens = chunk
+        .clone()
+        .into_iter()
+        .skip_while(|token| matches!(token, TokenTree::Punct(_) | TokenTree::Group(_)));
+    let Some(TokenTree::Ident(name)) = tokens.next() else {
+        return None;
+    };
+    let rest = tokens.find(|token| !matches!(token, TokenTree::Punct(_)));
+    let is_parameter = match rest {
+        Some(TokenTree::Ident(kind)) => {
+            let kinds = schema::KINDS.iter().map(|kind| kind.name);
+            nearest(&kind.to_string(), kinds) == Some("Param")
+        }
+        Some(TokenTree::Literal(_)) => true,
+        _ => false,
+    };
+    let name = syn::parse2(name.into_token_stream()).ok();
+    name.filter(|_| is_parameter)
 }
 
 struct Header {
