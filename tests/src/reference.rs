@@ -11,15 +11,27 @@ pub struct Table {
 
 /// Reads a table; one that is missing is a failure, not a reason to skip a test.
 pub fn table(file: &str) -> Table {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("reference").join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("reference")
+        .join(file);
     let text = std::fs::read_to_string(&path)
         .unwrap_or_else(|error| panic!("{}: {error} (see the README beside it)", path.display()));
     let mut lines = text.lines();
-    let header = lines.next().expect("a header").split(',').map(str::to_owned).collect();
+    let header = lines
+        .next()
+        .expect("a header")
+        .split(',')
+        .map(str::to_owned)
+        .collect();
     let row = |line: &str| -> Vec<f64> {
-        line.split(',').map(|cell| cell.parse().expect("a number")).collect()
+        line.split(',')
+            .map(|cell| cell.parse().expect("a number"))
+            .collect()
     };
-    Table { header, rows: lines.map(row).collect() }
+    Table {
+        header,
+        rows: lines.map(row).collect(),
+    }
 }
 
 impl Table {

@@ -39,12 +39,24 @@ fn the_allocator_counts() {
 
 #[test]
 fn a_step_allocates_nothing() {
+    mbs_tests::with_room(every_scene);
+}
+
+fn every_scene() {
     for scene in scenes() {
         for method in [Method::TwoLevel, Method::Paper(PaperSettings::default())] {
-            let settings = Settings { method, step: scene.step, ..Settings::default() };
+            let settings = Settings {
+                method,
+                step: scene.step,
+                ..Settings::default()
+            };
             let mut simulation = (scene.build)(&[], settings).expect(scene.name);
             simulation.step().expect(scene.name);
-            let steps = if simulation.coordinates().len() > 20 { 2 } else { 20 };
+            let steps = if simulation.coordinates().len() > 20 {
+                2
+            } else {
+                20
+            };
             let count = allocations(|| {
                 for _ in 0..steps {
                     simulation.step().expect(scene.name);
