@@ -8,6 +8,7 @@ pub mod interpreted;
 pub mod laws;
 pub mod random;
 pub mod reference;
+pub mod stages;
 pub mod table;
 pub mod tampered;
 
