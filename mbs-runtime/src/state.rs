@@ -1,11 +1,9 @@
 //! Where a simulation stands: all that is needed to continue it bit for bit.
 
-use crate::linear::largest;
-
-/// Multipliers that grow by more than this in a step are not kept.
-const USUAL_GROWTH: f64 = 10.0;
+/// Multipliers whose squares grow by more than this in a step are not kept.
+const USUAL_GROWTH: f64 = 100.0;
 /// The same for a step beside a singular pose.
-const USUAL_GROWTH_WEAK: f64 = 2.0;
+const USUAL_GROWTH_WEAK: f64 = 4.0;
 
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,8 +39,9 @@ impl<const N: usize, const R: usize> State<N, R> {
     #[inline(always)]
     pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &[f64; R], weak: bool) {
         let rate = 1.0 / h;
-        let before = largest(&self.multipliers);
-        let now = rate.abs() * largest(impulse);
+        let size = |x: &[f64; R]| x.iter().map(|x| x * x).sum::<f64>();
+        let before = size(&self.multipliers);
+        let now = rate * rate * size(impulse);
         let usual = if weak {
             USUAL_GROWTH_WEAK
         } else {

@@ -10,7 +10,7 @@
 //! −h²/4 ∂F/∂q is part of Newton's J but not of this metric: with it the error grows with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
 
 use super::core::Core;
-use super::kicks::{STAGNATED, not_converged, worst};
+use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
 use crate::flow::Implicit;
@@ -106,7 +106,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
             accumulate(&mut self.solver.known, &self.mean, &kappa);
             let mut change = self.solver.defect(system, &q, &vb);
 
-            let residual = worst(&defect, &weights);
+            let residual = residual_of(&defect, &weights);
             let slow = !(residual < 1e-2 * last || residual <= 1.0);
             if !last_change.is_finite() || slow || self.solver.is_stale() {
                 self.solver.refresh(system, &q, &vb)?;

@@ -72,7 +72,7 @@ where
     loop {
         flow.positions(system, &va, &mut q)?;
         system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
-        let residual = worst(&work.phi, weights);
+        let residual = residual_of(&work.phi, weights);
         if residual <= 1.0 {
             break;
         }
@@ -123,18 +123,14 @@ where
     core.commit(t1, h, q, v, weak)
 }
 
-/// max φ_i² / tolerance_i².
+/// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.
 #[inline(always)]
-pub(super) fn worst<const R: usize>(phi: &[f64; R], weights: &[f64; R]) -> f64 {
-    let mut worst = 0.0;
+pub(super) fn residual_of<const R: usize>(phi: &[f64; R], weights: &[f64; R]) -> f64 {
+    let mut sum = 0.0;
     for i in 0..R {
-        let size = phi[i] * phi[i] * weights[i];
-        // Written so that a NaN is kept.
-        if !(size <= worst) {
-            worst = size;
-        }
+        sum += phi[i] * phi[i] * weights[i];
     }
-    worst
+    sum
 }
 
 #[cold]

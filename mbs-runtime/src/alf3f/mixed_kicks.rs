@@ -10,7 +10,7 @@
 //! ```
 
 use super::core::{Core, Work};
-use super::kicks::{SLOW, STAGNATED, not_converged, worst};
+use super::kicks::{SLOW, STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
 use crate::flow::KickFlow;
@@ -73,7 +73,7 @@ where
         for i in holonomic..R {
             defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
-        let residual = worst(&defect, &weights);
+        let residual = residual_of(&defect, &weights);
         if residual <= 1.0 {
             break v;
         }

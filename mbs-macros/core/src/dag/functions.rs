@@ -2,8 +2,7 @@
 
 use super::lower::{Hoisted, Lowering};
 use super::{Constant, Function, Operand, Place, Program, Structure};
-use crate::derivatives::affinities::{blocks, inverse_entry};
-use crate::derivatives::{Derived, Matrix};
+use crate::derivatives::{Derived, InverseMass, Matrix};
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Kernels longer than this are left to loops: straight-line code of such length costs more to compile than it gains.
@@ -175,11 +174,12 @@ fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<F
     let (size, rows) = (system.size, system.rows.len());
     let mut list = Vec::new();
     if derived.constant_mass {
-        let block = blocks(size, &system.mass);
+        let inverse = InverseMass::new(size, &system.mass);
         let mut lowering = Lowering::new(graph, hoisted);
         for i in 0..size {
-            let coupled: Vec<usize> = (0..size).filter(|&j| block[i] == block[j]).collect();
+            let coupled: Vec<usize> = (0..size).filter(|&j| inverse.couples(i, j)).collect();
             let value = lowering.inverse_product(
+                &inverse,
                 i,
                 coupled
                     .into_iter()
@@ -196,12 +196,12 @@ fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<F
                 .map(|(&(_, column), _)| column)
                 .collect();
             for i in 0..size {
-                let coupled = columns.iter().copied().filter(|&j| block[i] == block[j]);
+                let coupled = columns.iter().copied().filter(|&j| inverse.couples(i, j));
                 let terms: Vec<_> = coupled
                     .map(|j| (j, Symbol::RowEntry(r as u32, j as u32)))
                     .collect();
                 if !terms.is_empty() {
-                    let value = lowering.inverse_product(i, terms.into_iter());
+                    let value = lowering.inverse_product(&inverse, i, terms.into_iter());
                     lowering.output("w", Place::Entry(r, i), value);
                 }
             }
@@ -252,7 +252,7 @@ fn kernels(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Vec<F
 fn metric(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Function {
     let system = &derived.system;
     let (size, rows) = (system.size, system.rows.len());
-    let block = blocks(size, &system.mass);
+    let inverse = InverseMass::new(size, &system.mass);
     let row = |r: usize| -> Vec<(usize, Expr)> {
         derived
             .jacobian
@@ -265,11 +265,11 @@ fn metric(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Functi
         for i in 0..size {
             let entries: Vec<_> = row(r)
                 .into_iter()
-                .filter(|&(j, _)| block[i] == block[j])
+                .filter(|&(j, _)| inverse.couples(i, j))
                 .collect();
             let terms: Vec<_> = entries
                 .iter()
-                .map(|&(j, entry)| lowering.inverse_times(i, j, &[entry]))
+                .map(|&(j, entry)| lowering.inverse_times(&inverse, i, j, &[entry]))
                 .collect();
             if !terms.is_empty() {
                 let value = lowering.graph().sum(terms);
@@ -281,8 +281,8 @@ fn metric(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Functi
         for s in r..rows {
             let mut terms = Vec::new();
             for (i, a) in row(r) {
-                for (j, b) in row(s).into_iter().filter(|&(j, _)| block[i] == block[j]) {
-                    terms.push(lowering.inverse_times(i, j, &[a, b]));
+                for (j, b) in row(s).into_iter().filter(|&(j, _)| inverse.couples(i, j)) {
+                    terms.push(lowering.inverse_times(&inverse, i, j, &[a, b]));
                 }
             }
             let value = lowering.graph().sum(terms);
@@ -297,11 +297,16 @@ fn metric(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Functi
 
 impl Lowering<'_> {
     /// Σ (M⁻¹)_ij · symbol over (j, symbol).
-    fn inverse_product(&mut self, i: usize, terms: impl Iterator<Item = (usize, Symbol)>) -> Expr {
+    fn inverse_product(
+        &mut self,
+        inverse: &InverseMass,
+        i: usize,
+        terms: impl Iterator<Item = (usize, Symbol)>,
+    ) -> Expr {
         let graph = self.graph();
         let terms: Vec<Expr> = terms
             .map(|(j, symbol)| {
-                let inverse = inverse_entry(graph, i, j);
+                let inverse = inverse.entry(graph, i, j);
                 let symbol = graph.symbol(symbol);
                 graph.mul(inverse, symbol)
             })
@@ -310,9 +315,15 @@ impl Lowering<'_> {
     }
 
     /// (M⁻¹)_ij times factors, as one flat product.
-    fn inverse_times(&mut self, i: usize, j: usize, factors: &[Expr]) -> Expr {
+    fn inverse_times(
+        &mut self,
+        inverse: &InverseMass,
+        i: usize,
+        j: usize,
+        factors: &[Expr],
+    ) -> Expr {
         let graph = self.graph();
-        let mut all = vec![(inverse_entry(graph, i, j), 1)];
+        let mut all = vec![(inverse.entry(graph, i, j), 1)];
         all.extend(factors.iter().map(|&factor| (factor, 1)));
         graph.product(&all)
     }

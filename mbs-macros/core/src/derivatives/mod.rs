@@ -10,13 +10,16 @@
 //!
 //! AFTER THIS STAGE: every entry that is structurally zero is absent.
 
-pub(crate) mod affinities;
+mod affinities;
 mod constraints;
+mod inverse_mass;
 mod tangents;
 
 use crate::equations::System;
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
+
+pub use inverse_mass::InverseMass;
 
 /// A sparse matrix of expressions, in row order.
 pub type Matrix = BTreeMap<(usize, usize), Expr>;
@@ -91,7 +94,7 @@ pub fn derive(mut system: System) -> Derived {
     let momentum_by_position = positions(graph, &momentum);
     let explicit = constant_mass && applied_by_velocity.is_empty();
     let acceleration =
-        explicit.then(|| tangents::acceleration(graph, size, &system.mass, &system.forces));
+        explicit.then(|| InverseMass::new(size, &system.mass).apply(graph, &system.forces));
     Derived {
         constant_mass,
         momentum,

@@ -1,6 +1,6 @@
 //! Jacobians of vectors of expressions, without their structural zeros.
 
-use super::{Matrix, affinities};
+use super::Matrix;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// ∂values/∂(symbols made by `by`).
@@ -19,14 +19,4 @@ pub(super) fn jacobian(graph: &mut Graph, values: &[Expr], by: impl Fn(u32) -> S
         }
     }
     matrix
-}
-
-/// M⁻¹ f for a constant M.
-pub(super) fn acceleration(
-    graph: &mut Graph,
-    size: usize,
-    mass: &Matrix,
-    forces: &[Expr],
-) -> Vec<Expr> {
-    affinities::apply_inverse(graph, size, mass, forces)
 }

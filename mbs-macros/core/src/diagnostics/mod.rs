@@ -1,6 +1,49 @@
 //! Errors are collected within a stage and stop the compiler between stages.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Span, TokenStream, TokenTree};
+use quote::ToTokens;
+
+/// Where a mistake is: from the start of one token to the end of another. (On stable compilers spans cannot be joined,
+/// so that both ends have to be carried along to point at a whole expression.)
+#[derive(Debug, Clone, Copy)]
+pub struct Place {
+    first: Span,
+    last: Span,
+}
+
+impl Place {
+    /// All of some tokens.
+    pub fn of(tokens: &impl ToTokens) -> Self {
+        let mut spans = tokens
+            .to_token_stream()
+            .into_iter()
+            .map(|token| token.span());
+        let first = spans.next().unwrap_or_else(Span::call_site);
+        Place {
+            first,
+            last: spans.last().unwrap_or(first),
+        }
+    }
+
+    fn error(self, message: impl std::fmt::Display) -> syn::Error {
+        let ends = [self.first, self.last].map(|span| {
+            let mut token =
+                TokenTree::Punct(proc_macro2::Punct::new('.', proc_macro2::Spacing::Alone));
+            token.set_span(span);
+            token
+        });
+        syn::Error::new_spanned(TokenStream::from_iter(ends), message)
+    }
+}
+
+impl From<Span> for Place {
+    fn from(span: Span) -> Self {
+        Place {
+            first: span,
+            last: span,
+        }
+    }
+}
 
 /// The errors of one stage.
 #[derive(Debug, Default)]
@@ -15,9 +58,9 @@ impl Errors {
         Self::default()
     }
 
-    /// Records what is wrong at `span`; the message says what to do.
-    pub fn at(&mut self, span: Span, message: impl std::fmt::Display) {
-        self.list.push(syn::Error::new(span, message));
+    /// Records what is wrong at `place`; the message says what to do.
+    pub fn at(&mut self, place: impl Into<Place>, message: impl std::fmt::Display) {
+        self.list.push(place.into().error(message));
     }
 
     /// Records an error made elsewhere.
@@ -82,7 +125,10 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str
         .map(|candidate| (distance(name, candidate), candidate))
         .min();
     match best {
-        Some((distance, candidate)) if distance <= 1 + name.chars().count() / 3 => {
+        // Another name of the same one letter is no likely meaning.
+        Some((distance, candidate))
+            if distance <= 1 + name.chars().count() / 3 && distance < name.chars().count() =>
+        {
             format!("; did you mean `{candidate}`?")
         }
         _ => String::new(),

@@ -3,13 +3,12 @@
 use super::dimension::Dimension;
 use super::geometry::{Frame, Owner, Point, Vector};
 use super::resolve::Resolver;
-use super::value::{Value, unify};
+use super::value::Value;
+use crate::diagnostics::Place;
 use crate::schema::{self, Expects};
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
 use crate::syntax::Entry;
-use proc_macro2::Span;
 use syn::Expr as Syntax;
-use syn::spanned::Spanned;
 
 /// Reads the arguments of one entry. Every reader answers `None` where the argument is absent or wrong (and then the
 /// error is recorded).
@@ -30,8 +29,10 @@ impl<'r, 'd> Arguments<'r, 'd> {
 
     /// Records an error at an argument (or at the entry, where it is absent).
     pub fn fail<T>(&mut self, field: &str, message: impl std::fmt::Display) -> Option<T> {
-        let span = self.syntax(field).map_or(self.entry.span(), Spanned::span);
-        self.resolver.fail(span, message)
+        let place = self
+            .syntax(field)
+            .map_or(self.entry.span().into(), Place::of);
+        self.resolver.fail(place, message)
     }
 
     /// The argument as written, by position or by name.
@@ -69,12 +70,55 @@ impl<'r, 'd> Arguments<'r, 'd> {
         let (expr, dimension) = self.resolver.scalar(syntax)?;
         let expects = self.expects(field)?;
         if let Expects::Known(expected) | Expects::Moving(expected) = expects {
-            self.check_dimension(field, dimension, expected, syntax.span())?;
+            self.check_dimension(field, dimension, expected, Place::of(syntax))?;
         }
         if matches!(expects, Expects::Known(_) | Expects::KnownAny) {
             self.check_known(field, syntax, &[expr])?;
         }
         Some(expr)
+    }
+
+    /// A mass or inertia: 0 if it was not given, and not negative.
+    pub fn mass(&mut self, field: &str) -> Option<Expr> {
+        let value = self.scalar_or(field, 0.0)?;
+        if self.by_default(value) < 0.0 {
+            let found = self.found(value);
+            return self.fail(
+                field,
+                format!("`{field}` is negative{found}; give it a positive value"),
+            );
+        }
+        Some(value)
+    }
+
+    /// Refuses a length that is not positive.
+    pub fn refuse_no_length(&mut self, field: &str, length: Expr, message: &str) -> Option<()> {
+        if self.by_default(length) <= 0.0 {
+            let found = self.found(length);
+            return self.fail(field, format!("{message}{found}"));
+        }
+        Some(())
+    }
+
+    /// The value with the defaults of all parameters; NaN if it depends on anything else.
+    fn by_default(&self, expr: Expr) -> f64 {
+        let symbols = |symbol| match symbol {
+            Symbol::Parameter(index) => self.resolver.parameters[index as usize].default,
+            _ => f64::NAN,
+        };
+        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+        Evaluator::new(&self.resolver.graph, &symbols, &laws).value(expr)
+    }
+
+    /// What a message adds where the value follows from parameters.
+    fn found(&self, expr: Expr) -> String {
+        match self.resolver.graph.as_constant(expr) {
+            Some(_) => String::new(),
+            None => format!(
+                " (with the defaults of its parameters it is {})",
+                self.by_default(expr)
+            ),
+        }
     }
 
     /// A scalar, or a number if it was not given. `None` only after an error.
@@ -107,22 +151,33 @@ impl<'r, 'd> Arguments<'r, 'd> {
                     _ => {
                         return self
                             .resolver
-                            .fail(syntax.span(), "expected a finite number, such as `0.15_m`");
+                            .fail(Place::of(syntax), "expected a finite number, such as `0.15_m`; what follows from parameters is a `Let`");
                     }
                 }
             }
         };
         if let Some(stated) = self.unit()? {
-            if unify(dimension, Some(stated)).is_err() {
-                return self.fail("unit", "the unit does not fit the value");
-            }
+            self.check_unit(dimension, stated)?;
             dimension = Some(stated);
         }
         Some((value, dimension))
     }
 
+    /// A stated unit fits the value beside it.
+    pub(super) fn check_unit(&mut self, value: Option<Dimension>, stated: Dimension) -> Option<()> {
+        match value {
+            Some(value) if value != stated => self.fail(
+                "unit",
+                format!(
+                    "this unit is that of {stated}, but the value is {value}; keep one of them"
+                ),
+            ),
+            _ => Some(()),
+        }
+    }
+
     /// `unit = N_per_m`; the outer `None` after an error.
-    fn unit(&mut self) -> Option<Option<Dimension>> {
+    pub(super) fn unit(&mut self) -> Option<Option<Dimension>> {
         let Some(syntax) = self.syntax("unit") else {
             return Some(None);
         };
@@ -133,12 +188,13 @@ impl<'r, 'd> Arguments<'r, 'd> {
         match name.as_deref().and_then(super::unit) {
             Some((1.0, dimension)) => Some(Some(dimension)),
             Some(_) => self.resolver.fail(
-                syntax.span(),
+                Place::of(syntax),
                 "state an SI unit here, such as `N` or `m_per_s`: values are SI",
             ),
-            None => self
-                .resolver
-                .fail(syntax.span(), "expected a unit, such as `N` or `N_s_per_m`"),
+            None => self.resolver.fail(
+                Place::of(syntax),
+                "expected a unit, such as `N` or `N_s_per_m`",
+            ),
         }
     }
 
@@ -148,7 +204,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
         let (vector, dimension) = self.resolver.vector(syntax)?;
         let expects = self.expects(field)?;
         if let Expects::KnownVector(expected) | Expects::MovingVector(expected) = expects {
-            self.check_dimension(field, dimension, expected, syntax.span())?;
+            self.check_dimension(field, dimension, expected, Place::of(syntax))?;
         }
         if matches!(expects, Expects::KnownVector(_)) {
             self.check_known(field, syntax, &vector)?;
@@ -172,7 +228,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
                     .map(|point| format!("`{name}.{point}`"))
                     .collect();
                 self.resolver.fail(
-                    syntax.span(),
+                    Place::of(syntax),
                     format!(
                         "`{field}` is a point: name one of `{name}`, such as {}",
                         examples.join(" or ")
@@ -181,7 +237,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
             }
             other => {
                 let what = other.describe();
-                self.resolver.fail(syntax.span(), format!("`{field}` is a point, such as `crank.b` or `ground.origin`, but this is {what}"))
+                self.resolver.fail(Place::of(syntax), format!("`{field}` is a point, such as `crank.b` or `ground.origin`, but this is {what}"))
             }
         }
     }
@@ -194,7 +250,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
             other => {
                 let what = other.describe();
                 self.resolver.fail(
-                    syntax.span(),
+                    Place::of(syntax),
                     format!("`{field}` is a part or `ground`, but this is {what}"),
                 )
             }
@@ -228,10 +284,10 @@ impl<'r, 'd> Arguments<'r, 'd> {
             Some(syntax) => {
                 let (vector, dimension) = self.resolver.vector(syntax)?;
                 self.check_known(field, syntax, &vector)?;
-                self.check_dimension(field, dimension, Dimension::NONE, syntax.span())?;
+                self.check_dimension(field, dimension, Dimension::NONE, Place::of(syntax))?;
                 if vector.iter().all(|&x| self.resolver.graph.is_zero(x)) {
                     return self.resolver.fail(
-                        syntax.span(),
+                        Place::of(syntax),
                         "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
                     );
                 }
@@ -265,7 +321,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
             _ => {}
         }
         self.resolver
-            .fail::<()>(syntax.span(), format!("`{field}` is true or false"));
+            .fail::<()>(Place::of(syntax), format!("`{field}` is true or false"));
         false
     }
 
@@ -274,16 +330,21 @@ impl<'r, 'd> Arguments<'r, 'd> {
         let syntax = self.syntax(field)?;
         let expected = "expected `Frame([x, y], angle)`";
         let Syntax::Call(call) = syntax else {
-            return self.resolver.fail(syntax.span(), expected);
+            return self.resolver.fail(Place::of(syntax), expected);
         };
         let is_frame = matches!(&*call.func, Syntax::Path(path) if path.path.is_ident("Frame"));
         if !is_frame || call.args.len() != 2 {
-            return self.resolver.fail(syntax.span(), expected);
+            return self.resolver.fail(Place::of(syntax), expected);
         }
         let (position, dimension) = self.resolver.vector(&call.args[0])?;
-        self.check_dimension(field, dimension, Dimension::LENGTH, call.args[0].span())?;
+        self.check_dimension(
+            field,
+            dimension,
+            Dimension::LENGTH,
+            Place::of(&call.args[0]),
+        )?;
         let (angle, dimension) = self.resolver.scalar(&call.args[1])?;
-        self.check_dimension(field, dimension, Dimension::NONE, call.args[1].span())?;
+        self.check_dimension(field, dimension, Dimension::NONE, Place::of(&call.args[1]))?;
         for (syntax, exprs) in [
             (&call.args[0], position.to_vec()),
             (&call.args[1], vec![angle]),
@@ -308,17 +369,17 @@ impl<'r, 'd> Arguments<'r, 'd> {
             .iter()
             .any(|&x| self.resolver.graph.depends_on(x, wrong))
         {
-            let span = self.resolver.blame(syntax, &wrong);
+            let place = self.resolver.blame(syntax, &wrong);
             return self.resolver.fail(
-                span,
+                place,
                 "a frame follows coordinates and parameters only; to prescribe a motion in time use a `Drive`",
             );
         }
         Some(())
     }
 
-    /// Scalars of a condition with their spans: one expression, a vector, or a list.
-    pub fn conditions(&mut self, field: &str) -> Option<Vec<(Span, Expr, Option<Dimension>)>> {
+    /// Scalars of a condition with their places: one expression, a vector, or a list.
+    pub fn conditions(&mut self, field: &str) -> Option<Vec<(Place, Expr, Option<Dimension>)>> {
         let syntax = self.syntax(field)?;
         let items: Vec<&Syntax> = match syntax {
             Syntax::Array(array) => array.elems.iter().collect(),
@@ -327,13 +388,13 @@ impl<'r, 'd> Arguments<'r, 'd> {
         let mut conditions = Vec::new();
         for item in items {
             match self.resolver.evaluate(item)? {
-                Value::Scalar(x, dimension) => conditions.push((item.span(), x, dimension)),
+                Value::Scalar(x, dimension) => conditions.push((Place::of(item), x, dimension)),
                 Value::Vector(v, dimension) => {
-                    conditions.extend(v.map(|x| (item.span(), x, dimension)))
+                    conditions.extend(v.map(|x| (Place::of(item), x, dimension)))
                 }
                 other => {
                     let what = other.describe();
-                    return self.resolver.fail(item.span(), format!("a condition is a scalar or vector that is to be zero, but this is {what}"));
+                    return self.resolver.fail(Place::of(item), format!("a condition is a scalar or vector that is to be zero, but this is {what}"));
                 }
             }
         }
@@ -354,8 +415,8 @@ impl<'r, 'd> Arguments<'r, 'd> {
             .into_iter()
             .any(|x| self.resolver.graph.depends_on(x, wrong))
         {
-            let span = self.resolver.blame(syntax, wrong);
-            return self.resolver.fail(span, message);
+            let place = self.resolver.blame(syntax, wrong);
+            return self.resolver.fail(place, message);
         }
         Some(())
     }
@@ -390,9 +451,9 @@ impl<'r, 'd> Arguments<'r, 'd> {
         }
     }
 
-    /// Records an error at a span.
-    pub fn fail_at<T>(&mut self, span: Span, message: impl std::fmt::Display) -> Option<T> {
-        self.resolver.fail(span, message)
+    /// Records an error at a place.
+    pub fn fail_at<T>(&mut self, place: Place, message: impl std::fmt::Display) -> Option<T> {
+        self.resolver.fail(place, message)
     }
 
     fn check_dimension(
@@ -400,11 +461,11 @@ impl<'r, 'd> Arguments<'r, 'd> {
         field: &str,
         found: Option<Dimension>,
         expected: Dimension,
-        span: Span,
+        place: Place,
     ) -> Option<()> {
         match found {
             Some(found) if found != expected => self.resolver.fail(
-                span,
+                place,
                 format!("`{field}` is {expected}, but this is {found}"),
             ),
             _ => Some(()),
@@ -417,9 +478,9 @@ impl<'r, 'd> Arguments<'r, 'd> {
             .iter()
             .any(|&x| self.resolver.graph.depends_on(x, moving))
         {
-            let span = self.resolver.blame(syntax, &moving);
+            let place = self.resolver.blame(syntax, &moving);
             return self.resolver.fail(
-                span,
+                place,
                 format!("`{field}` must be known before the motion starts: it may use numbers and parameters only"),
             );
         }

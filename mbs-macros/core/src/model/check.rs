@@ -1,14 +1,17 @@
-//! Checks of whole entries: known arguments, connected parts, used names.
+//! Checks of whole entries and of the whole model: known arguments, connected parts, used names, conditions that
+//! something can fulfil, coordinates with mass.
 
 use super::Representation;
 use super::geometry::Owner;
+use super::parts::Part;
+use super::reduce::Reduction;
 use super::resolve::{ForceElement, JointElement, Resolver};
-use crate::diagnostics::did_you_mean;
+use crate::diagnostics::{Place, did_you_mean};
 use crate::schema::{self, Absent, Kind};
+use crate::symbolic::{Graph, Symbol};
 use crate::syntax::Entry;
 use proc_macro2::Span;
 use std::collections::BTreeSet;
-use syn::spanned::Spanned;
 
 /// Every argument is one that its kind has, and no required one is missing.
 pub(super) fn arguments(resolver: &mut Resolver) {
@@ -33,6 +36,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         .filter(|field| field.positional)
         .map(|field| field.name)
         .collect();
+    let mut misplaced = false;
     if let Some(surplus) = entry.positional.get(positional.len()) {
         let takes = match positional.as_slice() {
             [] => "no positional arguments".to_owned(),
@@ -44,9 +48,10 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
             ),
         };
         resolver.fail::<()>(
-            surplus.span(),
+            Place::of(surplus),
             format!("`{}` takes {takes}; name the others", kind.name),
         );
+        misplaced = true;
     }
     for argument in &entry.named {
         let name = argument.name.to_string();
@@ -62,6 +67,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
                     known.join(", ")
                 ),
             );
+            misplaced = true;
         } else if positional
             .iter()
             .position(|known| *known == name)
@@ -72,6 +78,10 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
                 format!("`{name}` is given by position already"),
             );
         }
+    }
+    if misplaced {
+        // What seems to be missing may be what stands in the wrong place.
+        return;
     }
     for (slot, field) in kind
         .fields
@@ -138,5 +148,127 @@ pub(super) fn used(resolver: &mut Resolver) {
                 format!("`{name}` is declared but never used; use it or remove it"),
             );
         }
+    }
+}
+
+/// After the reduction, every condition still depends on something that moves.
+pub(super) fn movable(resolver: &mut Resolver, joints: &[JointElement], reduction: &mut Reduction) {
+    for element in joints {
+        if reduction.dissolved(&element.name) {
+            continue;
+        }
+        let rows = element.joint.equations(&mut resolver.graph).rows;
+        let idle = rows.iter().any(|row| {
+            let expr = resolver
+                .graph
+                .substitute(row.expr, &mut reduction.substitution);
+            !resolver.graph.depends_on(expr, |symbol| {
+                matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_))
+            })
+        });
+        if !idle {
+            continue;
+        }
+        let name = &element.name;
+        let message = match resolver.parts.iter().any(|part| part.name == *name) {
+            true => format!(
+                "both ends of `{name}` are held by the ground, so that it cannot move: release one end, or remove the bar"
+            ),
+            false => format!(
+                "other joints already fix all that `{name}` holds: no motion could fulfil or break it; remove it"
+            ),
+        };
+        resolver.fail::<()>(element.span, message);
+    }
+}
+
+/// Something moves, and with every coordinate moves some mass.
+pub(super) fn massive(resolver: &mut Resolver, reduction: &Reduction) {
+    if !resolver.errors.is_empty() {
+        return;
+    }
+    let graph = &resolver.graph;
+    let coordinate = |local: &u32| reduction.coordinate_of(graph, *local);
+    let heavy: BTreeSet<u32> = resolver
+        .parts
+        .iter()
+        .flat_map(|part| heavy_locals(graph, part))
+        .filter_map(|local| coordinate(&local))
+        .collect();
+    // Of the parts that share a massless coordinate the first answers for it.
+    let mut known = heavy.clone();
+    let mut massless: Vec<(Span, String)> = Vec::new();
+    for part in &resolver.parts {
+        let light: Vec<u32> = part
+            .locals
+            .iter()
+            .filter(|local| coordinate(local).is_some_and(|index| known.insert(index)))
+            .copied()
+            .collect();
+        if !light.is_empty() {
+            let turns_only = part.representation == Representation::Reference && light.len() == 1;
+            massless.push((part.span, massless_message(part, turns_only)));
+        }
+    }
+    if known.is_empty() {
+        let message = "nothing in this mechanism moves: declare a `Bar`, `Body` or `Particle` that the ground does not hold";
+        resolver.fail::<()>(resolver.declaration.name.span(), message);
+    }
+    for (span, message) in massless {
+        resolver.fail::<()>(span, message);
+    }
+}
+
+/// The coordinates of a part, or those that it follows, with which it moves mass.
+fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
+    let (mass, inertia) = (!graph.is_zero(part.mass), !graph.is_zero(part.inertia));
+    match part.representation {
+        Representation::Coordinate => Vec::new(),
+        Representation::Natural | Representation::FreePoint if mass => part.locals.clone(),
+        Representation::Natural | Representation::FreePoint => Vec::new(),
+        Representation::Reference => {
+            let carried = [mass, mass, inertia];
+            let locals = part.locals.iter().zip(carried);
+            locals
+                .filter(|(_, carried)| *carried)
+                .map(|(&local, _)| local)
+                .collect()
+        }
+        Representation::Prescribed => {
+            let turn = part.frame.angle.filter(|_| inertia);
+            let place = part.frame.origin.into_iter().filter(|_| mass);
+            let swing = part
+                .frame
+                .axis
+                .into_iter()
+                .filter(|_| mass && part.center.iter().any(|&x| !graph.is_zero(x)));
+            let symbols = graph.symbols(turn.into_iter().chain(place).chain(swing));
+            symbols
+                .into_iter()
+                .filter_map(|symbol| match symbol {
+                    Symbol::LocalPosition(local) => Some(local),
+                    _ => None,
+                })
+                .collect()
+        }
+    }
+}
+
+fn massless_message(part: &Part, turns_only: bool) -> String {
+    let name = &part.name;
+    match part.kind {
+        "Coordinate" => format!(
+            "nothing with mass follows `{name}`: let a part follow it by `frame =` or `position =`, or remove it"
+        ),
+        "Body" if turns_only => format!(
+            "`{name}` turns without inertia: give it a positive `inertia =`, or use a `Particle`"
+        ),
+        "Bar" if part.representation == Representation::Natural => format!(
+            "`{name}` moves without mass: give it `mass =`, or join its moving ends to parts that have mass"
+        ),
+        "Particle" => format!(
+            "`{name}` moves without mass: give it `mass =`, or join it to a part that has mass"
+        ),
+        _ => format!("`{name}` moves without mass: give it a positive `mass =`"),
     }
 }

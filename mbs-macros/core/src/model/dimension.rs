@@ -48,7 +48,7 @@ impl Dimension {
 
     /// The dimension of a power.
     pub fn power(self, exponent: i8) -> Dimension {
-        Dimension(self.0.map(|e| e * exponent))
+        Dimension(self.0.map(|e| bounded(i32::from(e) * i32::from(exponent))))
     }
 
     /// The dimension of a square root, if it has one.
@@ -59,8 +59,10 @@ impl Dimension {
             .then(|| Dimension(self.0.map(|e| e / 2)))
     }
 
-    fn zip(self, other: Dimension, combine: impl Fn(i8, i8) -> i8) -> Dimension {
-        Dimension(std::array::from_fn(|i| combine(self.0[i], other.0[i])))
+    fn zip(self, other: Dimension, combine: impl Fn(i32, i32) -> i32) -> Dimension {
+        Dimension(std::array::from_fn(|i| {
+            bounded(combine(i32::from(self.0[i]), i32::from(other.0[i])))
+        }))
     }
 
     /// The usual SI unit: derived units by name, others by their exponents; empty for a pure number.
@@ -103,6 +105,11 @@ impl Dimension {
     }
 }
 
+/// Exponents beyond all physics are not told apart.
+fn bounded(exponent: i32) -> i8 {
+    exponent.clamp(-127, 127) as i8
+}
+
 impl fmt::Display for Dimension {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         const NAMES: [(Dimension, &str); 14] = [
@@ -131,8 +138,9 @@ impl fmt::Display for Dimension {
 /// The factor to SI and the dimension of a unit written as a suffix: `m_per_s2`, `N_s_per_m`, `deg`.
 pub fn unit(suffix: &str) -> Option<(f64, Dimension)> {
     let (mut factor, mut dimension, mut sign) = (1.0, Dimension::NONE, 1);
-    for token in suffix.split('_').filter(|token| !token.is_empty()) {
-        if token == "per" {
+    let mut tokens = suffix.trim_start_matches('_').split('_').peekable();
+    while let Some(token) = tokens.next() {
+        if token == "per" && tokens.peek().is_some() {
             sign = -1;
             continue;
         }
@@ -142,7 +150,10 @@ pub fn unit(suffix: &str) -> Option<(f64, Dimension)> {
         let exponent: i8 = if digits == token.len() {
             1
         } else {
-            token[digits..].parse().ok()?
+            token[digits..]
+                .parse()
+                .ok()
+                .filter(|power| (1..=9).contains(power))?
         };
         let (base, base_dimension) = base_unit(&token[..digits])?;
         factor *= f64::powi(base, i32::from(sign * exponent));

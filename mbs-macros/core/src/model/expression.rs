@@ -4,8 +4,9 @@ use super::dimension::{Dimension, UNITS, unit};
 use super::geometry::{Owner, Point};
 use super::resolve::Resolver;
 use super::value::{Value, unify};
-use crate::diagnostics::did_you_mean;
-use crate::symbolic::{Expr, Function, Symbol};
+use crate::diagnostics::{Place, did_you_mean};
+use crate::symbolic::{Expr, Function, Node, Symbol};
+use crate::syntax::{MAX_DEPTH, TOO_DEEP};
 use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr as Syntax, Lit, Member, UnOp};
@@ -49,6 +50,38 @@ enum Shape {
 impl Resolver<'_> {
     /// The value of an expression; `None` after recording what is wrong with it.
     pub(super) fn evaluate(&mut self, syntax: &Syntax) -> Option<Value> {
+        if self.depth > MAX_DEPTH {
+            return self.fail(Place::of(syntax), TOO_DEEP);
+        }
+        self.depth += 1;
+        let value = self.evaluate_any(syntax);
+        self.depth -= 1;
+        let value = value?;
+        let finite = |x: Expr| match *self.graph.node(x) {
+            Node::Constant(bits) => f64::from_bits(bits).is_finite(),
+            Node::Sum {
+                constant,
+                ref terms,
+            } => {
+                let coefficients = terms.iter().map(|&(_, bits)| bits);
+                coefficients
+                    .chain([constant])
+                    .all(|bits| f64::from_bits(bits).is_finite())
+            }
+            // Where these have a value, they have become that number.
+            Node::Function(_, x) | Node::Power(x, _) => self.graph.as_constant(x).is_none(),
+            _ => true,
+        };
+        if !value.expressions().into_iter().all(finite) {
+            return self.fail(
+                Place::of(syntax),
+                "the result of this is no finite number; check its arguments",
+            );
+        }
+        Some(value)
+    }
+
+    fn evaluate_any(&mut self, syntax: &Syntax) -> Option<Value> {
         match syntax {
             Syntax::Paren(inner) => self.evaluate(&inner.expr),
             Syntax::Group(inner) => self.evaluate(&inner.expr),
@@ -56,29 +89,22 @@ impl Resolver<'_> {
             Syntax::Path(path) => match path.path.get_ident() {
                 Some(name) => self.lookup(&name.to_string(), name.span()),
                 None => self.fail(
-                    path.span(),
+                    Place::of(path),
                     "only names of this mechanism can stand here; paths go into `law(path, …)`",
                 ),
             },
             Syntax::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
                 let value = self.evaluate(&unary.expr)?;
-                self.negate(value, unary.span())
+                self.negate(value, Place::of(unary))
             }
             Syntax::Binary(binary) => {
                 let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
                 self.combine(left?, &binary.op, right?, syntax)
             }
             Syntax::Array(array) => {
-                let items: Vec<_> = array
-                    .elems
-                    .iter()
-                    .map(|item| (item.span(), self.evaluate(item)))
-                    .collect();
-                let items: Option<Vec<_>> = items
-                    .into_iter()
-                    .map(|(span, value)| Some((span, value?)))
-                    .collect();
-                self.list(items?, array.span())
+                let items: Vec<_> = array.elems.iter().map(|item| self.evaluate(item)).collect();
+                let items: Option<Vec<_>> = items.into_iter().collect();
+                self.list(items?, Place::of(array))
             }
             Syntax::Call(call) => match &*call.func {
                 Syntax::Path(path) if path.path.get_ident().is_some() => {
@@ -89,7 +115,7 @@ impl Resolver<'_> {
                         .unwrap_or_default();
                     self.call(&name, path.span(), call.args.iter().collect())
                 }
-                other => self.fail(other.span(), "expected the name of a function"),
+                other => self.fail(Place::of(other), "expected the name of a function"),
             },
             Syntax::MethodCall(call) => {
                 let name = call.method.to_string();
@@ -115,7 +141,10 @@ impl Resolver<'_> {
                     }
                 }
             }
-            other => self.fail(other.span(), "this cannot be part of an expression here"),
+            other => self.fail(
+                Place::of(other),
+                "this cannot be part of an expression here",
+            ),
         }
     }
 
@@ -124,7 +153,7 @@ impl Resolver<'_> {
         match self.evaluate(syntax)? {
             Value::Scalar(expr, dimension) => Some((expr, dimension)),
             other => self.fail(
-                syntax.span(),
+                Place::of(syntax),
                 format!("expected a number, but this is {}", other.describe()),
             ),
         }
@@ -140,10 +169,10 @@ impl Resolver<'_> {
                 number.base10_digits().to_owned(),
                 number.suffix().to_owned(),
             ),
-            other => return self.fail(other.span(), "expected a number"),
+            other => return self.fail(Place::of(other), "expected a number"),
         };
         let Ok(number) = digits.parse::<f64>() else {
-            return self.fail(literal.span(), "this number cannot be read");
+            return self.fail(Place::of(literal), "this number cannot be read");
         };
         if suffix.is_empty() {
             let expr = self.graph.constant(number);
@@ -154,7 +183,7 @@ impl Resolver<'_> {
             let known = UNITS.iter().map(|(name, ..)| *name);
             let hint = did_you_mean(name, known.clone());
             return self.fail(
-                literal.span(),
+                Place::of(literal),
                 format!(
                     "there is no unit `{name}`{hint} (units: {}; joined by `_`, divided after `per`, as in `9.81_m_per_s2`)",
                     known.collect::<Vec<_>>().join(", ")
@@ -165,25 +194,25 @@ impl Resolver<'_> {
         Some(Value::Scalar(expr, Some(dimension)))
     }
 
-    fn negate(&mut self, value: Value, span: Span) -> Option<Value> {
+    fn negate(&mut self, value: Value, place: Place) -> Option<Value> {
         match value {
             Value::Scalar(x, dimension) => Some(Value::Scalar(self.graph.neg(x), dimension)),
             Value::Vector([x, y], dimension) => Some(Value::Vector(
                 [self.graph.neg(x), self.graph.neg(y)],
                 dimension,
             )),
-            other => self.fail(span, format!("{} has no negative", other.describe())),
+            other => self.fail(place, format!("{} has no negative", other.describe())),
         }
     }
 
-    fn list(&mut self, items: Vec<(Span, Value)>, span: Span) -> Option<Value> {
+    fn list(&mut self, items: Vec<Value>, place: Place) -> Option<Value> {
         match items.as_slice() {
-            [(_, Value::Scalar(x, a)), (_, Value::Scalar(y, b))] => match unify(*a, *b) {
+            [Value::Scalar(x, a), Value::Scalar(y, b)] => match unify(*a, *b) {
                 Ok(dimension) => Some(Value::Vector([*x, *y], dimension)),
                 // A list of conditions may mix dimensions; a vector may not. The user of the value decides.
                 Err(()) => Some(Value::List(items)),
             },
-            [] => self.fail(span, "this list is empty"),
+            [] => self.fail(place, "this list is empty"),
             _ => Some(Value::List(items)),
         }
     }
@@ -229,7 +258,7 @@ impl Resolver<'_> {
                 Some(Value::Vector(self.graph.vector_scale(*x, *y), dimension))
             }
             (BinOp::Div(_), _, Value::Scalar(y, _)) if self.graph.is_zero(*y) => {
-                self.fail(syntax.span(), "division by zero")
+                self.fail(Place::of(syntax), "division by zero")
             }
             (BinOp::Div(_), Value::Scalar(x, a), Value::Scalar(y, b)) => {
                 let dimension = self.product(&[*x], *a, &[*y], *b, Dimension::over);
@@ -281,14 +310,16 @@ impl Resolver<'_> {
             let result = match (shape, dimension) {
                 (Shape::Number, Some(d)) if d != Dimension::NONE => {
                     return self.fail(
-                        argument.span(),
+                        Place::of(argument),
                         format!("`{name}` takes a pure number or an angle, but this is {d}"),
                     );
                 }
                 (Shape::Number, d) => d,
                 (Shape::Root, Some(d)) => match d.root() {
                     Some(root) => Some(root),
-                    None => return self.fail(argument.span(), format!("{d} has no square root")),
+                    None => {
+                        return self.fail(Place::of(argument), format!("{d} has no square root"));
+                    }
                 },
                 (Shape::Root | Shape::Same, d) => d,
                 (Shape::Dimensionless, _) => Some(Dimension::NONE),
@@ -331,7 +362,7 @@ impl Resolver<'_> {
                     .into_iter()
                     .any(|x| self.graph.depends_on(x, Symbol::is_velocity))
                 {
-                    return self.fail(a.span(), "rate(…) of an expression that has velocities would be an acceleration; accelerations cannot appear in a declaration");
+                    return self.fail(Place::of(a), "rate(…) of an expression that has velocities would be an acceleration; accelerations cannot appear in a declaration");
                 }
                 match value {
                     Value::Scalar(x, d) => Some(Value::Scalar(
@@ -346,7 +377,7 @@ impl Resolver<'_> {
                         self.graph.vector_rate(point.position),
                         Some(Dimension::VELOCITY),
                     )),
-                    other => self.fail(a.span(), format!("{} has no rate", other.describe())),
+                    other => self.fail(Place::of(a), format!("{} has no rate", other.describe())),
                 }
             }
             "atan2" | "hypot" | "min" | "max" => {
@@ -380,13 +411,19 @@ impl Resolver<'_> {
                 let (x, dimension) = self.scalar(base)?;
                 let (exponent_expr, _) = self.scalar(exponent)?;
                 let Some(exponent_value) = self.graph.as_constant(exponent_expr) else {
-                    return self.fail(exponent.span(), "the exponent must be a number");
+                    return self.fail(Place::of(exponent), "the exponent must be a number");
                 };
+                if exponent_value.abs() > 1000.0 {
+                    return self.fail(
+                        Place::of(exponent),
+                        "this exponent is too large; exponents go up to 1000",
+                    );
+                }
                 let dimension = match dimension {
                     Some(d) if d != Dimension::NONE => {
                         if exponent_value.fract() != 0.0 || exponent_value.abs() > 20.0 {
                             return self.fail(
-                                exponent.span(),
+                                Place::of(exponent),
                                 format!("{d} can only be raised to a small integer"),
                             );
                         }
@@ -461,7 +498,7 @@ impl Resolver<'_> {
             Value::Vector(v, dimension) => Some((v, dimension)),
             Value::Point(point) => Some((point.position, Some(Dimension::LENGTH))),
             other => self.fail(
-                syntax.span(),
+                Place::of(syntax),
                 format!("expected a vector [x, y], but this is {}", other.describe()),
             ),
         }
@@ -477,7 +514,7 @@ impl Resolver<'_> {
         let value = self.evaluate(receiver)?;
         let Value::Frame(owner) = value else {
             return self.fail(
-                receiver.span(),
+                Place::of(receiver),
                 format!(
                     "`{name}` belongs to parts and the ground, but this is {}",
                     value.describe()
@@ -490,7 +527,7 @@ impl Resolver<'_> {
             for (dimension, argument) in [(dx, arguments[0]), (dy, arguments[1])] {
                 if dimension.is_some_and(|d| d != Dimension::LENGTH) {
                     return self.fail(
-                        argument.span(),
+                        Place::of(argument),
                         "the coordinates of a point are lengths (m)",
                     );
                 }
@@ -501,7 +538,7 @@ impl Resolver<'_> {
                     .depends_on(expr, |symbol| !symbol.is_parameter_like())
                 {
                     return self.fail(
-                        argument.span(),
+                        Place::of(argument),
                         "a point is fixed in its part: its coordinates may use parameters only",
                     );
                 }
@@ -617,8 +654,8 @@ impl Resolver<'_> {
         )
     }
 
-    /// The span of the smallest subexpression for whose value `predicate` holds.
-    pub(super) fn blame(&mut self, syntax: &Syntax, predicate: &dyn Fn(Symbol) -> bool) -> Span {
+    /// The smallest subexpression for whose value `predicate` holds.
+    pub(super) fn blame(&mut self, syntax: &Syntax, predicate: &dyn Fn(Symbol) -> bool) -> Place {
         let children: Vec<&Syntax> = match syntax {
             Syntax::Paren(inner) => vec![&inner.expr],
             Syntax::Unary(unary) => vec![&unary.expr],
@@ -640,18 +677,7 @@ impl Resolver<'_> {
                 return self.blame(child, predicate);
             }
         }
-        match syntax {
-            Syntax::Field(field) => match &field.member {
-                Member::Named(name) => name.span(),
-                Member::Unnamed(index) => index.span,
-            },
-            Syntax::Path(path) => path.span(),
-            // Without nightly's joined spans the first token must do; a function's name is the better one.
-            Syntax::Call(call) => call.func.span(),
-            Syntax::MethodCall(call) => call.method.span(),
-            Syntax::Binary(binary) => binary.op.span(),
-            other => other.span(),
-        }
+        Place::of(syntax)
     }
 
     /// A point of a part or of the ground given by its local coordinates.

@@ -11,7 +11,7 @@
 use super::geometry::{Frame, Owner, Vector};
 use super::resolve::Resolver;
 use super::value::Value;
-use super::{Arguments, Dimension, unit};
+use super::{Arguments, Dimension};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 use proc_macro2::{Span, TokenStream, TokenTree};
@@ -96,18 +96,9 @@ impl Resolver<'_> {
             true => arguments.quantity("value")?,
             false => (arguments.graph().zero(), None),
         };
-        let stated = match arguments
-            .syntax("unit")
-            .map(|syntax| syntax.to_token_stream().to_string())
-        {
-            None => None,
-            Some(name) => match unit(&name) {
-                Some((1.0, dimension)) => Some(dimension),
-                _ => return arguments.fail("unit", "expected an SI unit, such as `m` or `rad`"),
-            },
-        };
-        if stated.is_some() && dimension.is_some() && stated != dimension {
-            return arguments.fail("unit", "the unit does not fit the value");
+        let stated = arguments.unit()?;
+        if let Some(stated) = stated {
+            arguments.check_unit(dimension, stated)?;
         }
         let dimension = stated.or(dimension).unwrap_or(Dimension::NONE);
         let rate = match arguments.has("rate") {
@@ -159,7 +150,7 @@ impl Resolver<'_> {
     pub(super) fn bar(&mut self, entry: &Entry) -> Option<Value> {
         let needs_angle = self.angle_needed(entry);
         let mut arguments = Arguments::new(self, entry);
-        let mass = arguments.scalar_or("mass", 0.0);
+        let mass = arguments.mass("mass");
         let guess = Guess {
             origin: arguments.vector("from"),
             end: arguments.vector("to"),
@@ -182,16 +173,11 @@ impl Resolver<'_> {
                 ),
             ),
         }?;
-        if arguments
-            .graph()
-            .as_constant(length)
-            .is_some_and(|length| length <= 0.0)
-        {
-            return arguments.fail(
-                "length",
-                "a bar has a positive length; for a point mass use `Particle`",
-            );
-        }
+        arguments.refuse_no_length(
+            "length",
+            length,
+            "a bar has a positive length; for a point mass use `Particle`",
+        )?;
         let prescribed = if arguments.has("frame") {
             Some(arguments.prescribed_frame("frame")?)
         } else {
@@ -238,7 +224,7 @@ impl Resolver<'_> {
 
     pub(super) fn body(&mut self, entry: &Entry) -> Option<Value> {
         let mut arguments = Arguments::new(self, entry);
-        let (mass, inertia) = (arguments.scalar("mass"), arguments.scalar("inertia"));
+        let (mass, inertia) = (arguments.mass("mass"), arguments.mass("inertia"));
         let center = arguments.vector("center_of_mass");
         let guess = Guess {
             origin: arguments.vector("at"),
@@ -286,7 +272,7 @@ impl Resolver<'_> {
 
     pub(super) fn particle(&mut self, entry: &Entry) -> Option<Value> {
         let mut arguments = Arguments::new(self, entry);
-        let mass = arguments.scalar_or("mass", 0.0);
+        let mass = arguments.mass("mass");
         let guess = Guess {
             origin: arguments.vector("at"),
             velocity: arguments.vector("velocity"),

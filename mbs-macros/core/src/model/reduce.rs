@@ -4,7 +4,7 @@ use super::geometry::{Owner, Point, Vector};
 use super::placement::Guesses;
 use super::resolve::{JointElement, Resolver};
 use super::{Coordinate, Representation};
-use crate::symbolic::{Expr, Substitution, Symbol};
+use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
 use std::collections::BTreeMap;
 
 /// A joint that left no row: its points were merged.
@@ -301,6 +301,20 @@ fn substitute(
 }
 
 impl Reduction {
+    /// Whether a joint left no row.
+    pub(super) fn dissolved(&self, joint: &str) -> bool {
+        self.merged.iter().any(|merged| merged.joint == joint)
+    }
+
+    /// The generalized coordinate that a local one has become; `None` if it is held.
+    pub(super) fn coordinate_of(&self, graph: &Graph, local: u32) -> Option<u32> {
+        let value = self.substitution.get(Symbol::LocalPosition(local))?;
+        match graph.node(value) {
+            Node::Symbol(Symbol::Coordinate(index)) => Some(*index),
+            _ => None,
+        }
+    }
+
     /// The generalized coordinates with their guesses.
     pub(super) fn coordinates(
         &self,

@@ -4,14 +4,13 @@ use super::geometry::{Frame, Owner, Point, Vector};
 use super::parts::{Part, Representation};
 use super::value::Value;
 use super::{Arguments, Dimension, Law, Local, Model, Quantity, check, placement, reduce};
-use crate::diagnostics::{Errors, did_you_mean};
+use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::equations::{forces, joints};
 use crate::schema::Group;
 use crate::symbolic::{Expr, Graph, Symbol};
 use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
 use std::collections::{HashMap, HashSet};
-use syn::spanned::Spanned;
 
 /// Resolves a declaration.
 ///
@@ -31,18 +30,15 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     }
     check::connected(&mut resolver, &joints, &forces);
     check::used(&mut resolver);
-    let reduction = reduce::reduce(&mut resolver, &joints)?;
+    let mut reduction = reduce::reduce(&mut resolver, &joints)?;
+    check::movable(&mut resolver, &joints, &mut reduction);
+    check::massive(&mut resolver, &reduction);
     let guesses = placement::place(&mut resolver, &joints);
     let coordinates = reduction.coordinates(&mut resolver, &guesses);
     let (points, segments) = resolver.drawing(&joints, &forces);
     let joints = joints
         .into_iter()
-        .filter(|element| {
-            !reduction
-                .merged
-                .iter()
-                .any(|merged| merged.joint == element.name)
-        })
+        .filter(|element| !reduction.dissolved(&element.name))
         .map(|element| (element.name, element.joint))
         .collect();
     let Resolver {
@@ -115,6 +111,8 @@ pub struct Resolver<'d> {
     names: HashMap<String, usize>,
     states: Vec<State>,
     silent: bool,
+    /// How many evaluations are under way, each for the sake of the one before.
+    pub(super) depth: usize,
 }
 
 impl<'d> Resolver<'d> {
@@ -132,13 +130,18 @@ impl<'d> Resolver<'d> {
             names: HashMap::new(),
             states: Vec::new(),
             silent: false,
+            depth: 0,
         }
     }
 
     /// Records an error, and answers with nothing.
-    pub(super) fn fail<T>(&mut self, span: Span, message: impl std::fmt::Display) -> Option<T> {
+    pub(super) fn fail<T>(
+        &mut self,
+        place: impl Into<Place>,
+        message: impl std::fmt::Display,
+    ) -> Option<T> {
         if !self.silent {
-            self.errors.at(span, message);
+            self.errors.at(place, message);
         }
         None
     }
@@ -236,7 +239,7 @@ impl<'d> Resolver<'d> {
                 self.fail(
                     span,
                     format!(
-                        "`{name}` is a {}; it has no value that an expression could use",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use",
                         entry.kind
                     ),
                 )
@@ -317,7 +320,7 @@ impl<'d> Resolver<'d> {
     pub(super) fn law(&mut self, path: &syn::Expr, arguments: usize) -> Option<u32> {
         if !matches!(path, syn::Expr::Path(_)) {
             return self.fail(
-                path.span(),
+                Place::of(path),
                 "expected the path of a function `fn([f64; K]) -> (f64, [f64; K])`",
             );
         }
@@ -429,7 +432,7 @@ impl<'d> Resolver<'d> {
                         other => {
                             let what = other.describe();
                             self.fail::<()>(
-                                syntax.span(),
+                                Place::of(syntax),
                                 format!(
                                     "an output is a number, vector or point, but this is {what}"
                                 ),

@@ -11,7 +11,7 @@ pub(super) enum Value {
     Vector(Vector, Option<Dimension>),
     Point(Point),
     Frame(Owner),
-    List(Vec<(proc_macro2::Span, Value)>),
+    List(Vec<Value>),
 }
 
 impl Value {
@@ -24,7 +24,13 @@ impl Value {
             Value::Point(point) => format!("the point `{}`", point.label),
             Value::Frame(Owner::Ground) => "the ground".to_owned(),
             Value::Frame(Owner::Part(_)) => "a part".to_owned(),
-            Value::List(_) => "a list".to_owned(),
+            Value::List(items) => {
+                let items = items.iter().map(|item| match item {
+                    Value::List(_) => "a list".to_owned(),
+                    other => other.describe(),
+                });
+                format!("a list of {}", items.collect::<Vec<_>>().join(", "))
+            }
         }
     }
 
@@ -35,10 +41,7 @@ impl Value {
             Value::Vector(v, _) => v.to_vec(),
             Value::Point(point) => point.position.to_vec(),
             Value::Frame(_) => Vec::new(),
-            Value::List(items) => items
-                .iter()
-                .flat_map(|(_, value)| value.expressions())
-                .collect(),
+            Value::List(items) => items.iter().flat_map(Value::expressions).collect(),
         }
     }
 }

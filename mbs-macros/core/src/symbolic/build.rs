@@ -218,7 +218,11 @@ impl Graph {
                     coefficient *= f64::from_bits(terms[0].1).powi(power);
                     pending.push((terms[0].0, power));
                 }
-                Node::Product(inner) => pending.extend(inner.iter().map(|&(f, p)| (f, p * power))),
+                Node::Product(inner)
+                    if inner.iter().all(|&(_, p)| p.checked_mul(power).is_some()) =>
+                {
+                    pending.extend(inner.iter().map(|&(f, p)| (f, p * power)));
+                }
                 _ => flat.push((factor, power)),
             }
         }
@@ -226,7 +230,9 @@ impl Graph {
         let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(flat.len());
         for (factor, power) in flat {
             match merged.last_mut() {
-                Some(last) if last.0 == factor => last.1 += power,
+                Some(last) if last.0 == factor && last.1.checked_add(power).is_some() => {
+                    last.1 += power;
+                }
                 _ => merged.push((factor, power)),
             }
         }

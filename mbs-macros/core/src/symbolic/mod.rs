@@ -235,19 +235,25 @@ impl Graph {
     /// The symbols on which an expression depends, sorted.
     pub fn symbols(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Symbol> {
         let mut found = Vec::new();
+        self.for_each_inside(roots, |node| {
+            if let Node::Symbol(symbol) = node {
+                found.push(*symbol);
+            }
+        });
+        found.sort_unstable();
+        found
+    }
+
+    /// Calls `visit` on each node of some expressions, once.
+    fn for_each_inside(&self, roots: impl IntoIterator<Item = Expr>, mut visit: impl FnMut(&Node)) {
         let mut seen = std::collections::HashSet::new();
         let mut stack: Vec<Expr> = roots.into_iter().collect();
         while let Some(expr) = stack.pop() {
-            if !seen.insert(expr) {
-                continue;
-            }
-            match self.node(expr) {
-                Node::Symbol(symbol) => found.push(*symbol),
-                _ => self.for_each_operand(expr, |operand| stack.push(operand)),
+            if seen.insert(expr) {
+                visit(self.node(expr));
+                self.for_each_operand(expr, |operand| stack.push(operand));
             }
         }
-        found.sort_unstable();
-        found
     }
 
     /// Whether the expression depends on a symbol for which `predicate` holds.
@@ -257,8 +263,10 @@ impl Graph {
 
     /// Whether a user's law occurs in the expression.
     pub fn contains_law(&self, expr: Expr) -> bool {
-        let mut found = matches!(self.node(expr), Node::Law { .. });
-        self.for_each_operand(expr, |operand| found = found || self.contains_law(operand));
+        let mut found = false;
+        self.for_each_inside([expr], |node| {
+            found = found || matches!(node, Node::Law { .. });
+        });
         found
     }
 }

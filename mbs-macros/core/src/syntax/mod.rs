@@ -10,6 +10,13 @@ use syn::{Expr, Ident, Visibility};
 
 pub use parse::parse;
 
+/// How deep expressions may be nested: deeper ones would exhaust the stack of the compiler.
+pub const MAX_DEPTH: usize = 400;
+
+/// What is said of deeper ones.
+pub const TOO_DEEP: &str =
+    "this is nested too deeply; name parts of it by `Let`, and declare names before their use";
+
 /// A declaration as written.
 #[derive(Debug)]
 pub struct Declaration {

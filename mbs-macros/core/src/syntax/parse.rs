@@ -1,15 +1,20 @@
 //! The parser: entries are split at commas first, so that one broken entry does not hide the others.
 
-use super::{Declaration, Entry, NamedArgument};
+use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
 use crate::diagnostics::{Errors, did_you_mean};
 use crate::schema;
 use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::spanned::Spanned;
-use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced};
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced, token};
 
 /// Parses a declaration. What parsed is returned even if some entries did not.
 pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
+    if let Err(error) = height(&tokens, MAX_DEPTH) {
+        errors.push(error);
+        return None;
+    }
     let text = tokens.to_string();
     let Header {
         doc,
@@ -31,7 +36,9 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
         entries: Vec::new(),
         text,
     };
+    let mut broken_world = false;
     for chunk in split_at_commas(body) {
+        broken_world |= starts_with_world(&chunk);
         match syn::parse2::<Item>(chunk) {
             Ok(Item::Doc(doc)) => {
                 if !declaration.doc.is_empty() {
@@ -43,7 +50,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
             Err(error) => errors.push(error),
         }
     }
-    if declaration.world.is_none() {
+    if declaration.world.is_none() && !broken_world {
         errors.at(
             declaration.name.span(),
             "this mechanism has no world; write `world: Planar(gravity = [0.0, -9.81_m_per_s2]),` as its first entry",
@@ -84,6 +91,17 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) {
         }
         return;
     }
+    if schema::world(&entry.kind.to_string()).is_some() {
+        errors.at(
+            entry.name.span(),
+            format!(
+                "a world has no name of its own; write `world: {}(…)`",
+                entry.kind
+            ),
+        );
+        declaration.world.get_or_insert(entry);
+        return;
+    }
     if schema::kind(&entry.kind.to_string()).is_none() {
         let known = schema::KINDS.iter().map(|kind| kind.name);
         let hint = did_you_mean(&entry.kind.to_string(), known.clone());
@@ -121,6 +139,12 @@ impl Parse for Header {
                 "expected the mechanism's name, as in `mechanism!(SliderCrank { … })`",
             )
         })?;
+        if !input.peek(token::Brace) {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("expected the entries in braces: `{name} {{ … }}`"),
+            ));
+        }
         let body;
         braced!(body in input);
         let body = body.parse()?;
@@ -144,14 +168,24 @@ enum Item {
 impl Parse for Item {
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let doc = documentation(&input.call(Attribute::parse_outer)?)?;
-        let name: Ident = input.parse()?;
+        let name = entry_name(input)?;
         if !input.peek(Token![:]) {
+            let message = match schema::kind(&name.to_string()) {
+                Some(kind) => format!(
+                    "this `{kind}` has no name; write `name: {kind}(…)`",
+                    kind = kind.name
+                ),
+                None => format!("expected `:` after `{name}`, as in `{name}: Kind(…)`"),
+            };
+            return Err(syn::Error::new(name.span(), message));
+        }
+        input.parse::<Token![:]>()?;
+        if input.is_empty() {
             return Err(syn::Error::new(
                 name.span(),
                 format!("expected `{name}: Kind(…)`"),
             ));
         }
-        input.parse::<Token![:]>()?;
         let value: Expr = input.parse()?;
         if !input.is_empty() {
             return Err(input.error("expected `,` between entries"));
@@ -162,8 +196,8 @@ impl Parse for Item {
                     lit: Lit::Str(text),
                     ..
                 }) => Ok(Item::Doc(text.value())),
-                other => Err(syn::Error::new(
-                    other.span(),
+                other => Err(syn::Error::new_spanned(
+                    other,
                     "`doc:` takes a text in quotes",
                 )),
             };
@@ -172,17 +206,40 @@ impl Parse for Item {
     }
 }
 
+fn starts_with_world(entry: &TokenStream) -> bool {
+    let first = entry.clone().into_iter().next();
+    matches!(first, Some(TokenTree::Ident(name)) if name == "world")
+}
+
+fn entry_name(input: ParseStream) -> syn::Result<Ident> {
+    if !input.peek(Ident::peek_any) {
+        return Err(input.error("expected an entry, as in `name: Kind(…)`"));
+    }
+    let name = input.call(Ident::parse_any)?;
+    match syn::parse2::<Ident>(name.to_token_stream()) {
+        Ok(name) if name.to_string().starts_with("r#") => Err(syn::Error::new(
+            name.span(),
+            "names are written without `r#`; choose another name",
+        )),
+        Ok(name) => Ok(name),
+        Err(_) => Err(syn::Error::new(
+            name.span(),
+            format!("`{name}` is a word of Rust; choose another name"),
+        )),
+    }
+}
+
 fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
     let expected = || format!("expected `{name}: Kind(…)`, for example `{name}: Param(1.0_m)`");
     let Expr::Call(call) = value else {
-        return Err(syn::Error::new(value.span(), expected()));
+        return Err(syn::Error::new_spanned(value, expected()));
     };
     let kind = match &*call.func {
         Expr::Path(path) => path.path.get_ident().cloned(),
         _ => None,
     };
     let Some(kind) = kind else {
-        return Err(syn::Error::new(call.func.span(), expected()));
+        return Err(syn::Error::new_spanned(call.func, expected()));
     };
     let mut entry = Entry {
         name,
@@ -195,14 +252,14 @@ fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
         match argument {
             Expr::Assign(assign) => {
                 let Expr::Path(path) = &*assign.left else {
-                    return Err(syn::Error::new(
-                        assign.left.span(),
+                    return Err(syn::Error::new_spanned(
+                        assign.left,
                         "expected `name = value`",
                     ));
                 };
                 let Some(name) = path.path.get_ident().cloned() else {
-                    return Err(syn::Error::new(
-                        assign.left.span(),
+                    return Err(syn::Error::new_spanned(
+                        assign.left,
                         "expected `name = value`",
                     ));
                 };
@@ -219,8 +276,8 @@ fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
             }
             positional if entry.named.is_empty() => entry.positional.push(positional),
             positional => {
-                return Err(syn::Error::new(
-                    positional.span(),
+                return Err(syn::Error::new_spanned(
+                    positional,
                     "positional arguments come before named ones",
                 ));
             }
@@ -243,14 +300,53 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
                 }
             }
             other => {
-                return Err(syn::Error::new(
-                    other.span(),
+                return Err(syn::Error::new_spanned(
+                    other,
                     "only documentation comments (`///`) may stand here",
                 ));
             }
         }
     }
     Ok(lines.join("\n"))
+}
+
+/// At least the height of the tree that these tokens will become. An error at the token where it grows beyond `limit`.
+///
+/// A sum of n terms is a tree of height n above its highest term; within a term every sign may be a level. A pair of
+/// brackets weighs as much as the levels of grammar inside it.
+fn height(tokens: &TokenStream, limit: usize) -> syn::Result<usize> {
+    const BRACKETS: usize = 3;
+    let (mut sums, mut term, mut inside) = (0, 0, 0);
+    let (mut highest_term, mut highest) = (0, 0);
+    let mut after_operand = false;
+    for token in tokens.clone() {
+        match &token {
+            TokenTree::Punct(sign) => match sign.as_char() {
+                ',' => (sums, term, inside, highest_term) = (0, 0, 0, 0),
+                '+' | '-' if after_operand => {
+                    sums += 1;
+                    (term, inside) = (0, 0);
+                }
+                '+' | '-' | '*' | '/' | '.' => term += 1,
+                _ => sums += 1,
+            },
+            TokenTree::Group(group) => {
+                let within = match limit.checked_sub(sums + term + BRACKETS) {
+                    Some(left) => height(&group.stream(), left)?,
+                    None => 0,
+                };
+                inside = inside.max(within + BRACKETS);
+            }
+            TokenTree::Ident(_) | TokenTree::Literal(_) => {}
+        }
+        after_operand = !matches!(token, TokenTree::Punct(_));
+        highest_term = highest_term.max(term + inside);
+        highest = highest.max(sums + highest_term);
+        if highest > limit {
+            return Err(syn::Error::new(token.span(), TOO_DEEP));
+        }
+    }
+    Ok(highest)
 }
 
 fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {

@@ -20,7 +20,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Force>> {
     };
     let (on, value) = (on?, value?);
     if on == from {
-        return arguments.fail("on", "a torque of a part on itself does nothing");
+        return arguments.fail("on", match on {
+            Owner::Ground => "a torque on the ground does nothing; apply it to a part",
+            Owner::Part(_) => "a torque of a part on itself does nothing; name another part in `from`, or leave it out",
+        });
     }
     for (field, owner) in [("on", on), ("from", from)] {
         if arguments.is_particle(owner) {

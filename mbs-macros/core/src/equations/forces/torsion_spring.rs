@@ -15,6 +15,12 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Force>> {
     let (parent, child) = (arguments.part("parent"), arguments.part("child"));
     let characteristic = Characteristic::read(arguments, "angle");
     let owners = [parent?, child?];
+    if owners[0] == owners[1] {
+        return arguments.fail(
+            "child",
+            "a part does not turn against itself; name another part",
+        );
+    }
     for (field, owner) in ["parent", "child"].into_iter().zip(owners) {
         if arguments.is_particle(owner) {
             let name = arguments.owner_name(owner);

@@ -19,6 +19,14 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     super::holonomic::check(arguments, "second")?;
     let (first, from) = arguments.quantity("first")?;
     let (second, to) = arguments.quantity("second")?;
+    for (field, expr) in [("first", first), ("second", second)] {
+        if !super::holonomic::moves(arguments, expr) {
+            return arguments.fail(
+                field,
+                "this does not depend on any position: a coupling takes two expressions that move",
+            );
+        }
+    }
     let (ratio, offset) = (
         arguments.scalar_or("ratio", 1.0)?,
         arguments.scalar_or("offset", 0.0)?,

@@ -15,16 +15,11 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let length = arguments.scalar("length")?;
-    if arguments
-        .graph()
-        .as_constant(length)
-        .is_some_and(|length| length <= 0.0)
-    {
-        return arguments.fail(
-            "length",
-            "the distance must be positive; to hold two points together use `Revolute`",
-        );
-    }
+    arguments.refuse_no_length(
+        "length",
+        length,
+        "the distance must be positive; to hold two points together use `Revolute`",
+    )?;
     if parent.owner == child.owner {
         let owner = arguments.owner_name(parent.owner);
         return arguments.fail(

@@ -37,6 +37,12 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
         None => {
             super::holonomic::check(arguments, "target")?;
             let (target, dimension) = arguments.quantity("target")?;
+            if !super::holonomic::moves(arguments, target) {
+                return arguments.fail(
+                    "target",
+                    "this does not depend on any position: name what is to be driven, such as `crank.angle`",
+                );
+            }
             (Target::Expression(target), dimension)
         }
     };

@@ -16,6 +16,12 @@ struct Gear {
 pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     let (parent, child) = (arguments.part("parent"), arguments.part("child"));
     let owners = [parent?, child?];
+    if owners[0] == owners[1] {
+        return arguments.fail(
+            "child",
+            "a gear couples two different parts; name another part",
+        );
+    }
     let mut angles = [None; 2];
     for (slot, field) in ["parent", "child"].into_iter().enumerate() {
         let owner = owners[slot];

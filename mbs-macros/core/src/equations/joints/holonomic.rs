@@ -15,10 +15,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     check(arguments, "value")?;
     let conditions = arguments.conditions("value")?;
     for &(span, expr, _) in &conditions {
-        if !arguments
-            .graph()
-            .depends_on(expr, |symbol| matches!(symbol, Symbol::LocalPosition(_)))
-        {
+        if !moves(arguments, expr) {
             return arguments.fail_at(
                 span,
                 "this condition does not depend on any position: nothing could fulfil it",
@@ -33,6 +30,13 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
         level: Level::Position,
         list,
     }))
+}
+
+/// Whether an expression depends on positions.
+pub(super) fn moves(arguments: &mut Arguments, expr: Expr) -> bool {
+    arguments
+        .graph()
+        .depends_on(expr, |symbol| matches!(symbol, Symbol::LocalPosition(_)))
 }
 
 /// A condition on positions may not have velocities, inputs, or laws (whose second derivatives nobody supplies).

@@ -1,0 +1,379 @@
+//! Whatever is written, the compiler answers: it accepts, or it rejects with a message. It never panics.
+
+mod common;
+
+use common::declarations;
+use mbs_macros_core::{analyse, dag, emit};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What the compiler said.
+#[derive(Debug)]
+enum Answer {
+    Accepted,
+    Rejected(Vec<String>),
+}
+
+/// Compiles; panics where the compiler does, with the declaration in the message.
+fn answer(tokens: TokenStream) -> Answer {
+    let text = tokens.to_string();
+    let run = move || {
+        let (declaration, outcome) = analyse(tokens);
+        match (declaration, outcome) {
+            (Some(declaration), Ok(analysis)) => {
+                let graph = analysis.derived.system.graph.clone();
+                let program = dag::lower(analysis.derived);
+                emit::mechanism(&declaration, &analysis.model, &graph, &program);
+                Answer::Accepted
+            }
+            (declaration, Err(failure)) => {
+                if let Some(declaration) = declaration {
+                    emit::fallback(&declaration);
+                }
+                let messages = failure.messages();
+                Answer::Rejected(messages.into_iter().map(|(message, _)| message).collect())
+            }
+            (None, Ok(_)) => unreachable!("nothing was parsed, yet it was analysed"),
+        }
+    };
+    match catch_unwind(AssertUnwindSafe(run)) {
+        Ok(answer) => answer,
+        Err(_) => panic!("the compiler panicked at\n{text}"),
+    }
+}
+
+/// The messages with which a text is rejected.
+fn rejected(text: &str) -> Vec<String> {
+    match answer(text.parse().expect("these are tokens")) {
+        Answer::Rejected(messages) => messages,
+        Answer::Accepted => panic!("accepted:\n{text}"),
+    }
+}
+
+/// A pendulum with an output.
+fn with_output(expression: &str) -> String {
+    format!(
+        "Pendulum {{ world: Planar(), bar: Bar(mass = 1.0_kg, length = 1.0_m), \
+         pivot: Revolute(ground.origin, bar.a), out: Output({expression}) }}"
+    )
+}
+
+/// Xorshift: a mutant is found again by its number.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % limit.max(1) as u64) as usize
+    }
+}
+
+fn count(tokens: &TokenStream) -> usize {
+    let inside = |token| match token {
+        TokenTree::Group(group) => 1 + count(&group.stream()),
+        _ => 1,
+    };
+    tokens.clone().into_iter().map(inside).sum()
+}
+
+/// Every token, groups included.
+fn flatten(tokens: &TokenStream, list: &mut Vec<TokenTree>) {
+    for token in tokens.clone() {
+        if let TokenTree::Group(group) = &token {
+            flatten(&group.stream(), list);
+        }
+        list.push(token);
+    }
+}
+
+/// Tokens that a mutation may bring in besides those of the declaration.
+fn strangers() -> Vec<TokenTree> {
+    let mut list: Vec<TokenTree> = [
+        "ground",
+        "t",
+        "X",
+        "Z",
+        "pi",
+        "fn",
+        "world",
+        "origin",
+        "angle",
+        "velocity",
+        "rate",
+        "Frame",
+        "law",
+        "Gear",
+        "Coordinate",
+        "Holonomic",
+        "Nonholonomic",
+        "Drive",
+        "Event",
+        "Input",
+        "Let",
+        "Fixed",
+        "Prismatic",
+        "powi",
+    ]
+    .map(|name| Ident::new(name, Span::call_site()).into())
+    .into();
+    list.extend(
+        [
+            "0.0",
+            "-1.0",
+            "1e308",
+            "3_m",
+            "1.0_per_s",
+            "\"text\"",
+            "true",
+        ]
+        .map(|text| {
+            let literal = text.parse::<TokenStream>().expect("a literal");
+            literal.into_iter().last().expect("one token")
+        }),
+    );
+    list.extend(
+        ['-', '*', '/', '=', ':', ',', '.', '#']
+            .map(|sign| Punct::new(sign, Spacing::Alone).into()),
+    );
+    list.push(Group::new(Delimiter::Bracket, TokenStream::new()).into());
+    list.push(Literal::f64_unsuffixed(2.0).into());
+    list
+}
+
+/// What to do to the token of a number, counted through all groups.
+struct Mutation {
+    at: usize,
+    kind: usize,
+    stranger: TokenTree,
+}
+
+impl Mutation {
+    fn random(random: &mut Random, tokens: &TokenStream) -> Mutation {
+        let mut pool = strangers();
+        if random.below(2) == 0 {
+            pool.clear();
+            flatten(tokens, &mut pool);
+        }
+        Mutation {
+            at: random.below(count(tokens)),
+            kind: random.below(5),
+            stranger: pool[random.below(pool.len())].clone(),
+        }
+    }
+
+    fn apply(&self, tokens: &TokenStream, next: &mut usize) -> TokenStream {
+        let mut result: Vec<TokenTree> = Vec::new();
+        let mut swap = false;
+        for token in tokens.clone() {
+            let here = *next == self.at;
+            *next += 1;
+            let token = match token {
+                TokenTree::Group(group) => TokenTree::Group(Group::new(
+                    group.delimiter(),
+                    self.apply(&group.stream(), next),
+                )),
+                token => token,
+            };
+            if std::mem::take(&mut swap) {
+                result.insert(result.len() - 1, token);
+                continue;
+            }
+            match self.kind {
+                0 if here => {}
+                1 if here => result.extend([token.clone(), token]),
+                2 if here => {
+                    result.push(token);
+                    swap = true;
+                }
+                3 if here => result.push(self.stranger.clone()),
+                4 if here => result.extend([token, self.stranger.clone()]),
+                _ => result.push(token),
+            }
+        }
+        result.into_iter().collect()
+    }
+}
+
+/// Tokens to run through the compiler per declaration, all mutants together; more by `MUTANTS=…`.
+fn mutants() -> usize {
+    let wanted = std::env::var("MUTANTS")
+        .ok()
+        .and_then(|text| text.parse().ok());
+    wanted.unwrap_or(60_000)
+}
+
+#[test]
+fn mutants_are_answered() {
+    let (mut accepted, mut refused) = (0, 0);
+    for (name, tokens) in declarations() {
+        // Large mechanisms take long to derive and say no more than small ones.
+        let mutants = mutants() / count(&tokens);
+        let mut random = Random(0x9e37_79b9_7f4a_7c15);
+        for number in 0..mutants {
+            let mut mutant = tokens.clone();
+            for _ in 0..=random.below(3) / 2 {
+                mutant = Mutation::random(&mut random, &mutant).apply(&mutant, &mut 0);
+            }
+            let text = mutant.to_string();
+            match answer(mutant) {
+                Answer::Accepted => accepted += 1,
+                Answer::Rejected(messages) => {
+                    refused += 1;
+                    assert!(
+                        !messages.is_empty(),
+                        "{name} {number}: no message for\n{text}"
+                    );
+                    for message in messages {
+                        assert!(
+                            !message.contains("without saying why"),
+                            "{name} {number}: {message}\n{text}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+    println!("{accepted} mutants accepted, {refused} rejected");
+    assert!(
+        accepted > 100 && refused > 1000,
+        "{accepted} accepted, {refused} rejected"
+    );
+}
+
+/// Runs on a stack of the size that the compiler has.
+fn on_compiler_stack(run: impl FnOnce() + Send + 'static) {
+    let thread = std::thread::Builder::new().stack_size(8 << 20);
+    let outcome = thread.spawn(run).expect("a thread starts").join();
+    outcome.expect("the thread ends");
+}
+
+#[test]
+fn deep_nesting_is_refused() {
+    on_compiler_stack(|| {
+        let around = |open: &str, close: &str, depth: usize| {
+            format!("{}bar.angle{}", open.repeat(depth), close.repeat(depth))
+        };
+        for depth in [1_000, 5_000] {
+            for expression in [
+                around("(", ")", depth),
+                around("[", "]", depth),
+                around("sin(", ")", depth),
+                around("-", "", depth),
+                around("", ".sin()", depth),
+                around("", ".a", depth),
+                around("", " + 1.0", depth),
+                around("1.0 * ", "", depth),
+                around("1.0 - (", ")", depth),
+            ] {
+                let messages = rejected(&with_output(&expression));
+                let start = &expression[..12];
+                assert!(
+                    matches!(messages.as_slice(), [one] if one.contains("nested too deeply")),
+                    "{depth} times, from `{start}`: {messages:?}"
+                );
+            }
+        }
+    });
+}
+
+#[test]
+fn what_people_write_is_not_too_deep() {
+    on_compiler_stack(|| {
+        let sum = " + 0.5 * bar.angle.sin()".repeat(100);
+        let nested = format!("{}bar.angle{}", "sin(".repeat(100), ")".repeat(100));
+        for expression in [format!("1.0{sum}"), nested] {
+            let tokens = with_output(&expression).parse().expect("these are tokens");
+            assert!(matches!(answer(tokens), Answer::Accepted), "{expression}");
+        }
+    });
+}
+
+#[test]
+fn long_chains_of_names_are_answered() {
+    let chain = |names: &mut dyn Iterator<Item = usize>| {
+        let lets: Vec<String> = names
+            .map(|i| format!("a{}: Let(sin(a{i})),", i + 1))
+            .collect();
+        format!(
+            "Chain {{ world: Planar(), bar: Bar(mass = 1.0_kg, length = 1.0_m, free = true), \
+             {} a0: Let(bar.angle), out: Output(a1000) }}",
+            lets.concat()
+        )
+    };
+    let (forwards, backwards) = (chain(&mut (0..1000)), chain(&mut (0..1000).rev()));
+    on_compiler_stack(move || {
+        let tokens = forwards.parse().expect("these are tokens");
+        assert!(matches!(answer(tokens), Answer::Accepted));
+        for message in rejected(&backwards) {
+            assert!(
+                message.contains("declare names before their use"),
+                "{message}"
+            );
+        }
+    });
+}
+
+/// The one message about an output.
+fn refusal(expression: &str) -> String {
+    let mut messages = rejected(&with_output(expression));
+    assert_eq!(messages.len(), 1, "{expression}: {messages:?}");
+    messages.remove(0)
+}
+
+#[test]
+fn huge_numbers_are_refused() {
+    for expression in [
+        "1e999_m",
+        "1e308 * 1e308",
+        "1e200 * (1e200 * bar.angle)",
+        "0.0.powi(-1)",
+        "ln(0.0)",
+        "sqrt(-1.0)",
+    ] {
+        let message = refusal(expression);
+        assert!(
+            message.contains("no finite number"),
+            "{expression}: {message}"
+        );
+    }
+}
+
+#[test]
+fn huge_exponents_are_refused() {
+    for expression in [
+        "bar.angle.powi(1000000000)",
+        "bar.angle.powi(-1000000000)",
+        "bar.angle.powf(1e300)",
+        "bar.angle.powi(99999999999999999999)",
+    ] {
+        let message = refusal(expression);
+        assert!(
+            message.contains("exponents go up to 1000"),
+            "{expression}: {message}"
+        );
+    }
+    assert!(refusal("bar.b.x.powi(100)").contains("small integer"));
+    for unit in ["m99999", "m128", "m10", "m0", "per_m128", "per"] {
+        let message = refusal(&format!("1.0_{unit}"));
+        assert!(
+            message.starts_with(&format!("there is no unit `{unit}`")),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn exponents_do_not_overflow() {
+    for expression in [
+        "bar.angle.powi(1000).powi(1000).powi(1000).powi(1000)",
+        "bar.angle.powi(1000).powi(1000).powi(1000) * bar.angle.powi(1000).powi(1000).powi(1000) * bar.angle.powi(1000).powi(1000).powi(1000)",
+        "bar.b.x.powi(20).powi(20)",
+        "1.0_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9",
+        "1.0_per_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9_m9 / bar.b.x",
+    ] {
+        let tokens = with_output(expression).parse().expect("these are tokens");
+        assert!(matches!(answer(tokens), Answer::Accepted), "{expression}");
+    }
+}

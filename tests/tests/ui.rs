@@ -1,0 +1,6 @@
+//! Wrong programs: what the user sees. Each has one mistake and shows one message, at the offending tokens.
+
+#[test]
+fn wrong_programs() {
+    trybuild::TestCases::new().compile_fail("tests/ui/*.rs");
+}

@@ -1,0 +1,12 @@
+use mbs_runtime::{Simulation, mechanism};
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    bar: Bar(mas = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+});
+
+fn main() {
+    let _ = Simulation::new(Wrong::default());
+}

@@ -1,0 +1,5 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong);
+
+fn main() {}
