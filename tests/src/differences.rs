@@ -337,6 +337,10 @@ fn kernels<S: System<N, R>, const N: usize, const R: usize>(
         .for_each(|entry| {
             *entry = 0.5 + random.within(1.0);
         });
+    let mut rates = [0.0; R];
+    system.row_rates(&a, &x, &mut rates);
+    let expected: Vec<f64> = a.iter().map(|row| dot(row, &x)).collect();
+    findings.identity("A v", &rates, &expected);
     let mut w = Box::new([[0.0; N]; R]);
     system.solve_mass_rows(&factor, &a, &mut w);
     for i in 0..R {
