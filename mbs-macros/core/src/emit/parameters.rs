@@ -47,6 +47,8 @@ pub(super) fn emit(declaration: &Declaration, model: &Model) -> TokenStream {
             #( #[doc = #docs] pub #fields: f64, )*
         }
 
+        // A default of 45° is an approximate π/4, and meant.
+        #[allow(clippy::all)]
         impl ::core::default::Default for #name {
             fn default() -> Self {
                 Self { #( #fields: #defaults, )* }

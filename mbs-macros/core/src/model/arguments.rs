@@ -312,13 +312,10 @@ impl<'r, 'd> Arguments<'r, 'd> {
         let Some(syntax) = self.syntax(field) else {
             return false;
         };
-        match syntax {
-            Syntax::Lit(literal) => {
-                if let syn::Lit::Bool(flag) = &literal.lit {
-                    return flag.value;
-                }
-            }
-            _ => {}
+        if let Syntax::Lit(literal) = syntax
+            && let syn::Lit::Bool(flag) = &literal.lit
+        {
+            return flag.value;
         }
         self.resolver
             .fail::<()>(Place::of(syntax), format!("`{field}` is true or false"));
