@@ -85,7 +85,7 @@ fn pendulum_tension() {
         length: 0.8,
         mass: 1.7,
     };
-    let mut simulation = simulation(pendulum.clone(), 1e-2);
+    let mut simulation = simulation(pendulum, 1e-2);
     for _ in 0..150 {
         simulation.step().expect("it swings");
         let [x, y, vx, vy] =
