@@ -87,7 +87,7 @@ fn judge<S: System<N, R>, const N: usize, const R: usize>(
         .map(|i| change[i] * (q[i] - guess[i]))
         .sum::<f64>()
         .max(0.0);
-    let mut mass = Box::new([[0.0; N]; N]);
+    let mut mass = crate::linear::clear::<N, N>();
     system.mass_matrix(q, &mut *mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
     let mut worst: Vec<_> = S::MODEL.rows.iter().map(|row| row.name).zip(*phi).collect();
@@ -154,8 +154,8 @@ fn close<S: System<N, R>, const N: usize, const R: usize>(
 /// S of the holonomic rows, with unit rows in place of the others.
 fn holonomic_gram<S: System<N, R>, const N: usize, const R: usize>(
     node: &Node<S, N, R>,
-) -> [[f64; R]; R] {
-    let mut gram = node.gram;
+) -> crate::linear::Matrix<R, R> {
+    let mut gram = node.gram.clone();
     for i in S::STRUCTURE.holonomic_rows..R {
         for j in 0..R {
             gram[i][j] = 0.0;

@@ -19,7 +19,7 @@ pub(crate) fn reactions<S: System<N, R>, const N: usize, const R: usize>(
     let mut acceleration = [0.0; N];
     system.forces(t, q, v, &mut acceleration);
     if !S::STRUCTURE.constant_mass {
-        let mut p_q = Box::new([[0.0; N]; N]);
+        let mut p_q = crate::linear::clear::<N, N>();
         system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut *p_q);
         for i in 0..N {
             acceleration[i] -= dot(&p_q[i], v);

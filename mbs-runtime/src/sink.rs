@@ -16,6 +16,13 @@ impl<const ROWS: usize, const COLUMNS: usize> MatrixSink for [[f64; COLUMNS]; RO
     }
 }
 
+impl<M: MatrixSink + ?Sized> MatrixSink for Box<M> {
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        (**self).set(row, column, value);
+    }
+}
+
 /// Receives the nonzero affinities Λ with three indices, once each per evaluation.
 pub trait TensorSink {
     /// Stores entry (`i`, `j`, `k`).

@@ -26,7 +26,7 @@ pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
 /// Factorisations and multipliers of a step.
 pub(crate) struct Work<const R: usize> {
     /// B.
-    pub(crate) matrix: [[f64; R]; R],
+    pub(crate) matrix: crate::linear::Matrix<R, R>,
     pub(crate) dual: Dual<R>,
     pub(crate) symmetric: SymmetricDual<R>,
     /// Impulses of the constraints at the two ends of the last step.
@@ -39,7 +39,7 @@ impl<const R: usize> Work<R> {
     #[inline(never)]
     fn new() -> Box<Self> {
         Box::new(Work {
-            matrix: [[0.0; R]; R],
+            matrix: crate::linear::clear(),
             dual: Dual::new(),
             symmetric: SymmetricDual::new(),
             impulse: [[0.0; R]; 2],

@@ -14,7 +14,7 @@ use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
 use crate::flow::Implicit;
-use crate::linear::{Dual, Pivoted, accumulate, dot, largest};
+use crate::linear::{Dual, Matrix, Pivoted, accumulate, clear, dot, largest};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
 const CONVERGED: f64 = 1e-14;
@@ -39,11 +39,11 @@ enum Along {
 pub(super) struct ImplicitStep<const N: usize, const R: usize> {
     solver: Implicit<N>,
     /// ½(A₀ + A₁), and J⁻¹ times its rows.
-    mean: [[f64; N]; R],
-    along_mean: [[f64; N]; R],
+    mean: Matrix<R, N>,
+    along_mean: Matrix<R, N>,
     /// J⁻¹A₁ᵀ, row by row.
-    along_end: [[f64; N]; R],
-    metric: [[f64; R]; R],
+    along_end: Matrix<R, N>,
+    metric: Matrix<R, R>,
     end_dual: Dual<R>,
     velocity_metric: Pivoted<N>,
 }
@@ -53,10 +53,10 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
     pub(super) fn new() -> Box<Self> {
         Box::new(ImplicitStep {
             solver: Implicit::new(),
-            mean: [[0.0; N]; R],
-            along_mean: [[0.0; N]; R],
-            along_end: [[0.0; N]; R],
-            metric: [[0.0; R]; R],
+            mean: clear(),
+            along_mean: clear(),
+            along_end: clear(),
+            metric: clear(),
             end_dual: Dual::new(),
             velocity_metric: Pivoted::new(),
         })
@@ -94,7 +94,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         let mut iterations = 0;
         let q = loop {
             let q: [f64; N] = std::array::from_fn(|i| q0[i] + 0.5 * h * (v0[i] + vb[i]));
-            system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+            system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
             let mut defect = work.phi;
             for i in holonomic..R {
                 defect[i] = dot(&end.a[i], &vb) + end.b[i];

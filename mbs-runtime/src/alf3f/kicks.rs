@@ -71,7 +71,7 @@ where
     let mut iterations = 0;
     loop {
         flow.positions(system, &va, &mut q)?;
-        system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
         let residual = residual_of(&work.phi, weights);
         if residual <= 1.0 {
             break;

@@ -57,7 +57,7 @@ where
     let mut iterations = 0;
     let v = loop {
         flow.positions(system, &va, &mut q)?;
-        system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
         let mut v = flow.velocities(system, &va, &q, end);
         end.metric(system, t1, &q)?;
         factor_holonomic(end, work);
@@ -143,7 +143,8 @@ fn factor_holonomic<S: System<N, R>, const N: usize, const R: usize>(
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
     if holonomic > 0 {
-        let mut gram = end.gram;
+        // On the stack: a step allocates nothing.
+        let mut gram = *end.gram;
         for i in holonomic..R {
             gram[i] = [0.0; R];
             for row in &mut gram {

@@ -2,18 +2,19 @@
 
 use super::Fault;
 use crate::System;
+use crate::linear::{Matrix, clear};
 
 /// A, b, W = M⁻¹Aᵀ, S = A M⁻¹ Aᵀ and M⁻¹f at one instant.
 #[derive(Clone)]
 pub(crate) struct Node<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) mass: S::Mass,
     /// A, row by row.
-    pub(crate) a: [[f64; N]; R],
+    pub(crate) a: Matrix<R, N>,
     /// M⁻¹ Aᵀ, row by row.
-    pub(crate) w: [[f64; N]; R],
+    pub(crate) w: Matrix<R, N>,
     pub(crate) b: [f64; R],
     /// A M⁻¹ Aᵀ; its diagonal holds 1/m̄ of equation (18).
-    pub(crate) gram: [[f64; R]; R],
+    pub(crate) gram: Matrix<R, R>,
     /// M⁻¹ f where it is needed (leapfrog).
     pub(crate) acceleration: [f64; N],
 }
@@ -27,10 +28,10 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
         let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         Ok(Box::new(Node {
             mass,
-            a: [[0.0; N]; R],
-            w: [[0.0; N]; R],
+            a: clear(),
+            w: clear(),
             b: [0.0; R],
-            gram: [[0.0; R]; R],
+            gram: clear(),
             acceleration: [0.0; N],
         }))
     }
@@ -53,7 +54,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
         q: &[f64; N],
         phi: &mut [f64; R],
     ) -> Result<(), Fault> {
-        system.constraints(t, q, phi, &mut self.a, &mut self.b);
+        system.constraints(t, q, phi, &mut *self.a, &mut self.b);
         self.metric(system, t, q)?;
         system.acceleration(t, q, &mut self.acceleration);
         Ok(())

@@ -1,7 +1,7 @@
 //! The constraints as the paper sees them: rows with mass, damping and stiffness of their own, (18)–(20).
 
 use super::{Fault, Node};
-use crate::linear::dot;
+use crate::linear::{Matrix, clear, dot};
 use crate::sink::Discard;
 use crate::{PaperSettings, System};
 
@@ -25,14 +25,14 @@ pub(super) struct Instant<S: System<N, R>, const N: usize, const R: usize> {
     /// k̄ of (20); zero for nonholonomic rows.
     pub(super) constraint_stiffness: [f64; R],
     /// Ȧ along v.
-    a_rate: [[f64; N]; R],
+    a_rate: Matrix<R, N>,
     /// f, the applied forces.
     applied: [f64; N],
     /// f + ∂T/∂q.
     force: [f64; N],
     momentum: [f64; N],
-    f_q: [[f64; N]; N],
-    pub(super) f_v: [[f64; N]; N],
+    f_q: Matrix<N, N>,
+    pub(super) f_v: Matrix<N, N>,
     scratch: [f64; R],
 }
 
@@ -44,12 +44,12 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
             constraint_mass: [0.0; R],
             constraint_damping: [0.0; R],
             constraint_stiffness: [0.0; R],
-            a_rate: [[0.0; N]; R],
+            a_rate: clear(),
             applied: [0.0; N],
             force: [0.0; N],
             momentum: [0.0; N],
-            f_q: [[0.0; N]; N],
-            f_v: [[0.0; N]; N],
+            f_q: clear(),
+            f_v: clear(),
             scratch: [0.0; R],
         })
     }
@@ -64,7 +64,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         v: &[f64; N],
     ) -> Result<(), Fault> {
         let Instant { node, phi, .. } = self;
-        system.constraints(t, q, phi, &mut node.a, &mut node.b);
+        system.constraints(t, q, phi, &mut *node.a, &mut node.b);
         node.metric(system, t, q)?;
         system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
         let omega = settings.stabilisation_frequency;
@@ -153,7 +153,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         system.mass_matrix(&x.q, &mut jacobian.mass);
         // ∂F/∂v instead of ∂f/∂v: the quadratic terms depend on v as well.
         system.force_tangents(t, &x.q, &x.v, &mut Discard, &mut jacobian.f_v, &mut Discard);
-        jacobian.total = jacobian.mass;
+        *jacobian.total = *jacobian.mass;
         for i in 0..N {
             for j in 0..N {
                 jacobian.total[i][j] -= 0.5 * h * jacobian.f_v[i][j];
@@ -177,17 +177,17 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
 
 /// Storage of J.
 pub(super) struct Jacobian<const N: usize> {
-    mass: [[f64; N]; N],
-    f_v: [[f64; N]; N],
-    pub(super) total: [[f64; N]; N],
+    mass: Matrix<N, N>,
+    f_v: Matrix<N, N>,
+    pub(super) total: Matrix<N, N>,
 }
 
 impl<const N: usize> Jacobian<N> {
     pub(super) fn new() -> Self {
         Jacobian {
-            mass: [[0.0; N]; N],
-            f_v: [[0.0; N]; N],
-            total: [[0.0; N]; N],
+            mass: clear(),
+            f_v: clear(),
+            total: clear(),
         }
     }
 }

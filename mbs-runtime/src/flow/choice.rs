@@ -70,8 +70,8 @@ fn stiffness<S: System<N, R>, const N: usize, const R: usize>(
     system: &S,
     state: &State<N, R>,
 ) -> Result<f64, Fault> {
-    let mut f_q = Box::new([[0.0; N]; N]);
-    let mut f_v = Box::new([[0.0; N]; N]);
+    let mut f_q = crate::linear::clear::<N, N>();
+    let mut f_v = crate::linear::clear::<N, N>();
     let (q, v) = (&state.positions, &state.velocities);
     system.applied_force_tangents(state.time, q, v, &mut *f_q, &mut *f_v);
     let mass = system.factor_mass(q).ok_or(Fault::Mass)?;

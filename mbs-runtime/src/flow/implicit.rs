@@ -2,7 +2,7 @@
 
 use crate::System;
 use crate::alf3f::Fault;
-use crate::linear::{Pivoted, largest};
+use crate::linear::{Matrix, Pivoted, clear, largest};
 use crate::sink::Discard;
 
 const MAX_ITERATIONS: usize = 40;
@@ -18,10 +18,10 @@ pub(crate) struct Implicit<const N: usize> {
     pub(crate) known: [f64; N],
     /// J, factored.
     pub(crate) jacobian: Pivoted<N>,
-    pub(crate) f_q: [[f64; N]; N],
-    f_v: [[f64; N]; N],
-    pub(crate) p_q: [[f64; N]; N],
-    mass: [[f64; N]; N],
+    pub(crate) f_q: Matrix<N, N>,
+    f_v: Matrix<N, N>,
+    pub(crate) p_q: Matrix<N, N>,
+    mass: Matrix<N, N>,
     force: [f64; N],
     momentum: [f64; N],
     /// Whether J belongs to the step in hand.
@@ -35,10 +35,10 @@ impl<const N: usize> Implicit<N> {
             t1: 0.0,
             known: [0.0; N],
             jacobian: Pivoted::new(),
-            f_q: [[0.0; N]; N],
-            f_v: [[0.0; N]; N],
-            p_q: [[0.0; N]; N],
-            mass: [[0.0; N]; N],
+            f_q: clear(),
+            f_v: clear(),
+            p_q: clear(),
+            mass: clear(),
             force: [0.0; N],
             momentum: [0.0; N],
             current: false,
@@ -109,7 +109,7 @@ impl<const N: usize> Implicit<N> {
         let h = self.h;
         system.mass_matrix(q1, &mut self.mass);
         system.force_tangents(self.t1, q1, vb, &mut self.f_q, &mut self.f_v, &mut self.p_q);
-        let mut jacobian = self.mass;
+        let mut jacobian = *self.mass;
         for i in 0..N {
             for j in 0..N {
                 let rate = self.p_q[i][j] - self.f_v[i][j] - 0.5 * h * self.f_q[i][j];
@@ -126,7 +126,7 @@ impl<const N: usize> Implicit<N> {
 
     /// M₁ − h/2 F_v₁ as of the last J, factored: the metric in which the velocities of the step follow an impulse.
     pub(crate) fn velocity_metric(&self, metric: &mut Pivoted<N>) -> Result<(), Fault> {
-        let mut matrix = self.mass;
+        let mut matrix = *self.mass;
         for i in 0..N {
             for j in 0..N {
                 matrix[i][j] -= 0.5 * self.h * self.f_v[i][j];

@@ -13,6 +13,7 @@ use super::KickFlow;
 use super::implicit::Implicit;
 use crate::System;
 use crate::alf3f::{Fault, Node};
+use crate::linear::{Matrix, clear};
 
 pub(crate) struct Trapezoid<const N: usize, const R: usize> {
     h: f64,
@@ -22,15 +23,15 @@ pub(crate) struct Trapezoid<const N: usize, const R: usize> {
     solver: Implicit<N>,
     tangents: Tangents<N>,
     /// (∂v_b/∂v_a) w, row by row.
-    far: [[f64; N]; R],
+    far: Matrix<R, N>,
     /// (∂q₁/∂v_a) w / h, row by row.
-    directions: [[f64; N]; R],
+    directions: Matrix<R, N>,
 }
 
 /// What K needs beyond J.
 struct Tangents<const N: usize> {
-    mass: [[f64; N]; N],
-    f_v: [[f64; N]; N],
+    mass: Matrix<N, N>,
+    f_v: Matrix<N, N>,
 }
 
 impl<const N: usize, const R: usize> Trapezoid<N, R> {
@@ -43,11 +44,11 @@ impl<const N: usize, const R: usize> Trapezoid<N, R> {
             vb: [0.0; N],
             solver: Implicit::new(),
             tangents: Tangents {
-                mass: [[0.0; N]; N],
-                f_v: [[0.0; N]; N],
+                mass: clear(),
+                f_v: clear(),
             },
-            far: [[0.0; N]; R],
-            directions: [[0.0; N]; R],
+            far: clear(),
+            directions: clear(),
         })
     }
 }

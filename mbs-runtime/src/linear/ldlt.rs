@@ -5,7 +5,7 @@ use super::{SMALL_PIVOT, SPARSE_FROM, WEAK_PIVOT};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
 pub(crate) struct SymmetricDual<const K: usize> {
-    upper: [[f64; K]; K],
+    upper: super::Matrix<K, K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
@@ -17,7 +17,7 @@ pub(crate) struct SymmetricDual<const K: usize> {
 impl<const K: usize> SymmetricDual<K> {
     pub(crate) fn new() -> Self {
         SymmetricDual {
-            upper: [[0.0; K]; K],
+            upper: super::clear(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,

@@ -8,7 +8,7 @@ use super::{SMALL_PIVOT, SPARSE_FROM};
 /// B differs from the positive definite A₀M⁻¹A₀ᵀ by O(h), so that elimination needs no pivoting; a pivot that is small
 /// beside the effective mass of its row tells of a redundant row or of a singular pose.
 pub(crate) struct Dual<const K: usize> {
-    lu: [[f64; K]; K],
+    lu: super::Matrix<K, K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
@@ -18,7 +18,7 @@ pub(crate) struct Dual<const K: usize> {
 impl<const K: usize> Dual<K> {
     pub(crate) fn new() -> Self {
         Dual {
-            lu: [[0.0; K]; K],
+            lu: super::clear(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,
@@ -37,7 +37,7 @@ impl<const K: usize> Dual<K> {
     /// Elimination; false at the first pivot that is small (or not a number).
     #[inline(always)]
     fn eliminate(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) -> bool {
-        self.lu = *matrix;
+        *self.lu = *matrix;
         let lu = &mut self.lu;
         for k in 0..K {
             let pivot_row = lu[k];

@@ -13,6 +13,17 @@ pub(crate) use pivoted::Pivoted;
 pub(crate) use rank::dependence;
 pub(crate) use vector::{accumulate, dot, finite, largest};
 
+/// A matrix of fixed size on the heap: large systems are built on small stacks.
+pub(crate) type Matrix<const ROWS: usize, const COLUMNS: usize> = Box<[[f64; COLUMNS]; ROWS]>;
+
+/// A matrix of zeros, which never was on the stack.
+pub(crate) fn clear<const ROWS: usize, const COLUMNS: usize>() -> Matrix<ROWS, COLUMNS> {
+    match vec![[0.0; COLUMNS]; ROWS].into_boxed_slice().try_into() {
+        Ok(matrix) => matrix,
+        Err(_) => unreachable!("the vector has as many rows as the array"),
+    }
+}
+
 /// ε of the proximal solve on rows of unit length: 1/ξ² for the penalty ξ = 1e7 of the augmented Lagrangian.
 const PROXIMAL: f64 = 1e-14;
 

@@ -3,8 +3,10 @@
 use super::Simulation;
 use crate::{Report, SimulationError, State, System, UnknownName};
 
-/// A remainder of this fraction of a step is merged with the last step instead of being taken as a sliver.
-const SLIVER: f64 = 1e-9;
+/// A remainder of this fraction of a step is merged with the last step instead of being taken as a sliver. It covers the
+/// rounding of a clock that has added up 1e8 steps.
+const SLIVER: f64 = 1e-6;
+
 impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     /// Runs to `time` and lands exactly on it: the last step is shortened.
     ///
@@ -14,8 +16,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         self.check_target(time)?;
         while let Some(h) = self.next_step(time) {
             self.advance(h)?;
-            self.land(time);
         }
+        self.land(time);
         Ok(())
     }
 
