@@ -135,6 +135,43 @@ fn constraints() {
     }
 }
 
+/// A snapshot whose test is gone would never be looked at again.
+#[test]
+fn every_snapshot_has_its_test() {
+    let directory = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots");
+    let stages = [
+        "1-tree",
+        "2-model",
+        "3-system",
+        "4-derived",
+        "5-program",
+        "6-rust",
+    ];
+    let mut expected: Vec<String> = FIXTURES
+        .iter()
+        .flat_map(|(name, _)| {
+            let each = stages
+                .iter()
+                .map(move |stage| format!("snapshots__{name}-{stage}.snap"));
+            each.chain([format!("snapshots__constraints-of-{name}.snap")])
+        })
+        .collect();
+    expected.sort();
+    let mut found: Vec<String> = std::fs::read_dir(directory)
+        .expect("snapshots are checked in")
+        .map(|entry| {
+            entry
+                .expect("readable")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .filter(|name| name.starts_with("snapshots__") && name.ends_with(".snap"))
+        .collect();
+    found.sort();
+    assert_eq!(found, expected);
+}
+
 /// Nothing depends on the order of hash maps, or on what was compiled before.
 #[test]
 fn compiling_is_deterministic() {
