@@ -110,6 +110,10 @@ pub fn table<S: System<N, R>, const N: usize, const R: usize>(
     system.reactions(t, q, v, acceleration, lambda, &mut reactions);
     table.vector("reactions", "reactions", &reactions);
 
+    let mut rates = [f64::NAN; R];
+    system.row_rates(&rows, v, &mut rates);
+    table.vector("row_rates", "rates", &rates);
+
     // The kernels, for x = v̇ and a = A, w = M⁻¹ A.
     if let Some(mass) = system.factor_mass(q) {
         let mut x = *acceleration;

@@ -50,7 +50,8 @@ impl Findings {
         assert_eq!(given.len(), expected.len(), "{what}");
         for (i, (given, expected)) in given.iter().zip(expected).enumerate() {
             // A NaN is a finding, too.
-            if !((given - expected).abs() <= tolerance) {
+            let agrees = (given - expected).abs() <= tolerance;
+            if !agrees {
                 self.0.push(format!(
                     "{what}[{i}]: {given:e}, but {expected:e} is expected to within {tolerance:.1e}"
                 ));
@@ -206,10 +207,10 @@ fn forces<S: System<N, R>, const N: usize, const R: usize>(
     let inertial: Vec<f64> = total.iter().zip(&f).map(|(total, f)| total - f).collect();
     for j in 0..N {
         // Beside large applied forces the difference has their round-off.
-        let round_off = [1e-8 * f[j]];
+        let round_off = 1e-8 * f[j];
         findings.derivative(&format!("F − f, {j}"), &[inertial[j], 0.0], &|s| {
             let energy = system.kinetic_energy(&along(q, s, &unit(j)), v);
-            vec![energy, round_off[0]]
+            vec![energy, round_off]
         });
     }
 }
@@ -337,6 +338,10 @@ fn kernels<S: System<N, R>, const N: usize, const R: usize>(
         .for_each(|entry| {
             *entry = 0.5 + random.within(1.0);
         });
+    let mut rates = [0.0; R];
+    system.row_rates(&a, &x, &mut rates);
+    let expected: Vec<f64> = a.iter().map(|row| dot(row, &x)).collect();
+    findings.identity("A v", &rates, &expected);
     let mut w = Box::new([[0.0; N]; R]);
     system.solve_mass_rows(&factor, &a, &mut w);
     for i in 0..R {

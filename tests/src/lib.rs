@@ -8,6 +8,7 @@ pub mod interpreted;
 pub mod laws;
 pub mod random;
 pub mod reference;
+pub mod stages;
 pub mod table;
 pub mod tampered;
 
@@ -16,3 +17,15 @@ mod readme {}
 
 #[doc = include_str!("../../book/src/first-mechanism.md")]
 mod first_mechanism {}
+
+/// Runs a test where there is room on the stack: unoptimised code moves the matrices of the largest scene about, and a
+/// test's thread has 2 MiB only.
+pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    std::thread::scope(|scope| {
+        let thread = std::thread::Builder::new().stack_size(32 << 20);
+        let running = thread.spawn_scoped(scope, work).expect("a thread");
+        running
+            .join()
+            .unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    })
+}

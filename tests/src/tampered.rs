@@ -29,6 +29,7 @@ pub const QUANTITIES: &[&str] = &[
     "gram",
     "metric_rows",
     "metric_gram",
+    "row_rates",
 ];
 
 /// Relative size of the error.
@@ -145,6 +146,10 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         self.inner.metric(mass, t, q, a, w, gram);
         self.vector("metric_rows", w.as_flattened_mut());
         self.vector("metric_gram", gram.as_flattened_mut());
+    }
+    fn row_rates(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R]) {
+        self.inner.row_rates(a, v, rates);
+        self.vector("row_rates", rates);
     }
     fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]) {
         self.inner.momentum(q, v, p);

@@ -39,6 +39,10 @@ fn the_allocator_counts() {
 
 #[test]
 fn a_step_allocates_nothing() {
+    mbs_tests::with_room(every_scene);
+}
+
+fn every_scene() {
     for scene in scenes() {
         for method in [Method::TwoLevel, Method::Paper(PaperSettings::default())] {
             let settings = Settings {

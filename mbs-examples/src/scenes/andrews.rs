@@ -116,7 +116,7 @@ impl Andrews {
     pub fn iftomm() -> Self {
         Andrews {
             beta0: -0.062,
-            theta0: 2.1458685379951532e-4,
+            theta0: 2.145868537995153e-4,
             gamma0: 0.4552798121003702,
             phi0: 0.22266837590302747,
             delta0: 0.4873649811406328,

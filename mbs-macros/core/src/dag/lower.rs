@@ -3,6 +3,7 @@
 //! Sums are grouped by their constant factor (k x + k y = k (x + y), with k hoisted), products are split into a hoisted
 //! constant part and a varying one, and every operation is made once per function.
 
+use super::reciprocals::share_reciprocals;
 use super::{Function, Operand, Operation, Output, Place};
 use crate::symbolic::{Expr, Graph, Node, Symbol};
 use std::collections::HashMap;
@@ -98,11 +99,16 @@ impl<'a> Lowering<'a> {
 
     /// The function.
     pub(super) fn finish(self, name: &'static str) -> Function {
-        Function {
+        let function = Function {
             name,
             operations: self.operations,
             names: self.names,
             outputs: self.outputs,
+        };
+        if self.hoist {
+            share_reciprocals(function)
+        } else {
+            function
         }
     }
 

@@ -7,6 +7,7 @@
 mod cost;
 mod functions;
 mod lower;
+mod reciprocals;
 mod run;
 mod text;
 
@@ -76,6 +77,13 @@ pub struct Function {
     pub outputs: Vec<Output>,
 }
 
+impl Function {
+    /// Whether both write the same values to the same places.
+    pub fn computes_the_same(&self, other: &Function) -> bool {
+        self.operations == other.operations && self.outputs == other.outputs
+    }
+}
+
 /// A value that a function writes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Output {
@@ -141,6 +149,27 @@ pub enum Operation {
 }
 
 impl Operation {
+    /// The same operation on other operands.
+    pub(crate) fn map_operands(&self, map: impl Fn(Operand) -> Operand) -> Operation {
+        match self {
+            Operation::Add(a, b) => Operation::Add(map(*a), map(*b)),
+            Operation::Subtract(a, b) => Operation::Subtract(map(*a), map(*b)),
+            Operation::Multiply(a, b) => Operation::Multiply(map(*a), map(*b)),
+            Operation::Divide(a, b) => Operation::Divide(map(*a), map(*b)),
+            Operation::Negate(a) => Operation::Negate(map(*a)),
+            Operation::Call(function, a) => Operation::Call(*function, map(*a)),
+            Operation::Atan2(y, x) => Operation::Atan2(map(*y), map(*x)),
+            Operation::Power(a, exponent) => Operation::Power(map(*a), *exponent),
+            Operation::Law(law, arguments) => {
+                Operation::Law(*law, arguments.iter().map(|x| map(*x)).collect())
+            }
+            Operation::Part(law, partial) => match map(Operand::Value(*law)) {
+                Operand::Value(law) => Operation::Part(law, *partial),
+                _ => unreachable!("a law's result is a value"),
+            },
+        }
+    }
+
     /// Calls `visit` on each operand.
     pub fn for_each_operand(&self, mut visit: impl FnMut(Operand)) {
         match self {

@@ -249,11 +249,31 @@ impl<'a> Body<'a> {
         } else {
             Precedence::Unary
         };
+        // a + (b + c) is b + c + a, to the last bit.
+        let commutes = matches!(operator, "+" | "*");
+        let (a, b) = if commutes && self.continues(b, own) && !self.continues(a, own) {
+            (b, a)
+        } else {
+            (a, b)
+        };
         format!(
             "{} {operator} {}",
             self.operand(a, own),
             self.operand(b, above)
         )
+    }
+
+    /// Whether an operand is written out as a sum (or product) that needs no parentheses on the left of another.
+    fn continues(&self, operand: Operand, own: Precedence) -> bool {
+        let Operand::Value(slot) = operand else {
+            return false;
+        };
+        let same = match self.function.operations[slot] {
+            Operation::Add(..) | Operation::Subtract(..) => Precedence::Sum,
+            Operation::Multiply(..) | Operation::Divide(..) => Precedence::Product,
+            _ => return false,
+        };
+        same == own && !self.named[slot]
     }
 
     fn call(&self, function: Elementary, argument: Operand) -> String {

@@ -47,7 +47,7 @@ pub(super) fn emit(declaration: &Declaration, model: &Model) -> TokenStream {
             #( #[doc = #docs] pub #fields: f64, )*
         }
 
-        // Defaults may come close to π/4 and the like.
+        // A default of 45° is an approximate π/4, and meant.
         #[allow(clippy::all)]
         impl ::core::default::Default for #name {
             fn default() -> Self {

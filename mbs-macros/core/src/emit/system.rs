@@ -133,6 +133,20 @@ const KERNELS: &[(&str, &str, &str)] = &[
     ),
 ];
 
+/// Methods of F, the methods of f that compute the same where M is constant, and the call of the latter.
+const SAME_WHERE_MASS_IS_CONSTANT: &[(&str, &str, &str)] = &[
+    (
+        "forces",
+        "applied_forces",
+        "self.applied_forces(t, q, v, f);",
+    ),
+    (
+        "force_tangents",
+        "applied_force_tangents",
+        "self.applied_force_tangents(t, q, v, f_q, f_v);",
+    ),
+];
+
 /// How the body of a method ends.
 #[derive(Clone, Copy)]
 enum Ending {
@@ -261,6 +275,21 @@ fn methods(graph: &Graph, program: &Program) -> String {
     };
     for (name, signature, ending) in METHODS {
         if let Some(function) = find(name) {
+            // Where M is constant ∂T/∂q is zero, and F is f.
+            let same = SAME_WHERE_MASS_IS_CONSTANT
+                .iter()
+                .find(|(total, ..)| total == name && program.structure.constant_mass);
+            if let Some((_, applied, call)) = same
+                && find(applied).is_some_and(|applied| applied.computes_the_same(function))
+            {
+                let signature = sized(signature, program);
+                let cost = function.cost();
+                let _ = writeln!(
+                    out,
+                    "/// {cost}\n#[inline]\nfn {name}{signature} {{ {call} }}"
+                );
+                continue;
+            }
             method(
                 &mut out,
                 graph,

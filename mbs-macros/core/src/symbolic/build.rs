@@ -82,8 +82,11 @@ impl Graph {
             [(term, 1.0)] if constant == 0.0 => return *term,
             _ => {}
         }
-        // a − b and b − a share a node: the first coefficient of a proper sum is positive, its negative a scaled term.
-        let negative = flat.len() > 1 && flat[0].1 < 0.0;
+        // a − b and b − a share a node: in a proper sum most coefficients are positive, and the first where as many are
+        // negative; the negative of such a sum is a scaled term.
+        let minus = flat.iter().filter(|&&(_, c)| c < 0.0).count();
+        let plus = flat.len() - minus;
+        let negative = flat.len() > 1 && (minus > plus || (minus == plus && flat[0].1 < 0.0));
         let sign = if negative { -1.0 } else { 1.0 };
         let terms = flat
             .into_iter()

@@ -25,6 +25,10 @@ impl Graph {
                 let inner = self.derivative(x, symbol);
                 if self.is_zero(inner) {
                     inner
+                } else if function == Function::Sqrt {
+                    // ½ of a sum of squares' slope loses all its twos.
+                    let half = self.halved(inner);
+                    self.div(half, expr)
                 } else {
                     let outer = self.function_derivative(function, expr, x);
                     self.mul(outer, inner)
@@ -152,5 +156,23 @@ impl Graph {
             terms.push(self.mul(partial, rate));
         }
         self.sum(terms)
+    }
+}
+
+impl Graph {
+    /// expr / 2; a sum is halved term by term where that costs no multiplication.
+    fn halved(&mut self, expr: Expr) -> Expr {
+        match self.node(expr).clone() {
+            Node::Sum { constant, terms }
+                if terms.iter().all(|&(_, c)| f64::from_bits(c).abs() != 1.0) =>
+            {
+                let terms: Vec<_> = terms
+                    .iter()
+                    .map(|&(term, c)| (term, 0.5 * f64::from_bits(c)))
+                    .collect();
+                self.linear(0.5 * f64::from_bits(constant), &terms)
+            }
+            _ => self.scale(0.5, expr),
+        }
     }
 }

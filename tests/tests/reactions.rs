@@ -1,0 +1,195 @@
+//! Joint reactions against formulas and against trusted tables.
+
+use mbs_examples::scenes;
+use mbs_runtime::{Mechanism, Settings, Simulation, System};
+use mbs_tests::reference;
+
+fn reaction<S: System<N, R>, const N: usize, const R: usize>(
+    simulation: &Simulation<S, N, R>,
+    joint: &str,
+    component: &str,
+) -> f64 {
+    let known = S::MODEL.reactions;
+    let index = known
+        .iter()
+        .position(|reaction| reaction.joint == joint && reaction.component == component)
+        .unwrap_or_else(|| panic!("no reaction {joint}.{component} in {known:?}"));
+    simulation.reactions().expect(joint).values[index]
+}
+
+fn simulation<M, S, const N: usize, const R: usize>(mechanism: M, step: f64) -> Simulation<S, N, R>
+where
+    M: Mechanism<System = S>,
+    S: System<N, R>,
+{
+    Simulation::with_settings(
+        mechanism,
+        Settings {
+            step,
+            ..Settings::default()
+        },
+    )
+    .expect("it assembles")
+}
+
+/// Compares reactions with columns along a run; errors are relative to the largest value of the column.
+fn along_a_run<M, S, const N: usize, const R: usize>(
+    mechanism: M,
+    file: &str,
+    step: f64,
+    until: f64,
+    pairs: &[(&str, &str, &str)],
+    tolerance: f64,
+    singular: impl Fn(&reference::Table, usize) -> bool,
+) where
+    M: Mechanism<System = S>,
+    S: System<N, R>,
+{
+    let table = reference::table(file);
+    let mut simulation = simulation(mechanism, step);
+    let mut compared = 0;
+    for (row, time) in table
+        .times()
+        .into_iter()
+        .enumerate()
+        .take_while(|(_, t)| *t <= until)
+    {
+        simulation.run_until(time).expect(file);
+        if singular(&table, row) {
+            continue;
+        }
+        for (joint, component, column) in pairs {
+            let values = table.column(column);
+            let size = values.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+            let found = reaction(&simulation, joint, component);
+            // At the start the state is exact, and so are the reactions.
+            let tolerance = size * if row == 0 { 1e-11 } else { tolerance };
+            assert!(
+                (found - values[row]).abs() <= tolerance,
+                "{joint}.{component} at {time} s: {found}, but {column} is {}",
+                values[row]
+            );
+            compared += 1;
+        }
+    }
+    assert!(
+        compared > 10 * pairs.len(),
+        "only {compared} values were compared"
+    );
+}
+
+/// Tension m (v²/L + g·e) of the pendulum: at every state of a run, to round-off.
+#[test]
+fn pendulum_tension() {
+    let pendulum = scenes::pendulum::Pendulum {
+        length: 0.8,
+        mass: 1.7,
+    };
+    let mut simulation = simulation(pendulum, 1e-2);
+    for _ in 0..150 {
+        simulation.step().expect("it swings");
+        let [x, y, vx, vy] =
+            ["x", "y", "vx", "vy"].map(|name| simulation.output(name).expect("declared"));
+        let along = [x / pendulum.length, y / pendulum.length];
+        let tension = pendulum.mass * ((vx * vx + vy * vy) / pendulum.length - 9.81 * along[1]);
+        for (joint, component, direction) in [
+            ("pivot", "fx", along[0]),
+            ("pivot", "fy", along[1]),
+            ("joint", "fx", along[0]),
+            ("joint", "fy", along[1]),
+        ] {
+            let found = reaction(&simulation, joint, component);
+            assert!(
+                (found + tension * direction).abs() < 1e-10,
+                "{joint}.{component}: {found}, tension {tension}"
+            );
+        }
+    }
+}
+
+#[test]
+fn slider_crank() {
+    along_a_run(
+        scenes::slider_crank::SliderCrank::default(),
+        "slider_crank_singular_gravity.csv",
+        1e-3,
+        2.0,
+        &[
+            ("main_bearing", "fx", "ground_on_rod1_fx_N"),
+            ("main_bearing", "fy", "ground_on_rod1_fy_N"),
+            ("crank_pin", "fx", "rod1_on_rod2_at_p1_fx_N"),
+            ("crank_pin", "fy", "rod1_on_rod2_at_p1_fy_N"),
+            ("guide", "fy", "guide_on_slider_fy_N"),
+        ],
+        2e-4,
+        |table, row| table.column("theta_rad")[row].cos().abs() < 0.1,
+    );
+}
+
+#[test]
+fn driven_slider_crank() {
+    along_a_run(
+        scenes::driven_slider_crank::DrivenSliderCrank::default(),
+        "driven_slider_crank.csv",
+        2e-4,
+        0.05,
+        &[
+            ("drive", "torque", "drive_torque_on_crank_Nm"),
+            ("main_bearing", "fx", "ground_on_crank_fx_N"),
+            ("main_bearing", "fy", "ground_on_crank_fy_N"),
+            ("crank_pin", "fx", "crank_on_rod_fx_N"),
+            ("crank_pin", "fy", "crank_on_rod_fy_N"),
+            ("gudgeon_pin", "fx", "rod_on_slider_fx_N"),
+            ("gudgeon_pin", "fy", "rod_on_slider_fy_N"),
+            ("guide", "fy", "guide_on_slider_fy_N"),
+        ],
+        1e-9,
+        |_, _| false,
+    );
+}
+
+#[test]
+fn andrews() {
+    along_a_run(
+        scenes::andrews::Andrews::default(),
+        "a03_andrews_bari.csv",
+        2e-6,
+        0.006,
+        &[
+            ("e_bde", "fx", "lambda1_N"),
+            ("e_bde", "fy", "lambda2_N"),
+            ("e_ge", "fx", "lambda3_N"),
+            ("e_ge", "fy", "lambda4_N"),
+            ("e_he", "fx", "lambda5_N"),
+            ("e_he", "fy", "lambda6_N"),
+        ],
+        1e-4,
+        |_, _| false,
+    );
+}
+
+#[test]
+fn knife_edge() {
+    along_a_run(
+        scenes::knife_edge::KnifeEdge::default(),
+        "knife_edge_incline.csv",
+        5e-3,
+        4.0,
+        &[("edge", "lambda", "lateral_force_N")],
+        1e-4,
+        |_, _| false,
+    );
+}
+
+#[test]
+fn chaplygin_sleigh() {
+    along_a_run(
+        scenes::chaplygin_sleigh::ChaplyginSleigh::default(),
+        "chaplygin_sleigh.csv",
+        5e-3,
+        4.0,
+        &[("edge", "lambda", "lateral_force_N")],
+        1e-4,
+        |_, _| false,
+    );
+}

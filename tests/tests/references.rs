@@ -1,0 +1,292 @@
+//! Every scene with a reference converges towards it with second order, on the right branch, and keeps what the
+//! integrator promises to keep.
+
+use mbs_examples::scene::Scene;
+use mbs_examples::scenes::{self, scenes};
+use mbs_runtime::{AnySimulation, Mechanism, Settings, Simulation, State, System};
+use mbs_tests::reference::{self, Table};
+use mbs_tests::with_room;
+
+/// What is asked of a scene.
+struct Case {
+    scene: &'static str,
+    /// The coarsest of three steps, each half the one before, s. It divides the spacing of the reference.
+    step: f64,
+    /// s
+    until: f64,
+    order: Order,
+    /// Bound of the energy error with the coarsest step, J.
+    energy: f64,
+}
+
+enum Order {
+    /// The observed slopes lie in [1.8, 2.2]; the error with the finest step is below this.
+    Second { finest: f64 },
+    /// The motion is prescribed, so that the rows alone determine positions and velocities.
+    Exact { error: f64 },
+}
+
+const CASES: &[Case] = &[
+    Case {
+        scene: "pendulum",
+        step: 1e-2,
+        until: 3.0,
+        order: Order::Second { finest: 7e-4 },
+        energy: 5e-3,
+    },
+    Case {
+        scene: "pendulum-angle",
+        step: 1e-2,
+        until: 3.0,
+        order: Order::Second { finest: 1.5e-4 },
+        energy: 3e-3,
+    },
+    Case {
+        scene: "slider-crank",
+        step: 5e-3,
+        until: 2.0,
+        order: Order::Second { finest: 5e-5 },
+        energy: 8e-3,
+    },
+    Case {
+        scene: "driven-slider-crank",
+        step: 2e-4,
+        until: 0.06,
+        order: Order::Exact { error: 1e-9 },
+        energy: 4e-2,
+    },
+    Case {
+        scene: "double-four-bar",
+        step: 1e-2,
+        until: 3.0,
+        order: Order::Second { finest: 1.5e-3 },
+        energy: 6e-2,
+    },
+    Case {
+        scene: "four-bar-40",
+        step: 2e-2,
+        until: 2.0,
+        order: Order::Second { finest: 2.5e-3 },
+        energy: 4.0,
+    },
+    Case {
+        scene: "andrews",
+        step: 1e-5,
+        until: 0.01,
+        order: Order::Second { finest: 4e-7 },
+        energy: 1e-6,
+    },
+    Case {
+        scene: "andrews-iftomm",
+        step: 1e-5,
+        until: 0.01,
+        order: Order::Second { finest: 4e-7 },
+        energy: 1e-6,
+    },
+    Case {
+        scene: "chaplygin-sleigh",
+        step: 2.5e-2,
+        until: 4.0,
+        order: Order::Second { finest: 8e-5 },
+        energy: 1e-11,
+    },
+    Case {
+        scene: "knife-edge",
+        step: 2.5e-2,
+        until: 4.0,
+        order: Order::Second { finest: 5e-4 },
+        energy: 1e-11,
+    },
+    Case {
+        scene: "knife-edge-moving",
+        step: 2.5e-2,
+        until: 4.0,
+        order: Order::Second { finest: 4e-4 },
+        energy: 1e-11,
+    },
+];
+
+fn find(name: &str) -> &'static Scene {
+    scenes()
+        .iter()
+        .find(|scene| scene.name == name)
+        .unwrap_or_else(|| panic!("no scene `{name}`"))
+}
+
+/// The largest deviation of any compared output at any instant up to `until`.
+fn deviation(simulation: &mut dyn AnySimulation, scene: &Scene, table: &Table, until: f64) -> f64 {
+    let reference = scene.reference.as_ref().expect("checked by the caller");
+    let columns: Vec<(usize, Vec<f64>)> = reference
+        .columns
+        .iter()
+        .map(|(output, column)| {
+            let index = scene
+                .model
+                .outputs
+                .iter()
+                .position(|other| other.name == *output);
+            (index.expect("an output of the scene"), table.column(column))
+        })
+        .collect();
+    let mut largest: f64 = 0.0;
+    for (row, time) in table.times().into_iter().enumerate() {
+        if time > until * (1.0 + 1e-12) {
+            break;
+        }
+        simulation.run_until(time).expect(scene.name);
+        let outputs = simulation.outputs();
+        for (index, values) in &columns {
+            let error = (outputs[*index] - values[row]).abs();
+            assert!(error.is_finite(), "{}", scene.name);
+            largest = largest.max(error);
+        }
+    }
+    largest
+}
+
+fn check(case: &Case) {
+    let scene = find(case.scene);
+    let table = reference::table(scene.reference.as_ref().expect("a reference").file);
+    let mut errors = Vec::new();
+    for halvings in 0..3 {
+        let settings = Settings {
+            step: case.step / f64::from(1 << halvings),
+            ..Settings::default()
+        };
+        let mut simulation = (scene.build)(&[], settings).expect(case.scene);
+        errors.push(deviation(&mut *simulation, scene, &table, case.until));
+        let report = simulation.report();
+        println!(
+            "{} h = {:.2e}: error {:.3e}; {report:?}",
+            case.scene, settings.step, errors[halvings]
+        );
+        assert!(
+            report.holonomic_error <= 1e-10,
+            "{}: {report:?}",
+            case.scene
+        );
+        assert!(report.velocity_error <= 1e-10, "{}: {report:?}", case.scene);
+        assert!(
+            report.energy_error <= case.energy,
+            "{}: {report:?}",
+            case.scene
+        );
+    }
+    match case.order {
+        Order::Second { finest } => {
+            for pair in errors.windows(2) {
+                let slope = (pair[0] / pair[1]).log2();
+                assert!(
+                    (1.8..=2.2).contains(&slope),
+                    "{}: slope {slope} of {errors:?}",
+                    case.scene
+                );
+            }
+            assert!(errors[2] <= finest, "{}: {errors:?}", case.scene);
+        }
+        Order::Exact { error } => {
+            assert!(
+                errors.iter().all(|e| *e <= error),
+                "{}: {errors:?}",
+                case.scene
+            );
+        }
+    }
+}
+
+macro_rules! cases {
+    ($($test:ident: $scene:literal;)*) => {
+        $(#[test]
+        fn $test() {
+            let case = CASES.iter().find(|case| case.scene == $scene).expect("listed above");
+            with_room(|| check(case));
+        })*
+    };
+}
+
+cases! {
+    pendulum: "pendulum";
+    pendulum_by_angle: "pendulum-angle";
+    slider_crank: "slider-crank";
+    driven_slider_crank: "driven-slider-crank";
+    double_four_bar: "double-four-bar";
+    four_bar_40: "four-bar-40";
+    andrews: "andrews";
+    andrews_iftomm: "andrews-iftomm";
+    chaplygin_sleigh: "chaplygin-sleigh";
+    knife_edge: "knife-edge";
+    knife_edge_moving: "knife-edge-moving";
+}
+
+#[test]
+fn no_reference_is_forgotten() {
+    for scene in scenes().iter().filter(|scene| scene.reference.is_some()) {
+        assert!(
+            CASES.iter().any(|case| case.scene == scene.name),
+            "`{}` has a reference, but no case in this file",
+            scene.name
+        );
+    }
+}
+
+/// Forwards, velocities turned round, and back: the start.
+fn returns<M, S, const N: usize, const R: usize>(mechanism: M, step: f64, steps: usize)
+where
+    M: Mechanism<System = S>,
+    S: System<N, R>,
+{
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    let mut forth = Simulation::with_settings(mechanism.clone(), settings).expect(S::MODEL.name);
+    let start = forth.state().clone();
+    for _ in 0..steps {
+        forth.step().expect(S::MODEL.name);
+    }
+    let there = forth.state();
+    let moved = (0..N)
+        .map(|i| (there.positions[i] - start.positions[i]).abs())
+        .fold(0.0, f64::max);
+    assert!(moved > 1e-2, "{} did not go anywhere", S::MODEL.name);
+    let turned = State::new(0.0, there.positions, there.velocities.map(|v| -v));
+    let mut back = Simulation::resume(mechanism, settings, turned).expect(S::MODEL.name);
+    for _ in 0..steps {
+        back.step().expect(S::MODEL.name);
+    }
+    let speed = start
+        .velocities
+        .iter()
+        .fold(1.0, |speed: f64, v| speed.max(v.abs()));
+    let worst = (0..N).fold(0.0, |worst: f64, i| {
+        let q = (back.positions()[i] - start.positions[i]).abs();
+        let v = (back.velocities()[i] + start.velocities[i]).abs() / speed;
+        worst.max(q).max(v)
+    });
+    println!("{}: back to within {worst:e}", S::MODEL.name);
+    assert!(worst <= 1e-9, "{}: {worst:e} from the start", S::MODEL.name);
+}
+
+/// All scenes but the driven one, whose drive does not turn round.
+#[test]
+fn time_can_be_reversed() {
+    with_room(|| {
+        returns(scenes::pendulum::Pendulum::default(), 1e-2, 200);
+        returns(scenes::pendulum::PendulumByAngle::default(), 1e-2, 200);
+        returns(
+            scenes::double_pendulum::DoublePendulum::default(),
+            5e-3,
+            100,
+        );
+        returns(scenes::slider_crank::SliderCrank::default(), 5e-3, 150);
+        returns(scenes::double_four_bar::DoubleFourBar::default(), 1e-2, 100);
+        returns(scenes::four_bar_40::FourBar40::default(), 1e-2, 50);
+        returns(scenes::andrews::Andrews::default(), 1e-5, 500);
+        returns(
+            scenes::chaplygin_sleigh::ChaplyginSleigh::default(),
+            2e-2,
+            150,
+        );
+        returns(scenes::knife_edge::KnifeEdge::default(), 2e-2, 150);
+    });
+}
