@@ -22,6 +22,8 @@ struct Mass {
     inverse: [[f64; 3]; 3],
     /// M⁻¹(e_{j+1} − e_j) for coupler j.
     coupler: [[f64; 3]; 2],
+    /// M⁻¹f: how fast the tips would fall, were the bars' lengths not kept (half of a crank's weight hangs on its pivot).
+    fall: [f64; 3],
 }
 
 /// The mechanism and its state.
@@ -56,8 +58,14 @@ impl DoubleFourBar {
         let inverse = invert(m);
         let coupler =
             std::array::from_fn(|j| std::array::from_fn(|i| inverse[i][j + 1] - inverse[i][j]));
+        let weight = [1.0, 1.5, 1.0].map(|bars| bars * GRAVITY);
+        let fall = std::array::from_fn(|i| (0..3).map(|j| inverse[i][j] * weight[j]).sum());
         let mut mechanism = DoubleFourBar {
-            mass: Mass { inverse, coupler },
+            mass: Mass {
+                inverse,
+                coupler,
+                fall,
+            },
             q: [0.0, 1.0, 1.0, 1.0, 2.0, 1.0],
             v: [1.0, 0.0, 1.0, 0.0, 1.0, 0.0],
             multiplier: [0.0; R],
@@ -99,7 +107,7 @@ impl DoubleFourBar {
             std::array::from_fn(|i| h * (self.multiplier[i] + self.change[i]));
         let mut va = self.v;
         accumulate(&mut va, &self.weighted, &kappa);
-        let fall = 0.5 * h * GRAVITY;
+        let fall = self.mass.fall.map(|fall| 0.5 * h * fall);
         let mut q = self.q;
         let mut renewed: Option<General> = None;
         let mut last = f64::INFINITY;
@@ -107,7 +115,7 @@ impl DoubleFourBar {
         for iteration in 0..MOST_ITERATIONS {
             for p in 0..3 {
                 q[2 * p] = self.q[2 * p] + h * va[2 * p];
-                q[2 * p + 1] = self.q[2 * p + 1] + h * (va[2 * p + 1] - fall);
+                q[2 * p + 1] = self.q[2 * p + 1] + h * (va[2 * p + 1] - fall[p]);
             }
             rows = directions(&q);
             let phi: [f64; R] = std::array::from_fn(|i| {
@@ -135,7 +143,7 @@ impl DoubleFourBar {
         }
         let mut v = va;
         for p in 0..3 {
-            v[2 * p + 1] -= 2.0 * fall;
+            v[2 * p + 1] -= 2.0 * fall[p];
         }
         self.rows = rows;
         self.weighted = self.mass.weigh(&rows);
