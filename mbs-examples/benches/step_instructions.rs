@@ -25,6 +25,11 @@ fn main() {
         return run(name, step, steps);
     }
     println!(
+        "after {} steps the two agree to {:.1e} m",
+        STEPS[0],
+        disagreement(1e-3, STEPS[0])
+    );
+    println!(
         "instructions a step of the double four-bar, over {} steps",
         STEPS[1] - STEPS[0]
     );
@@ -46,6 +51,34 @@ fn main() {
     }
 }
 
+/// The largest difference of the two mechanisms' coordinates: they have to be the same mechanism.
+fn disagreement(step: f64, steps: u64) -> f64 {
+    let Some(mut stepper) = stepper(step) else {
+        return f64::NAN;
+    };
+    let mut mechanism = handwritten::DoubleFourBar::new();
+    for _ in 0..steps {
+        mechanism.step(step);
+        if stepper.step(step).is_err() {
+            return f64::NAN;
+        }
+    }
+    let pairs = mechanism.q.iter().zip(&stepper.state().positions);
+    pairs
+        .map(|(hand, generated)| (hand - generated).abs())
+        .fold(0.0, f64::max)
+}
+
+fn stepper(step: f64) -> Option<TwoLevelStepper<<DoubleFourBar as Mechanism>::System, 6, 5>> {
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    let simulation = Simulation::with_settings(DoubleFourBar::default(), settings).ok()?;
+    let system = DoubleFourBar::default().prepare().ok()?;
+    TwoLevelStepper::new(system, simulation.state().clone(), &settings).ok()
+}
+
 fn run(name: &str, step: f64, steps: u64) {
     if name == "hand-written" {
         let mut mechanism = handwritten::DoubleFourBar::new();
@@ -55,18 +88,7 @@ fn run(name: &str, step: f64, steps: u64) {
         println!("{}", mechanism.energy());
         return;
     }
-    let Ok(system) = DoubleFourBar::default().prepare() else {
-        return;
-    };
-    let Ok(simulation) = Simulation::new(DoubleFourBar::default()) else {
-        return;
-    };
-    let settings = Settings {
-        step,
-        ..Settings::default()
-    };
-    let Ok(mut stepper) = TwoLevelStepper::new(system, simulation.state().clone(), &settings)
-    else {
+    let Some(mut stepper) = stepper(step) else {
         return;
     };
     for _ in 0..steps {
