@@ -133,6 +133,26 @@ pub(super) fn emit_mechanism(
                 ::core::result::Result::Ok(())
             }
         }
+
+        // For editors: the same signatures without the long body.
+        #[allow(unexpected_cfgs)]
+        #[cfg(rust_analyzer)]
+        impl ::mbs_runtime::Mechanism for #name {
+            type System = #system;
+            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #rows>>::MODEL;
+
+            fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
+                loop {}
+            }
+
+            fn parameter(&self, name: &str) -> ::core::option::Option<f64> {
+                loop {}
+            }
+
+            fn set_parameter(&mut self, name: &str, value: f64) -> ::core::result::Result<(), ::mbs_runtime::UnknownName> {
+                loop {}
+            }
+        }
     }
 }
 
