@@ -59,7 +59,14 @@ fn compile(declaration: &str) -> Option<Times> {
         .map(|function| function.cost().total())
         .sum();
     let start = Instant::now();
-    let text = emit::mechanism(&declaration, &analysis.model, &graph, &program).to_string();
+    let text = emit::mechanism(
+        &declaration,
+        &analysis.model,
+        analysis.mobility.as_ref(),
+        &graph,
+        &program,
+    )
+    .to_string();
     let emit = start.elapsed();
     (!text.is_empty()).then_some(Times {
         analyse,

@@ -42,6 +42,7 @@ const MODEL: Model = Model {
         time_dependent: false,
         holonomic_rows: 0,
     },
+    mobility: None,
 };
 
 fn frame(time: f64, x: f64, kinetic: f64, error: f64) -> Frame {

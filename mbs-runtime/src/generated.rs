@@ -127,6 +127,7 @@ pub const UNFINISHED: &Model = &Model {
         time_dependent: false,
         holonomic_rows: 0,
     },
+    mobility: None,
 };
 
 impl System<0, 0> for Unfinished {

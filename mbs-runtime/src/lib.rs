@@ -76,7 +76,8 @@ pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
 pub use model::{
-    Coordinate, FunctionCost, Model, Part, Quantity, Reaction, Row, RowKind, Segment, Structure,
+    Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy, Row, RowKind,
+    Segment, Structure,
 };
 pub use report::{AssemblyVerdict, Energy, Reactions, Report, Sample};
 pub use samples::Samples;

@@ -35,6 +35,9 @@ pub struct Model {
     pub operations: &'static [FunctionCost],
     /// What the integrator may rely on.
     pub structure: Structure,
+    /// Rank and redundant rows at generic poses near the guess, with default parameters; `None` if no pose could be
+    /// assembled there at compile time.
+    pub mobility: Option<Mobility>,
 }
 
 impl Model {
@@ -42,6 +45,27 @@ impl Model {
     pub const fn holonomic_rows(&self) -> usize {
         self.structure.holonomic_rows
     }
+}
+
+/// What the rows leave free, determined at compile time. (Assembly repeats the check for the actual parameters:
+/// [`AssemblyVerdict`](crate::AssemblyVerdict).)
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Mobility {
+    /// Rank of A.
+    pub rank: usize,
+    /// Coordinates less rank.
+    pub degrees_of_freedom: usize,
+    /// Rows that follow from others; they are harmless, but their reactions are not unique.
+    pub redundant: &'static [Redundancy],
+}
+
+/// A row that follows from others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Redundancy {
+    /// The row.
+    pub row: &'static str,
+    /// The entries of the declaration whose rows it follows from.
+    pub follows_from: &'static [&'static str],
 }
 
 /// A generalized coordinate.

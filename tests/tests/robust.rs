@@ -23,7 +23,13 @@ fn answer(tokens: TokenStream) -> Answer {
             (Some(declaration), Ok(analysis)) => {
                 let graph = analysis.derived.system.graph.clone();
                 let program = dag::lower(analysis.derived);
-                emit::mechanism(&declaration, &analysis.model, &graph, &program);
+                emit::mechanism(
+                    &declaration,
+                    &analysis.model,
+                    analysis.mobility.as_ref(),
+                    &graph,
+                    &program,
+                );
                 Answer::Accepted
             }
             (declaration, Err(failure)) => {

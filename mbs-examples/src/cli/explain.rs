@@ -137,6 +137,24 @@ fn structure(out: &mut String, scene: &Scene) -> fmt::Result {
         step: scene.step,
         ..Settings::default()
     };
+    if let Some(mobility) = &scene.model.mobility {
+        writeln!(out, "  rank         {} of {rows} rows", mobility.rank)?;
+        for redundancy in mobility.redundant {
+            let from = redundancy.follows_from.join(", ");
+            writeln!(
+                out,
+                "  redundant    `{}` follows from {from}",
+                redundancy.row
+            )?;
+        }
+        let coordinates = scene.model.coordinates.len();
+        let freedom = count(mobility.degrees_of_freedom, "degree");
+        let counted = coordinates as i64 - rows as i64;
+        writeln!(
+            out,
+            "  mobility     {freedom} of freedom (coordinates less rows: {counted})"
+        )?;
+    }
     match (scene.build)(&[], settings) {
         Ok(simulation) => assembled(out, simulation.as_ref()),
         Err(error) => writeln!(out, "  assembly     failed: {error}"),
@@ -145,13 +163,11 @@ fn structure(out: &mut String, scene: &Scene) -> fmt::Result {
 
 fn assembled(out: &mut String, simulation: &dyn AnySimulation) -> fmt::Result {
     let verdict = simulation.assembly();
-    let velocities = simulation.velocities().len();
-    writeln!(out, "  rank         {} at the start", verdict.rank)?;
+    writeln!(out, "  at the start rank {}", verdict.rank)?;
     if !verdict.redundant_rows.is_empty() {
-        writeln!(out, "  redundant    {}", verdict.redundant_rows.join(", "))?;
+        let rows = verdict.redundant_rows.join(", ");
+        writeln!(out, "               {rows} redundant there")?;
     }
-    let mobility = count(velocities.saturating_sub(verdict.rank), "degree");
-    writeln!(out, "  mobility     {mobility} of freedom")?;
     writeln!(out, "  flow         {}", simulation.flow().name())
 }
 

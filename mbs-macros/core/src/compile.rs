@@ -2,6 +2,7 @@
 
 use crate::derivatives::{self, Derived};
 use crate::diagnostics::{Errors, Failure};
+use crate::mobility::{self, Mobility};
 use crate::model::{self, Model};
 use crate::syntax::{self, Declaration};
 use crate::{dag, emit, equations};
@@ -23,7 +24,13 @@ fn compile_checked(tokens: TokenStream) -> TokenStream {
         (Some(declaration), Ok(analysis)) => {
             let graph = analysis.derived.system.graph.clone();
             let program = dag::lower(analysis.derived);
-            emit::mechanism(&declaration, &analysis.model, &graph, &program)
+            emit::mechanism(
+                &declaration,
+                &analysis.model,
+                analysis.mobility.as_ref(),
+                &graph,
+                &program,
+            )
         }
         (Some(declaration), Err(failure)) => {
             let errors = failure.to_compile_errors();
@@ -42,6 +49,8 @@ pub struct Analysis {
     pub model: Model,
     /// Everything that is computed.
     pub derived: Derived,
+    /// Rank and redundant rows near the guess, where a pose could be assembled there.
+    pub mobility: Option<Mobility>,
 }
 
 /// Stages 1 to 4.
@@ -66,5 +75,13 @@ pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Fa
 
     let system = equations::derive(&mut model);
     let derived = derivatives::derive(system);
-    (Some(declaration), Ok(Analysis { model, derived }))
+    let mobility = mobility::analyse(&model, &derived);
+    (
+        Some(declaration),
+        Ok(Analysis {
+            model,
+            derived,
+            mobility,
+        }),
+    )
 }

@@ -10,6 +10,7 @@
 pub mod compile;
 pub mod diagnostics;
 pub mod explain;
+pub mod mobility;
 pub mod schema;
 pub mod symbolic;
 

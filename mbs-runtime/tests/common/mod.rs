@@ -160,6 +160,7 @@ impl<T: Scene<N, R>, const N: usize, const R: usize> System<N, R> for Hand<T, N,
         reductions: &[],
         operations: &[],
         structure: T::STRUCTURE,
+        mobility: None,
     };
     const STRUCTURE: Structure = T::STRUCTURE;
     type Mass = [[f64; N]; N];

@@ -3,11 +3,12 @@
 use super::body::number;
 use crate::dag::Program;
 use crate::equations::RowKind;
+use crate::mobility::Mobility;
 use crate::model::{Model, Quantity, Representation};
 use std::fmt::Write;
 
 /// The initialiser of `MODEL`, as text.
-pub(super) fn emit(model: &Model, program: &Program) -> String {
+pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program) -> String {
     let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
     let coordinates = model
         .coordinates
@@ -130,6 +131,7 @@ pub(super) fn emit(model: &Model, program: &Program) -> String {
     );
     field("operations", list(operations));
     field("structure", structure(program));
+    field("mobility", mobility_text(mobility, program));
     out.push('}');
     out
 }
@@ -140,6 +142,29 @@ pub(super) fn structure(program: &Program) -> String {
     format!(
         "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {} }}",
         s.constant_mass, s.velocity_forces, s.position_forces, s.time_dependent, s.holonomic_rows
+    )
+}
+
+fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
+    let Some(mobility) = mobility else {
+        return "::core::option::Option::None".to_owned();
+    };
+    let redundant: Vec<String> = mobility
+        .redundant
+        .iter()
+        .map(|redundancy| {
+            let row = &program.rows[redundancy.row].name;
+            format!(
+                "::mbs_runtime::Redundancy {{ row: {row:?}, follows_from: &{:?} }}",
+                redundancy.follows_from
+            )
+        })
+        .collect();
+    format!(
+        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}] }})",
+        mobility.rank,
+        mobility.mobility,
+        redundant.join(", ")
     )
 }
 

@@ -11,6 +11,7 @@ mod parameters;
 mod system;
 
 use crate::dag::Program;
+use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
@@ -23,12 +24,13 @@ pub use fallback::fallback;
 pub fn mechanism(
     declaration: &Declaration,
     model: &Model,
+    mobility: Option<&Mobility>,
     graph: &Graph,
     program: &Program,
 ) -> TokenStream {
-    let parameters = parameters::emit(declaration, model);
+    let parameters = parameters::emit(declaration, model, mobility);
     let mechanism = parameters::emit_mechanism(declaration, model, graph, program);
-    let metadata = metadata::emit(model, program);
+    let metadata = metadata::emit(model, mobility, program);
     let system = system::emit(declaration, model, graph, program, &metadata);
     quote! {
         #parameters

@@ -3,6 +3,7 @@
 use super::body::{Body, number};
 use super::{system, tokens};
 use crate::dag::{Operand, Program};
+use crate::mobility::Mobility;
 use crate::model::Model;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
@@ -11,13 +12,17 @@ use quote::{format_ident, quote};
 use std::fmt::Write;
 
 /// The struct and its default.
-pub(super) fn emit(declaration: &Declaration, model: &Model) -> TokenStream {
+pub(super) fn emit(
+    declaration: &Declaration,
+    model: &Model,
+    mobility: Option<&Mobility>,
+) -> TokenStream {
     let visibility = declaration
         .visibility
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
     let name = &declaration.name;
-    let doc = documentation(model);
+    let doc = documentation(model, mobility);
     let fields: Vec<Ident> = model
         .parameters
         .iter()
@@ -63,7 +68,7 @@ fn field(declaration: &Declaration, name: &str) -> Ident {
     entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
 }
 
-fn documentation(model: &Model) -> String {
+fn documentation(model: &Model, mobility: Option<&Mobility>) -> String {
     let mut out = String::new();
     if !model.doc.is_empty() {
         let _ = writeln!(out, "{}\n", model.doc);
@@ -79,6 +84,13 @@ fn documentation(model: &Model) -> String {
         names.len(),
         names.join(", ")
     );
+    if let Some(mobility) = mobility {
+        let _ = writeln!(
+            out,
+            "\nRows of rank {}, degrees of freedom: {}.",
+            mobility.rank, mobility.mobility
+        );
+    }
     for sentence in &model.reductions {
         let _ = writeln!(out, "* {sentence}");
     }
