@@ -11,6 +11,7 @@ pub mod compile;
 pub mod diagnostics;
 pub mod explain;
 pub mod mobility;
+pub mod reference;
 pub mod schema;
 pub mod symbolic;
 
