@@ -5,15 +5,14 @@
 
 use super::reciprocals::share_reciprocals;
 use super::{Function, Operand, Operation, Output, Place};
-use crate::symbolic::{Expr, Graph, Node, Symbol};
-use std::collections::HashMap;
+use crate::symbolic::{Expr, Graph, Map, Node, Symbol};
 
 /// Constants found so far, shared by all functions of a mechanism.
 #[derive(Debug, Default)]
 pub(super) struct Hoisted {
     pub list: Vec<Expr>,
-    index: HashMap<Expr, usize>,
-    known: HashMap<Expr, bool>,
+    index: Map<Expr, usize>,
+    known: Map<Expr, bool>,
 }
 
 impl Hoisted {
@@ -52,8 +51,8 @@ pub(super) struct Lowering<'a> {
     hoist: bool,
     operations: Vec<Operation>,
     names: Vec<Option<String>>,
-    done: HashMap<Expr, Operand>,
-    made: HashMap<String, Operand>,
+    done: Map<Expr, Operand>,
+    made: Map<String, Operand>,
     outputs: Vec<Output>,
 }
 
@@ -65,8 +64,8 @@ impl<'a> Lowering<'a> {
             hoist: true,
             operations: Vec::new(),
             names: Vec::new(),
-            done: HashMap::new(),
-            made: HashMap::new(),
+            done: Map::default(),
+            made: Map::default(),
             outputs: Vec::new(),
         }
     }

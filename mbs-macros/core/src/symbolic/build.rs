@@ -1,6 +1,6 @@
 //! Constructors: every node is made here, in canonical form.
 
-use super::{Expr, Function, Graph, Node, Symbol};
+use super::{Expr, Function, Graph, Node, Symbol, reach_of};
 
 impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Expr {
@@ -10,6 +10,12 @@ impl Graph {
         let expr = Expr(self.nodes.len() as u32);
         self.nodes.push(node.clone());
         self.index.insert(node, expr);
+        let mut reach = match *self.node(expr) {
+            Node::Symbol(symbol) => reach_of(symbol),
+            _ => 0,
+        };
+        self.for_each_operand(expr, |operand| reach |= self.reach[operand.0 as usize]);
+        self.reach.push(reach);
         expr
     }
 

@@ -5,6 +5,9 @@ use super::{Expr, Function, Graph, Node, Symbol};
 impl Graph {
     /// ∂expr/∂symbol.
     pub fn derivative(&mut self, expr: Expr, symbol: Symbol) -> Expr {
+        if !self.may_depend_on(expr, symbol) {
+            return self.zero();
+        }
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }

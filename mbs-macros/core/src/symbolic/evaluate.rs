@@ -1,7 +1,6 @@
 //! The interpreter: numbers for symbols. Slow and simple, the oracle against which generated code is tested.
 
-use super::{Expr, Function, Graph, Node, Symbol};
-use std::collections::HashMap;
+use super::{Expr, Function, Graph, Map, Node, Symbol};
 
 impl Function {
     /// The function's value.
@@ -46,7 +45,7 @@ pub struct Evaluator<'a> {
     graph: &'a Graph,
     symbols: &'a dyn Fn(Symbol) -> f64,
     laws: LawEvaluation<'a>,
-    done: HashMap<Expr, f64>,
+    done: Map<Expr, f64>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -60,7 +59,7 @@ impl<'a> Evaluator<'a> {
             graph,
             symbols,
             laws,
-            done: HashMap::new(),
+            done: Map::default(),
         }
     }
 

@@ -8,10 +8,12 @@ mod build;
 mod derivative;
 mod evaluate;
 mod latex;
+mod map;
 mod print;
 mod substitute;
 
-use std::collections::HashMap;
+pub(crate) use map::Map;
+use map::Set;
 
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
@@ -141,10 +143,12 @@ pub enum Node {
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
-    derivatives: HashMap<(Expr, Symbol), Expr>,
-    names: HashMap<Symbol, String>,
-    hints: HashMap<Expr, String>,
+    /// For each node, one bit for each symbol it may depend on. Symbols share bits: a bit that is not set is certain.
+    reach: Vec<u128>,
+    index: Map<Node, Expr>,
+    derivatives: Map<(Expr, Symbol), Expr>,
+    names: Map<Symbol, String>,
+    hints: Map<Expr, String>,
 }
 
 impl Graph {
@@ -235,38 +239,55 @@ impl Graph {
     /// The symbols on which an expression depends, sorted.
     pub fn symbols(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Symbol> {
         let mut found = Vec::new();
-        self.for_each_inside(roots, |node| {
+        self.any_inside(roots, |node| {
             if let Node::Symbol(symbol) = node {
                 found.push(*symbol);
             }
+            false
         });
         found.sort_unstable();
         found
     }
 
-    /// Calls `visit` on each node of some expressions, once.
-    fn for_each_inside(&self, roots: impl IntoIterator<Item = Expr>, mut visit: impl FnMut(&Node)) {
-        let mut seen = std::collections::HashSet::new();
+    /// Whether `predicate` holds for a node of some expressions; it sees each at most once.
+    fn any_inside(
+        &self,
+        roots: impl IntoIterator<Item = Expr>,
+        mut predicate: impl FnMut(&Node) -> bool,
+    ) -> bool {
+        let mut seen = Set::default();
         let mut stack: Vec<Expr> = roots.into_iter().collect();
         while let Some(expr) = stack.pop() {
             if seen.insert(expr) {
-                visit(self.node(expr));
+                if predicate(self.node(expr)) {
+                    return true;
+                }
                 self.for_each_operand(expr, |operand| stack.push(operand));
             }
         }
+        false
     }
 
     /// Whether the expression depends on a symbol for which `predicate` holds.
     pub fn depends_on(&self, expr: Expr, predicate: impl Fn(Symbol) -> bool) -> bool {
-        self.symbols([expr]).into_iter().any(predicate)
+        self.any_inside(
+            [expr],
+            |node| matches!(node, Node::Symbol(symbol) if predicate(*symbol)),
+        )
+    }
+
+    /// Whether the expression may depend on a symbol: `false` is certain, and known at once.
+    fn may_depend_on(&self, expr: Expr, symbol: Symbol) -> bool {
+        self.reach[expr.0 as usize] & reach_of(symbol) != 0
     }
 
     /// Whether a user's law occurs in the expression.
     pub fn contains_law(&self, expr: Expr) -> bool {
-        let mut found = false;
-        self.for_each_inside([expr], |node| {
-            found = found || matches!(node, Node::Law { .. });
-        });
-        found
+        self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
     }
+}
+
+/// The bit of a symbol.
+fn reach_of(symbol: Symbol) -> u128 {
+    1 << (map::hash(symbol) % 128)
 }

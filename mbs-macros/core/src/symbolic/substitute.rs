@@ -1,13 +1,12 @@
 //! Replacement of symbols by expressions.
 
-use super::{Expr, Graph, Node, Symbol};
-use std::collections::HashMap;
+use super::{Expr, Graph, Map, Node, Symbol};
 
 /// A substitution with its memory, so that many expressions can share the work.
 #[derive(Debug, Clone, Default)]
 pub struct Substitution {
-    map: HashMap<Symbol, Expr>,
-    done: HashMap<Expr, Expr>,
+    map: Map<Symbol, Expr>,
+    done: Map<Expr, Expr>,
 }
 
 impl Substitution {
