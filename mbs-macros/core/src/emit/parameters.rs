@@ -182,7 +182,7 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
         let _ = writeln!(out, "let mut mass = [[0.0; {0}]; {0}];", program.size);
         for &(i, j, value) in entries {
             let value = match value {
-                Operand::Number(value) => number(value),
+                Operand::Number(value) => number(value.value()),
                 Operand::Constant(slot) => format!("k{slot}"),
                 Operand::Symbol(symbol) => format!("self.{}", graph.name(symbol)),
                 Operand::Value(_) => unreachable!("a constant mass matrix has no operations left"),

@@ -18,7 +18,7 @@ impl Graph {
                 let terms: Vec<_> = terms
                     .iter()
                     .map(|&(term, coefficient)| {
-                        (self.derivative(term, symbol), f64::from_bits(coefficient))
+                        (self.derivative(term, symbol), coefficient.value())
                     })
                     .collect();
                 self.linear(0.0, &terms)
@@ -39,7 +39,7 @@ impl Graph {
             }
             Node::Power(x, exponent) => {
                 let inner = self.derivative(x, symbol);
-                let exponent = f64::from_bits(exponent);
+                let exponent = exponent.value();
                 let outer = self.power(x, exponent - 1.0);
                 let product = self.mul(outer, inner);
                 self.scale(exponent, product)
@@ -166,14 +166,12 @@ impl Graph {
     /// expr / 2; a sum is halved term by term where that costs no multiplication.
     fn halved(&mut self, expr: Expr) -> Expr {
         match self.node(expr).clone() {
-            Node::Sum { constant, terms }
-                if terms.iter().all(|&(_, c)| f64::from_bits(c).abs() != 1.0) =>
-            {
+            Node::Sum { constant, terms } if terms.iter().all(|&(_, c)| c.value().abs() != 1.0) => {
                 let terms: Vec<_> = terms
                     .iter()
-                    .map(|&(term, c)| (term, 0.5 * f64::from_bits(c)))
+                    .map(|&(term, c)| (term, 0.5 * c.value()))
                     .collect();
-                self.linear(0.5 * f64::from_bits(constant), &terms)
+                self.linear(0.5 * constant.value(), &terms)
             }
             _ => self.scale(0.5, expr),
         }

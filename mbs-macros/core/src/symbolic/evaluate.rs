@@ -69,18 +69,18 @@ impl<'a> Evaluator<'a> {
             return known;
         }
         let result = match self.graph.node(expr) {
-            Node::Constant(bits) => f64::from_bits(*bits),
+            Node::Constant(number) => number.value(),
             Node::Symbol(symbol) => (self.symbols)(*symbol),
-            Node::Sum { constant, terms } => terms
-                .iter()
-                .fold(f64::from_bits(*constant), |sum, &(term, c)| {
-                    sum + f64::from_bits(c) * self.value(term)
-                }),
+            Node::Sum { constant, terms } => {
+                terms.iter().fold(constant.value(), |sum, &(term, c)| {
+                    sum + c.value() * self.value(term)
+                })
+            }
             Node::Product(factors) => factors.iter().fold(1.0, |product, &(factor, power)| {
                 product * self.value(factor).powi(power)
             }),
             Node::Function(function, x) => function.evaluate(self.value(*x)),
-            Node::Power(x, exponent) => self.value(*x).powf(f64::from_bits(*exponent)),
+            Node::Power(x, exponent) => self.value(*x).powf(exponent.value()),
             Node::Atan2(y, x) => self.value(*y).atan2(self.value(*x)),
             Node::Law {
                 law,

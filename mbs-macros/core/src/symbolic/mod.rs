@@ -9,6 +9,7 @@ mod derivative;
 mod evaluate;
 mod latex;
 mod map;
+mod number;
 mod print;
 mod substitute;
 
@@ -17,6 +18,7 @@ use map::Set;
 
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
+pub use number::Number;
 pub use substitute::Substitution;
 
 /// A node of a [`Graph`].
@@ -109,16 +111,16 @@ pub enum Function {
 /// The operation at a node. Construct nodes through [`Graph`]'s methods only: they keep the canonical form.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A number (its bits, so that it can be hashed; −0 is stored as 0).
-    Constant(u64),
+    /// A number.
+    Constant(Number),
     /// A symbol.
     Symbol(Symbol),
     /// constant + Σ coefficient · term.
     Sum {
-        /// Bits of the constant.
-        constant: u64,
-        /// Terms, sorted, with the bits of their coefficients.
-        terms: Box<[(Expr, u64)]>,
+        /// The constant.
+        constant: Number,
+        /// Terms, sorted, with their coefficients.
+        terms: Box<[(Expr, Number)]>,
     },
     /// Π factor^power; numeric coefficients live in sums.
     Product(Box<[(Expr, i32)]>),
@@ -127,7 +129,7 @@ pub enum Node {
     /// atan2(y, x).
     Atan2(Expr, Expr),
     /// base^exponent with a constant exponent that is not an integer.
-    Power(Expr, u64),
+    Power(Expr, Number),
     /// A law supplied by the user: its value (`partial: None`) or the partial by one argument.
     Law {
         /// Index of the law in its declaration.
@@ -191,9 +193,12 @@ impl Graph {
     /// Suggests a name for the temporary that will hold `expr` in generated code (the first suggestion stays).
     pub fn suggest_name(&mut self, expr: Expr, name: impl Into<String>) {
         let name = name.into();
-        if let Node::Sum { constant: 0, terms } = self.node(expr)
+        if let Node::Sum {
+            constant: Number::ZERO,
+            terms,
+        } = self.node(expr)
             && let [(opposite, sign)] = **terms
-            && f64::from_bits(sign) == -1.0
+            && sign.value() == -1.0
         {
             // What will be computed is the opposite.
             self.hints
@@ -211,7 +216,7 @@ impl Graph {
     /// The number behind an expression, if it is one.
     pub fn as_constant(&self, expr: Expr) -> Option<f64> {
         match self.node(expr) {
-            Node::Constant(bits) => Some(f64::from_bits(*bits)),
+            Node::Constant(number) => Some(number.value()),
             _ => None,
         }
     }

@@ -33,9 +33,9 @@ impl Graph {
             Node::Sum { constant, terms } => {
                 let terms: Vec<_> = terms
                     .iter()
-                    .map(|&(x, c)| (self.substitute(x, substitution), f64::from_bits(c)))
+                    .map(|&(x, c)| (self.substitute(x, substitution), c.value()))
                     .collect();
-                self.linear(f64::from_bits(constant), &terms)
+                self.linear(constant.value(), &terms)
             }
             Node::Product(factors) => {
                 let factors: Vec<_> = factors
@@ -50,7 +50,7 @@ impl Graph {
             }
             Node::Power(x, exponent) => {
                 let x = self.substitute(x, substitution);
-                self.power(x, f64::from_bits(exponent))
+                self.power(x, exponent.value())
             }
             Node::Atan2(y, x) => {
                 let (y, x) = (
