@@ -6,6 +6,7 @@
 
 mod cost;
 mod functions;
+mod kernels;
 mod lower;
 mod reciprocals;
 mod run;
