@@ -28,13 +28,8 @@ impl Graph {
                 let inner = self.derivative(x, symbol);
                 if self.is_zero(inner) {
                     inner
-                } else if function == Function::Sqrt {
-                    // ½ of a sum of squares' slope loses all its twos.
-                    let half = self.halved(inner);
-                    self.div(half, expr)
                 } else {
-                    let outer = self.function_derivative(function, expr, x);
-                    self.mul(outer, inner)
+                    self.chain_rule(function, expr, x, inner)
                 }
             }
             Node::Power(x, exponent) => {
@@ -94,10 +89,10 @@ impl Graph {
         self.linear(0.0, &terms)
     }
 
-    /// The outer derivative of a function `value` = function(x).
-    fn function_derivative(&mut self, function: Function, value: Expr, x: Expr) -> Expr {
+    /// The derivative of `value` = function(x), where that of x is `inner`.
+    fn chain_rule(&mut self, function: Function, value: Expr, x: Expr, inner: Expr) -> Expr {
         let one = self.one();
-        match function {
+        let outer = match function {
             Function::Sin => self.function(Function::Cos, x),
             Function::Cos => {
                 let sin = self.function(Function::Sin, x);
@@ -124,8 +119,9 @@ impl Graph {
                 self.div(one, denominator)
             }
             Function::Sqrt => {
-                let inverse = self.div(one, value);
-                self.scale(0.5, inverse)
+                // ½ of a sum of squares' slope loses all its twos.
+                let half = self.halved(inner);
+                return self.div(half, value);
             }
             Function::Exp => value,
             Function::Ln => self.div(one, x),
@@ -137,11 +133,10 @@ impl Graph {
             }
             Function::Abs => self.function(Function::Sign, x),
             Function::Sign | Function::Step => self.zero(),
-        }
+        };
+        self.mul(outer, inner)
     }
-}
 
-impl Graph {
     /// d(expr)/dt along the motion: positions change with their velocities, velocities with their accelerations, and
     /// time with 1.
     pub fn rate(&mut self, expr: Expr) -> Expr {
@@ -160,9 +155,7 @@ impl Graph {
         }
         self.sum(terms)
     }
-}
 
-impl Graph {
     /// expr / 2; a sum is halved term by term where that costs no multiplication.
     fn halved(&mut self, expr: Expr) -> Expr {
         match self.node(expr).clone() {
