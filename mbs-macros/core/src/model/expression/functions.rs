@@ -1,0 +1,265 @@
+//! Functions by name.
+
+use crate::diagnostics::{Place, did_you_mean};
+use crate::model::Dimension;
+use crate::model::resolve::Resolver;
+use crate::model::value::{Value, unify};
+use crate::symbolic::{Function, Symbol};
+use proc_macro2::Span;
+use syn::Expr as Syntax;
+
+/// Elementary functions by name: what their argument and result are.
+const FUNCTIONS: &[(&str, Function, Shape)] = &[
+    ("sin", Function::Sin, Shape::Number),
+    ("cos", Function::Cos, Shape::Number),
+    ("tan", Function::Tan, Shape::Number),
+    ("asin", Function::Asin, Shape::Number),
+    ("acos", Function::Acos, Shape::Number),
+    ("atan", Function::Atan, Shape::Number),
+    ("exp", Function::Exp, Shape::Number),
+    ("ln", Function::Ln, Shape::Number),
+    ("sinh", Function::Sinh, Shape::Number),
+    ("cosh", Function::Cosh, Shape::Number),
+    ("tanh", Function::Tanh, Shape::Number),
+    ("sqrt", Function::Sqrt, Shape::Root),
+    ("abs", Function::Abs, Shape::Same),
+    ("sign", Function::Sign, Shape::Dimensionless),
+    ("step", Function::Step, Shape::Dimensionless),
+];
+
+/// Functions that are not elementary.
+const OTHER_FUNCTIONS: &[&str] = &[
+    "dot", "cross", "norm", "unit", "rate", "atan2", "hypot", "min", "max", "law", "powi", "powf",
+];
+
+#[derive(Clone, Copy, PartialEq)]
+enum Shape {
+    /// Pure number in and out.
+    Number,
+    /// Square root of the dimension.
+    Root,
+    /// The dimension stays.
+    Same,
+    /// Any dimension in, a pure number out.
+    Dimensionless,
+}
+
+impl Resolver<'_> {
+    pub(super) fn call(
+        &mut self,
+        name: &str,
+        span: Span,
+        arguments: Vec<&Syntax>,
+    ) -> Option<Value> {
+        if let Some(&(_, function, shape)) = FUNCTIONS.iter().find(|(known, ..)| *known == name) {
+            let [argument] = self.take(arguments, name, span)?;
+            return self.elementary(name, function, shape, argument);
+        }
+        match name {
+            "dot" | "cross" => {
+                let [a, b] = self.take(arguments, name, span)?;
+                let ((a, da), (b, db)) = (self.vector(a)?, self.vector(b)?);
+                let result = if name == "dot" {
+                    self.graph.dot(a, b)
+                } else {
+                    self.graph.cross(a, b)
+                };
+                let dimension = self.product(&a, da, &b, db, Dimension::times);
+                Some(Value::Scalar(result, dimension))
+            }
+            "norm" => {
+                let [a] = self.take(arguments, name, span)?;
+                let (a, dimension) = self.vector(a)?;
+                Some(Value::Scalar(self.graph.norm(a), dimension))
+            }
+            "unit" => {
+                let [a] = self.take(arguments, name, span)?;
+                let (a, _) = self.vector(a)?;
+                let one = self.graph.one();
+                let norm = self.graph.norm(a);
+                let inverse = self.graph.div(one, norm);
+                Some(Value::Vector(
+                    self.graph.vector_scale(inverse, a),
+                    Some(Dimension::NONE),
+                ))
+            }
+            "rate" => {
+                let [a] = self.take(arguments, name, span)?;
+                self.rate(a)
+            }
+            "atan2" | "hypot" | "min" | "max" => {
+                let [a, b] = self.take(arguments, name, span)?;
+                self.of_two(name, a, b, span)
+            }
+            "powi" | "powf" => {
+                let [base, exponent] = self.take(arguments, name, span)?;
+                self.power(base, exponent)
+            }
+            "law" => self.law_call(arguments, span),
+            _ => {
+                let known = FUNCTIONS
+                    .iter()
+                    .map(|(name, ..)| *name)
+                    .chain(OTHER_FUNCTIONS.iter().copied());
+                let hint = did_you_mean(name, known.clone());
+                self.fail(
+                    span,
+                    format!(
+                        "there is no function `{name}`{hint} (functions: {})",
+                        known.collect::<Vec<_>>().join(", ")
+                    ),
+                )
+            }
+        }
+    }
+
+    fn elementary(
+        &mut self,
+        name: &str,
+        function: Function,
+        shape: Shape,
+        argument: &Syntax,
+    ) -> Option<Value> {
+        let (x, dimension) = self.scalar(argument)?;
+        let result = match (shape, dimension) {
+            (Shape::Number, Some(d)) if d != Dimension::NONE => {
+                return self.fail(
+                    Place::of(argument),
+                    format!("`{name}` takes a pure number or an angle, but this is {d}"),
+                );
+            }
+            (Shape::Number, d) => d,
+            (Shape::Root, Some(d)) => match d.root() {
+                Some(root) => Some(root),
+                None => {
+                    return self.fail(Place::of(argument), format!("{d} has no square root"));
+                }
+            },
+            (Shape::Root | Shape::Same, d) => d,
+            (Shape::Dimensionless, _) => Some(Dimension::NONE),
+        };
+        Some(Value::Scalar(self.graph.function(function, x), result))
+    }
+
+    fn rate(&mut self, a: &Syntax) -> Option<Value> {
+        let value = self.evaluate(a)?;
+        if value
+            .expressions()
+            .into_iter()
+            .any(|x| self.graph.depends_on(x, Symbol::is_velocity))
+        {
+            return self.fail(Place::of(a), "rate(…) of an expression that has velocities would be an acceleration; accelerations cannot appear in a declaration");
+        }
+        match value {
+            Value::Scalar(x, d) => Some(Value::Scalar(
+                self.graph.rate(x),
+                d.map(|d| d.over(Dimension::TIME)),
+            )),
+            Value::Vector(v, d) => Some(Value::Vector(
+                self.graph.vector_rate(v),
+                d.map(|d| d.over(Dimension::TIME)),
+            )),
+            Value::Point(point) => Some(Value::Vector(
+                self.graph.vector_rate(point.position),
+                Some(Dimension::VELOCITY),
+            )),
+            other => self.fail(Place::of(a), format!("{} has no rate", other.describe())),
+        }
+    }
+
+    /// The functions of two numbers of the same dimension.
+    fn of_two(&mut self, name: &str, a: &Syntax, b: &Syntax, span: Span) -> Option<Value> {
+        let ((a, da), (b, db)) = (self.scalar(a)?, self.scalar(b)?);
+        let Ok(dimension) = unify(da, db) else {
+            return self.fail(
+                span,
+                format!("the arguments of `{name}` differ in dimension"),
+            );
+        };
+        Some(match name {
+            "atan2" => Value::Scalar(self.graph.atan2(a, b), Some(Dimension::NONE)),
+            "hypot" => Value::Scalar(self.graph.norm([a, b]), dimension),
+            // max(a, b) = b + (a − b) step(a − b)
+            _ => {
+                let difference = if name == "max" {
+                    self.graph.sub(a, b)
+                } else {
+                    self.graph.sub(b, a)
+                };
+                let step = self.graph.function(Function::Step, difference);
+                let forward = self.graph.sub(a, b);
+                let change = self.graph.mul(forward, step);
+                Value::Scalar(self.graph.add(b, change), dimension)
+            }
+        })
+    }
+
+    fn power(&mut self, base: &Syntax, exponent: &Syntax) -> Option<Value> {
+        let (x, dimension) = self.scalar(base)?;
+        let (exponent_expr, _) = self.scalar(exponent)?;
+        let Some(exponent_value) = self.graph.as_constant(exponent_expr) else {
+            return self.fail(Place::of(exponent), "the exponent must be a number");
+        };
+        if exponent_value.abs() > 1000.0 {
+            return self.fail(
+                Place::of(exponent),
+                "this exponent is too large; exponents go up to 1000",
+            );
+        }
+        let dimension = match dimension {
+            Some(d) if d != Dimension::NONE => {
+                if exponent_value.fract() != 0.0 || exponent_value.abs() > 20.0 {
+                    return self.fail(
+                        Place::of(exponent),
+                        format!("{d} can only be raised to a small integer"),
+                    );
+                }
+                Some(d.power(exponent_value as i8))
+            }
+            other => other,
+        };
+        Some(Value::Scalar(
+            self.graph.power(x, exponent_value),
+            dimension,
+        ))
+    }
+
+    fn law_call(&mut self, arguments: Vec<&Syntax>, span: Span) -> Option<Value> {
+        let Some((path, arguments)) = arguments.split_first() else {
+            return self.fail(span, "expected `law(path, argument, …)`");
+        };
+        if arguments.is_empty() {
+            return self.fail(
+                span,
+                "a law needs at least one argument: `law(path, argument, …)`",
+            );
+        }
+        let values: Option<Vec<_>> = arguments
+            .iter()
+            .map(|x| self.scalar(x).map(|(expr, _)| expr))
+            .collect();
+        let law = self.law(path, arguments.len())?;
+        let expr = self.graph.law(law, &values?);
+        Some(Value::Scalar(expr, None))
+    }
+
+    /// Exactly K arguments.
+    pub(super) fn take<'s, const K: usize>(
+        &mut self,
+        arguments: Vec<&'s Syntax>,
+        name: &str,
+        span: Span,
+    ) -> Option<[&'s Syntax; K]> {
+        let count = arguments.len();
+        match arguments.try_into() {
+            Ok(array) => Some(array),
+            Err(_) => self.fail(
+                span,
+                format!(
+                    "`{name}` takes {K} argument{}, not {count}",
+                    if K == 1 { "" } else { "s" }
+                ),
+            ),
+        }
+    }
+}

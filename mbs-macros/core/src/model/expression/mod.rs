@@ -1,0 +1,176 @@
+//! Expressions of the declaration → symbolic values, with dimensions.
+
+mod functions;
+mod literals;
+mod members;
+mod operators;
+
+use super::resolve::Resolver;
+use super::value::Value;
+use super::{Dimension, Vector};
+use crate::diagnostics::Place;
+use crate::symbolic::{Expr, Node, Symbol};
+use crate::syntax::{MAX_DEPTH, TOO_DEEP};
+use syn::spanned::Spanned;
+use syn::{Expr as Syntax, Member, UnOp};
+
+impl Resolver<'_> {
+    /// The value of an expression; `None` after recording what is wrong with it.
+    pub(in crate::model) fn evaluate(&mut self, syntax: &Syntax) -> Option<Value> {
+        if self.depth > MAX_DEPTH {
+            return self.fail(Place::of(syntax), TOO_DEEP);
+        }
+        self.depth += 1;
+        let value = self.evaluate_any(syntax);
+        self.depth -= 1;
+        let value = value?;
+        let finite = |x: Expr| match *self.graph.node(x) {
+            Node::Constant(number) => number.value().is_finite(),
+            Node::Sum {
+                constant,
+                ref terms,
+            } => {
+                let coefficients = terms.iter().map(|&(_, coefficient)| coefficient);
+                coefficients
+                    .chain([constant])
+                    .all(|number| number.value().is_finite())
+            }
+            // Where these have a value, they have become that number.
+            Node::Function(_, x) | Node::Power(x, _) => self.graph.as_constant(x).is_none(),
+            _ => true,
+        };
+        if !value.expressions().into_iter().all(finite) {
+            return self.fail(
+                Place::of(syntax),
+                "the result of this is no finite number; check its arguments",
+            );
+        }
+        Some(value)
+    }
+
+    fn evaluate_any(&mut self, syntax: &Syntax) -> Option<Value> {
+        match syntax {
+            Syntax::Paren(inner) => self.evaluate(&inner.expr),
+            Syntax::Group(inner) => self.evaluate(&inner.expr),
+            Syntax::Lit(literal) => self.literal(&literal.lit),
+            Syntax::Path(path) => match path.path.get_ident() {
+                Some(name) => self.lookup(&name.to_string(), name.span()),
+                None => self.fail(
+                    Place::of(path),
+                    "only names of this mechanism can stand here; paths go into `law(path, …)`",
+                ),
+            },
+            Syntax::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+                let value = self.evaluate(&unary.expr)?;
+                self.negate(value, Place::of(unary))
+            }
+            Syntax::Binary(binary) => {
+                let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
+                self.combine(left?, &binary.op, right?, syntax)
+            }
+            Syntax::Array(array) => {
+                let items: Vec<_> = array.elems.iter().map(|item| self.evaluate(item)).collect();
+                let items: Option<Vec<_>> = items.into_iter().collect();
+                self.list(items?, Place::of(array))
+            }
+            Syntax::Call(call) => match &*call.func {
+                Syntax::Path(path) if path.path.get_ident().is_some() => {
+                    let name = path
+                        .path
+                        .get_ident()
+                        .map(ToString::to_string)
+                        .unwrap_or_default();
+                    self.call(&name, path.span(), call.args.iter().collect())
+                }
+                other => self.fail(Place::of(other), "expected the name of a function"),
+            },
+            Syntax::MethodCall(call) => {
+                let name = call.method.to_string();
+                if name == "point" || name == "velocity_at" {
+                    let arguments: Vec<_> = call.args.iter().collect();
+                    return self.frame_method(
+                        &call.receiver,
+                        &name,
+                        call.method.span(),
+                        &arguments,
+                    );
+                }
+                let mut arguments = vec![&*call.receiver];
+                arguments.extend(&call.args);
+                self.call(&name, call.method.span(), arguments)
+            }
+            Syntax::Field(field) => {
+                let value = self.evaluate(&field.base)?;
+                match &field.member {
+                    Member::Named(name) => self.member(&value, &name.to_string(), name.span()),
+                    Member::Unnamed(index) => {
+                        self.fail(index.span, "expected a name after the dot")
+                    }
+                }
+            }
+            other => self.fail(
+                Place::of(other),
+                "this cannot be part of an expression here",
+            ),
+        }
+    }
+
+    /// A scalar with its dimension.
+    pub(in crate::model) fn scalar(
+        &mut self,
+        syntax: &Syntax,
+    ) -> Option<(Expr, Option<Dimension>)> {
+        match self.evaluate(syntax)? {
+            Value::Scalar(expr, dimension) => Some((expr, dimension)),
+            other => self.fail(
+                Place::of(syntax),
+                format!("expected a number, but this is {}", other.describe()),
+            ),
+        }
+    }
+
+    /// A vector, or a point as its position.
+    pub(in crate::model) fn vector(
+        &mut self,
+        syntax: &Syntax,
+    ) -> Option<(Vector, Option<Dimension>)> {
+        match self.evaluate(syntax)? {
+            Value::Vector(v, dimension) => Some((v, dimension)),
+            Value::Point(point) => Some((point.position, Some(Dimension::LENGTH))),
+            other => self.fail(
+                Place::of(syntax),
+                format!("expected a vector [x, y], but this is {}", other.describe()),
+            ),
+        }
+    }
+
+    /// The smallest subexpression for whose value `predicate` holds.
+    pub(in crate::model) fn blame(
+        &mut self,
+        syntax: &Syntax,
+        predicate: &dyn Fn(Symbol) -> bool,
+    ) -> Place {
+        let children: Vec<&Syntax> = match syntax {
+            Syntax::Paren(inner) => vec![&inner.expr],
+            Syntax::Unary(unary) => vec![&unary.expr],
+            Syntax::Binary(binary) => vec![&binary.left, &binary.right],
+            Syntax::Array(array) => array.elems.iter().collect(),
+            Syntax::Call(call) => call.args.iter().collect(),
+            Syntax::MethodCall(call) => {
+                std::iter::once(&*call.receiver).chain(&call.args).collect()
+            }
+            _ => Vec::new(),
+        };
+        for child in children {
+            if let Some(value) = self.silently(|resolver| resolver.evaluate(child))
+                && value
+                    .expressions()
+                    .into_iter()
+                    .any(|x| self.graph.depends_on(x, predicate))
+            {
+                return self.blame(child, predicate);
+            }
+        }
+        Place::of(syntax)
+    }
+}

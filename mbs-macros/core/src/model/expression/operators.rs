@@ -1,0 +1,146 @@
+//! Signs, lists, and + − * /.
+
+use crate::diagnostics::Place;
+use crate::model::Dimension;
+use crate::model::resolve::Resolver;
+use crate::model::value::{Value, unify};
+use crate::symbolic::Expr;
+use proc_macro2::Span;
+use syn::spanned::Spanned;
+use syn::{BinOp, Expr as Syntax};
+
+impl Resolver<'_> {
+    pub(super) fn negate(&mut self, value: Value, place: Place) -> Option<Value> {
+        match value {
+            Value::Scalar(x, dimension) => Some(Value::Scalar(self.graph.neg(x), dimension)),
+            Value::Vector([x, y], dimension) => Some(Value::Vector(
+                [self.graph.neg(x), self.graph.neg(y)],
+                dimension,
+            )),
+            other => self.fail(place, format!("{} has no negative", other.describe())),
+        }
+    }
+
+    pub(super) fn list(&mut self, items: Vec<Value>, place: Place) -> Option<Value> {
+        match items.as_slice() {
+            [Value::Scalar(x, a), Value::Scalar(y, b)] => match unify(*a, *b) {
+                Ok(dimension) => Some(Value::Vector([*x, *y], dimension)),
+                // A list of conditions may mix dimensions; a vector may not. The user of the value decides.
+                Err(()) => Some(Value::List(items)),
+            },
+            [] => self.fail(place, "this list is empty"),
+            _ => Some(Value::List(items)),
+        }
+    }
+
+    pub(super) fn combine(
+        &mut self,
+        left: Value,
+        op: &BinOp,
+        right: Value,
+        syntax: &Syntax,
+    ) -> Option<Value> {
+        // A point in a sum stands for its position.
+        let position = |value: Value| match value {
+            Value::Point(point) => Value::Vector(point.position, Some(Dimension::LENGTH)),
+            other => other,
+        };
+        let (left, right) = (position(left), position(right));
+        let span = op.span();
+        match (op, &left, &right) {
+            (BinOp::Add(_) | BinOp::Sub(_), Value::Scalar(x, a), Value::Scalar(y, b)) => {
+                let Ok(dimension) = unify(*a, *b) else {
+                    return self.mismatch(span, &left, &right);
+                };
+                let sum = if matches!(op, BinOp::Add(_)) {
+                    self.graph.add(*x, *y)
+                } else {
+                    self.graph.sub(*x, *y)
+                };
+                Some(Value::Scalar(sum, dimension))
+            }
+            (BinOp::Add(_) | BinOp::Sub(_), Value::Vector(x, a), Value::Vector(y, b)) => {
+                let Ok(dimension) = unify(*a, *b) else {
+                    return self.mismatch(span, &left, &right);
+                };
+                let sum = if matches!(op, BinOp::Add(_)) {
+                    self.graph.vector_add(*x, *y)
+                } else {
+                    self.graph.vector_sub(*x, *y)
+                };
+                Some(Value::Vector(sum, dimension))
+            }
+            (BinOp::Mul(_), Value::Scalar(x, a), Value::Scalar(y, b)) => {
+                let dimension = self.product(&[*x], *a, &[*y], *b, Dimension::times);
+                Some(Value::Scalar(self.graph.mul(*x, *y), dimension))
+            }
+            (BinOp::Mul(_), Value::Scalar(x, a), Value::Vector(y, b))
+            | (BinOp::Mul(_), Value::Vector(y, b), Value::Scalar(x, a)) => {
+                let dimension = self.product(&[*x], *a, y, *b, Dimension::times);
+                Some(Value::Vector(self.graph.vector_scale(*x, *y), dimension))
+            }
+            (BinOp::Div(_), _, Value::Scalar(y, _)) if self.graph.is_zero(*y) => {
+                self.fail(Place::of(syntax), "division by zero")
+            }
+            (BinOp::Div(_), Value::Scalar(x, a), Value::Scalar(y, b)) => {
+                let dimension = self.product(&[*x], *a, &[*y], *b, Dimension::over);
+                Some(Value::Scalar(self.graph.div(*x, *y), dimension))
+            }
+            (BinOp::Div(_), Value::Vector(x, a), Value::Scalar(y, b)) => {
+                let one = self.graph.one();
+                let inverse = self.graph.div(one, *y);
+                let dimension = self.product(x, *a, &[*y], *b, Dimension::over);
+                Some(Value::Vector(
+                    self.graph.vector_scale(inverse, *x),
+                    dimension,
+                ))
+            }
+            (BinOp::Mul(_), Value::Vector(..), Value::Vector(..)) => self.fail(
+                span,
+                "two vectors have no `*`; use dot(a, b) or cross(a, b)",
+            ),
+            (BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_), ..) => self.fail(
+                span,
+                format!(
+                    "{} and {} cannot be combined here",
+                    left.describe(),
+                    right.describe()
+                ),
+            ),
+            _ => self.fail(
+                span,
+                "only + − * / can combine quantities; for powers use x.powi(2) or x.powf(1.5)",
+            ),
+        }
+    }
+
+    fn mismatch(&mut self, span: Span, left: &Value, right: &Value) -> Option<Value> {
+        self.fail(
+            span,
+            format!(
+                "dimensions differ: {} against {}",
+                left.describe(),
+                right.describe()
+            ),
+        )
+    }
+
+    /// The dimension of a product or quotient. A bare literal counts as a pure number there (two of them stay bare); a
+    /// parameter declared without unit may be anything, and so may its products.
+    pub(super) fn product(
+        &self,
+        a: &[Expr],
+        da: Option<Dimension>,
+        b: &[Expr],
+        db: Option<Dimension>,
+        combine: impl Fn(Dimension, Dimension) -> Dimension,
+    ) -> Option<Dimension> {
+        let pure = |x: &[Expr]| x.iter().all(|&x| self.graph.as_constant(x).is_some());
+        match (da, db) {
+            (Some(a), Some(b)) => Some(combine(a, b)),
+            (Some(known), None) if pure(b) => Some(combine(known, Dimension::NONE)),
+            (None, Some(known)) if pure(a) => Some(combine(Dimension::NONE, known)),
+            _ => None,
+        }
+    }
+}
