@@ -2,10 +2,11 @@
 //! something can fulfil, coordinates with mass.
 
 use super::Representation;
+use super::elements::{ForceElement, JointElement};
 use super::geometry::Owner;
 use super::parts::Part;
 use super::reduce::Reduction;
-use super::resolve::{ForceElement, JointElement, Resolver};
+use super::resolve::Resolver;
 use crate::diagnostics::{Place, did_you_mean};
 use crate::schema::{self, Absent, Kind};
 use crate::symbolic::{Graph, Symbol};

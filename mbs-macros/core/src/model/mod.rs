@@ -6,7 +6,10 @@
 mod arguments;
 mod check;
 mod dimension;
+mod drawing;
+mod elements;
 mod expression;
+mod frames;
 mod geometry;
 mod parts;
 mod placement;

@@ -3,9 +3,10 @@
 //! A part is placed when its angle and one of its points are known, or two of its points; then all its points are known
 //! and place its neighbours. What stays unknown starts at angle 0 and position 0; assembly has the last word.
 
+use super::elements::JointElement;
 use super::geometry::{Owner, Point, Vector};
 use super::parts::{Part, Representation};
-use super::resolve::{JointElement, Resolver};
+use super::resolve::Resolver;
 use crate::symbolic::{Expr, Graph};
 use std::collections::HashMap;
 

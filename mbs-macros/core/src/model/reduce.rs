@@ -1,8 +1,9 @@
 //! The reduction: points that a revolute joins become one, and points joined to the ground become constants.
 
+use super::elements::JointElement;
 use super::geometry::{Owner, Point, Vector};
 use super::placement::Guesses;
-use super::resolve::{JointElement, Resolver};
+use super::resolve::Resolver;
 use super::{Coordinate, Representation};
 use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
 use std::collections::BTreeMap;

@@ -1,14 +1,12 @@
 //! Name resolution: entries are evaluated when first asked for, so that they may stand in any order.
 
-use super::geometry::{Frame, Owner, Point, Vector};
-use super::parts::{Part, Representation};
+use super::geometry::{Owner, Point, Vector};
+use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
 use super::{Arguments, Dimension, Law, Local, Model, Quantity, check, placement, reduce};
 use crate::diagnostics::{Errors, Place, did_you_mean};
-use crate::equations::{forces, joints};
-use crate::schema::Group;
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Graph, Symbol};
 use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
 use std::collections::{HashMap, HashSet};
@@ -76,19 +74,6 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         segments,
         laws,
     })
-}
-
-/// A joint or constraint with what later checks need.
-pub(super) struct JointElement {
-    pub name: String,
-    pub span: Span,
-    pub joint: Box<dyn joints::Joint>,
-}
-
-/// A force element with what later checks need.
-pub(super) struct ForceElement {
-    pub name: String,
-    pub force: Box<dyn forces::Force>,
 }
 
 enum State {
@@ -306,20 +291,6 @@ impl<'d> Resolver<'d> {
         }))
     }
 
-    /// A new local coordinate.
-    pub(super) fn local(&mut self, name: String, unit: &str) -> u32 {
-        let index = self.locals.len() as u32;
-        self.graph
-            .set_name(Symbol::LocalPosition(index), name.clone());
-        self.graph
-            .set_name(Symbol::LocalVelocity(index), format!("{name}'"));
-        self.locals.push(Local {
-            name,
-            unit: unit.to_owned(),
-        });
-        index
-    }
-
     /// A user's law.
     pub(super) fn law(&mut self, path: &syn::Expr, arguments: usize) -> Option<u32> {
         if !matches!(path, syn::Expr::Path(_)) {
@@ -338,213 +309,6 @@ impl<'d> Resolver<'d> {
         });
         Some(self.laws.len() as u32 - 1)
     }
-
-    /// The frame of the ground or of a part.
-    pub(super) fn frame(&mut self, owner: Owner) -> Frame {
-        match owner {
-            Owner::Part(part) => self.parts[part].frame.clone(),
-            Owner::Ground => {
-                let (zero, one) = (self.graph.zero(), self.graph.one());
-                Frame {
-                    origin: [zero, zero],
-                    axis: [one, zero],
-                    angle: Some(zero),
-                    rate: zero,
-                }
-            }
-        }
-    }
-
-    pub(super) fn owner_name(&self, owner: Owner) -> &str {
-        match owner {
-            Owner::Ground => "ground",
-            Owner::Part(part) => &self.parts[part].name,
-        }
-    }
-
-    pub(super) fn bar_length(&self, owner: Owner) -> Option<Expr> {
-        match owner {
-            Owner::Ground => None,
-            Owner::Part(part) => self.parts[part].length,
-        }
-    }
-
-    /// The points that have a name in a part.
-    pub(super) fn point_names(&self, owner: Owner) -> &'static [&'static str] {
-        match owner {
-            Owner::Ground => &["origin"],
-            Owner::Part(part) => match self.parts[part].kind {
-                "Bar" => &["a", "b", "center"],
-                "Body" => &["origin", "center"],
-                _ => &["origin"],
-            },
-        }
-    }
-
-    /// `crank.a`, `ground.origin`, ….
-    pub(super) fn named_point(&mut self, owner: Owner, name: &str) -> Option<Point> {
-        if !self.point_names(owner).contains(&name) {
-            return None;
-        }
-        let label = format!("{}.{name}", self.owner_name(owner));
-        let zero = self.graph.zero();
-        let Owner::Part(index) = owner else {
-            return Some(self.point_of(owner, [zero, zero], label));
-        };
-        let part = &self.parts[index];
-        let free = match (&part.representation, name) {
-            (Representation::Natural | Representation::FreePoint, "a" | "origin") => {
-                Some([part.locals[0], part.locals[1]])
-            }
-            (Representation::Natural, "b") => Some([part.locals[2], part.locals[3]]),
-            _ => None,
-        };
-        let length = part.length.unwrap_or(zero);
-        let local = match name {
-            "b" => [length, zero],
-            "center" if part.kind == "Bar" => [self.graph.scale(0.5, length), zero],
-            "center" => part.center,
-            _ => [zero, zero],
-        };
-        let mut point = self.point_of(owner, local, label);
-        if let Some([x, y]) = free {
-            let position = [Symbol::LocalPosition(x), Symbol::LocalPosition(y)];
-            point.position = position.map(|symbol| self.graph.symbol(symbol));
-            point.free = Some([x, y]);
-        }
-        Some(point)
-    }
-
-    fn outputs(&mut self) -> (Vec<(Quantity, Expr)>, Vec<(String, Expr)>) {
-        let (mut outputs, mut events) = (Vec::new(), Vec::new());
-        for entry in &self.declaration.entries {
-            let Some(syntax) = entry.positional.first() else {
-                continue;
-            };
-            match entry.kind.to_string().as_str() {
-                "Output" => {
-                    let Some(value) = self.evaluate(syntax) else {
-                        continue;
-                    };
-                    let vector = |v: Vector, dimension| {
-                        vec![(".x", v[0], dimension), (".y", v[1], dimension)]
-                    };
-                    let components = match value {
-                        Value::Scalar(x, dimension) => vec![("", x, dimension)],
-                        Value::Vector(v, dimension) => vector(v, dimension),
-                        Value::Point(point) => vector(point.position, Some(Dimension::LENGTH)),
-                        other => {
-                            let what = other.describe();
-                            self.fail::<()>(
-                                Place::of(syntax),
-                                format!(
-                                    "an output is a number, vector or point, but this is {what}"
-                                ),
-                            );
-                            continue;
-                        }
-                    };
-                    for (suffix, expr, dimension) in components {
-                        let mut quantity = quantity(entry, 0.0, dimension);
-                        quantity.name.push_str(suffix);
-                        outputs.push((quantity, expr));
-                    }
-                }
-                "Event" => {
-                    if let Some((expr, _)) = self.scalar(syntax) {
-                        events.push((entry.name.to_string(), expr));
-                    }
-                }
-                _ => {}
-            }
-        }
-        (outputs, events)
-    }
-
-    fn elements(&mut self) -> (Vec<JointElement>, Vec<ForceElement>) {
-        let (mut found_joints, mut found_forces) = (Vec::new(), Vec::new());
-        for entry in &self.declaration.entries {
-            let Some(kind) = crate::schema::kind(&entry.kind.to_string()) else {
-                continue;
-            };
-            let name = entry.name.to_string();
-            match kind.group {
-                Group::Joint | Group::Constraint => {
-                    if let Some(joint) = joints::read(kind.name, &mut Arguments::new(self, entry)) {
-                        found_joints.push(JointElement {
-                            name,
-                            span: entry.span(),
-                            joint,
-                        });
-                    }
-                }
-                Group::Force => {
-                    if let Some(force) = forces::read(kind.name, &mut Arguments::new(self, entry)) {
-                        found_forces.push(ForceElement { name, force });
-                    }
-                }
-                Group::Value | Group::Part => {}
-            }
-        }
-        // The length of a bar in natural coordinates is a row of its own.
-        for part in &self.parts {
-            if let (Representation::Natural, Some(length)) = (&part.representation, part.length) {
-                let joint = joints::bar_length(part, length, &self.graph);
-                found_joints.push(JointElement {
-                    name: part.name.clone(),
-                    span: part.span,
-                    joint,
-                });
-            }
-        }
-        (found_joints, found_forces)
-    }
-
-    /// Points and lines for an animation: bars from end to end, bodies from their origin to their joints.
-    fn drawing(
-        &mut self,
-        joints: &[JointElement],
-        forces: &[ForceElement],
-    ) -> (Vec<(String, Vector)>, Vec<(String, usize, usize)>) {
-        let mut points: Vec<(String, Vector)> = Vec::new();
-        let mut segments = Vec::new();
-        for index in 0..self.parts.len() {
-            let owner = Owner::Part(index);
-            let part = &self.parts[index];
-            let (name, kind) = (part.name.clone(), part.kind);
-            if part.representation == Representation::Coordinate {
-                continue;
-            }
-            let first = points.len();
-            for end in if kind == "Bar" {
-                vec!["a", "b"]
-            } else {
-                vec!["origin"]
-            } {
-                if let Some(point) = self.named_point(owner, end) {
-                    points.push((point.label, point.position));
-                }
-            }
-            if kind == "Bar" {
-                segments.push((name, first, first + 1));
-                continue;
-            }
-            let attached = joints
-                .iter()
-                .flat_map(|joint| joint.joint.points())
-                .chain(forces.iter().flat_map(|f| f.force.points()));
-            for point in attached.filter(|point| point.owner == owner) {
-                if points[first..]
-                    .iter()
-                    .all(|(_, position)| *position != point.position)
-                {
-                    segments.push((name.clone(), first, points.len()));
-                    points.push((point.label.clone(), point.position));
-                }
-            }
-        }
-        (points, segments)
-    }
 }
 
 fn is_value(entry: &Entry) -> bool {
@@ -554,7 +318,7 @@ fn is_value(entry: &Entry) -> bool {
     )
 }
 
-fn quantity(entry: &Entry, default: f64, dimension: Option<Dimension>) -> Quantity {
+pub(super) fn quantity(entry: &Entry, default: f64, dimension: Option<Dimension>) -> Quantity {
     let unit = dimension.map_or_else(String::new, Dimension::unit);
     Quantity {
         name: entry.name.to_string(),

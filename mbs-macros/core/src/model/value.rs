@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::geometry::{Owner, Point, Vector};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Graph, Symbol};
 
 /// The value of an expression. A dimension of `None` is that of a bare number: it fits anywhere.
 #[derive(Debug, Clone)]
@@ -32,6 +32,13 @@ impl Value {
                 format!("a list of {}", items.collect::<Vec<_>>().join(", "))
             }
         }
+    }
+
+    /// Whether it depends on a symbol for which `predicate` holds.
+    pub(super) fn depends_on(&self, graph: &Graph, predicate: impl Fn(Symbol) -> bool) -> bool {
+        self.expressions()
+            .into_iter()
+            .any(|x| graph.depends_on(x, &predicate))
     }
 
     /// All expressions inside.

@@ -143,11 +143,7 @@ impl Resolver<'_> {
 
     fn rate(&mut self, a: &Syntax) -> Option<Value> {
         let value = self.evaluate(a)?;
-        if value
-            .expressions()
-            .into_iter()
-            .any(|x| self.graph.depends_on(x, Symbol::is_velocity))
-        {
+        if value.depends_on(&self.graph, Symbol::is_velocity) {
             return self.fail(Place::of(a), "rate(…) of an expression that has velocities would be an acceleration; accelerations cannot appear in a declaration");
         }
         match value {

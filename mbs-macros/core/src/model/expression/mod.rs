@@ -163,10 +163,7 @@ impl Resolver<'_> {
         };
         for child in children {
             if let Some(value) = self.silently(|resolver| resolver.evaluate(child))
-                && value
-                    .expressions()
-                    .into_iter()
-                    .any(|x| self.graph.depends_on(x, predicate))
+                && value.depends_on(&self.graph, predicate)
             {
                 return self.blame(child, predicate);
             }

@@ -1,0 +1,118 @@
+//! The arguments of an entry, read as what the schema says they are.
+
+mod checks;
+mod numbers;
+mod places;
+
+use super::Dimension;
+use super::resolve::Resolver;
+use super::value::Value;
+use crate::diagnostics::Place;
+use crate::schema::{self, Expects};
+use crate::symbolic::{Expr, Graph};
+use crate::syntax::Entry;
+use syn::Expr as Syntax;
+
+/// Reads the arguments of one entry. Every reader answers `None` where the argument is absent or wrong (and then the
+/// error is recorded).
+pub struct Arguments<'r, 'd> {
+    resolver: &'r mut Resolver<'d>,
+    entry: &'r Entry,
+}
+
+impl<'r, 'd> Arguments<'r, 'd> {
+    pub(super) fn new(resolver: &'r mut Resolver<'d>, entry: &'r Entry) -> Self {
+        Arguments { resolver, entry }
+    }
+
+    /// The graph to build expressions in.
+    pub fn graph(&mut self) -> &mut Graph {
+        &mut self.resolver.graph
+    }
+
+    /// Records an error at an argument (or at the entry, where it is absent).
+    pub fn fail<T>(&mut self, field: &str, message: impl std::fmt::Display) -> Option<T> {
+        let place = self
+            .syntax(field)
+            .map_or(self.entry.span().into(), Place::of);
+        self.resolver.fail(place, message)
+    }
+
+    /// The argument as written, by position or by name.
+    pub fn syntax(&self, field: &str) -> Option<&'r Syntax> {
+        if let Some(argument) = self.entry.named(field) {
+            return Some(&argument.value);
+        }
+        let kind = schema::kind(&self.entry.kind.to_string())
+            .or_else(|| schema::world(&self.entry.kind.to_string()))?;
+        let slot = kind
+            .fields
+            .iter()
+            .filter(|f| f.positional)
+            .position(|f| f.name == field)?;
+        self.entry.positional.get(slot)
+    }
+
+    /// Whether the argument was given.
+    pub fn has(&self, field: &str) -> bool {
+        self.syntax(field).is_some()
+    }
+
+    fn expects(&self, field: &str) -> Option<Expects> {
+        let kind = schema::kind(&self.entry.kind.to_string())
+            .or_else(|| schema::world(&self.entry.kind.to_string()))?;
+        kind.fields
+            .iter()
+            .find(|f| f.name == field)
+            .map(|f| f.expects)
+    }
+
+    /// A law of `count` arguments.
+    pub fn law(&mut self, field: &str, count: usize) -> Option<u32> {
+        let syntax = self.syntax(field)?;
+        self.resolver.law(syntax, count)
+    }
+
+    /// `true` or `false`; false if absent.
+    pub fn flag(&mut self, field: &str) -> bool {
+        let Some(syntax) = self.syntax(field) else {
+            return false;
+        };
+        if let Syntax::Lit(literal) = syntax
+            && let syn::Lit::Bool(flag) = &literal.lit
+        {
+            return flag.value;
+        }
+        self.resolver
+            .fail::<()>(Place::of(syntax), format!("`{field}` is true or false"));
+        false
+    }
+
+    /// Scalars of a condition with their places: one expression, a vector, or a list.
+    pub fn conditions(&mut self, field: &str) -> Option<Vec<(Place, Expr, Option<Dimension>)>> {
+        let syntax = self.syntax(field)?;
+        let items: Vec<&Syntax> = match syntax {
+            Syntax::Array(array) => array.elems.iter().collect(),
+            single => vec![single],
+        };
+        let mut conditions = Vec::new();
+        for item in items {
+            match self.resolver.evaluate(item)? {
+                Value::Scalar(x, dimension) => conditions.push((Place::of(item), x, dimension)),
+                Value::Vector(v, dimension) => {
+                    conditions.extend(v.map(|x| (Place::of(item), x, dimension)))
+                }
+                other => {
+                    let what = other.describe();
+                    return self.resolver.fail(Place::of(item), format!("a condition is a scalar or vector that is to be zero, but this is {what}"));
+                }
+            }
+        }
+        Some(conditions)
+    }
+
+    /// Records an error at a place.
+    pub fn fail_at<T>(&mut self, place: Place, message: impl std::fmt::Display) -> Option<T> {
+        self.resolver.fail(place, message)
+    }
+}

@@ -1,0 +1,148 @@
+//! Numbers and units.
+
+use super::Arguments;
+use crate::diagnostics::Place;
+use crate::model::Dimension;
+use crate::schema::Expects;
+use crate::symbolic::{Evaluator, Expr, Symbol};
+use syn::Expr as Syntax;
+
+impl Arguments<'_, '_> {
+    /// A scalar of the dimension that the schema asks for.
+    pub fn scalar(&mut self, field: &str) -> Option<Expr> {
+        let syntax = self.syntax(field)?;
+        let (expr, dimension) = self.resolver.scalar(syntax)?;
+        let expects = self.expects(field)?;
+        if let Expects::Known(expected) | Expects::Moving(expected) = expects {
+            self.check_dimension(field, dimension, expected, Place::of(syntax))?;
+        }
+        if matches!(expects, Expects::Known(_) | Expects::KnownAny) {
+            self.check_known(field, syntax, &[expr])?;
+        }
+        Some(expr)
+    }
+
+    /// A mass or inertia: 0 if it was not given, and not negative.
+    pub fn mass(&mut self, field: &str) -> Option<Expr> {
+        let value = self.scalar_or(field, 0.0)?;
+        if self.by_default(value) < 0.0 {
+            let found = self.found(value);
+            return self.fail(
+                field,
+                format!("`{field}` is negative{found}; give it a positive value"),
+            );
+        }
+        Some(value)
+    }
+
+    /// Refuses a length that is not positive.
+    pub fn refuse_no_length(&mut self, field: &str, length: Expr, message: &str) -> Option<()> {
+        if self.by_default(length) <= 0.0 {
+            let found = self.found(length);
+            return self.fail(field, format!("{message}{found}"));
+        }
+        Some(())
+    }
+
+    /// The value with the defaults of all parameters; NaN if it depends on anything else.
+    fn by_default(&self, expr: Expr) -> f64 {
+        let symbols = |symbol| match symbol {
+            Symbol::Parameter(index) => self.resolver.parameters[index as usize].default,
+            _ => f64::NAN,
+        };
+        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+        Evaluator::new(&self.resolver.graph, &symbols, &laws).value(expr)
+    }
+
+    /// What a message adds where the value follows from parameters.
+    fn found(&self, expr: Expr) -> String {
+        match self.resolver.graph.as_constant(expr) {
+            Some(_) => String::new(),
+            None => format!(
+                " (with the defaults of its parameters it is {})",
+                self.by_default(expr)
+            ),
+        }
+    }
+
+    /// A scalar, or a number if it was not given. `None` only after an error.
+    pub fn scalar_or(&mut self, field: &str, default: f64) -> Option<Expr> {
+        if self.has(field) {
+            self.scalar(field)
+        } else {
+            Some(self.resolver.graph.constant(default))
+        }
+    }
+
+    /// A scalar with its dimension.
+    pub fn quantity(&mut self, field: &str) -> Option<(Expr, Option<Dimension>)> {
+        let syntax = self.syntax(field)?;
+        let (expr, dimension) = self.resolver.scalar(syntax)?;
+        if self.expects(field) == Some(Expects::KnownAny) {
+            self.check_known(field, syntax, &[expr])?;
+        }
+        Some((expr, dimension))
+    }
+
+    /// A number that is known now, with its dimension; `unit =` may state the latter.
+    pub fn number(&mut self, field: &str) -> Option<(f64, Option<Dimension>)> {
+        let (value, mut dimension) = match self.syntax(field) {
+            None => (0.0, None),
+            Some(syntax) => {
+                let (expr, dimension) = self.resolver.scalar(syntax)?;
+                match self.resolver.graph.as_constant(expr) {
+                    Some(value) if value.is_finite() => (value, dimension),
+                    _ => {
+                        return self
+                            .resolver
+                            .fail(Place::of(syntax), "expected a finite number, such as `0.15_m`; what follows from parameters is a `Let`");
+                    }
+                }
+            }
+        };
+        if let Some(stated) = self.unit()? {
+            self.check_unit(dimension, stated)?;
+            dimension = Some(stated);
+        }
+        Some((value, dimension))
+    }
+
+    /// A stated unit fits the value beside it.
+    pub(in crate::model) fn check_unit(
+        &mut self,
+        value: Option<Dimension>,
+        stated: Dimension,
+    ) -> Option<()> {
+        match value {
+            Some(value) if value != stated => self.fail(
+                "unit",
+                format!(
+                    "this unit is that of {stated}, but the value is {value}; keep one of them"
+                ),
+            ),
+            _ => Some(()),
+        }
+    }
+
+    /// `unit = N_per_m`; the outer `None` after an error.
+    pub(in crate::model) fn unit(&mut self) -> Option<Option<Dimension>> {
+        let Some(syntax) = self.syntax("unit") else {
+            return Some(None);
+        };
+        let name = match syntax {
+            Syntax::Path(path) => path.path.get_ident().map(ToString::to_string),
+            _ => None,
+        };
+        match name.as_deref().and_then(crate::model::unit) {
+            Some((1.0, dimension)) => Some(Some(dimension)),
+            Some(_) => self.resolver.fail(
+                Place::of(syntax),
+                "state an SI unit here, such as `N` or `m_per_s`: values are SI",
+            ),
+            None => self.resolver.fail(
+                Place::of(syntax),
+                "expected a unit, such as `N` or `N_s_per_m`",
+            ),
+        }
+    }
+}
