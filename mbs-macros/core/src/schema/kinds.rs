@@ -1,4 +1,4 @@
-//! The table itself.
+//! The table itself: long, because the language is.
 
 use super::Absent::{Assumed, Required};
 use super::Expects::{
