@@ -305,6 +305,33 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         })
     }
 
+    /// One component of a joint's reaction, as [`Model::reactions`](crate::Model::reactions) names them: the force or
+    /// torque on the child, in world axes.
+    ///
+    /// # Errors
+    /// An unknown joint, or one without this component; otherwise as [`Simulation::reactions`].
+    pub fn reaction(&self, joint: &str, component: &str) -> Result<f64, SimulationError> {
+        let list = S::MODEL.reactions;
+        let Some(index) = list
+            .iter()
+            .position(|r| r.joint == joint && r.component == component)
+        else {
+            let of_joint: Vec<_> = list.iter().filter(|r| r.joint == joint).collect();
+            return Err(match of_joint.is_empty() {
+                true => UnknownName::new("joint with reactions", joint, joints(list)),
+                false => UnknownName::new(
+                    "component of this reaction",
+                    component,
+                    of_joint.iter().map(|r| r.component),
+                ),
+            }
+            .into());
+        };
+        // As many values as the model names.
+        self.reactions()
+            .map(|reactions| reactions.values.get(index).copied().unwrap_or(f64::NAN))
+    }
+
     /// The current instant as a row of results.
     pub fn sample(&self) -> Sample {
         let trace = self.integrator.trace();
@@ -344,4 +371,11 @@ fn find(
         .clone()
         .position(|candidate| candidate == name)
         .ok_or_else(|| UnknownName::new(what, name, known))
+}
+
+/// The joints that have reactions, each once.
+fn joints(reactions: &'static [crate::Reaction]) -> Vec<&'static str> {
+    let mut names: Vec<&str> = reactions.iter().map(|reaction| reaction.joint).collect();
+    names.dedup();
+    names
 }
