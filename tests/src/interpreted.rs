@@ -73,7 +73,7 @@ impl Interpreted {
             let mut mass = Box::new([[0.0; N]; N]);
             for &(i, j, value) in entries {
                 let value = match value {
-                    Operand::Number(value) => value,
+                    Operand::Number(number) => number.value(),
                     Operand::Constant(slot) => constants[slot],
                     Operand::Symbol(Symbol::Parameter(i)) => self.parameters[i as usize],
                     other => panic!("{other:?} in a constant mass matrix"),

@@ -207,14 +207,14 @@ fn value(graph: &Graph, expr: Expr, variables: &[f64]) -> f64 {
 /// Makes the node of an expression again, from its operands.
 fn rebuild(graph: &mut Graph, expr: Expr) -> Expr {
     match graph.node(expr).clone() {
-        Node::Constant(bits) => graph.constant(f64::from_bits(bits)),
+        Node::Constant(number) => graph.constant(number.value()),
         Node::Symbol(symbol) => graph.symbol(symbol),
         Node::Sum { constant, terms } => {
             let terms: Vec<_> = terms
                 .iter()
-                .map(|&(term, bits)| (rebuild(graph, term), f64::from_bits(bits)))
+                .map(|&(term, coefficient)| (rebuild(graph, term), coefficient.value()))
                 .collect();
-            graph.linear(f64::from_bits(constant), &terms)
+            graph.linear(constant.value(), &terms)
         }
         Node::Product(factors) => {
             let factors: Vec<_> = factors
@@ -233,7 +233,7 @@ fn rebuild(graph: &mut Graph, expr: Expr) -> Expr {
         }
         Node::Power(x, exponent) => {
             let x = rebuild(graph, x);
-            graph.power(x, f64::from_bits(exponent))
+            graph.power(x, exponent.value())
         }
         Node::Law { .. } => unreachable!("the trees call no laws"),
     }

@@ -10,6 +10,7 @@
 use crate::derivatives::Derived;
 use crate::model::Model;
 use crate::symbolic::{Evaluator, Expr, Symbol};
+use std::ops::Range;
 
 /// How far poses are moved, in units of the largest coordinate, from bold to timid: the first that arrives counts.
 const MOVES: [f64; 3] = [0.1, 0.02, 0.002];
@@ -188,7 +189,7 @@ impl Numbers<'_> {
 
 /// Rows of a matrix, orthogonalised in order: a_i = Σ_k l_ik e_k over an orthonormal basis e.
 struct Rows {
-    basis: Vec<Vec<f64>>,
+    basis: Vec<Direction>,
     /// The row that each basis vector came from.
     independent: Vec<usize>,
     /// l of the independent rows.
@@ -207,17 +208,15 @@ impl Rows {
         };
         for (index, row) in matrix {
             let length = norm(row);
-            let mut rest = row.clone();
+            let mut rest = Direction::new(row.clone());
             let mut parts = vec![0.0; rows.basis.len()];
             // Twice is enough.
             for _ in 0..2 {
                 for (part, e) in parts.iter_mut().zip(&rows.basis) {
-                    let along: f64 = rest.iter().zip(e).map(|(r, e)| r * e).sum();
-                    *part += along;
-                    rest.iter_mut().zip(e).for_each(|(r, e)| *r -= along * e);
+                    *part += rest.orthogonalise(e);
                 }
             }
-            let remainder = norm(&rest);
+            let remainder = norm(&rest.entries);
             // Written so that NaN adds nothing.
             if !(remainder > threshold * length) {
                 rows.dependent
@@ -225,8 +224,8 @@ impl Rows {
                 continue;
             }
             parts.push(remainder);
-            rows.basis
-                .push(rest.into_iter().map(|r| r / remainder).collect());
+            rest.entries.iter_mut().for_each(|r| *r /= remainder);
+            rows.basis.push(rest);
             rows.independent.push(index);
             rows.lower.push(parts);
         }
@@ -252,8 +251,7 @@ impl Rows {
     /// Takes the part along the rows out of a vector.
     fn remove_from(&self, vector: &mut [f64]) {
         for e in &self.basis {
-            let along: f64 = vector.iter().zip(e).map(|(v, e)| v * e).sum();
-            vector.iter_mut().zip(e).for_each(|(v, e)| *v -= along * e);
+            e.remove_from(vector);
         }
     }
 
@@ -266,10 +264,47 @@ impl Rows {
             let known: f64 = along.iter().zip(&self.lower[k]).map(|(x, l)| x * l).sum();
             let step = (phi - known) / self.lower[k][k];
             q.iter_mut()
-                .zip(&self.basis[k])
+                .zip(&self.basis[k].entries)
                 .for_each(|(q, e)| *q -= step * e);
             along.push(step);
         }
+    }
+}
+
+/// A vector, and the range outside which it is zero: most mechanisms are chains, whose rows meet only their neighbours.
+struct Direction {
+    entries: Vec<f64>,
+    span: Range<usize>,
+}
+
+impl Direction {
+    fn new(entries: Vec<f64>) -> Direction {
+        // Written so that NaN is inside.
+        let first = entries.iter().position(|&x| x != 0.0);
+        let last = entries.iter().rposition(|&x| x != 0.0);
+        let span = match (first, last) {
+            (Some(first), Some(last)) => first..last + 1,
+            _ => 0..0,
+        };
+        Direction { entries, span }
+    }
+
+    /// Takes the part along this unit vector out of another, and tells how long it was.
+    fn remove_from(&self, vector: &mut [f64]) -> f64 {
+        let e = &self.entries[self.span.clone()];
+        let v = &mut vector[self.span.clone()];
+        let along: f64 = v.iter().zip(e).map(|(v, e)| v * e).sum();
+        v.iter_mut().zip(e).for_each(|(v, e)| *v -= along * e);
+        along
+    }
+
+    /// Takes the part along a unit vector out of this one, and tells how long it was.
+    fn orthogonalise(&mut self, e: &Direction) -> f64 {
+        if self.span.end <= e.span.start || e.span.end <= self.span.start {
+            return 0.0;
+        }
+        self.span = self.span.start.min(e.span.start)..self.span.end.max(e.span.end);
+        e.remove_from(&mut self.entries)
     }
 }
 

@@ -5,15 +5,14 @@
 
 use super::reciprocals::share_reciprocals;
 use super::{Function, Operand, Operation, Output, Place};
-use crate::symbolic::{Expr, Graph, Node, Symbol};
-use std::collections::HashMap;
+use crate::symbolic::{Expr, Graph, Map, Node, Number, Symbol};
 
 /// Constants found so far, shared by all functions of a mechanism.
 #[derive(Debug, Default)]
 pub(super) struct Hoisted {
     pub list: Vec<Expr>,
-    index: HashMap<Expr, usize>,
-    known: HashMap<Expr, bool>,
+    index: Map<Expr, usize>,
+    known: Map<Expr, bool>,
 }
 
 impl Hoisted {
@@ -52,8 +51,8 @@ pub(super) struct Lowering<'a> {
     hoist: bool,
     operations: Vec<Operation>,
     names: Vec<Option<String>>,
-    done: HashMap<Expr, Operand>,
-    made: HashMap<String, Operand>,
+    done: Map<Expr, Operand>,
+    made: Map<Operation, Operand>,
     outputs: Vec<Output>,
 }
 
@@ -65,8 +64,8 @@ impl<'a> Lowering<'a> {
             hoist: true,
             operations: Vec::new(),
             names: Vec::new(),
-            done: HashMap::new(),
-            made: HashMap::new(),
+            done: Map::default(),
+            made: Map::default(),
             outputs: Vec::new(),
         }
     }
@@ -117,12 +116,12 @@ impl<'a> Lowering<'a> {
             return known;
         }
         let operand = match self.graph.node(expr).clone() {
-            Node::Constant(bits) => Operand::Number(f64::from_bits(bits)),
+            Node::Constant(number) => Operand::Number(number),
             Node::Symbol(symbol) => Operand::Symbol(symbol),
             _ if self.hoist && self.hoisted.is_known(self.graph, expr) => {
                 Operand::Constant(self.hoisted.slot(expr))
             }
-            Node::Sum { constant, terms } => self.sum(f64::from_bits(constant), &terms),
+            Node::Sum { constant, terms } => self.sum(constant.value(), &terms),
             Node::Product(factors) => self.product(&factors),
             Node::Function(function, x) => {
                 let x = self.operand(x);
@@ -130,7 +129,7 @@ impl<'a> Lowering<'a> {
             }
             Node::Power(x, exponent) => {
                 let x = self.operand(x);
-                self.push(Operation::Power(x, f64::from_bits(exponent)))
+                self.push(Operation::Power(x, exponent))
             }
             Node::Atan2(y, x) => {
                 let (y, x) = (self.operand(y), self.operand(x));
@@ -156,7 +155,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// constant + Σ coefficient · term.
-    fn sum(&mut self, constant: f64, terms: &[(Expr, u64)]) -> Operand {
+    fn sum(&mut self, constant: f64, terms: &[(Expr, Number)]) -> Operand {
         let Grouped { known, groups } = self.group(terms);
         // Signed summands: (value, negative).
         let mut summands: Vec<(Operand, bool)> = Vec::new();
@@ -190,7 +189,7 @@ impl<'a> Lowering<'a> {
         if !known.is_empty() || constant != 0.0 {
             let known = self.graph.linear(constant, &known);
             match self.graph.as_constant(known) {
-                Some(value) if value < 0.0 => summands.push((Operand::Number(-value), true)),
+                Some(value) if value < 0.0 => summands.push((Operand::number(-value), true)),
                 _ => {
                     let operand = self.operand(known);
                     summands.push((operand, false));
@@ -202,11 +201,11 @@ impl<'a> Lowering<'a> {
 
     /// Terms as known part and groups. Known factors of the same varying part add up first, k x + l x = (k + l) x; then
     /// varying parts with the same factor form a group, k x + k y = k (x + y).
-    fn group(&mut self, terms: &[(Expr, u64)]) -> Grouped {
+    fn group(&mut self, terms: &[(Expr, Number)]) -> Grouped {
         let mut known: Vec<(Expr, f64)> = Vec::new();
         let mut by_varying: Vec<(Expr, Vec<(Option<Expr>, f64)>)> = Vec::new();
-        for &(term, bits) in terms {
-            let coefficient = f64::from_bits(bits);
+        for &(term, coefficient) in terms {
+            let coefficient = coefficient.value();
             if self.hoist && self.hoisted.is_known(self.graph, term) {
                 known.push((term, coefficient));
                 continue;
@@ -269,7 +268,7 @@ impl<'a> Lowering<'a> {
                 None => self.push(Operation::Negate(operand)),
             });
         }
-        total.unwrap_or(Operand::Number(0.0))
+        total.unwrap_or(Operand::number(0.0))
     }
 
     /// A term as (known factor, varying factor).
@@ -323,10 +322,10 @@ impl<'a> Lowering<'a> {
         match (numerator, denominator) {
             (Some(value), None) => value,
             (value, Some(denominator)) => {
-                let value = value.unwrap_or(Operand::Number(1.0));
+                let value = value.unwrap_or(Operand::number(1.0));
                 self.push(Operation::Divide(value, denominator))
             }
-            (None, None) => Operand::Number(1.0),
+            (None, None) => Operand::number(1.0),
         }
     }
 
@@ -351,14 +350,13 @@ impl<'a> Lowering<'a> {
             Operation::Multiply(a, b) if rank(b) < rank(a) => Operation::Multiply(b, a),
             other => other,
         };
-        let key = format!("{operation:?}");
-        if let Some(&known) = self.made.get(&key) {
+        if let Some(&known) = self.made.get(&operation) {
             return known;
         }
-        self.operations.push(operation);
+        self.operations.push(operation.clone());
         self.names.push(None);
         let operand = Operand::Value(self.operations.len() - 1);
-        self.made.insert(key, operand);
+        self.made.insert(operation, operand);
         operand
     }
 }
@@ -366,7 +364,7 @@ impl<'a> Lowering<'a> {
 /// An order of operands: numbers, constants, symbols, values.
 fn rank(operand: Operand) -> (u8, u64, Option<Symbol>) {
     match operand {
-        Operand::Number(value) => (0, value.to_bits(), None),
+        Operand::Number(value) => (0, value.value().to_bits(), None),
         Operand::Constant(slot) => (1, slot as u64, None),
         Operand::Symbol(symbol) => (2, 0, Some(symbol)),
         Operand::Value(value) => (3, value as u64, None),

@@ -6,12 +6,13 @@
 
 mod cost;
 mod functions;
+mod kernels;
 mod lower;
 mod reciprocals;
 mod run;
 mod text;
 
-use crate::symbolic::{Function as Elementary, Symbol};
+use crate::symbolic::{Function as Elementary, Number, Symbol};
 
 pub use cost::Cost;
 pub use functions::lower;
@@ -85,7 +86,7 @@ impl Function {
 }
 
 /// A value that a function writes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Output {
     /// Which argument receives it.
     pub sink: &'static str,
@@ -111,10 +112,10 @@ pub enum Place {
 }
 
 /// An operand.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Operand {
     /// A number.
-    Number(f64),
+    Number(Number),
     /// An argument, parameter or input.
     Symbol(Symbol),
     /// A constant.
@@ -123,8 +124,15 @@ pub enum Operand {
     Value(usize),
 }
 
+impl Operand {
+    /// A number.
+    pub fn number(value: f64) -> Operand {
+        Operand::Number(Number::new(value))
+    }
+}
+
 /// A floating-point operation.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// a + b
     Add(Operand, Operand),
@@ -141,7 +149,7 @@ pub enum Operation {
     /// atan2(y, x)
     Atan2(Operand, Operand),
     /// a^exponent
-    Power(Operand, f64),
+    Power(Operand, Number),
     /// A user's law: a value that only `Part` can take apart.
     Law(u32, Vec<Operand>),
     /// The value (`None`) or a partial of a law's result.

@@ -38,7 +38,7 @@ pub(super) fn share_reciprocals(function: Function) -> Function {
                 let reciprocal = match known {
                     Some(&(_, slot)) => slot,
                     None => {
-                        let one = Operand::Number(1.0);
+                        let one = Operand::number(1.0);
                         operations.push(Operation::Divide(one, relocate(*denominator, &moved)));
                         names.push(match denominator {
                             Operand::Value(slot) => function.names[*slot]
@@ -50,7 +50,7 @@ pub(super) fn share_reciprocals(function: Function) -> Function {
                         operations.len() - 1
                     }
                 };
-                if *numerator == Operand::Number(1.0) {
+                if *numerator == Operand::number(1.0) {
                     moved.push(reciprocal);
                     continue;
                 }

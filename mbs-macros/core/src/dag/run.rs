@@ -28,7 +28,7 @@ impl Run<'_> {
                 Operation::Negate(a) => -get(a),
                 Operation::Call(function, a) => function.evaluate(get(a)),
                 Operation::Atan2(y, x) => get(y).atan2(get(x)),
-                Operation::Power(a, exponent) => get(a).powf(*exponent),
+                Operation::Power(a, exponent) => get(a).powf(exponent.value()),
                 Operation::Law(law, arguments) => {
                     let arguments: Vec<f64> = arguments.iter().map(get).collect();
                     results[slot] = Some((self.laws)(*law, &arguments));
@@ -52,7 +52,7 @@ impl Run<'_> {
 
     fn operand(&self, operand: Operand, values: &[f64]) -> f64 {
         match operand {
-            Operand::Number(value) => value,
+            Operand::Number(number) => number.value(),
             Operand::Symbol(symbol) => (self.symbols)(symbol),
             Operand::Constant(slot) => self.constants[slot],
             Operand::Value(slot) => values[slot],

@@ -22,7 +22,7 @@ impl Function {
     /// The function as text, one operation a line.
     pub fn text(&self, graph: &Graph) -> String {
         let name = |operand: &Operand| match operand {
-            Operand::Number(value) => value.to_string(),
+            Operand::Number(number) => number.value().to_string(),
             Operand::Symbol(symbol) => graph.name(*symbol),
             Operand::Constant(slot) => format!("k{slot}"),
             Operand::Value(slot) => format!("t{slot}"),
@@ -37,7 +37,7 @@ impl Function {
                 Operation::Negate(a) => format!("-{}", name(a)),
                 Operation::Call(function, a) => format!("{}({})", function.name(), name(a)),
                 Operation::Atan2(y, x) => format!("atan2({}, {})", name(y), name(x)),
-                Operation::Power(a, exponent) => format!("{}^{exponent}", name(a)),
+                Operation::Power(a, exponent) => format!("{}^{}", name(a), exponent.value()),
                 Operation::Law(law, arguments) => {
                     let arguments: Vec<_> = arguments.iter().map(name).collect();
                     format!("law{law}({})", arguments.join(", "))

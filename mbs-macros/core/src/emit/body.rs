@@ -127,7 +127,7 @@ impl<'a> Body<'a> {
                 Place::Entry(i, j) if output.sink == "w" || output.sink == "gram" => {
                     writeln!(out, "{}[{i}][{j}] = {value};", output.sink)
                 }
-                Place::Entry(..) | Place::Tensor(..) if output.value == Operand::Number(0.0) => {
+                Place::Entry(..) | Place::Tensor(..) if output.value == Operand::number(0.0) => {
                     Ok(())
                 }
                 Place::Entry(i, j) => writeln!(out, "{}.set({i}, {j}, {value});", output.sink),
@@ -156,6 +156,7 @@ impl<'a> Body<'a> {
     fn operand(&self, operand: Operand, outer: Precedence) -> String {
         match operand {
             Operand::Number(value) => {
+                let value = value.value();
                 let text = number(value);
                 if value < 0.0 && outer > Precedence::Sum {
                     format!("({text})")
@@ -211,7 +212,7 @@ impl<'a> Body<'a> {
                 format!(
                     "{}.powf({})",
                     self.operand(*a, Precedence::Atom),
-                    number(*exponent)
+                    number(exponent.value())
                 ),
                 Precedence::Atom,
             ),
@@ -284,7 +285,7 @@ impl<'a> Body<'a> {
             _ => {
                 let receiver = match argument {
                     // `2.0.sin()` needs its type.
-                    Operand::Number(value) => format!("({}_f64)", number(value)),
+                    Operand::Number(value) => format!("({}_f64)", number(value.value())),
                     _ => self.operand(argument, Precedence::Atom),
                 };
                 format!("{receiver}.{}()", function.name())

@@ -6,6 +6,7 @@
 mod body;
 mod fallback;
 mod metadata;
+mod methods;
 mod names;
 mod parameters;
 mod system;
@@ -37,6 +38,15 @@ pub fn mechanism(
         #mechanism
         #system
     }
+}
+
+/// Documentation as `///` would give it.
+fn doc(text: &str) -> TokenStream {
+    let lines = text.lines().map(|line| match line {
+        "" => String::new(),
+        line => format!(" {line}"),
+    });
+    quote! { #( #[doc = #lines] )* }
 }
 
 /// Generated text as tokens.

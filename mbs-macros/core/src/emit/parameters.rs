@@ -1,7 +1,7 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::{system, tokens};
+use super::{doc, system, tokens};
 use crate::dag::{Operand, Program};
 use crate::mobility::Mobility;
 use crate::model::Model;
@@ -22,7 +22,7 @@ pub(super) fn emit(
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
     let name = &declaration.name;
-    let doc = documentation(model, mobility);
+    let documentation = doc(&documentation(model, mobility));
     let fields: Vec<Ident> = model
         .parameters
         .iter()
@@ -39,17 +39,17 @@ pub(super) fn emit(
         } else {
             format!("{} ", parameter.doc)
         };
-        format!("{text}({unit}; {} by default)", parameter.default)
+        doc(&format!("{text}({unit}; {} by default)", parameter.default))
     });
     let defaults = model
         .parameters
         .iter()
         .map(|parameter| tokens(&number(parameter.default)));
     quote! {
-        #[doc = #doc]
+        #documentation
         #[derive(Debug, Clone, Copy, PartialEq)]
         #visibility struct #name {
-            #( #[doc = #docs] pub #fields: f64, )*
+            #( #docs pub #fields: f64, )*
         }
 
         // A default of 45° is an approximate π/4, and meant.
@@ -160,7 +160,7 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
         let _ = writeln!(out, "let mut mass = [[0.0; {0}]; {0}];", program.size);
         for &(i, j, value) in entries {
             let value = match value {
-                Operand::Number(value) => number(value),
+                Operand::Number(value) => number(value.value()),
                 Operand::Constant(slot) => format!("k{slot}"),
                 Operand::Symbol(symbol) => format!("self.{}", graph.name(symbol)),
                 Operand::Value(_) => unreachable!("a constant mass matrix has no operations left"),

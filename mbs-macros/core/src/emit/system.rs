@@ -1,162 +1,12 @@
-//! The prepared system: its fields, and one method for each function of the program.
+//! The prepared system: its fields, and the implementation of `System`.
 
-use super::body::Body;
-use super::{metadata, tokens};
-use crate::dag::{Function, Program};
+use super::{doc, metadata, methods, tokens};
+use crate::dag::Program;
 use crate::model::Model;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
-use std::fmt::Write;
-
-/// The methods of `System`: name, signature after the name, and how the body ends.
-const METHODS: &[(&str, &str, Ending)] = &[
-    (
-        "mass_matrix",
-        "(&self, q: &[f64; N], mass: &mut impl ::mbs_runtime::MatrixSink)",
-        Ending::Writes,
-    ),
-    (
-        "momentum",
-        "(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N])",
-        Ending::Writes,
-    ),
-    (
-        "affinities",
-        "(&self, q: &[f64; N], gamma: &mut impl ::mbs_runtime::TensorSink)",
-        Ending::Writes,
-    ),
-    (
-        "holonomic",
-        "(&self, t: f64, q: &[f64; N], phi: &mut [f64; R])",
-        Ending::Writes,
-    ),
-    (
-        "constraints",
-        "(&self, t: f64, q: &[f64; N], phi: &mut [f64; R], a: &mut impl ::mbs_runtime::MatrixSink, b: &mut [f64; R])",
-        Ending::Writes,
-    ),
-    (
-        "constraint_rates",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], a_rate: &mut impl ::mbs_runtime::MatrixSink, gamma: &mut [f64; R])",
-        Ending::Writes,
-    ),
-    (
-        "applied_forces",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N])",
-        Ending::Writes,
-    ),
-    (
-        "forces",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N])",
-        Ending::Writes,
-    ),
-    (
-        "applied_force_tangents",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink)",
-        Ending::Writes,
-    ),
-    (
-        "force_tangents",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink, p_q: &mut impl ::mbs_runtime::MatrixSink)",
-        Ending::Writes,
-    ),
-    (
-        "acceleration",
-        "(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N])",
-        Ending::Writes,
-    ),
-    (
-        "kinetic_energy",
-        "(&self, q: &[f64; N], v: &[f64; N]) -> f64",
-        Ending::Writes,
-    ),
-    (
-        "potential_energy",
-        "(&self, q: &[f64; N]) -> f64",
-        Ending::Writes,
-    ),
-    (
-        "nonconservative_power",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64",
-        Ending::Writes,
-    ),
-    (
-        "outputs",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], outputs: &mut [f64])",
-        Ending::Slice("outputs"),
-    ),
-    (
-        "events",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], events: &mut [f64])",
-        Ending::Slice("events"),
-    ),
-    (
-        "points",
-        "(&self, t: f64, q: &[f64; N], points: &mut [[f64; 3]])",
-        Ending::Points,
-    ),
-    (
-        "reactions",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], acceleration: &[f64; N], lambda: &[f64; R], reactions: &mut [f64])",
-        Ending::Slice("reactions"),
-    ),
-    (
-        "metric",
-        "(&self, mass: &Self::Mass, t: f64, q: &[f64; N], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
-        Ending::Writes,
-    ),
-    (
-        "row_rates",
-        "(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R])",
-        Ending::Writes,
-    ),
-];
-
-/// Kernels: name, signature, and the loop that stands in where straight-line code would be too long.
-const KERNELS: &[(&str, &str, &str)] = &[
-    (
-        "solve_mass",
-        "(&self, mass: &Self::Mass, x: &mut [f64; N])",
-        "::mbs_runtime::generated::multiply(&self.inverse_mass, x);",
-    ),
-    (
-        "solve_mass_rows",
-        "(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R])",
-        "::mbs_runtime::generated::multiply_rows(&self.inverse_mass, a, w);",
-    ),
-    (
-        "gram",
-        "(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R])",
-        "::mbs_runtime::generated::gram(a, w, gram);",
-    ),
-];
-
-/// Methods of F, the methods of f that compute the same where M is constant, and the call of the latter.
-const SAME_WHERE_MASS_IS_CONSTANT: &[(&str, &str, &str)] = &[
-    (
-        "forces",
-        "applied_forces",
-        "self.applied_forces(t, q, v, f);",
-    ),
-    (
-        "force_tangents",
-        "applied_force_tangents",
-        "self.applied_force_tangents(t, q, v, f_q, f_v);",
-    ),
-];
-
-/// How the body of a method ends.
-#[derive(Clone, Copy)]
-enum Ending {
-    /// Writes into arrays of known size and into sinks, or a return value.
-    Writes,
-    /// A slice of the caller's length receives as many values as fit.
-    Slice(&'static str),
-    /// The same for points; in the plane the third component is zero.
-    Points,
-}
 
 /// The name of the hidden type.
 pub(super) fn name(declaration: &Declaration) -> Ident {
@@ -186,8 +36,8 @@ pub(super) fn emit(
         .iter()
         .enumerate()
         .map(|(slot, constant)| {
-            let (field, doc) = (format_ident!("k{slot}"), &constant.text);
-            quote! { #[doc = #doc] #field: f64, }
+            let (field, doc) = (format_ident!("k{slot}"), doc(&constant.text));
+            quote! { #doc #field: f64, }
         });
     let laws = model.laws.iter().enumerate().map(|(index, law)| {
         let (function, path, count) = (format_ident!("law_{index}"), &law.path, law.arguments);
@@ -198,14 +48,16 @@ pub(super) fn emit(
             }
         }
     });
-    let doc = format!("The equations of [`{parameters}`] for one set of parameters.");
-    let full = methods(graph, program);
-    let stubs = tokens(&stubs(program));
+    let doc = doc(&format!(
+        "The equations of [`{parameters}`] for one set of parameters."
+    ));
+    let full = methods::bodies(graph, program);
+    let stubs = tokens(&methods::stubs(program));
     let structure = tokens(&metadata::structure(program));
     let (metadata, full) = (tokens(metadata), tokens(&full));
     let mass = mass_type(program);
     quote! {
-        #[doc = #doc]
+        #doc
         #[doc(hidden)]
         #[derive(Debug, Clone)]
         #[allow(dead_code)]
@@ -251,145 +103,4 @@ fn mass_type(program: &Program) -> TokenStream {
         Some(_) => quote! { type Mass = (); },
         None => quote! { type Mass = ::mbs_runtime::generated::Cholesky<#size>; },
     }
-}
-
-fn sized(signature: &str, program: &Program) -> String {
-    signature
-        .replace("; N]", &format!("; {}]", program.size))
-        .replace("; R]", &format!("; {}]", program.rows.len()))
-}
-
-fn methods(graph: &Graph, program: &Program) -> String {
-    let mut out = String::new();
-    out.push_str("fn inputs(&self) -> &[f64] { &self.inputs }\nfn inputs_mut(&mut self) -> &mut [f64] { &mut self.inputs }\n");
-    let body = Body::of_method(graph, &program.guesses);
-    let _ = writeln!(
-        out,
-        "fn guess(&self) -> ([f64; {0}], [f64; {0}]) {{ let (mut q, mut v) = ([0.0; {0}], [0.0; {0}]); {1} {2} (q, v) }}",
-        program.size,
-        body.statements(),
-        body.writes()
-    );
-    let find = |name: &str| {
-        program
-            .functions
-            .iter()
-            .find(|function| function.name == name)
-    };
-    for (name, signature, ending) in METHODS {
-        if let Some(function) = find(name) {
-            // Where M is constant ∂T/∂q is zero, and F is f.
-            let same = SAME_WHERE_MASS_IS_CONSTANT
-                .iter()
-                .find(|(total, ..)| total == name && program.structure.constant_mass);
-            if let Some((_, applied, call)) = same
-                && find(applied).is_some_and(|applied| applied.computes_the_same(function))
-            {
-                let signature = sized(signature, program);
-                let cost = function.cost();
-                let _ = writeln!(
-                    out,
-                    "/// {cost}\n#[inline]\nfn {name}{signature} {{ {call} }}"
-                );
-                continue;
-            }
-            method(
-                &mut out,
-                graph,
-                function,
-                &sized(signature, program),
-                *ending,
-            );
-        }
-    }
-    for (name, signature, fallback) in KERNELS {
-        let signature = sized(signature, program);
-        match (
-            find(name),
-            program.constant_mass.is_some() || *name == "gram",
-        ) {
-            (Some(function), _) => method(&mut out, graph, function, &signature, Ending::Writes),
-            (None, true) => drop(writeln!(out, "fn {name}{signature} {{ {fallback} }}")),
-            (None, false) => {
-                let call = if *name == "solve_mass" {
-                    "mass.solve(x);"
-                } else {
-                    "mass.solve_rows(a, w);"
-                };
-                let _ = writeln!(out, "fn {name}{signature} {{ {call} }}");
-            }
-        }
-    }
-    let factor = match program.constant_mass {
-        Some(_) => "::core::option::Option::Some(())".to_owned(),
-        None => format!(
-            "let mut mass = [[0.0; {0}]; {0}]; self.mass_matrix(q, &mut mass); ::mbs_runtime::generated::Cholesky::new(&mass)",
-            program.size
-        ),
-    };
-    let _ = writeln!(
-        out,
-        "#[inline] fn factor_mass(&self, q: &[f64; {}]) -> ::core::option::Option<Self::Mass> {{ {factor} }}",
-        program.size
-    );
-    out
-}
-
-fn method(out: &mut String, graph: &Graph, function: &Function, signature: &str, ending: Ending) {
-    let body = Body::of_method(graph, function);
-    let statements = body.statements();
-    let copy = |slice: &str, values: String| {
-        format!(
-            "for (place, value) in {slice}.iter_mut().zip([{values}] as [_; {}]) {{ *place = value; }}",
-            function.outputs.len()
-        )
-    };
-    let end = match ending {
-        Ending::Writes => body.writes(),
-        Ending::Slice(_) | Ending::Points if function.outputs.is_empty() => String::new(),
-        Ending::Slice(slice) => copy(slice, body.values().join(", ")),
-        Ending::Points => {
-            let points: Vec<String> = body
-                .values()
-                .chunks(2)
-                .map(|xy| format!("[{}, {}, 0.0]", xy[0], xy[1]))
-                .collect();
-            format!(
-                "for (place, value) in points.iter_mut().zip([{}]) {{ *place = value; }}",
-                points.join(", ")
-            )
-        }
-    };
-    let _ = writeln!(
-        out,
-        "/// {}\n#[inline]\nfn {}{signature} {{\n{statements}{end}\n}}",
-        function.cost(),
-        function.name
-    );
-}
-
-/// The same signatures without bodies.
-fn stubs(program: &Program) -> String {
-    let mut out = String::new();
-    let mut stub = |name: &str, signature: &str| {
-        let _ = writeln!(
-            out,
-            "fn {name}{} {{ loop {{}} }}",
-            sized(signature, program)
-        );
-    };
-    stub("inputs", "(&self) -> &[f64]");
-    stub("inputs_mut", "(&mut self) -> &mut [f64]");
-    stub("guess", "(&self) -> ([f64; N], [f64; N])");
-    stub(
-        "factor_mass",
-        "(&self, q: &[f64; N]) -> ::core::option::Option<Self::Mass>",
-    );
-    for (name, signature, _) in METHODS {
-        stub(name, signature);
-    }
-    for (name, signature, _) in KERNELS {
-        stub(name, signature);
-    }
-    out
 }

@@ -58,15 +58,15 @@ impl Resolver<'_> {
         self.depth -= 1;
         let value = value?;
         let finite = |x: Expr| match *self.graph.node(x) {
-            Node::Constant(bits) => f64::from_bits(bits).is_finite(),
+            Node::Constant(number) => number.value().is_finite(),
             Node::Sum {
                 constant,
                 ref terms,
             } => {
-                let coefficients = terms.iter().map(|&(_, bits)| bits);
+                let coefficients = terms.iter().map(|&(_, coefficient)| coefficient);
                 coefficients
                     .chain([constant])
-                    .all(|bits| f64::from_bits(bits).is_finite())
+                    .all(|number| number.value().is_finite())
             }
             // Where these have a value, they have become that number.
             Node::Function(_, x) | Node::Power(x, _) => self.graph.as_constant(x).is_none(),

@@ -12,6 +12,7 @@ mod parts;
 mod placement;
 mod reduce;
 mod resolve;
+mod turning;
 mod value;
 
 use crate::equations::{forces::Force, joints::Joint};

@@ -14,8 +14,7 @@ use super::value::Value;
 use super::{Arguments, Dimension};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
-use proc_macro2::{Span, TokenStream, TokenTree};
-use quote::ToTokens;
+use proc_macro2::Span;
 
 /// How a part is modelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -148,7 +147,7 @@ impl Resolver<'_> {
     }
 
     pub(super) fn bar(&mut self, entry: &Entry) -> Option<Value> {
-        let needs_angle = self.angle_needed(entry);
+        let needs_angle = self.turning.contains(&entry.name.to_string());
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let guess = Guess {
@@ -389,38 +388,4 @@ impl Resolver<'_> {
         self.graph.suggest_name(axis[1], format!("sin_{name}"));
         axis
     }
-
-    /// Whether a joint, force or condition uses the angle of a bar. Natural coordinates have no angle that counts full
-    /// turns, so that such a bar takes reference coordinates. (Outputs and drives make do with the direction.)
-    fn angle_needed(&self, bar: &Entry) -> bool {
-        self.declaration.entries.iter().any(|entry| {
-            let kind = entry.kind.to_string();
-            if kind == "Output" || kind == "Event" {
-                return false;
-            }
-            let exprs = entry.positional.iter().chain(entry.named.iter().map(|argument| &argument.value));
-            let exprs = exprs.skip(usize::from(kind == "Drive"));
-            let turns = kind == "Gear" || kind == "TorsionSpring";
-            let is_bar = |expr: &syn::Expr| matches!(expr, syn::Expr::Path(path) if path.path.is_ident(&bar.name));
-            exprs.clone().any(|expr| turns && is_bar(expr)) || exprs.into_iter().any(|expr| mentions_angle(expr.to_token_stream(), &bar.name))
-        })
-    }
-}
-
-/// Whether the tokens contain `bar.angle`.
-fn mentions_angle(tokens: TokenStream, bar: &syn::Ident) -> bool {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    let direct = tokens.windows(3).any(|window| match window {
-        [
-            TokenTree::Ident(name),
-            TokenTree::Punct(dot),
-            TokenTree::Ident(member),
-        ] => name == bar && dot.as_char() == '.' && member == "angle",
-        _ => false,
-    });
-    direct
-        || tokens.into_iter().any(|token| match token {
-            TokenTree::Group(group) => mentions_angle(group.stream(), bar),
-            _ => false,
-        })
 }

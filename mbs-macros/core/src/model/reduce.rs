@@ -68,20 +68,15 @@ pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option
     };
     let mut leaders: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
     let mut fixed: BTreeMap<u32, Vector> = BTreeMap::new();
-    for cluster in clusters
-        .list
-        .iter()
-        .filter(|cluster| !cluster.ends.is_empty())
-    {
-        let leader = *cluster
-            .ends
-            .iter()
-            .min()
-            .expect("clusters here have an end");
+    for cluster in &clusters.list {
+        // Of joined clusters one is left empty.
+        let Some(&leader) = cluster.ends.iter().min() else {
+            continue;
+        };
         for &end in &cluster.ends {
             match cluster.ground {
-                Some(place) => drop(fixed.insert(end[0], place)),
-                None => drop(leaders.insert(end[0], leader)),
+                Some(place) => fixed.extend([(end[0], place)]),
+                None => leaders.extend([(end[0], leader)]),
             }
         }
         describe(resolver, cluster, leader, joints, &mut reduction.sentences);
@@ -259,20 +254,13 @@ fn substitute(
             } else {
                 local
             };
-            let set = |graph: &mut crate::symbolic::Graph,
-                       substitution: &mut Substitution,
-                       values: [Expr; 3]| {
-                let _ = graph;
+            let set = |substitution: &mut Substitution, values: [Expr; 3]| {
                 substitution.insert(Symbol::LocalPosition(local), values[0]);
                 substitution.insert(Symbol::LocalVelocity(local), values[1]);
                 substitution.insert(Symbol::LocalAcceleration(local), values[2]);
             };
             if let Some(place) = fixed.get(&first) {
-                set(
-                    graph,
-                    &mut reduction.substitution,
-                    [place[component], zero, zero],
-                );
+                set(&mut reduction.substitution, [place[component], zero, zero]);
                 continue;
             }
             let leader = leaders
@@ -295,7 +283,7 @@ fn substitute(
                 Symbol::Acceleration(index),
             ];
             let values = symbols.map(|symbol| graph.symbol(symbol));
-            set(graph, &mut reduction.substitution, values);
+            set(&mut reduction.substitution, values);
         }
     }
 }

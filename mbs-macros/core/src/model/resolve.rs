@@ -2,6 +2,7 @@
 
 use super::geometry::{Frame, Owner, Point, Vector};
 use super::parts::{Part, Representation};
+use super::turning::turning;
 use super::value::Value;
 use super::{Arguments, Dimension, Law, Local, Model, Quantity, check, placement, reduce};
 use crate::diagnostics::{Errors, Place, did_you_mean};
@@ -108,6 +109,8 @@ pub struct Resolver<'d> {
     pub(super) laws: Vec<Law>,
     /// Names that some expression has asked for.
     pub(super) used: HashSet<String>,
+    /// Bars that need an angle.
+    pub(super) turning: HashSet<String>,
     names: HashMap<String, usize>,
     states: Vec<State>,
     silent: bool,
@@ -127,6 +130,7 @@ impl<'d> Resolver<'d> {
             parts: Vec::new(),
             laws: Vec::new(),
             used: HashSet::new(),
+            turning: turning(declaration),
             names: HashMap::new(),
             states: Vec::new(),
             silent: false,

@@ -1,6 +1,6 @@
 //! Constructors: every node is made here, in canonical form.
 
-use super::{Expr, Function, Graph, Node, Symbol};
+use super::{Expr, Function, Graph, Node, Number, Symbol, reach_of};
 
 impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Expr {
@@ -10,13 +10,18 @@ impl Graph {
         let expr = Expr(self.nodes.len() as u32);
         self.nodes.push(node.clone());
         self.index.insert(node, expr);
+        let mut reach = match *self.node(expr) {
+            Node::Symbol(symbol) => reach_of(symbol),
+            _ => 0,
+        };
+        self.for_each_operand(expr, |operand| reach |= self.reach[operand.0 as usize]);
+        self.reach.push(reach);
         expr
     }
 
     /// A number.
     pub fn constant(&mut self, value: f64) -> Expr {
-        // −0 and 0 are one node; −0 + 0 is 0.
-        self.intern(Node::Constant((value + 0.0).to_bits()))
+        self.intern(Node::Constant(Number::new(value)))
     }
 
     /// Zero.
@@ -90,16 +95,16 @@ impl Graph {
         let sign = if negative { -1.0 } else { 1.0 };
         let terms = flat
             .into_iter()
-            .map(|(term, coefficient)| (term, (sign * coefficient).to_bits()))
+            .map(|(term, coefficient)| (term, Number::new(sign * coefficient)))
             .collect();
         let sum = self.intern(Node::Sum {
-            constant: (sign * constant + 0.0).to_bits(),
+            constant: Number::new(sign * constant),
             terms,
         });
         if negative {
             self.intern(Node::Sum {
-                constant: 0,
-                terms: [(sum, (-1.0f64).to_bits())].into(),
+                constant: Number::ZERO,
+                terms: [(sum, Number::new(-1.0))].into(),
             })
         } else {
             sum
@@ -123,24 +128,24 @@ impl Graph {
             return;
         }
         match self.node(term) {
-            Node::Constant(bits) => *constant += coefficient * f64::from_bits(*bits),
+            Node::Constant(number) => *constant += coefficient * number.value(),
             Node::Sum {
                 constant: inner,
                 terms,
             } if terms.len() == 1 => {
-                *constant += coefficient * f64::from_bits(*inner);
-                let (term, bits) = terms[0];
-                self.flatten_term(term, coefficient * f64::from_bits(bits), constant, flat);
+                *constant += coefficient * inner.value();
+                let (term, own) = terms[0];
+                self.flatten_term(term, coefficient * own.value(), constant, flat);
             }
             Node::Sum {
                 constant: inner,
                 terms,
             } if coefficient.abs() == 1.0 => {
-                *constant += coefficient * f64::from_bits(*inner);
+                *constant += coefficient * inner.value();
                 flat.extend(
                     terms
                         .iter()
-                        .map(|&(term, bits)| (term, coefficient * f64::from_bits(bits))),
+                        .map(|&(term, own)| (term, coefficient * own.value())),
                 );
             }
             _ => flat.push((term, coefficient)),
@@ -216,9 +221,12 @@ impl Graph {
                 continue;
             }
             match self.node(factor) {
-                Node::Constant(bits) => coefficient *= f64::from_bits(*bits).powi(power),
-                Node::Sum { constant: 0, terms } if terms.len() == 1 => {
-                    coefficient *= f64::from_bits(terms[0].1).powi(power);
+                Node::Constant(number) => coefficient *= number.value().powi(power),
+                Node::Sum {
+                    constant: Number::ZERO,
+                    terms,
+                } if terms.len() == 1 => {
+                    coefficient *= terms[0].1.value().powi(power);
                     pending.push((terms[0].0, power));
                 }
                 Node::Product(inner)
@@ -278,7 +286,7 @@ impl Graph {
         }
         match self.as_constant(base) {
             Some(value) if value >= 0.0 => self.constant(value.powf(exponent)),
-            _ => self.intern(Node::Power(base, exponent.to_bits())),
+            _ => self.intern(Node::Power(base, Number::new(exponent))),
         }
     }
 
@@ -314,12 +322,16 @@ impl Graph {
 
     /// If `x` is minus something simple, that something.
     fn without_sign(&mut self, x: Expr) -> Option<Expr> {
-        let Node::Sum { constant: 0, terms } = self.node(x) else {
+        let Node::Sum {
+            constant: Number::ZERO,
+            terms,
+        } = self.node(x)
+        else {
             return None;
         };
         match **terms {
-            [(term, bits)] if f64::from_bits(bits) < 0.0 => {
-                Some(self.scale(-f64::from_bits(bits), term))
+            [(term, coefficient)] if coefficient.value() < 0.0 => {
+                Some(self.scale(-coefficient.value(), term))
             }
             _ => None,
         }

@@ -5,6 +5,9 @@ use super::{Expr, Function, Graph, Node, Symbol};
 impl Graph {
     /// ∂expr/∂symbol.
     pub fn derivative(&mut self, expr: Expr, symbol: Symbol) -> Expr {
+        if !self.may_depend_on(expr, symbol) {
+            return self.zero();
+        }
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }
@@ -15,7 +18,7 @@ impl Graph {
                 let terms: Vec<_> = terms
                     .iter()
                     .map(|&(term, coefficient)| {
-                        (self.derivative(term, symbol), f64::from_bits(coefficient))
+                        (self.derivative(term, symbol), coefficient.value())
                     })
                     .collect();
                 self.linear(0.0, &terms)
@@ -25,18 +28,13 @@ impl Graph {
                 let inner = self.derivative(x, symbol);
                 if self.is_zero(inner) {
                     inner
-                } else if function == Function::Sqrt {
-                    // ½ of a sum of squares' slope loses all its twos.
-                    let half = self.halved(inner);
-                    self.div(half, expr)
                 } else {
-                    let outer = self.function_derivative(function, expr, x);
-                    self.mul(outer, inner)
+                    self.chain_rule(function, expr, x, inner)
                 }
             }
             Node::Power(x, exponent) => {
                 let inner = self.derivative(x, symbol);
-                let exponent = f64::from_bits(exponent);
+                let exponent = exponent.value();
                 let outer = self.power(x, exponent - 1.0);
                 let product = self.mul(outer, inner);
                 self.scale(exponent, product)
@@ -91,10 +89,10 @@ impl Graph {
         self.linear(0.0, &terms)
     }
 
-    /// The outer derivative of a function `value` = function(x).
-    fn function_derivative(&mut self, function: Function, value: Expr, x: Expr) -> Expr {
+    /// The derivative of `value` = function(x), where that of x is `inner`.
+    fn chain_rule(&mut self, function: Function, value: Expr, x: Expr, inner: Expr) -> Expr {
         let one = self.one();
-        match function {
+        let outer = match function {
             Function::Sin => self.function(Function::Cos, x),
             Function::Cos => {
                 let sin = self.function(Function::Sin, x);
@@ -121,8 +119,9 @@ impl Graph {
                 self.div(one, denominator)
             }
             Function::Sqrt => {
-                let inverse = self.div(one, value);
-                self.scale(0.5, inverse)
+                // ½ of a sum of squares' slope loses all its twos.
+                let half = self.halved(inner);
+                return self.div(half, value);
             }
             Function::Exp => value,
             Function::Ln => self.div(one, x),
@@ -134,11 +133,10 @@ impl Graph {
             }
             Function::Abs => self.function(Function::Sign, x),
             Function::Sign | Function::Step => self.zero(),
-        }
+        };
+        self.mul(outer, inner)
     }
-}
 
-impl Graph {
     /// d(expr)/dt along the motion: positions change with their velocities, velocities with their accelerations, and
     /// time with 1.
     pub fn rate(&mut self, expr: Expr) -> Expr {
@@ -157,20 +155,16 @@ impl Graph {
         }
         self.sum(terms)
     }
-}
 
-impl Graph {
     /// expr / 2; a sum is halved term by term where that costs no multiplication.
     fn halved(&mut self, expr: Expr) -> Expr {
         match self.node(expr).clone() {
-            Node::Sum { constant, terms }
-                if terms.iter().all(|&(_, c)| f64::from_bits(c).abs() != 1.0) =>
-            {
+            Node::Sum { constant, terms } if terms.iter().all(|&(_, c)| c.value().abs() != 1.0) => {
                 let terms: Vec<_> = terms
                     .iter()
-                    .map(|&(term, c)| (term, 0.5 * f64::from_bits(c)))
+                    .map(|&(term, c)| (term, 0.5 * c.value()))
                     .collect();
-                self.linear(0.5 * f64::from_bits(constant), &terms)
+                self.linear(0.5 * constant.value(), &terms)
             }
             _ => self.scale(0.5, expr),
         }

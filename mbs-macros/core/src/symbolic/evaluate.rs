@@ -1,7 +1,6 @@
 //! The interpreter: numbers for symbols. Slow and simple, the oracle against which generated code is tested.
 
-use super::{Expr, Function, Graph, Node, Symbol};
-use std::collections::HashMap;
+use super::{Expr, Function, Graph, Map, Node, Symbol};
 
 impl Function {
     /// The function's value.
@@ -46,7 +45,7 @@ pub struct Evaluator<'a> {
     graph: &'a Graph,
     symbols: &'a dyn Fn(Symbol) -> f64,
     laws: LawEvaluation<'a>,
-    done: HashMap<Expr, f64>,
+    done: Map<Expr, f64>,
 }
 
 impl<'a> Evaluator<'a> {
@@ -60,7 +59,7 @@ impl<'a> Evaluator<'a> {
             graph,
             symbols,
             laws,
-            done: HashMap::new(),
+            done: Map::default(),
         }
     }
 
@@ -70,18 +69,18 @@ impl<'a> Evaluator<'a> {
             return known;
         }
         let result = match self.graph.node(expr) {
-            Node::Constant(bits) => f64::from_bits(*bits),
+            Node::Constant(number) => number.value(),
             Node::Symbol(symbol) => (self.symbols)(*symbol),
-            Node::Sum { constant, terms } => terms
-                .iter()
-                .fold(f64::from_bits(*constant), |sum, &(term, c)| {
-                    sum + f64::from_bits(c) * self.value(term)
-                }),
+            Node::Sum { constant, terms } => {
+                terms.iter().fold(constant.value(), |sum, &(term, c)| {
+                    sum + c.value() * self.value(term)
+                })
+            }
             Node::Product(factors) => factors.iter().fold(1.0, |product, &(factor, power)| {
                 product * self.value(factor).powi(power)
             }),
             Node::Function(function, x) => function.evaluate(self.value(*x)),
-            Node::Power(x, exponent) => self.value(*x).powf(f64::from_bits(*exponent)),
+            Node::Power(x, exponent) => self.value(*x).powf(exponent.value()),
             Node::Atan2(y, x) => self.value(*y).atan2(self.value(*x)),
             Node::Law {
                 law,

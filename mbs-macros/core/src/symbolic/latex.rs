@@ -1,14 +1,14 @@
 //! Expressions as LaTeX, for `mbs explain --latex` and the book.
 
-use super::{Expr, Function, Graph, Node};
+use super::{Expr, Function, Graph, Node, Number};
 
 impl Graph {
     /// The expression as LaTeX.
     pub fn latex(&self, expr: Expr) -> String {
         match self.node(expr) {
-            Node::Constant(bits) => number(f64::from_bits(*bits)),
+            Node::Constant(constant) => number(constant.value()),
             Node::Symbol(symbol) => latex_identifier(&self.name(*symbol)),
-            Node::Sum { constant, terms } => self.latex_sum(f64::from_bits(*constant), terms),
+            Node::Sum { constant, terms } => self.latex_sum(constant.value(), terms),
             Node::Product(factors) => self.latex_product(factors),
             Node::Function(Function::Sqrt, x) => format!("\\sqrt{{{}}}", self.latex(*x)),
             Node::Function(Function::Abs, x) => format!("\\left|{}\\right|", self.latex(*x)),
@@ -16,7 +16,7 @@ impl Graph {
                 format!("\\{}{}", latex_function(*function), self.latex_group(*x))
             }
             Node::Power(x, exponent) => {
-                format!("{}^{{{}}}", self.latex_group(*x), f64::from_bits(*exponent))
+                format!("{}^{{{}}}", self.latex_group(*x), exponent.value())
             }
             Node::Atan2(y, x) => {
                 format!(
@@ -40,10 +40,10 @@ impl Graph {
         }
     }
 
-    fn latex_sum(&self, constant: f64, terms: &[(Expr, u64)]) -> String {
+    fn latex_sum(&self, constant: f64, terms: &[(Expr, Number)]) -> String {
         let mut out = String::new();
-        for &(term, bits) in terms {
-            let coefficient = f64::from_bits(bits);
+        for &(term, coefficient) in terms {
+            let coefficient = coefficient.value();
             let sign = match (out.is_empty(), coefficient < 0.0) {
                 (true, false) => "",
                 (true, true) => "-",

@@ -8,13 +8,17 @@ mod build;
 mod derivative;
 mod evaluate;
 mod latex;
+mod map;
+mod number;
 mod print;
 mod substitute;
 
-use std::collections::HashMap;
+pub(crate) use map::Map;
+use map::Set;
 
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
+pub use number::Number;
 pub use substitute::Substitution;
 
 /// A node of a [`Graph`].
@@ -107,16 +111,16 @@ pub enum Function {
 /// The operation at a node. Construct nodes through [`Graph`]'s methods only: they keep the canonical form.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Node {
-    /// A number (its bits, so that it can be hashed; −0 is stored as 0).
-    Constant(u64),
+    /// A number.
+    Constant(Number),
     /// A symbol.
     Symbol(Symbol),
     /// constant + Σ coefficient · term.
     Sum {
-        /// Bits of the constant.
-        constant: u64,
-        /// Terms, sorted, with the bits of their coefficients.
-        terms: Box<[(Expr, u64)]>,
+        /// The constant.
+        constant: Number,
+        /// Terms, sorted, with their coefficients.
+        terms: Box<[(Expr, Number)]>,
     },
     /// Π factor^power; numeric coefficients live in sums.
     Product(Box<[(Expr, i32)]>),
@@ -125,7 +129,7 @@ pub enum Node {
     /// atan2(y, x).
     Atan2(Expr, Expr),
     /// base^exponent with a constant exponent that is not an integer.
-    Power(Expr, u64),
+    Power(Expr, Number),
     /// A law supplied by the user: its value (`partial: None`) or the partial by one argument.
     Law {
         /// Index of the law in its declaration.
@@ -141,10 +145,12 @@ pub enum Node {
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
     nodes: Vec<Node>,
-    index: HashMap<Node, Expr>,
-    derivatives: HashMap<(Expr, Symbol), Expr>,
-    names: HashMap<Symbol, String>,
-    hints: HashMap<Expr, String>,
+    /// For each node, one bit for each symbol it may depend on. Symbols share bits: a bit that is not set is certain.
+    reach: Vec<u128>,
+    index: Map<Node, Expr>,
+    derivatives: Map<(Expr, Symbol), Expr>,
+    names: Map<Symbol, String>,
+    hints: Map<Expr, String>,
 }
 
 impl Graph {
@@ -187,9 +193,12 @@ impl Graph {
     /// Suggests a name for the temporary that will hold `expr` in generated code (the first suggestion stays).
     pub fn suggest_name(&mut self, expr: Expr, name: impl Into<String>) {
         let name = name.into();
-        if let Node::Sum { constant: 0, terms } = self.node(expr)
+        if let Node::Sum {
+            constant: Number::ZERO,
+            terms,
+        } = self.node(expr)
             && let [(opposite, sign)] = **terms
-            && f64::from_bits(sign) == -1.0
+            && sign.value() == -1.0
         {
             // What will be computed is the opposite.
             self.hints
@@ -207,7 +216,7 @@ impl Graph {
     /// The number behind an expression, if it is one.
     pub fn as_constant(&self, expr: Expr) -> Option<f64> {
         match self.node(expr) {
-            Node::Constant(bits) => Some(f64::from_bits(*bits)),
+            Node::Constant(number) => Some(number.value()),
             _ => None,
         }
     }
@@ -235,38 +244,55 @@ impl Graph {
     /// The symbols on which an expression depends, sorted.
     pub fn symbols(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Symbol> {
         let mut found = Vec::new();
-        self.for_each_inside(roots, |node| {
+        self.any_inside(roots, |node| {
             if let Node::Symbol(symbol) = node {
                 found.push(*symbol);
             }
+            false
         });
         found.sort_unstable();
         found
     }
 
-    /// Calls `visit` on each node of some expressions, once.
-    fn for_each_inside(&self, roots: impl IntoIterator<Item = Expr>, mut visit: impl FnMut(&Node)) {
-        let mut seen = std::collections::HashSet::new();
+    /// Whether `predicate` holds for a node of some expressions; it sees each at most once.
+    fn any_inside(
+        &self,
+        roots: impl IntoIterator<Item = Expr>,
+        mut predicate: impl FnMut(&Node) -> bool,
+    ) -> bool {
+        let mut seen = Set::default();
         let mut stack: Vec<Expr> = roots.into_iter().collect();
         while let Some(expr) = stack.pop() {
             if seen.insert(expr) {
-                visit(self.node(expr));
+                if predicate(self.node(expr)) {
+                    return true;
+                }
                 self.for_each_operand(expr, |operand| stack.push(operand));
             }
         }
+        false
     }
 
     /// Whether the expression depends on a symbol for which `predicate` holds.
     pub fn depends_on(&self, expr: Expr, predicate: impl Fn(Symbol) -> bool) -> bool {
-        self.symbols([expr]).into_iter().any(predicate)
+        self.any_inside(
+            [expr],
+            |node| matches!(node, Node::Symbol(symbol) if predicate(*symbol)),
+        )
+    }
+
+    /// Whether the expression may depend on a symbol: `false` is certain, and known at once.
+    fn may_depend_on(&self, expr: Expr, symbol: Symbol) -> bool {
+        self.reach[expr.0 as usize] & reach_of(symbol) != 0
     }
 
     /// Whether a user's law occurs in the expression.
     pub fn contains_law(&self, expr: Expr) -> bool {
-        let mut found = false;
-        self.for_each_inside([expr], |node| {
-            found = found || matches!(node, Node::Law { .. });
-        });
-        found
+        self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
     }
+}
+
+/// The bit of a symbol.
+fn reach_of(symbol: Symbol) -> u128 {
+    1 << (map::hash(symbol) % 128)
 }

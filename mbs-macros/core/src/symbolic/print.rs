@@ -1,6 +1,6 @@
 //! Expressions as text, for people: stable, infix, with as few parentheses as precedence allows.
 
-use super::{Expr, Function, Graph, Node};
+use super::{Expr, Function, Graph, Node, Number};
 
 impl Function {
     /// The name used in declarations, dumps and (as a method of `f64`) in generated code.
@@ -52,8 +52,8 @@ impl Graph {
 
     fn write(&self, expr: Expr, outer: Precedence, out: &mut String) {
         match self.node(expr) {
-            Node::Constant(bits) => {
-                let value = f64::from_bits(*bits);
+            Node::Constant(number) => {
+                let value = number.value();
                 if value < 0.0 && outer > Precedence::Sum {
                     out.push_str(&format!("({value})"));
                 } else {
@@ -62,15 +62,14 @@ impl Graph {
             }
             Node::Symbol(symbol) => out.push_str(&self.name(*symbol)),
             Node::Sum { constant, terms } => {
-                let single = *constant == 0 && terms.len() == 1;
+                let single = *constant == Number::ZERO && terms.len() == 1;
                 let parentheses = outer
                     > if single {
                         Precedence::Product
                     } else {
                         Precedence::Sum
                     };
-                let negative_single =
-                    single && f64::from_bits(terms[0].1) < 0.0 && outer > Precedence::Sum;
+                let negative_single = single && terms[0].1.value() < 0.0 && outer > Precedence::Sum;
                 self.parenthesise(parentheses || negative_single, out, |out| {
                     self.write_sum(*constant, terms, out)
                 });
@@ -86,7 +85,7 @@ impl Graph {
             }
             Node::Power(x, exponent) => {
                 self.write(*x, Precedence::Power, out);
-                out.push_str(&format!("^{}", f64::from_bits(*exponent)));
+                out.push_str(&format!("^{}", exponent.value()));
             }
             Node::Atan2(y, x) => {
                 out.push_str("atan2(");
@@ -125,10 +124,10 @@ impl Graph {
         }
     }
 
-    fn write_sum(&self, constant: u64, terms: &[(Expr, u64)], out: &mut String) {
+    fn write_sum(&self, constant: Number, terms: &[(Expr, Number)], out: &mut String) {
         let mut first = true;
-        for &(term, bits) in terms {
-            let coefficient = f64::from_bits(bits);
+        for &(term, coefficient) in terms {
+            let coefficient = coefficient.value();
             match (first, coefficient < 0.0) {
                 (true, true) => out.push('-'),
                 (true, false) => {}
@@ -141,7 +140,7 @@ impl Graph {
             }
             self.write(term, Precedence::Product, out);
         }
-        let constant = f64::from_bits(constant);
+        let constant = constant.value();
         if constant != 0.0 {
             out.push_str(&format!(
                 " {} {}",

@@ -1,13 +1,12 @@
 //! Replacement of symbols by expressions.
 
-use super::{Expr, Graph, Node, Symbol};
-use std::collections::HashMap;
+use super::{Expr, Graph, Map, Node, Symbol};
 
 /// A substitution with its memory, so that many expressions can share the work.
 #[derive(Debug, Clone, Default)]
 pub struct Substitution {
-    map: HashMap<Symbol, Expr>,
-    done: HashMap<Expr, Expr>,
+    map: Map<Symbol, Expr>,
+    done: Map<Expr, Expr>,
 }
 
 impl Substitution {
@@ -34,9 +33,9 @@ impl Graph {
             Node::Sum { constant, terms } => {
                 let terms: Vec<_> = terms
                     .iter()
-                    .map(|&(x, c)| (self.substitute(x, substitution), f64::from_bits(c)))
+                    .map(|&(x, c)| (self.substitute(x, substitution), c.value()))
                     .collect();
-                self.linear(f64::from_bits(constant), &terms)
+                self.linear(constant.value(), &terms)
             }
             Node::Product(factors) => {
                 let factors: Vec<_> = factors
@@ -51,7 +50,7 @@ impl Graph {
             }
             Node::Power(x, exponent) => {
                 let x = self.substitute(x, substitution);
-                self.power(x, f64::from_bits(exponent))
+                self.power(x, exponent.value())
             }
             Node::Atan2(y, x) => {
                 let (y, x) = (

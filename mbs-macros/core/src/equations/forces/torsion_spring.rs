@@ -41,7 +41,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Force>> {
 impl Force for TorsionSpring {
     fn action(&self, graph: &mut Graph) -> Action {
         let [parent, child] = &self.frames;
-        // Parts that turn against a spring have an angle: see `Resolver::angle_needed`.
+        // Parts that turn against a spring have an angle: see `model::turning`.
         let zero = graph.zero();
         let angle = graph.sub(child.angle.unwrap_or(zero), parent.angle.unwrap_or(zero));
         let rate = graph.sub(child.rate, parent.rate);

@@ -1,0 +1,210 @@
+//! Kernels: the products with M⁻¹ and A of which each step of the integrator consists, with their zeros written out.
+
+use super::lower::{Hoisted, Lowering};
+use super::{Function, Place};
+use crate::derivatives::{Derived, InverseMass};
+use crate::symbolic::{Expr, Graph, Symbol};
+
+/// Kernels longer than this are left to loops: straight-line code of such length costs more to compile than it gains.
+const LONGEST: usize = 2500;
+
+/// The kernels that are short enough.
+pub(super) fn kernels(
+    graph: &mut Graph,
+    hoisted: &mut Hoisted,
+    derived: &Derived,
+) -> Vec<Function> {
+    let mut maker = Maker {
+        graph,
+        hoisted,
+        derived,
+    };
+    let mut list = Vec::new();
+    if derived.constant_mass {
+        let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
+        list.push(maker.solve_mass(&inverse));
+        let (weighted, gram) = (maker.solve_mass_rows(&inverse), maker.gram());
+        // Where the two are long, so is what replaces them.
+        let separate = gram
+            .as_ref()
+            .map(|gram| weighted.cost().total() + gram.cost().total())
+            .filter(|&total| total <= LONGEST);
+        list.push(weighted);
+        list.extend(gram);
+        if let Some(separate) = separate {
+            let metric = maker.metric(&inverse);
+            list.extend((metric.cost().total() < separate).then_some(metric));
+        }
+    } else {
+        list.extend(maker.gram());
+    }
+    list.push(maker.row_rates());
+    list.retain(|kernel| kernel.operations.len() <= LONGEST);
+    list
+}
+
+struct Maker<'a> {
+    graph: &'a mut Graph,
+    hoisted: &'a mut Hoisted,
+    derived: &'a Derived,
+}
+
+impl Maker<'_> {
+    fn start(&mut self) -> Lowering<'_> {
+        Lowering::new(self.graph, self.hoisted)
+    }
+
+    /// The entries of a row of A: (column, entry).
+    fn row(&self, r: usize) -> Vec<(usize, Expr)> {
+        let entries = self.derived.jacobian.range((r, 0)..(r + 1, 0));
+        entries
+            .map(|(&(_, column), &entry)| (column, entry))
+            .collect()
+    }
+
+    /// All rows of A.
+    fn rows(&self) -> Vec<Vec<(usize, Expr)>> {
+        (0..self.derived.system.rows.len())
+            .map(|r| self.row(r))
+            .collect()
+    }
+
+    /// x ← M⁻¹ x.
+    fn solve_mass(&mut self, inverse: &InverseMass) -> Function {
+        let size = self.derived.system.size;
+        let mut lowering = self.start();
+        for i in 0..size {
+            let coupled = (0..size).filter(|&j| inverse.couples(i, j));
+            let terms = coupled.map(|j| (j, Symbol::VectorEntry(j as u32)));
+            let value = inverse_product(lowering.graph(), inverse, i, terms);
+            lowering.output("x", Place::Element(i), value);
+        }
+        lowering.finish("solve_mass")
+    }
+
+    /// w = M⁻¹ a, row by row.
+    fn solve_mass_rows(&mut self, inverse: &InverseMass) -> Function {
+        let (size, rows) = (self.derived.system.size, self.rows());
+        let mut lowering = self.start();
+        for (r, row) in rows.iter().enumerate() {
+            for i in 0..size {
+                let coupled = row.iter().filter(|&&(j, _)| inverse.couples(i, j));
+                let terms: Vec<_> = coupled
+                    .map(|&(j, _)| (j, Symbol::RowEntry(r as u32, j as u32)))
+                    .collect();
+                if !terms.is_empty() {
+                    let value = inverse_product(lowering.graph(), inverse, i, terms);
+                    lowering.output("w", Place::Entry(r, i), value);
+                }
+            }
+        }
+        lowering.finish("solve_mass_rows")
+    }
+
+    /// S = A W, each entry the product of a row of A with a row of W; `None` if that is too long.
+    fn gram(&mut self) -> Option<Function> {
+        let rows = self.rows();
+        // No two entries share an operation, so that the length is known without making them: a square number of
+        // operations is no trifle.
+        let of_row = |row: &Vec<_>| (2 * row.len()).saturating_sub(1);
+        if rows.len() * rows.iter().map(of_row).sum::<usize>() > LONGEST {
+            return None;
+        }
+        let mut lowering = self.start();
+        for (r, row) in rows.iter().enumerate() {
+            for s in 0..rows.len() {
+                let graph = lowering.graph();
+                let terms: Vec<Expr> = row
+                    .iter()
+                    .map(|&(j, _)| {
+                        let a = graph.symbol(Symbol::RowEntry(r as u32, j as u32));
+                        let w = graph.symbol(Symbol::WeightedEntry(s as u32, j as u32));
+                        graph.mul(a, w)
+                    })
+                    .collect();
+                let value = graph.sum(terms);
+                lowering.output("gram", Place::Entry(r, s), value);
+            }
+        }
+        Some(lowering.finish("gram"))
+    }
+
+    /// a · v for each row.
+    fn row_rates(&mut self) -> Function {
+        let rows = self.rows();
+        let mut lowering = self.start();
+        for (r, row) in rows.iter().enumerate() {
+            let graph = lowering.graph();
+            let terms: Vec<Expr> = row
+                .iter()
+                .map(|&(j, _)| {
+                    let a = graph.symbol(Symbol::RowEntry(r as u32, j as u32));
+                    let v = graph.symbol(Symbol::Velocity(j as u32));
+                    graph.mul(a, v)
+                })
+                .collect();
+            let value = graph.sum(terms);
+            lowering.output("rates", Place::Element(r), value);
+        }
+        lowering.finish("row_rates")
+    }
+
+    /// W = M⁻¹Aᵀ and S = A M⁻¹Aᵀ straight from q: factors of the same varying product add up to constants, so that for
+    /// bars in natural coordinates an entry of S is little more than the dot product of two bars.
+    fn metric(&mut self, inverse: &InverseMass) -> Function {
+        let (size, rows) = (self.derived.system.size, self.rows());
+        let mut lowering = self.start();
+        for (r, row) in rows.iter().enumerate() {
+            for i in 0..size {
+                let graph = lowering.graph();
+                let coupled = row.iter().filter(|&&(j, _)| inverse.couples(i, j));
+                let terms: Vec<_> = coupled
+                    .map(|&(j, a)| {
+                        let m = inverse.entry(graph, i, j);
+                        graph.product(&[(m, 1), (a, 1)])
+                    })
+                    .collect();
+                if !terms.is_empty() {
+                    let value = graph.sum(terms);
+                    lowering.output("w", Place::Entry(r, i), value);
+                }
+            }
+        }
+        for (r, row) in rows.iter().enumerate() {
+            for (s, other) in rows.iter().enumerate().skip(r) {
+                let graph = lowering.graph();
+                let mut terms = Vec::new();
+                for &(i, a) in row {
+                    for &(j, b) in other.iter().filter(|&&(j, _)| inverse.couples(i, j)) {
+                        let m = inverse.entry(graph, i, j);
+                        terms.push(graph.product(&[(m, 1), (a, 1), (b, 1)]));
+                    }
+                }
+                let value = graph.sum(terms);
+                lowering.output("gram", Place::Entry(r, s), value);
+                if s > r {
+                    lowering.output("gram", Place::Entry(s, r), value);
+                }
+            }
+        }
+        lowering.finish("metric")
+    }
+}
+
+/// Σ (M⁻¹)_ij · symbol over (j, symbol).
+fn inverse_product(
+    graph: &mut Graph,
+    inverse: &InverseMass,
+    i: usize,
+    terms: impl IntoIterator<Item = (usize, Symbol)>,
+) -> Expr {
+    let terms: Vec<Expr> = terms
+        .into_iter()
+        .map(|(j, symbol)| {
+            let inverse = inverse.entry(graph, i, j);
+            let symbol = graph.symbol(symbol);
+            graph.mul(inverse, symbol)
+        })
+        .collect();
+    graph.sum(terms)
+}

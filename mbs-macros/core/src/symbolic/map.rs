@@ -1,0 +1,45 @@
+//! Maps with small keys (indices, symbols, nodes).
+//!
+//! Procedural macros run unoptimised in users' builds, where the standard hasher, made to withstand an attacker, takes
+//! most of the time of a derivation. A multiplication and a rotation per word serve as well here, and make every run
+//! the same.
+
+use std::collections::{HashMap, HashSet};
+use std::hash::{BuildHasher, BuildHasherDefault, Hasher};
+
+pub(crate) type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mixer>>;
+pub(crate) type Set<K> = HashSet<K, BuildHasherDefault<Mixer>>;
+
+/// The hash of one key.
+pub(super) fn hash(key: impl std::hash::Hash) -> u64 {
+    BuildHasherDefault::<Mixer>::default().hash_one(key)
+}
+
+#[derive(Default)]
+pub(crate) struct Mixer(u64);
+
+impl Hasher for Mixer {
+    fn write(&mut self, bytes: &[u8]) {
+        for &byte in bytes {
+            self.write_u64(u64::from(byte));
+        }
+    }
+
+    fn write_u32(&mut self, word: u32) {
+        self.write_u64(u64::from(word));
+    }
+
+    fn write_usize(&mut self, word: usize) {
+        self.write_u64(word as u64);
+    }
+
+    fn write_u64(&mut self, word: u64) {
+        // An odd number without pattern: the fraction of π.
+        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x243f_6a88_85a3_08d3);
+    }
+
+    fn finish(&self) -> u64 {
+        // Multiplication mixes upwards; tables look at the low bits, too.
+        self.0.rotate_left(26)
+    }
+}
