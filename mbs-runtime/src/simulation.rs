@@ -191,8 +191,12 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
             }
             Err(SimulationError::NotConverged { .. }) if left > 0 => {
                 self.report.rejected_steps += 1;
-                // What the failed attempt noted counts for nothing.
+                // Its parts hold no promise of a good landing: other lengths come first.
+                let watched = passage.independence.is_some() || passage.clearance == 0.0;
                 *passage = Passage::new(self.power, None);
+                if watched {
+                    passage.clearance = 0.0;
+                }
                 self.halving(0.5 * h, left - 1, passage)?;
                 self.halving(0.5 * h, left - 1, passage)
             }

@@ -90,12 +90,18 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
     /// The state is then still that before the step.
     #[inline]
     pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
-        let done = if self.stages.len() == 1 {
-            self.try_step(h)
-        } else {
-            self.compose(h, None)
-        };
-        done.map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+        if self.stages.len() > 1 {
+            return self.composed(h);
+        }
+        self.try_step(h)
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn composed(&mut self, h: f64) -> Result<(), SimulationError> {
+        self.compose(h, None)
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
     }
 
     /// The same, with works and landings noted.
@@ -113,7 +119,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
 
     /// A step in its stages. Each begins with its own multipliers of the last step: as forces they change smoothly from
     /// step to step, while from stage to stage time jumps back and forth.
-    #[inline]
+    #[inline(never)]
     fn compose(&mut self, h: f64, mut passage: Option<&mut Passage>) -> Result<(), Fault> {
         let several = self.stages.len() > 1;
         if several {
