@@ -56,8 +56,9 @@ pub struct Settings {
     /// Step h, s.
     pub step: f64,
     /// Whether a step of the two-level method that would land beside a singular pose is given another length (0.5 to
-    /// 1.15 times h), so that it does not. At second order only where the landing costs digits. [`Simulation::step`](crate::Simulation::step) then advances by that length;
-    /// runs to a time or an event end where they should.
+    /// 1.15 times h), so that it does not. At second order only where the landing costs digits.
+    /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event end where
+    /// they should.
     pub placement: bool,
     /// The flow of the two-level step; `None` chooses it from the structure of the mechanism and the stiffness of its
     /// forces.
