@@ -15,7 +15,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     pub fn run_until(&mut self, time: f64) -> Result<(), SimulationError> {
         self.check_target(time)?;
         while let Some(h) = self.next_step(time) {
-            self.advance(h)?;
+            self.place(h, time - self.time())?;
         }
         self.land(time);
         Ok(())
@@ -83,7 +83,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         while let Some(h) = self.next_step(latest) {
             let state = self.state().clone();
             let report = self.report;
-            self.advance(h)?;
+            let h = self.place(h, latest - self.time())?;
             self.land(latest);
             let after = self.event(index);
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
