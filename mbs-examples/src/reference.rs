@@ -55,7 +55,11 @@ impl ReferenceTable {
         }
     }
 
-    fn read(path: PathBuf, reference: &Reference, model: &Model) -> Result<Self, String> {
+    /// Reads it from a file.
+    ///
+    /// # Errors
+    /// As [`ReferenceTable::find`].
+    pub fn read(path: PathBuf, reference: &Reference, model: &Model) -> Result<Self, String> {
         let shown = path.display();
         let text =
             std::fs::read_to_string(&path).map_err(|e| format!("cannot read {shown}: {e}"))?;

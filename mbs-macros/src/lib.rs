@@ -2,7 +2,10 @@
 
 use proc_macro::TokenStream;
 
-/// Declares a mechanism; see the crate `mbs-runtime` for the language and what is generated.
+/// Declares a mechanism: generates a struct of its parameters that implements `mbs_runtime::Mechanism`, and behind it the
+/// equations, derived symbolically.
+///
+#[doc = include_str!("../LANGUAGE.md")]
 #[proc_macro]
 pub fn mechanism(declaration: TokenStream) -> TokenStream {
     mbs_macros_core::compile(declaration.into()).into()

@@ -1,6 +1,7 @@
 //! One face for the integrators.
 
-use crate::alf3f::{Counters, PaperStepper};
+use crate::alf3f::{Counters, PaperStepper, Passage};
+use crate::linear::Independence;
 use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
 
 /// The integrator of a simulation.
@@ -23,10 +24,33 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
         }
     }
 
-    pub(crate) fn step(&mut self, h: f64) -> Result<(), SimulationError> {
+    pub(crate) fn step(&mut self, h: f64, passage: &mut Passage) -> Result<(), SimulationError> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.step(h),
-            Integrator::Paper(stepper) => stepper.step(h),
+            Integrator::TwoLevel(stepper) => stepper.pass(h, passage),
+            Integrator::Paper(stepper) => {
+                stepper.step(h)?;
+                let State {
+                    time,
+                    positions,
+                    velocities,
+                    ..
+                } = stepper.state();
+                let power = stepper
+                    .system
+                    .nonconservative_power(*time, positions, velocities);
+                passage.nonconservative_work += 0.5 * h * (passage.power + power);
+                passage.power = power;
+                passage.drive_work += stepper.drive().iter().sum::<f64>();
+                Ok(())
+            }
+        }
+    }
+
+    /// How independent the rows are; `None` where there is nothing to lose, or nobody to ask.
+    pub(crate) fn independence(&mut self) -> Option<Independence> {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.independence(),
+            Integrator::Paper(_) => None,
         }
     }
 
@@ -79,17 +103,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
                     rates: core
                         .start
                         .velocity_rows(&core.system, &core.state.velocities),
-                    // After the commit `end` is the node where the step began.
-                    drive: std::array::from_fn(|i| {
-                        -core.work.impulse[0][i] * core.end.b[i]
-                            - core.work.impulse[1][i] * core.start.b[i]
-                    }),
                 }
             }
             Integrator::Paper(stepper) => Trace {
                 phi: stepper.phi(),
                 rates: stepper.rates(),
-                drive: stepper.drive(),
             },
         }
     }
@@ -116,6 +134,4 @@ pub(crate) struct Trace<'a, const N: usize, const R: usize> {
     pub(crate) phi: &'a [f64; R],
     /// A v + b.
     pub(crate) rates: [f64; R],
-    /// Work of each row's multiplier against b during the step, J.
-    pub(crate) drive: [f64; R],
 }

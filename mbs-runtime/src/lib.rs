@@ -34,7 +34,7 @@
 //!
 //! | method | what it is |
 //! |---|---|
-//! | [`Method::TwoLevel`] | the three fields of ALF-3F with a multiplier of its own for positions and for velocities: kick, flow, kick; second order, symmetric; constraints hold to round-off at every step; redundant rows and singular poses are ordinary input |
+//! | [`Method::TwoLevel`] | the three fields of ALF-3F with a multiplier of its own for positions and for velocities: kick, flow, kick; second order, symmetric, composed to order 4, 6 or 8 ([`Settings::order`]); constraints hold to round-off at every step; redundant rows and singular poses are ordinary input |
 //! | [`Method::Paper`] | Algorithm 1 of Potosakis, Paraskevopoulos, Natsiavas (Nonlinear Dynamics, 2020), to the letter |
 //!
 //! The two-level step chooses the flow between its kicks from the structure of the equations ([`Structure`]):

@@ -52,6 +52,8 @@ pub struct Report {
     pub iterations: u64,
     /// Steps that were taken again with a smaller step.
     pub rejected_steps: u64,
+    /// Steps whose length was changed so that no stage lands beside a singular pose.
+    pub placed_steps: u64,
     /// Solves in which rows were redundant, or nearly so.
     pub regularised_solves: u64,
     /// max |energy error| over all steps, J.

@@ -1,6 +1,7 @@
 //! What a user may choose about the integration.
 
 use crate::SimulationError;
+use crate::alf3f::ORDERS;
 
 /// Which integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -49,8 +50,16 @@ impl Flow {
 pub struct Settings {
     /// The integrator.
     pub method: Method,
+    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 9 or 17 stages, some of which
+    /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`].
+    pub order: u8,
     /// Step h, s.
     pub step: f64,
+    /// Whether a step of the two-level method that would land beside a singular pose is given another length (0.5 to
+    /// 1.15 times h), so that it does not. At second order only where the landing costs digits.
+    /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event end where
+    /// they should.
+    pub placement: bool,
     /// The flow of the two-level step; `None` chooses it from the structure of the mechanism and the stiffness of its
     /// forces.
     pub flow: Option<Flow>,
@@ -64,7 +73,9 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             method: Method::TwoLevel,
+            order: 2,
             step: 1e-3,
+            placement: true,
             flow: None,
             constraint_tolerance: 1e-13,
             max_iterations: 25,
@@ -78,8 +89,14 @@ impl Settings {
         positive("step", self.step)?;
         positive("constraint_tolerance", self.constraint_tolerance)?;
         positive("max_iterations", self.max_iterations as f64)?;
+        let known = ORDERS.contains(&self.order);
+        require("order", self.order.into(), known, "2, 4, 6 or 8")?;
         match &self.method {
             Method::TwoLevel => Ok(()),
+            Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
+                order: self.order,
+                because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
+            }),
             Method::Paper(paper) => paper.check(),
         }
     }

@@ -1,7 +1,9 @@
 //! A mechanism in motion.
 
+mod placement;
 mod run;
 
+use crate::alf3f::Passage;
 use crate::assembly::assemble;
 use crate::integrator::Integrator;
 use crate::linear::largest;
@@ -28,6 +30,8 @@ pub struct Simulation<S: System<N, R>, const N: usize, const R: usize> {
     report: Report,
     /// Power of nonconservative forces at the current instant, W.
     power: f64,
+    /// Where a step that is tried began.
+    before: Box<State<N, R>>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
     events: Vec<f64>,
 }
@@ -97,8 +101,11 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
             rank: assembly.rank,
             ..Report::default()
         };
+        let integrator = Integrator::new(system, state, &settings)?;
+        let stages = crate::alf3f::stages(settings.order).len();
         let mut simulation = Simulation {
-            integrator: Integrator::new(system, state, &settings)?,
+            before: Box::new(integrator.state().with_room(stages)),
+            integrator,
             settings,
             assembly,
             report,
@@ -154,50 +161,60 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         &self.state().velocities
     }
 
-    /// One step of [`Settings::step`].
+    /// One step of [`Settings::step`], or of another length beside singular poses ([`Settings::placement`]).
     ///
     /// # Errors
     /// A row that does not converge, even with much smaller steps, or a state that is not finite; the message names the
     /// row and the time.
     pub fn step(&mut self) -> Result<(), SimulationError> {
-        self.advance(self.settings.step)
+        self.place(self.settings.step, f64::INFINITY).map(drop)
     }
 
-    /// One step of h: halved where it does not converge.
-    pub(crate) fn advance(&mut self, h: f64) -> Result<(), SimulationError> {
-        self.halving(h, HALVINGS)?;
+    /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
+    pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
+        let independence = if self.settings.placement {
+            self.integrator.independence()
+        } else {
+            None
+        };
+        let mut passage = Passage::new(self.power, independence);
+        self.halving(h, HALVINGS, &mut passage)?;
         self.report.steps += 1;
-        Ok(())
+        Ok(passage.clearance)
     }
 
-    fn halving(&mut self, h: f64, left: u32) -> Result<(), SimulationError> {
-        match self.integrator.step(h) {
+    fn halving(&mut self, h: f64, left: u32, passage: &mut Passage) -> Result<(), SimulationError> {
+        match self.integrator.step(h, passage) {
             Ok(()) => {
-                self.keep_books(h);
+                self.keep_books(passage);
                 Ok(())
             }
             Err(SimulationError::NotConverged { .. }) if left > 0 => {
                 self.report.rejected_steps += 1;
-                self.halving(0.5 * h, left - 1)?;
-                self.halving(0.5 * h, left - 1)
+                // Its parts hold no promise of a good landing: other lengths come first.
+                let watched = passage.independence.is_some() || passage.clearance == 0.0;
+                *passage = Passage::new(self.power, None);
+                if watched {
+                    passage.clearance = 0.0;
+                }
+                self.halving(0.5 * h, left - 1, passage)?;
+                self.halving(0.5 * h, left - 1, passage)
             }
             Err(error) => Err(error),
         }
     }
 
     /// Work and errors of the step just taken.
-    fn keep_books(&mut self, h: f64) {
+    fn keep_books(&mut self, passage: &mut Passage) {
         let trace = self.integrator.trace();
-        let drive: f64 = trace.drive.iter().sum();
         let holonomic = largest(trace.phi);
         let velocity = largest(&trace.rates);
         self.report.holonomic_error = self.report.holonomic_error.max(holonomic);
         self.report.velocity_error = self.report.velocity_error.max(velocity);
-        let before = self.power;
-        self.take_stock();
+        self.power = passage.power;
         let ledger = &mut self.integrator.state_mut().ledger;
-        ledger.nonconservative_work += 0.5 * h * (before + self.power);
-        ledger.drive_work += drive;
+        ledger.nonconservative_work += std::mem::take(&mut passage.nonconservative_work);
+        ledger.drive_work += std::mem::take(&mut passage.drive_work);
         self.report.energy_error = self.report.energy_error.max(self.energy().error.abs());
     }
 
@@ -305,6 +322,33 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         })
     }
 
+    /// One component of a joint's reaction, as [`Model::reactions`](crate::Model::reactions) names them: the force or
+    /// torque on the child, in world axes.
+    ///
+    /// # Errors
+    /// An unknown joint, or one without this component; otherwise as [`Simulation::reactions`].
+    pub fn reaction(&self, joint: &str, component: &str) -> Result<f64, SimulationError> {
+        let list = S::MODEL.reactions;
+        let Some(index) = list
+            .iter()
+            .position(|r| r.joint == joint && r.component == component)
+        else {
+            let of_joint: Vec<_> = list.iter().filter(|r| r.joint == joint).collect();
+            return Err(match of_joint.is_empty() {
+                true => UnknownName::new("joint with reactions", joint, joints(list)),
+                false => UnknownName::new(
+                    "component of this reaction",
+                    component,
+                    of_joint.iter().map(|r| r.component),
+                ),
+            }
+            .into());
+        };
+        // As many values as the model names.
+        self.reactions()
+            .map(|reactions| reactions.values.get(index).copied().unwrap_or(f64::NAN))
+    }
+
     /// The current instant as a row of results.
     pub fn sample(&self) -> Sample {
         let trace = self.integrator.trace();
@@ -344,4 +388,11 @@ fn find(
         .clone()
         .position(|candidate| candidate == name)
         .ok_or_else(|| UnknownName::new(what, name, known))
+}
+
+/// The joints that have reactions, each once.
+fn joints(reactions: &'static [crate::Reaction]) -> Vec<&'static str> {
+    let mut names: Vec<&str> = reactions.iter().map(|reaction| reaction.joint).collect();
+    names.dedup();
+    names
 }

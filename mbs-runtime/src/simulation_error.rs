@@ -30,6 +30,13 @@ pub enum SimulationError {
         /// One that can.
         instead: Flow,
     },
+    /// An order that the method does not reach with this mechanism.
+    Order {
+        /// The order asked for.
+        order: u8,
+        /// Why not.
+        because: &'static str,
+    },
     /// A time to run to that lies in the past or is not finite.
     Time {
         /// The current time, s.
@@ -150,6 +157,10 @@ impl fmt::Display for SimulationError {
                 "the {} flow cannot be used here: {because}; use {}, or leave the choice to the runtime",
                 flow.name(),
                 instead.name()
+            ),
+            Order { order, because } => write!(
+                out,
+                "order {order} cannot be had here: {because}; use order 2"
             ),
             Time { now, wanted } => write!(
                 out,

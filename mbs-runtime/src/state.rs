@@ -18,6 +18,8 @@ pub struct State<const N: usize, const R: usize> {
     pub multipliers: [f64; R],
     /// … plus its change from the step before.
     pub multiplier_changes: [f64; R],
+    /// The same two, stage by stage, of the last step of a composition; empty for second order.
+    pub stage_multipliers: Vec<[[f64; R]; 2]>,
     /// Accumulated work.
     pub ledger: Ledger,
     /// The fields that only Algorithm 1 carries from step to step.
@@ -59,6 +61,57 @@ impl<const N: usize, const R: usize> State<N, R> {
         }
     }
 
+    /// Prepares for steps of this many stages.
+    pub(crate) fn make_room(&mut self, stages: usize) {
+        if stages == 1 || self.stage_multipliers.len() != stages {
+            self.stage_multipliers.clear();
+        }
+        if stages > 1 {
+            self.stage_multipliers.reserve(stages);
+        }
+    }
+
+    /// A copy with room for this many stages.
+    pub(crate) fn with_room(&self, stages: usize) -> Self {
+        let mut copy = self.clone();
+        copy.make_room(stages);
+        copy
+    }
+
+    /// Becomes `other`, without allocation where there is room.
+    #[inline]
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        self.time = other.time;
+        self.positions = other.positions;
+        self.velocities = other.velocities;
+        self.multipliers = other.multipliers;
+        self.multiplier_changes = other.multiplier_changes;
+        self.stage_multipliers.clone_from(&other.stage_multipliers);
+        self.ledger = other.ledger;
+        self.fields = other.fields;
+    }
+
+    /// The multipliers that a stage begins with: its own of the last step, in the first step those of the stage before.
+    #[inline]
+    pub(crate) fn recall_stage(&mut self, stage: usize) {
+        match self.stage_multipliers.get(stage) {
+            Some(&[multipliers, changes]) => {
+                self.multipliers = multipliers;
+                self.multiplier_changes = changes;
+            }
+            None => self.multiplier_changes = [0.0; R],
+        }
+    }
+
+    /// Keeps the multipliers of a stage for the next step.
+    #[inline]
+    pub(crate) fn keep_stage(&mut self, stage: usize) {
+        match self.stage_multipliers.get_mut(stage) {
+            Some(kept) => *kept = [self.multipliers, self.multiplier_changes],
+            None => self.stage_multipliers.push([self.multipliers, [0.0; R]]),
+        }
+    }
+
     /// A state without history.
     pub fn new(time: f64, positions: [f64; N], velocities: [f64; N]) -> Self {
         State {
@@ -67,6 +120,7 @@ impl<const N: usize, const R: usize> State<N, R> {
             velocities,
             multipliers: [0.0; R],
             multiplier_changes: [0.0; R],
+            stage_multipliers: Vec::new(),
             ledger: Ledger::default(),
             fields: ThreeFields::default(),
         }

@@ -193,3 +193,46 @@ fn chaplygin_sleigh() {
         |_, _| false,
     );
 }
+
+#[test]
+fn reactions_are_asked_for_by_name() {
+    let simulation =
+        mbs_runtime::Simulation::new(scenes::pendulum::Pendulum::default()).expect("it assembles");
+    // At rest in the horizontal the massless bar carries nothing, and its mass falls freely.
+    assert!(
+        simulation
+            .reaction("pivot", "fx")
+            .expect("it is there")
+            .abs()
+            < 1e-12
+    );
+    let message = |result: Result<f64, mbs_runtime::SimulationError>| {
+        result.expect_err("it is not there").to_string()
+    };
+    let wrong_joint = message(simulation.reaction("pivott", "fx"));
+    assert!(
+        wrong_joint.contains("`pivott`") && wrong_joint.contains("pivot, joint"),
+        "{wrong_joint}"
+    );
+    let wrong_component = message(simulation.reaction("pivot", "fz"));
+    assert!(
+        wrong_component.contains("`fz`") && wrong_component.contains("fx, fy"),
+        "{wrong_component}"
+    );
+}
+
+#[test]
+fn a_step_that_the_clock_cannot_count_is_refused() {
+    let settings = mbs_runtime::Settings {
+        step: 1e-300,
+        ..Default::default()
+    };
+    let mut simulation =
+        mbs_runtime::Simulation::with_settings(scenes::pendulum::Pendulum::default(), settings)
+            .expect("it assembles");
+    let error = simulation
+        .run_until(1.0)
+        .expect_err("it would never end")
+        .to_string();
+    assert!(error.contains("setting `step`"), "{error}");
+}

@@ -1,7 +1,7 @@
-//! The book's reference page is what the schema says. To renew it: `UPDATE_REFERENCE=1 cargo test -p mbs-tests --test
-//! reference_page`.
+//! The reference page of the language, in the book and on the page of the macro, is what the schema says. To renew it:
+//! `UPDATE_REFERENCE=1 cargo test -p mbs-tests --test reference_page`.
 
-const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../book/src/language.md");
+const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../mbs-macros/LANGUAGE.md");
 
 #[test]
 fn the_reference_page_is_up_to_date() {
@@ -12,6 +12,6 @@ fn the_reference_page_is_up_to_date() {
     let written = std::fs::read_to_string(PATH).expect("the page is there");
     assert!(
         written == page,
-        "book/src/language.md is out of date; renew it with UPDATE_REFERENCE=1"
+        "mbs-macros/LANGUAGE.md is out of date; renew it with UPDATE_REFERENCE=1"
     );
 }

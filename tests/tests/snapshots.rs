@@ -81,6 +81,21 @@ fn rust(declaration: &str) -> String {
 fn methods(declaration: &str, names: &[&str]) -> String {
     let mut file: syn::File =
         syn::parse2(mbs_macros_core::compile(stages::tokens(declaration))).expect("it parses");
+    // The implementation is inside `const _: () = { … };`.
+    let inner = file.items.iter().filter_map(|item| match item {
+        syn::Item::Const(constant) => match &*constant.expr {
+            syn::Expr::Block(block) => Some(&block.block.stmts),
+            _ => None,
+        },
+        _ => None,
+    });
+    file.items = inner
+        .flatten()
+        .filter_map(|statement| match statement {
+            syn::Stmt::Item(item) => Some(item.clone()),
+            _ => None,
+        })
+        .collect();
     file.items.retain(|item| match item {
         syn::Item::Impl(block) => {
             let system = block

@@ -4,3 +4,9 @@
 fn wrong_programs() {
     trybuild::TestCases::new().compile_fail("tests/ui/*.rs");
 }
+
+/// What a user does not see: warnings.
+#[test]
+fn generated_code_is_clean() {
+    trybuild::TestCases::new().pass("tests/clean/*.rs");
+}

@@ -37,12 +37,7 @@ impl Request {
                     .to_owned(),
             ));
         }
-        if arguments.order != "2" {
-            let order = &arguments.order;
-            return Err(Failure(format!(
-                "order {order} is not available; available: --order 2"
-            )));
-        }
+        let order = order(&arguments.order)?;
         let duration = positive("--time", arguments.time.as_deref(), scene.duration)?;
         let step = positive("--step", arguments.step.as_deref(), scene.step)?;
         if duration / step > 1e15 {
@@ -55,6 +50,7 @@ impl Request {
             duration,
             settings: Settings {
                 method,
+                order,
                 step,
                 ..Settings::default()
             },
@@ -98,6 +94,18 @@ impl Request {
             return Err(Failure(unknown("parameter or input", name, known)));
         }
         Ok(())
+    }
+}
+
+fn order(text: &str) -> Result<u8, Failure> {
+    match text.trim() {
+        "2" => Ok(2),
+        "4" => Ok(4),
+        "6" => Ok(6),
+        "8" => Ok(8),
+        _ => Err(Failure(format!(
+            "order {text} is not available; available: --order 2, 4, 6 and 8"
+        ))),
     }
 }
 

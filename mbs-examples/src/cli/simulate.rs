@@ -37,7 +37,7 @@ pub struct Simulate {
     /// Integrator: two-level or alf3f-paper.
     #[arg(long, value_name = "M", default_value = "two-level")]
     pub method: String,
-    /// Order of the method: 2.
+    /// Order of the method: 2, 4, 6 or 8.
     #[arg(long, value_name = "N", default_value = "2")]
     pub order: String,
     /// Value of a parameter or an input; may be repeated.

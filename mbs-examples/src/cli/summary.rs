@@ -31,7 +31,7 @@ pub fn json(run: &Run) -> String {
         "method": run.simulation.settings().method.name(),
         // Algorithm 1 has its own discretisation.
         "flow": matches!(settings.method, Method::TwoLevel).then(|| run.simulation.flow().name()),
-        "order": 2,
+        "order": settings.order,
         "step_s": run.simulation.settings().step,
         "coordinates": model.coordinates.len(),
         "velocities": run.simulation.velocities().len(),
@@ -45,6 +45,7 @@ pub fn json(run: &Run) -> String {
         "holonomic_error": report.holonomic_error,
         "velocity_error": report.velocity_error,
         "rejected_steps": report.rejected_steps,
+        "placed_steps": report.placed_steps,
         "status": if run.stopped.is_some() { "stopped" } else { "ok" },
         "message": run.stopped.as_ref().map(ToString::to_string),
         "final": last,
@@ -106,16 +107,17 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
     };
     writeln!(
         out,
-        "  method       {method}, order 2, step {} s",
-        settings.step
+        "  method       {method}, order {}, step {} s",
+        settings.order, settings.step
     )?;
     writeln!(
         out,
-        "  run          {} s in {} steps and {} stages ({} rejected), {:.3} ms of processor time",
+        "  run          {} s in {} steps and {} stages ({} rejected, {} placed), {:.3} ms of processor time",
         run.simulation.time(),
         report.steps,
         report.stages,
         report.rejected_steps,
+        report.placed_steps,
         1e3 * run.cpu
     )?;
     if let Some(error) = &run.stopped {

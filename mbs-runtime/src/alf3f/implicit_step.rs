@@ -13,11 +13,13 @@ use super::core::Core;
 use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
-use crate::flow::Implicit;
+use crate::flow::{Implicit, imperceptible};
 use crate::linear::{Dual, Matrix, Pivoted, accumulate, clear, dot, largest};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
 const CONVERGED: f64 = 1e-14;
+/// Corrections below this fraction of the velocities end it when they no longer shrink.
+const STILL: f64 = 1e-10;
 /// Below this ratio of the smallest pivots of A₁J⁻¹½(A₀ + A₁)ᵀ and A₁J⁻¹A₁ᵀ the mean direction counts as lost.
 const LOST: f64 = 0.3;
 
@@ -135,8 +137,8 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
 
             let size = largest(&change);
             let speed = largest(&vb);
-            let settled =
-                size <= CONVERGED * speed || (size >= 0.5 * last_change && size <= 1e-10 * speed);
+            let least = (STILL * speed).max(imperceptible(&q, h));
+            let settled = size <= CONVERGED * speed || (size >= 0.5 * last_change && size <= least);
             if settled && (residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED)) {
                 break q;
             }

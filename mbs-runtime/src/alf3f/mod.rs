@@ -1,5 +1,6 @@
 //! ALF-3F: the two-level step and the paper's Algorithm 1.
 
+mod composition;
 mod core;
 mod fault;
 mod implicit_step;
@@ -8,10 +9,13 @@ mod mixed_kicks;
 mod node;
 mod paper;
 mod paper_rows;
+mod passage;
 mod two_level;
 
 pub(crate) use self::core::Counters;
+pub(crate) use composition::{ORDERS, stages};
 pub(crate) use fault::Fault;
 pub(crate) use node::Node;
 pub use paper::PaperStepper;
+pub(crate) use passage::Passage;
 pub use two_level::TwoLevelStepper;

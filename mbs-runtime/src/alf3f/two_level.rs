@@ -2,16 +2,22 @@
 
 use super::core::{Core, Counters};
 use super::implicit_step::{ImplicitStep, Outcome};
-use super::{Fault, kicks, mixed_kicks};
+use super::{Fault, Passage, composition, kicks, mixed_kicks};
 use crate::flow::{KickFlow, Leapfrog, Trapezoid};
+use crate::linear::Independence;
 use crate::{Flow, Settings, SimulationError, State, System};
 
 /// The integrator by itself: steps of any length, without energy balance or report.
 ///
-/// A step allocates nothing. [`Simulation`](crate::Simulation) wraps it; use it directly to measure, or to compose steps.
+/// A step allocates nothing and has the length that is asked for, near singular poses too.
+/// [`Simulation`](crate::Simulation) wraps it; use it directly to measure, or to compose steps.
 pub struct TwoLevelStepper<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) core: Core<S, N, R>,
     flow: Stepping<N, R>,
+    /// Fractions of a step.
+    stages: &'static [f64],
+    /// The state before a step of several stages.
+    before: State<N, R>,
 }
 
 /// The flow and its workspace.
@@ -53,6 +59,16 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
         settings.check()?;
         let flow = crate::flow::choose(&system, &state, settings)?;
         let time = state.time;
+        if flow == Flow::Implicit && settings.order > 2 {
+            return Err(SimulationError::Order {
+                order: settings.order,
+                because: "forces depend on velocities, or the implicit flow was asked for: stages that run back in time would feed dissipation backwards, and the implicit step is not symmetric",
+            });
+        }
+        let stages = composition::stages(settings.order);
+        let mut state = state;
+        state.make_room(stages.len());
+        let before = state.with_room(stages.len());
         let core = Core::new(system, state, settings)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         Ok(TwoLevelStepper {
@@ -62,6 +78,8 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
                 Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
                 Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
             },
+            stages,
+            before,
         })
     }
 
@@ -72,8 +90,72 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
     /// The state is then still that before the step.
     #[inline]
     pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
+        if self.stages.len() > 1 {
+            return self.composed(h);
+        }
         self.try_step(h)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn composed(&mut self, h: f64) -> Result<(), SimulationError> {
+        self.compose(h, None)
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+    }
+
+    /// The same, with works and landings noted.
+    pub(crate) fn pass(&mut self, h: f64, passage: &mut Passage) -> Result<(), SimulationError> {
+        self.compose(h, Some(passage))
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+    }
+
+    /// How independent the holonomic rows are where it stands; `None` without such rows.
+    pub(crate) fn independence(&mut self) -> Option<Independence> {
+        let rows = S::STRUCTURE.holonomic_rows;
+        let Core { start, work, .. } = &mut self.core;
+        (rows > 0).then(|| work.symmetric.independence(&start.gram, rows))
+    }
+
+    /// A step in its stages. Each begins with its own multipliers of the last step: as forces they change smoothly from
+    /// step to step, while from stage to stage time jumps back and forth.
+    #[inline(never)]
+    fn compose(&mut self, h: f64, mut passage: Option<&mut Passage>) -> Result<(), Fault> {
+        let several = self.stages.len() > 1;
+        if several {
+            self.before.copy_from(&self.core.state);
+        }
+        for (index, fraction) in self.stages.iter().enumerate() {
+            if several {
+                self.core.state.recall_stage(index);
+            }
+            if let Err(fault) = self.try_step(fraction * h) {
+                if several {
+                    self.core.state.copy_from(&self.before);
+                    self.core.refresh()?;
+                }
+                return Err(fault);
+            }
+            if several {
+                self.core.state.keep_stage(index);
+            }
+            if let Some(passage) = passage.as_deref_mut() {
+                passage.add(&self.core, fraction * h);
+                if passage.independence.is_some() {
+                    if let Stepping::Implicit(..) = self.flow {
+                        self.core.work.symmetric.factor(&self.core.start.gram);
+                    }
+                    if let Some(now) = self.independence() {
+                        passage.land(now, index == 0);
+                    }
+                }
+            }
+        }
+        if several {
+            // The sum of the fractions is rounded, time is not.
+            self.core.state.time = self.before.time + h;
+        }
+        Ok(())
     }
 
     #[inline(always)]

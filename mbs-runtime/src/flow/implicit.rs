@@ -10,6 +10,14 @@ const MAX_ITERATIONS: usize = 40;
 const CONVERGED: f64 = 1e-14;
 /// … or when it no longer shrinks and is below this: round-off.
 const STAGNATED: f64 = 1e-9;
+/// Round-off of positions, relative to the size of the mechanism.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+
+/// A velocity that moves the end of a step of h by no more than the round-off of its positions. At rest the corrections
+/// stay of this size: 2φ/h, the rate that a row asks for, is no better known, and smaller steps make it worse.
+pub(crate) fn imperceptible<const N: usize>(q: &[f64; N], h: f64) -> f64 {
+    ROUND_OFF * largest(q).max(1.0) / (0.5 * h)
+}
 
 pub(crate) struct Implicit<const N: usize> {
     h: f64,
@@ -161,7 +169,8 @@ impl<const N: usize> Implicit<N> {
             }
             let size = largest(&change);
             let speed = largest(&vb[..]);
-            let stagnated = fresh && size >= 0.5 * last && size <= STAGNATED * speed;
+            let least = (STAGNATED * speed).max(imperceptible(&q1, self.h));
+            let stagnated = fresh && size >= 0.5 * last && size <= least;
             if size <= CONVERGED * speed || stagnated {
                 return Ok(std::array::from_fn(|i| base[i] + half * vb[i]));
             }

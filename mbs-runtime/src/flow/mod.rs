@@ -6,7 +6,7 @@ mod leapfrog;
 mod trapezoid;
 
 pub(crate) use choice::choose;
-pub(crate) use implicit::Implicit;
+pub(crate) use implicit::{Implicit, imperceptible};
 pub(crate) use leapfrog::Leapfrog;
 pub(crate) use trapezoid::Trapezoid;
 

@@ -1,5 +1,6 @@
 //! The multiplier solve of the velocity rows, whose matrix S = A M⁻¹ Aᵀ is symmetric.
 
+use super::Independence;
 use super::proximal::Proximal;
 use super::{SMALL_PIVOT, SPARSE_FROM, WEAK_PIVOT};
 
@@ -66,6 +67,55 @@ impl<const K: usize> SymmetricDual<K> {
         }
         self.weak = weak;
         true
+    }
+
+    /// How independent the first `rows` rows of `matrix` are, which was factored last.
+    #[inline]
+    pub(crate) fn independence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> Independence {
+        if self.regularised {
+            return self.dependence(matrix, rows);
+        }
+        let mut most: f64 = 0.0;
+        for k in 0..rows {
+            most = most.max(self.inverse_pivot[k] * matrix[k][k]);
+        }
+        let sigma = 1.0 / most.sqrt();
+        Independence {
+            sigma,
+            weakest: sigma,
+            lost: 0,
+        }
+    }
+
+    /// Eliminates past rows without a direction of their own. The proximal solve does not need the room this takes.
+    #[cold]
+    #[inline(never)]
+    fn dependence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> Independence {
+        let upper = &mut self.upper;
+        **upper = *matrix;
+        let (mut least, mut weakest, mut lost) = (f64::INFINITY, f64::INFINITY, 0);
+        for k in 0..rows {
+            let pivot_row = upper[k];
+            let pivot = pivot_row[k];
+            let relative = pivot / matrix[k][k];
+            weakest = weakest.min(relative.max(0.0));
+            if !(relative > SMALL_PIVOT) {
+                lost += 1;
+                continue;
+            }
+            least = least.min(relative);
+            for i in k + 1..rows {
+                let factor = pivot_row[i] / pivot;
+                for j in i..rows {
+                    upper[i][j] -= factor * pivot_row[j];
+                }
+            }
+        }
+        Independence {
+            sigma: least.sqrt(),
+            weakest: weakest.sqrt(),
+            lost,
+        }
     }
 
     /// x ← S⁻¹ x, or x ← S(S² + εI)⁻¹ x on rows of unit length.

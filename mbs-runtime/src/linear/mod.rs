@@ -1,5 +1,6 @@
 //! Small dense kernels on fixed-size arrays. None allocates; all accept size 0.
 
+mod independence;
 mod ldlt;
 mod lu;
 mod pivoted;
@@ -7,6 +8,7 @@ mod proximal;
 mod rank;
 mod vector;
 
+pub(crate) use independence::Independence;
 pub(crate) use ldlt::SymmetricDual;
 pub(crate) use lu::Dual;
 pub(crate) use pivoted::Pivoted;

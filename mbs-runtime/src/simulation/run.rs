@@ -15,7 +15,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     pub fn run_until(&mut self, time: f64) -> Result<(), SimulationError> {
         self.check_target(time)?;
         while let Some(h) = self.next_step(time) {
-            self.advance(h)?;
+            self.place(h, time - self.time())?;
         }
         self.land(time);
         Ok(())
@@ -24,11 +24,20 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     /// Refuses times that cannot be run to.
     fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
         let now = self.time();
-        if wanted.is_finite() && wanted >= now - SLIVER * self.settings.step {
-            Ok(())
-        } else {
-            Err(SimulationError::Time { now, wanted })
+        let step = self.settings.step;
+        if !(wanted.is_finite() && wanted >= now - SLIVER * step) {
+            return Err(SimulationError::Time { now, wanted });
         }
+        // Such a run would not end, and the clock would not feel its steps.
+        if wanted > now && step < 1e-13 * (wanted - now).max(now.abs()) {
+            let wanted = "a step that the clock can count to the end of the run, above 1e-13 of its duration";
+            return Err(SimulationError::Setting {
+                name: "step",
+                value: step,
+                wanted,
+            });
+        }
+        Ok(())
     }
 
     /// The step to take towards `time`; `None` on arrival.
@@ -74,7 +83,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         while let Some(h) = self.next_step(latest) {
             let state = self.state().clone();
             let report = self.report;
-            self.advance(h)?;
+            let h = self.place(h, latest - self.time())?;
             self.land(latest);
             let after = self.event(index);
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {

@@ -119,8 +119,7 @@ pub(super) fn emit_mechanism(
         .collect();
     let body = tokens(&preparation(model, graph, program, &system.to_string()));
     quote! {
-        #[allow(clippy::all, unused_variables, unused_mut, unexpected_cfgs)]
-        #[cfg(not(rust_analyzer))]
+        #[allow(clippy::all, unused_variables, unused_mut)]
         impl ::mbs_runtime::Mechanism for #name {
             type System = #system;
             const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #rows>>::MODEL;
@@ -139,30 +138,9 @@ pub(super) fn emit_mechanism(
 
             fn set_parameter(&mut self, name: &str, value: f64) -> ::core::result::Result<(), ::mbs_runtime::UnknownName> {
                 match name {
-                    #( #names => self.#fields = value, )*
-                    _ => return ::core::result::Result::Err(::mbs_runtime::UnknownName::new("parameter", name, [#( #names ),*])),
+                    #( #names => { self.#fields = value; ::core::result::Result::Ok(()) } )*
+                    _ => ::core::result::Result::Err(::mbs_runtime::UnknownName::new("parameter", name, [#( #names ),*])),
                 }
-                ::core::result::Result::Ok(())
-            }
-        }
-
-        // For editors: the same signatures without the long body.
-        #[allow(unexpected_cfgs)]
-        #[cfg(rust_analyzer)]
-        impl ::mbs_runtime::Mechanism for #name {
-            type System = #system;
-            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #rows>>::MODEL;
-
-            fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
-                loop {}
-            }
-
-            fn parameter(&self, name: &str) -> ::core::option::Option<f64> {
-                loop {}
-            }
-
-            fn set_parameter(&mut self, name: &str, value: f64) -> ::core::result::Result<(), ::mbs_runtime::UnknownName> {
-                loop {}
             }
         }
     }

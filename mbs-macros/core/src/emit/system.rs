@@ -73,24 +73,27 @@ pub(super) fn emit(
             #( #laws )*
         }
 
-        #[allow(clippy::all, unused_variables, unused_parens, unexpected_cfgs)]
-        #[cfg(not(rust_analyzer))]
-        impl ::mbs_runtime::System<#size, #rows> for #name {
-            const MODEL: &'static ::mbs_runtime::Model = #metadata;
-            const STRUCTURE: ::mbs_runtime::Structure = #structure;
-            #mass
-            #full
-        }
-
-        // Editors resolve names against these signatures and never see the long bodies.
+        // An `allow` reaches the `cfg`s inside its item, not its own; the user's crate need not know this one.
         #[allow(unexpected_cfgs)]
-        #[cfg(rust_analyzer)]
-        impl ::mbs_runtime::System<#size, #rows> for #name {
-            const MODEL: &'static ::mbs_runtime::Model = #metadata;
-            const STRUCTURE: ::mbs_runtime::Structure = #structure;
-            #mass
-            #stubs
-        }
+        const _: () = {
+            #[allow(clippy::all, unused_variables, unused_parens)]
+            #[cfg(not(rust_analyzer))]
+            impl ::mbs_runtime::System<#size, #rows> for #name {
+                const MODEL: &'static ::mbs_runtime::Model = #metadata;
+                const STRUCTURE: ::mbs_runtime::Structure = #structure;
+                #mass
+                #full
+            }
+
+            // Editors resolve names against these signatures and never see the long bodies.
+            #[cfg(rust_analyzer)]
+            impl ::mbs_runtime::System<#size, #rows> for #name {
+                const MODEL: &'static ::mbs_runtime::Model = #metadata;
+                const STRUCTURE: ::mbs_runtime::Structure = #structure;
+                #mass
+                #stubs
+            }
+        };
     }
 }
 

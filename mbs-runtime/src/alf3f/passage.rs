@@ -1,0 +1,69 @@
+//! What is watched while a step passes through its stages: works, and how far its landings stay from singular poses.
+
+use super::core::Core;
+use crate::System;
+use crate::linear::Independence;
+
+/// Works and clearance of a step, stage by stage.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Passage {
+    /// Power of forces without potential where the passage stands, W.
+    pub(crate) power: f64,
+    /// Work of these forces so far, J.
+    pub(crate) nonconservative_work: f64,
+    /// Work of the rheonomic rows so far, J.
+    pub(crate) drive_work: f64,
+    /// The least of σ₁/(σ₀ + σ₁) over the stages: the distance of a landing from a singular pose, as a fraction of the
+    /// stage. It is ½ far from any.
+    pub(crate) clearance: f64,
+    /// Where the passage stands; `None` if clearance is of no interest.
+    pub(crate) independence: Option<Independence>,
+}
+
+impl Passage {
+    /// From an instant with this power and independence of the rows.
+    pub(crate) fn new(power: f64, independence: Option<Independence>) -> Self {
+        Passage {
+            power,
+            nonconservative_work: 0.0,
+            drive_work: 0.0,
+            clearance: f64::INFINITY,
+            independence,
+        }
+    }
+
+    /// Adds a stage of h seconds, after it was taken. The works are those of the trapezoidal rule, symmetric like the
+    /// stage: the composition raises their order too.
+    #[inline]
+    pub(crate) fn add<S: System<N, R>, const N: usize, const R: usize>(
+        &mut self,
+        core: &Core<S, N, R>,
+        h: f64,
+    ) {
+        let state = &core.state;
+        let power =
+            core.system
+                .nonconservative_power(state.time, &state.positions, &state.velocities);
+        self.nonconservative_work += 0.5 * h * (self.power + power);
+        self.power = power;
+        // After the commit `end` is the node where the stage began.
+        let impulse = &core.work.impulse;
+        self.drive_work += (0..R)
+            .map(|i| -impulse[0][i] * core.end.b[i] - impulse[1][i] * core.start.b[i])
+            .sum::<f64>();
+    }
+
+    /// Takes note of the landing of a stage. `first`: where the stage began was settled by the step before.
+    #[inline]
+    pub(crate) fn land(&mut self, now: Independence, first: bool) {
+        let Some(before) = self.independence.replace(now) else {
+            return;
+        };
+        let clearance = if first {
+            now.after(&before)
+        } else {
+            now.after(&before).min(before.after(&now))
+        };
+        self.clearance = self.clearance.min(clearance);
+    }
+}

@@ -1,0 +1,35 @@
+//! How far the rows are from losing their independence.
+
+/// Weight of landings so close to a singular pose that the solve there is the proximal one.
+const LOST: f64 = 0.01;
+
+/// A cheap estimate of the smallest singular value of the rows, each of unit length, from the pivots of S.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Independence {
+    /// √ of the smallest relative pivot; of those rows that have a direction of their own.
+    pub(crate) sigma: f64,
+    /// √ of the smallest relative pivot of all rows.
+    pub(crate) weakest: f64,
+    /// How many rows have no direction of their own.
+    pub(crate) lost: usize,
+}
+
+impl Independence {
+    /// σ₁/(σ₀ + σ₁) for a landing here after `before`: σ falls linearly to zero at a singular pose, and rises again
+    /// behind it, so that this is the distance of the landing from the pose as a fraction of the way.
+    ///
+    /// Rows that are redundant at both ends do not count; a landing where more rows are lost is worse than any other.
+    pub(crate) fn after(&self, before: &Self) -> f64 {
+        if !before.sigma.is_finite() {
+            return f64::INFINITY;
+        }
+        let fraction = |sigma: f64| sigma / (sigma + before.sigma);
+        if self.lost <= before.lost {
+            fraction(self.sigma)
+        } else if before.lost == 0 {
+            LOST * fraction(self.weakest)
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Steps that do not land beside singular poses.
+//!
+//! At a singular pose rows lose their independence, and with it a multiplier its direction. Passing over it does no harm;
+//! beginning or ending a stage right beside it does. A step that would is taken again with another length.
+
+use super::Simulation;
+use crate::{SimulationError, System};
+
+/// The least clearance of a landing, as a fraction of its stage, that is looked for.
+const CLEAR: f64 = 0.15;
+/// A step of second order is not taken again above this: it passes nearly every landing unharmed, and then a change of
+/// length costs more than it saves.
+const CLEAR_SECOND: f64 = 0.02;
+/// Lengths that are tried, as fractions of the step.
+const LENGTHS: [f64; 7] = [0.8, 0.64, 1.15, 0.9, 0.72, 0.5, 0.57];
+/// A step to a given instant is not placed when less than this part of a step is left: the instant itself may be that of
+/// a singular pose.
+const REMAINDER: f64 = 0.1;
+
+impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
+    /// A step of about h, of which `left` must not be exceeded, that keeps clear of singular poses; returns its length.
+    pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+        let placed = self.settings.placement && h >= REMAINDER * self.settings.step;
+        if !placed {
+            self.advance(h)?;
+            return Ok(h);
+        }
+        self.before.copy_from(self.integrator.state());
+        let (report, power) = (self.report, self.power);
+        let first = self.advance(h);
+        let wanted = if self.settings.order == 2 {
+            CLEAR_SECOND
+        } else {
+            CLEAR
+        };
+        match first {
+            Ok(clearance) if !(clearance < wanted) => Ok(h),
+            // Without a clearance nothing is known of singular poses.
+            Err(error) if !matches!(error, SimulationError::NotConverged { .. }) => Err(error),
+            _ => self.choose(h, left, first, (report, power)),
+        }
+    }
+
+    /// Tries other lengths after `first`, and takes the first that keeps clear or else the best.
+    #[cold]
+    #[inline(never)]
+    fn choose(
+        &mut self,
+        h: f64,
+        left: f64,
+        first: Result<f64, SimulationError>,
+        start: (crate::Report, f64),
+    ) -> Result<f64, SimulationError> {
+        let (mut best, mut length) = match &first {
+            Ok(clearance) => (*clearance, h),
+            Err(_) => (f64::NEG_INFINITY, h),
+        };
+        let mut taken = h;
+        for factor in LENGTHS {
+            let trial = factor * h;
+            if trial > left {
+                continue;
+            }
+            self.back(start)?;
+            taken = trial;
+            match self.advance(trial) {
+                Ok(clearance) if clearance > best => (best, length) = (clearance, trial),
+                _ => {}
+            }
+            if best >= CLEAR {
+                break;
+            }
+        }
+        if best == f64::NEG_INFINITY {
+            self.back(start)?;
+            return first.map(|_| h);
+        }
+        if taken != length {
+            self.back(start)?;
+            self.advance(length)?;
+        }
+        self.report.placed_steps += u64::from(length != h);
+        Ok(length)
+    }
+
+    /// To where the step began.
+    fn back(&mut self, (report, power): (crate::Report, f64)) -> Result<(), SimulationError> {
+        self.integrator.state_mut().copy_from(&self.before);
+        self.report = report;
+        self.power = power;
+        self.integrator.refresh(&self.settings)
+    }
+}

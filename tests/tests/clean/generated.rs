@@ -1,0 +1,32 @@
+#![deny(warnings)]
+#![forbid(unsafe_code)]
+#![deny(missing_docs)]
+//! Generated code gives no warning in a crate of its own, whose lints are not those of this workspace.
+
+use mbs_runtime::mechanism;
+
+mechanism!(Arm {
+    doc: "Without a parameter, with each kind of entry that is read at run time.",
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    motor: Input(unit = Nm),
+    arm: Bar(mass = 1.0_kg, length = 0.5_m),
+    shoulder: Revolute(ground.origin, arm.a),
+    drive: Torque(on = arm, value = motor),
+    angle: Output(arm.angle),
+    upright: Event(arm.angle),
+});
+
+mechanism!(Disc {
+    doc: "Without a row, an output, an event or an input.",
+    world: Planar(),
+    /// Inertia of the disc.
+    inertia: Param(1.0_kg_m2),
+    turn: Coordinate(0.1_rad),
+    disc: Body(mass = 1.0_kg, inertia = inertia, frame = Frame(ground.origin, turn)),
+});
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    mbs_runtime::Simulation::new(Arm::default())?.step()?;
+    mbs_runtime::Simulation::new(Disc::default())?.step()?;
+    Ok(())
+}

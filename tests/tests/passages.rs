@@ -1,0 +1,62 @@
+//! Singular passages at high order: the right branch, with the accuracy of the order.
+
+use mbs_examples::reference::ReferenceTable;
+use mbs_examples::scene::Scene;
+use mbs_examples::scenes::{double_four_bar, slider_crank};
+use mbs_runtime::output::Frame;
+use mbs_runtime::{Report, Settings};
+
+/// Ten seconds; the largest error of the named columns at the instants of the reference, m.
+fn run(scene: &Scene, columns: &[&str], order: u8, step: f64) -> (f64, Report) {
+    let settings = Settings {
+        order,
+        step,
+        ..Settings::default()
+    };
+    let reference = scene.reference.as_ref().expect("a reference");
+    let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("reference")
+        .join(reference.file);
+    let reference = ReferenceTable::read(file, reference, scene.model).expect("readable");
+    let mut simulation = (scene.build)(&[], settings).expect(scene.name);
+    let mut frames = Vec::new();
+    for instant in 0..=20 {
+        simulation
+            .run_until(0.5 * f64::from(instant))
+            .expect(scene.name);
+        frames.push(Frame::record(simulation.as_ref()));
+    }
+    let deviations = reference.compare(&frames);
+    let named = deviations.iter().filter(|d| columns.contains(&d.column));
+    let mut largest = 0.0_f64;
+    for deviation in named {
+        assert!(deviation.instants > 10, "{deviation:?}");
+        largest = largest.max(deviation.largest);
+    }
+    println!(
+        "{} order {order}: {largest:.1e} m, {:?}",
+        scene.name,
+        simulation.report()
+    );
+    (largest, simulation.report())
+}
+
+#[test]
+fn the_slider_crank_passes_at_every_order() {
+    for (order, energy, position) in [(4, 1e-3, 1e-3), (6, 1e-4, 1e-4), (8, 1e-6, 1e-6)] {
+        let columns = ["p1x_m", "p1y_m", "p2x_m"];
+        let (error, report) = run(&slider_crank::SCENE, &columns, order, 2.5e-2);
+        assert!(report.energy_error < energy && error < position);
+        assert!(report.placed_steps > 0);
+    }
+}
+
+#[test]
+fn the_double_four_bar_passes_at_every_order() {
+    for (order, energy, position) in [(4, 1e-3, 1e-3), (6, 1e-5, 1e-5), (8, 1e-8, 1e-8)] {
+        let columns = ["b0x_m", "b0y_m"];
+        let (error, report) = run(&double_four_bar::SCENE, &columns, order, 2.5e-2);
+        assert!(report.energy_error < energy && error < position);
+        assert!(report.placed_steps > 0);
+    }
+}
