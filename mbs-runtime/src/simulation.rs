@@ -6,7 +6,7 @@ mod run;
 use crate::alf3f::Passage;
 use crate::assembly::assemble;
 use crate::integrator::Integrator;
-use crate::linear::largest;
+use crate::linear::{Independence, largest};
 use crate::{
     AssemblyVerdict, Energy, Flow, Mechanism, Model, Reactions, Report, Sample, Samples, Settings,
     SimulationError, State, System, UnknownName,
@@ -30,6 +30,8 @@ pub struct Simulation<S: System<N, R>, const N: usize, const R: usize> {
     report: Report,
     /// Power of nonconservative forces at the current instant, W.
     power: f64,
+    /// How independent the rows are where it stands, if the last step found out; else the next one asks.
+    independence: Option<Independence>,
     /// Where a step that is tried began.
     before: Box<State<N, R>>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
@@ -110,6 +112,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
             assembly,
             report,
             power: 0.0,
+            independence: None,
             events: vec![0.0; S::MODEL.events.len()],
         };
         simulation.take_stock();
@@ -172,13 +175,15 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
 
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
+        let known = self.independence.take();
         let independence = if self.settings.placement {
-            self.integrator.independence()
+            known.or_else(|| self.integrator.independence())
         } else {
             None
         };
         let mut passage = Passage::new(self.power, independence);
         self.halving(h, HALVINGS, &mut passage)?;
+        self.independence = passage.independence;
         self.report.steps += 1;
         Ok(passage.clearance)
     }
@@ -220,6 +225,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
 
     /// What the next step's balance needs of the current instant.
     fn take_stock(&mut self) {
+        self.independence = None;
         let state = self.state();
         self.power =
             self.system()

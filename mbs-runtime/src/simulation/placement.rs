@@ -88,6 +88,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         self.integrator.state_mut().copy_from(&self.before);
         self.report = report;
         self.power = power;
+        self.independence = None;
         self.integrator.refresh(&self.settings)
     }
 }

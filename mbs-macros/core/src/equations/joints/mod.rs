@@ -14,7 +14,7 @@ mod point_on_line;
 mod prismatic;
 mod revolute;
 
-use crate::model::{Arguments, Dimension, Owner, Point};
+use crate::model::{Arguments, Dimension, Owner, Point, Vector};
 use crate::symbolic::{Expr, Graph};
 use std::fmt::Debug;
 
@@ -129,6 +129,28 @@ fn coincidence(graph: &mut Graph, parent: &Point, child: &Point) -> JointEquatio
             row("y", gap[1], Dimension::LENGTH),
         ],
         reactions: vec![force("fx", 0), force("fy", 1)],
+    }
+}
+
+/// n · (child − parent) = 0 with n across `axis`; λ n is the force on the child.
+fn across(
+    graph: &mut Graph,
+    parent: &Point,
+    child: &Point,
+    axis: Vector,
+    suffix: &str,
+) -> JointEquations {
+    let normal = graph.perpendicular(axis);
+    let gap = graph.vector_sub(child.position, parent.position);
+    let across = graph.dot(normal, gap);
+    let force = |name, n| ReactionComponent {
+        name,
+        dimension: Dimension::FORCE,
+        terms: vec![(0, n)],
+    };
+    JointEquations {
+        rows: vec![row(suffix, across, Dimension::LENGTH)],
+        reactions: vec![force("fx", normal[0]), force("fy", normal[1])],
     }
 }
 

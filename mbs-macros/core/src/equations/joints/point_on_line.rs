@@ -1,7 +1,7 @@
 //! A point stays on a line that is fixed in another part.
 
-use super::{Joint, JointEquations, ReactionComponent, row};
-use crate::model::{Arguments, Dimension, Point, Vector};
+use super::{Joint, JointEquations, across};
+use crate::model::{Arguments, Point, Vector};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -28,18 +28,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
 impl Joint for PointOnLine {
     /// n · (point − line) = 0 with n across the line; λ n is the force on the point.
     fn equations(&self, graph: &mut Graph) -> JointEquations {
-        let normal = graph.perpendicular(self.axis);
-        let gap = graph.vector_sub(self.point.position, self.line.position);
-        let across = graph.dot(normal, gap);
-        let force = |name, n| ReactionComponent {
-            name,
-            dimension: Dimension::FORCE,
-            terms: vec![(0, n)],
-        };
-        JointEquations {
-            rows: vec![row("", across, Dimension::LENGTH)],
-            reactions: vec![force("fx", normal[0]), force("fy", normal[1])],
-        }
+        across(graph, &self.line, &self.point, self.axis, "")
     }
 
     fn points(&self) -> Vec<&Point> {

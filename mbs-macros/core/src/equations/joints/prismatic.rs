@@ -1,8 +1,8 @@
 //! The child slides along an axis of the parent and does not turn against it.
 
 use super::alignment::{self, Alignment};
-use super::{Joint, JointEquations, ReactionComponent, row, torque};
-use crate::model::{Arguments, Dimension, Point, Vector};
+use super::{Joint, JointEquations, across, torque};
+use crate::model::{Arguments, Point, Vector};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -29,25 +29,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
 impl Joint for Prismatic {
     /// n · (child − parent) = 0 with n across the axis, and the angle.
     fn equations(&self, graph: &mut Graph) -> JointEquations {
-        let normal = graph.perpendicular(self.axis);
-        let gap = graph.vector_sub(self.child.position, self.parent.position);
-        let across = graph.dot(normal, gap);
-        let force = |name, n| ReactionComponent {
-            name,
-            dimension: Dimension::FORCE,
-            terms: vec![(0, n)],
-        };
-        JointEquations {
-            rows: vec![
-                row("across", across, Dimension::LENGTH),
-                self.alignment.row(graph),
-            ],
-            reactions: vec![
-                force("fx", normal[0]),
-                force("fy", normal[1]),
-                torque(graph, 1),
-            ],
-        }
+        let mut equations = across(graph, &self.parent, &self.child, self.axis, "across");
+        equations.rows.push(self.alignment.row(graph));
+        equations.reactions.push(torque(graph, 1));
+        equations
     }
 
     fn points(&self) -> Vec<&Point> {
