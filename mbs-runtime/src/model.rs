@@ -128,7 +128,7 @@ pub struct Quantity {
 /// A line to draw between two points.
 #[derive(Debug, Clone, Copy)]
 pub struct Segment {
-    /// The part it belongs to.
+    /// The part it belongs to, or the spring it stands for.
     pub part: &'static str,
     /// Index into [`Model::points`].
     pub from: usize,
@@ -145,6 +145,8 @@ pub struct Reaction {
     pub component: &'static str,
     /// `N` or `N m`.
     pub unit: &'static str,
+    /// Where it acts: index into [`Model::points`], if the joint holds a point of a part.
+    pub at: Option<usize>,
 }
 
 /// Operations of one generated function.

@@ -34,7 +34,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     check::massive(&mut resolver, &reduction);
     let guesses = placement::place(&mut resolver, &joints);
     let coordinates = reduction.coordinates(&mut resolver, &guesses);
-    let (points, segments) = resolver.drawing(&joints, &forces);
+    let drawing = resolver.drawing(&joints, &forces);
     let joints = joints
         .into_iter()
         .filter(|element| !reduction.dissolved(&element.name))
@@ -70,8 +70,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         reduction: reduction.substitution,
         merged: reduction.merged,
         reductions: reduction.sentences,
-        points,
-        segments,
+        drawing,
         laws,
     })
 }
