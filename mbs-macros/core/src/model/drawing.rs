@@ -39,7 +39,7 @@ impl Drawing {
 }
 
 impl Resolver<'_> {
-    /// Bars from end to end, bodies from their origin to their joints, springs between their points.
+    /// Bars from end to end, bodies from their origin to their joints and points that have a name, springs between their points.
     pub(super) fn drawing(&mut self, joints: &[JointElement], forces: &[ForceElement]) -> Drawing {
         let mut drawing = Drawing::default();
         for index in 0..self.parts.len() {
@@ -67,7 +67,16 @@ impl Resolver<'_> {
                 .iter()
                 .flat_map(|joint| joint.joint.points())
                 .chain(forces.iter().flat_map(|f| f.force.points()));
-            for point in attached.filter(|point| point.owner == owner) {
+            let mut attached: Vec<Point> = attached
+                .filter(|point| point.owner == owner)
+                .cloned()
+                .collect();
+            attached.extend(self.declared_points(owner));
+            // Without any, the centre of mass at least shows how the body turns.
+            if attached.is_empty() {
+                attached.extend(self.named_point(owner, "center"));
+            }
+            for point in &attached {
                 let before = drawing.points.len();
                 let to = drawing.point(first, point);
                 if to == before {

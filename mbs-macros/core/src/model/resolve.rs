@@ -262,6 +262,19 @@ impl<'d> Resolver<'d> {
         self.states[index] = State::Done(value);
     }
 
+    /// The points that have a name of their own and belong to this owner.
+    pub(super) fn declared_points(&self, owner: Owner) -> Vec<Point> {
+        let entries = self.declaration.entries.iter().zip(&self.states);
+        let points = entries.filter_map(|(entry, state)| match state {
+            State::Done(Some(Value::Point(point))) if point.owner == owner => Some(Point {
+                label: entry.name.to_string(),
+                ..point.clone()
+            }),
+            _ => None,
+        });
+        points.collect()
+    }
+
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {
         let (default, dimension) = Arguments::new(self, entry).number("value")?;
         let symbol = Symbol::Parameter(self.parameters.len() as u32);

@@ -1,398 +1,406 @@
-"use strict";
-// `data` is what was recorded; the page defines it before this program.
-const byId = (id) => document.getElementById(id);
-const last = data.time.length - 1;
-const pointCount = data.names.length;
-const components = data.spatial ? 3 : 2;
-const dark = matchMedia("(prefers-color-scheme: dark)");
-const state = { frame: 0, playing: false, clock: data.time[0] || 0, speed: 1, up: 2, yaw: -0.6, pitch: 0.35 };
 
-document.title = data.title;
-document.querySelector("h1").textContent = data.title;
-document.querySelector(".doc").textContent = data.doc;
-if (data.stopped) {
-  const notice = document.querySelector(".stopped");
-  notice.hidden = false;
-  notice.textContent = `The run stopped early: ${data.stopped}`;
-}
+/* ---- scene ----------------------------------------------------------------------------------------------------- */
 
-/* ---- geometry -------------------------------------------------------------------------------------------------- */
+// Shorter rods are thinner, and many of them too.
+const rodWidth = (() => {
+  const lengths = segments.map((s) => {
+    const a = position(s.from, 0), b = position(s.to, 0);
+    return a && b ? size(add(a, b, -1)) : 0;
+  }).filter((x) => x > 0).sort((a, b) => a - b);
+  const short = lengths[Math.floor(lengths.length / 4)] || extent;
+  return (scale) => Math.max(2, Math.min(8, scale * short / 8, 9 - 0.06 * lengths.length));
+})();
 
-function position(frame, point) {
-  const row = data.points[frame], at = point * components;
-  if (row[at] === null || row[at + 1] === null) return null;
-  return [row[at], row[at + 1], data.spatial ? row[at + 2] : 0];
-}
+// Supports are smaller where they are close together.
+const supportGap = (() => {
+  const places = data.tracks.map((_, track) => track).filter((track) => held[track]).map((track) => position(track, 0));
+  let least = Infinity;
+  places.forEach((a, i) => places.slice(0, i).forEach((b) => { least = Math.min(least, size(add(a, b, -1))); }));
+  return least;
+})();
+const supportSize = (scale) => Math.max(0.35, Math.min(1, supportGap * scale / 40));
 
-// From world axes to the plane of the picture: identity in the plane, an orthographic view in space.
-function project(p) {
-  if (!data.spatial) return [p[0], p[1]];
-  const u = state.up, a = p[(u + 1) % 3], b = p[(u + 2) % 3], c = p[u];
-  const depth = Math.sin(state.yaw) * a + Math.cos(state.yaw) * b;
-  return [Math.cos(state.yaw) * a - Math.sin(state.yaw) * b,
-          c * Math.cos(state.pitch) + depth * Math.sin(state.pitch)];
-}
-
-// The data do not say where up is: it is the axis along which the height follows the potential energy best.
-function guessUp() {
-  const mean = (values) => values.reduce((sum, x) => sum + x, 0) / values.length;
-  let best = 2, most = 0.5;
-  for (let axis = 0; axis < 3; axis++) {
-    const heights = data.points.map((row) => mean(row.filter((_, i) => i % 3 === axis)));
-    const h0 = mean(heights), v0 = mean(data.potential);
-    let hv = 0, hh = 0, vv = 0;
-    heights.forEach((h, i) => {
-      const dh = h - h0, dv = data.potential[i] - v0;
-      hv += dh * dv; hh += dh * dh; vv += dv * dv;
-    });
-    const correlation = hv / Math.sqrt(hh * vv);
-    if (correlation > most) { most = correlation; best = axis; }
-  }
-  return best;
-}
-
-let box; // of all points over all frames, in the plane of the picture (in space: of the ball around them)
-function measure() {
-  box = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (let f = 0; f <= last; f++) for (let i = 0; i < pointCount; i++) {
-    const p = position(f, i);
-    if (p) for (let k = 0; k < 3; k++) { low[k] = Math.min(low[k], p[k]); high[k] = Math.max(high[k], p[k]); }
-  }
-  if (low[0] > high[0]) { low.fill(-1); high.fill(1); }
-  if (data.spatial) {
-    const centre = low.map((x, k) => (x + high[k]) / 2), middle = project(centre);
-    let radius = 1e-9;
-    for (let f = 0; f <= last; f++) for (let i = 0; i < pointCount; i++) {
-      const p = position(f, i);
-      if (p) radius = Math.max(radius, Math.hypot(p[0] - centre[0], p[1] - centre[1], p[2] - centre[2]));
-    }
-    box = { x0: middle[0] - radius, x1: middle[0] + radius, y0: middle[1] - radius, y1: middle[1] + radius };
-  } else {
-    box = { x0: low[0], x1: high[0], y0: low[1], y1: high[1] };
-  }
-}
-
-// A point that never leaves its place is ground: it has a mark and no trace.
-function findFixed() {
-  const size = Math.max(box.x1 - box.x0, box.y1 - box.y0) || 1;
-  return data.names.map((_, i) => {
-    const start = position(0, i);
-    for (let f = 0; f <= last; f++) {
-      const p = position(f, i);
-      if (start && p && Math.hypot(p[0] - start[0], p[1] - start[1], p[2] - start[2]) > 1e-5 * size) return false;
-    }
-    return true;
-  });
-}
-
-/* ---- drawing --------------------------------------------------------------------------------------------------- */
-
-const style = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
-let colours;
-function readColours() {
-  colours = { ink: style("--ink"), soft: style("--soft"), grid: style("--grid"), line: style("--line"), page: style("--page"),
-    part: [0, 1, 2, 3, 4, 5].map((i) => style(`--c${i}`)) };
-}
-const parts = [...new Set(data.segments.map((s) => s[0]))];
-const partColour = (part) => colours.part[parts.indexOf(part) % colours.part.length];
-const pointColour = (i) => {
-  const segment = data.segments.find((s) => s[2] === i) || data.segments.find((s) => s[1] === i);
-  return segment ? partColour(segment[0]) : colours.part[0];
+const path = (c, points, closed) => {
+  c.beginPath();
+  points.forEach((p, i) => (i ? c.lineTo(p[0], p[1]) : c.moveTo(p[0], p[1])));
+  if (closed) c.closePath();
 };
 
-function prepare(canvas) {
-  const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth, height = canvas.clientHeight;
-  if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-    canvas.width = Math.round(width * ratio);
-    canvas.height = Math.round(height * ratio);
-  }
-  const c = canvas.getContext("2d");
-  c.setTransform(ratio, 0, 0, ratio, 0, 0);
-  c.clearRect(0, 0, width, height);
-  c.font = "12px system-ui, 'DejaVu Sans', sans-serif";
-  return [c, width, height];
+// The outline of points in the picture: what a convex body covers.
+function hull(points) {
+  const sorted = [...points].sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const half = (list) => {
+    const chain = [];
+    for (const p of list) {
+      while (chain.length > 1) {
+        const [a, b] = chain.slice(-2);
+        if ((b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0) break;
+        chain.pop();
+      }
+      chain.push(p);
+    }
+    return chain.slice(0, -1);
+  };
+  return [...half(sorted), ...half(sorted.reverse())];
 }
 
-// Text that stays legible where a line passes behind it.
-function haloText(c, text, x, y) {
-  c.lineJoin = "round"; c.lineWidth = 5; c.strokeStyle = colours.page;
-  c.strokeText(text, x, y);
-  c.fillText(text, x, y);
-}
-
-// 1, 2 or 5 times a power of ten.
-function niceStep(range, wanted) {
-  const raw = range / wanted, power = 10 ** Math.floor(Math.log10(raw));
-  return power * [1, 2, 5, 10].find((m) => m * power >= raw * 0.999);
-}
-const label = (x, step) => {
-  const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  return digits > 4 || Math.abs(x) >= 1e5 ? x.toExponential(1) : (Math.abs(x) < step / 2 ? 0 : x).toFixed(digits);
-};
+const mean = (points) => points.reduce((sum, p) => add(sum, p), [0, 0, 0]).map((x) => x / points.length);
 
 function drawScene() {
   const [c, width, height] = prepare(byId("scene"));
-  const margin = Math.min(48, width / 9);
-  const scale = Math.min((width - 2 * margin) / Math.max(box.x1 - box.x0, 1e-9),
-                         (height - 2 * margin) / Math.max(box.y1 - box.y0, 1e-9));
-  const x0 = width / 2 - scale * (box.x0 + box.x1) / 2, y0 = height / 2 + scale * (box.y0 + box.y1) / 2;
-  const place = (p) => { const q = project(p); return [x0 + scale * q[0], y0 - scale * q[1]]; };
-  const step = niceStep(Math.min(width, height) / scale, 5);
-  if (data.spatial) drawRuler(c, height, scale, step); else drawGrid(c, width, height, scale, x0, y0, step);
-  if (byId("traces").checked) drawTraces(c, place);
-  drawParts(c, place);
-  drawLegend(c, width);
+  const cam = camera(width, height);
+  const now = data.tracks.map((_, track) => position(track, state.frame));
+  const at = now.map((p) => p && cam.place(p));
+  const step = niceStep(Math.min(width, height) / cam.scale, data.spatial ? 9 : 5);
+  const rod = rodWidth(cam.scale);
+  c.lineCap = "round"; c.lineJoin = "round";
+  if (data.spatial) { drawFloor(c, cam, step); drawShadows(c, cam, now, rod); } else drawGrid(c, cam, step);
+  drawGuides(c, cam);
+  if (state.traces) drawTraces(c, cam);
+  drawBodies(c, cam, at, rod);
+  if (state.forces) drawForces(c, cam, now, at);
+  if (state.names) drawNames(c, at);
+  if (data.spatial) drawTriad(c, cam, step);
+  drawForceKey(c, cam);
 }
 
-function drawGrid(c, width, height, scale, x0, y0, step) {
-  const marks = []; // drawn last: a line through a number makes it illegible
+function drawGrid(c, cam, step) {
+  const { width, height, scale } = cam, marks = []; // drawn last: a line through a number makes it illegible
+  const [x0, y0] = cam.place([0, 0, 0]);
   c.lineWidth = 1;
-  const rule = (at, x, y, u, w) => {
-    c.strokeStyle = Math.abs(at) < 1e-6 * step ? colours.line : colours.grid;
-    c.beginPath(); c.moveTo(x, y); c.lineTo(u, w); c.stroke();
+  const rule = (i, x, y, u, w) => {
+    c.strokeStyle = i === 0 ? colours.line : colours.grid;
+    c.beginPath(); c.moveTo(Math.round(x) + 0.5, Math.round(y) + 0.5); c.lineTo(Math.round(u) + 0.5, Math.round(w) + 0.5); c.stroke();
   };
   for (let i = Math.ceil(-x0 / scale / step); i * step < (width - x0) / scale; i++) {
     const x = x0 + scale * i * step;
-    rule(i * step, x, 0, x, height);
+    rule(i, x, 0, x, height);
     if (x > 60 && x < width - 24) marks.push(["center", label(i * step, step), x, height - 11]);
   }
   for (let i = Math.ceil((y0 - height) / scale / step); i * step < y0 / scale; i++) {
     const y = y0 - scale * i * step;
-    rule(i * step, 0, y, width, y);
-    if (y > 24 && y < height - 30) marks.push(["left", label(i * step, step), 6, y]);
+    rule(i, 0, y, width, y);
+    if (y > 16 && y < height - 30) marks.push(["left", label(i * step, step), 8, y]);
   }
-  marks.push(["left", "m", 6, height - 11]);
+  marks.push(["left", "m", 8, height - 11]);
   c.fillStyle = colours.soft; c.textBaseline = "middle";
   for (const [align, text, x, y] of marks) { c.textAlign = align; haloText(c, text, x, y); }
 }
 
-// An oblique picture has no axes to read lengths from: a ruler and the world directions instead.
-function drawRuler(c, height, scale, step) {
-  const y = height - 14;
-  c.strokeStyle = colours.soft; c.fillStyle = colours.soft; c.lineWidth = 1.5;
-  c.beginPath();
-  c.moveTo(16, y - 4); c.lineTo(16, y); c.lineTo(16 + scale * step, y); c.lineTo(16 + scale * step, y - 4);
-  c.stroke();
-  c.textAlign = "left"; c.textBaseline = "middle";
-  c.fillText(`${label(step, step)} m`, 22 + scale * step, y - 3);
-  [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((axis, k) => {
-    const q = project(axis), x = 48, middle = y - 52;
-    c.beginPath(); c.moveTo(x, middle); c.lineTo(x + 26 * q[0], middle - 26 * q[1]); c.stroke();
-    c.textAlign = "center"; c.fillText("xyz"[k], x + 35 * q[0], middle - 35 * q[1]);
-  });
+/* ---- ground in space ------------------------------------------------------------------------------------------- */
+
+// The lowest level of the motion, and how far the floor reaches around the middle.
+const floor = (() => {
+  let lowest = Infinity, reach = 0;
+  for (let track = 0; track < trackCount; track++) for (let f = 0; f <= last; f += Math.max(1, last >> 8)) {
+    const p = position(track, f);
+    if (!p) continue;
+    const d = add(p, middle, -1), height = dot(d, up);
+    lowest = Math.min(lowest, height);
+    reach = Math.max(reach, size(add(d, up, -height)));
+  }
+  return lowest < Infinity ? { level: lowest - 1e-3 * extent, reach: 1.05 * reach + 0.05 * extent } : { level: 0, reach: extent };
+})();
+const onFloor = (p) => add(p, up, floor.level - dot(add(p, middle, -1), up));
+
+function drawFloor(c, cam, step) {
+  const foot = onFloor(middle), [a0, b0] = [dot(middle, ahead), dot(middle, aside)];
+  const spot = (a, b) => cam.place(add(add(foot, ahead, a - a0), aside, b - b0));
+  const circle = Array.from({ length: 72 }, (_, i) => spot(a0 + floor.reach * Math.cos(i / 36 * Math.PI), b0 + floor.reach * Math.sin(i / 36 * Math.PI)));
+  path(c, circle, true);
+  c.fillStyle = colours.panel; c.fill();
+  c.lineWidth = 1; c.strokeStyle = colours.grid; c.stroke();
+  const rules = (middleOf, line) => {
+    for (let i = Math.ceil((middleOf - floor.reach) / step); i * step <= middleOf + floor.reach; i++) {
+      const half = Math.sqrt(Math.max(0, floor.reach ** 2 - (i * step - middleOf) ** 2));
+      c.strokeStyle = i === 0 ? colours.line : colours.grid;
+      path(c, line(i * step, half)); c.stroke();
+    }
+  };
+  rules(a0, (a, half) => [spot(a, b0 - half), spot(a, b0 + half)]);
+  rules(b0, (b, half) => [spot(a0 - half, b), spot(a0 + half, b)]);
 }
 
-function drawTraces(c, place) {
-  // A trace is the way of the last frames, strongest at its end.
-  const from = Math.max(0, state.frame - 400), pieces = 8;
-  const far = Math.max(byId("scene").clientWidth, byId("scene").clientHeight) / 16;
-  c.lineWidth = 1.25;
-  for (let i = 0; i < pointCount; i++) {
-    if (fixed[i]) continue;
-    c.strokeStyle = pointColour(i);
+// What is above a place of the floor darkens it: heights can be read that way.
+function drawShadows(c, cam, now, rod) {
+  if (dot(cam.into, up) > 0) return; // seen from below
+  const spot = now.map((p) => p && cam.place(onFloor(p)));
+  c.globalAlpha = 0.1; c.strokeStyle = c.fillStyle = colours.ink; c.lineWidth = rod;
+  c.beginPath();
+  for (const body of bodies) for (const s of body.spring ? [] : body.solid) {
+    if (spot[s.from] && spot[s.to]) { c.moveTo(...spot[s.from].slice(0, 2)); c.lineTo(...spot[s.to].slice(0, 2)); }
+  }
+  c.stroke();
+  for (const body of bodies) {
+    const rim = body.rim.map((i) => spot[i]).filter(Boolean);
+    if (rim.length > 2) { path(c, hull(rim), true); c.fill(); }
+  }
+  c.globalAlpha = 1;
+}
+
+// The world directions and the step of the floor, in a corner.
+function drawTriad(c, cam, step) {
+  const x = 40, y = cam.height - 62;
+  c.lineWidth = 1.5; c.textAlign = "center"; c.textBaseline = "middle";
+  const arms = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis, k) => [dot(axis, cam.into), dot(axis, cam.right), dot(axis, cam.over), "xyz"[k]]);
+  for (const [depth, right, over, name] of arms.sort((a, b) => b[0] - a[0])) {
+    c.strokeStyle = colours.ink; c.fillStyle = colours.ink;
+    c.globalAlpha = depth > 0.3 ? 0.45 : 1;
+    arrow(c, [x, y], [x + 26 * right, y - 26 * over], 1.5, 6);
+    haloText(c, name, x + 36 * right, y - 36 * over);
+  }
+  c.globalAlpha = 1;
+  c.textAlign = "left"; c.fillStyle = colours.soft;
+  haloText(c, `grid ${label(step, step)} m`, 12, cam.height - 14);
+}
+
+/* ---- traces ---------------------------------------------------------------------------------------------------- */
+
+const traced = data.tracks.map((_, track) => track).filter((track) => !fixed[track] && !rims.has(track));
+
+function drawTraces(c, cam) {
+  // The whole way faintly where that is not too much, the way of the last frames stronger towards its end.
+  const from = Math.max(0, state.frame - 400), pieces = 6;
+  const far = Math.max(cam.width, cam.height) / 12;
+  const run = (track, a, b) => {
+    c.beginPath();
+    for (let f = a, before = null; f <= b; f++) {
+      const p = position(track, f), q = p && cam.place(p);
+      // A record far from the one before it: the way between is not known, a dot says where it was.
+      if (q && before && Math.hypot(q[0] - before[0], q[1] - before[1]) < far) c.lineTo(q[0], q[1]);
+      else if (q && f > a) { c.moveTo(q[0] + 0.5, q[1]); c.arc(q[0], q[1], 0.5, 0, 2 * Math.PI); c.moveTo(q[0], q[1]); }
+      else if (q) c.moveTo(q[0], q[1]);
+      before = q;
+    }
+    c.stroke();
+  };
+  for (const track of traced) {
+    const body = ownerOf[track];
+    if (body && state.hidden.has(body.group)) continue;
+    c.strokeStyle = partColour(body);
+    if (traced.length <= 12) { c.lineWidth = 1; c.globalAlpha = 0.16; run(track, 0, last); }
+    c.lineWidth = traced.length > 24 ? 1 : 1.6;
     for (let piece = 0; piece < pieces; piece++) {
-      const a = from + Math.floor((state.frame - from) * piece / pieces);
-      const b = from + Math.floor((state.frame - from) * (piece + 1) / pieces);
-      c.globalAlpha = 0.1 + 0.5 * (piece + 1) / pieces;
-      c.beginPath();
-      for (let f = a, before = null; f <= b; f++) {
-        const p = position(f, i), q = p && place(p);
-        // A record far from the one before it: the way between is not known, a dot says where it was.
-        if (q && before && Math.hypot(q[0] - before[0], q[1] - before[1]) < far) c.lineTo(q[0], q[1]);
-        else if (q && f > a) { c.moveTo(q[0] + 1, q[1]); c.arc(q[0], q[1], 1, 0, 2 * Math.PI); c.moveTo(q[0], q[1]); }
-        else if (q) c.moveTo(q[0], q[1]);
-        before = q;
-      }
-      c.stroke();
+      const cut = (k) => from + Math.floor((state.frame - from) * k / pieces);
+      c.globalAlpha = 0.08 + 0.62 * ((piece + 1) / pieces) ** 1.5;
+      if (cut(piece) < cut(piece + 1)) run(track, cut(piece), cut(piece + 1));
     }
   }
   c.globalAlpha = 1;
 }
 
-function drawParts(c, place) {
-  const now = data.names.map((_, i) => { const p = position(state.frame, i); return p && place(p); });
-  c.lineCap = "round"; c.lineWidth = pointCount > 60 ? 2 : 4;
-  for (const [part, from, to] of data.segments) {
-    if (!now[from] || !now[to]) continue;
-    c.strokeStyle = partColour(part);
-    c.beginPath(); c.moveTo(...now[from]); c.lineTo(...now[to]); c.stroke();
-  }
-  now.forEach((p, i) => {
-    if (!p) return;
-    c.lineWidth = 1.5; c.strokeStyle = colours.ink; c.fillStyle = fixed[i] ? colours.page : colours.ink;
-    c.beginPath();
-    if (fixed[i]) { c.moveTo(p[0], p[1]); c.lineTo(p[0] - 8, p[1] + 13); c.lineTo(p[0] + 8, p[1] + 13); c.closePath(); }
-    else c.arc(p[0], p[1], pointCount > 60 ? 2 : 4, 0, 2 * Math.PI);
-    c.fill(); c.stroke();
-    if (byId("names").checked) {
-      c.fillStyle = colours.ink; c.textAlign = "left"; c.textBaseline = "bottom";
-      haloText(c, data.names[i], p[0] + 7, p[1] - 5);
+/* ---- bodies ---------------------------------------------------------------------------------------------------- */
+
+// Lines that sliders run along.
+function drawGuides(c, cam) {
+  c.strokeStyle = colours.soft; c.lineWidth = 1;
+  travel.forEach((t, track) => {
+    if (!t.axis || !jointed.has(track)) return;
+    const more = 26 / cam.scale;
+    path(c, [cam.place(add(t.ends[0], t.axis, -more)), cam.place(add(t.ends[1], t.axis, more))]);
+    c.setLineDash([10, 4, 2, 4]); c.stroke(); c.setLineDash([]);
+  });
+}
+
+// A spring keeps its turns, whatever its length.
+function turnsOf(segment) {
+  const a = position(segment.from, 0), b = position(segment.to, 0);
+  return a && b ? Math.max(6, Math.min(24, Math.round(40 * size(add(a, b, -1)) / extent))) : 9;
+}
+
+function drawBodies(c, cam, at, rod) {
+  // Painter's order: far things first. In the plane all are equally far, and the order of making stays.
+  const items = [];
+  const item = (depth, draw) => items.push([depth, draw]);
+  // Far things fade a little.
+  const haze = (depth) => (data.spatial ? Math.max(0.55, Math.min(1, 0.85 - 0.5 * depth / extent)) : 1);
+  const nudge = 1e-3 * extent;
+
+  at.forEach((p, track) => {
+    if (!p || rims.has(track)) return;
+    if (held[track]) item(p[2] + nudge, () => drawSupport(c, cam, track, p, haze(p[2])));
+    if (travel[track].axis && jointed.has(track)) item(p[2] + nudge, () => drawSlider(c, cam, track, p));
+  });
+
+  for (const body of bodies) {
+    const colour = partColour(body);
+    if (body.spring) {
+      for (const s of body.solid) {
+        const a = at[s.from], b = at[s.to];
+        if (a && b) item((a[2] + b[2]) / 2, () => drawSpring(c, a, b, turnsOf(s)));
+      }
+      continue;
     }
-  });
-}
-
-function drawLegend(c, width) {
-  if (parts.length < 2 || parts.length > 8) return;
-  c.textAlign = "right"; c.textBaseline = "middle";
-  parts.forEach((part, i) => {
-    const y = 16 + 18 * i, x = width - 14;
-    c.strokeStyle = partColour(part); c.lineWidth = 4;
-    c.beginPath(); c.moveTo(x - 18, y); c.lineTo(x, y); c.stroke();
-    c.fillStyle = colours.ink; c.fillText(part, x - 28, y);
-  });
-}
-
-/* ---- energy strip ---------------------------------------------------------------------------------------------- */
-
-const strip = { left: 64, right: 14, top: 24, bottom: 22 };
-const curves = [
-  ["T kinetic", "T", data.kinetic],
-  ["V potential", "V", data.potential],
-  ["T + V", "T + V", data.kinetic.map((t, i) => (t === null || data.potential[i] === null ? null : t + data.potential[i]))],
-];
-const timeAt = (x, width) => data.time[0] + (x - strip.left) / (width - strip.left - strip.right) * (data.time[last] - data.time[0]);
-
-function drawEnergy() {
-  const [c, width, height] = prepare(byId("energy"));
-  const finite = curves.flatMap((curve) => curve[2]).filter((x) => x !== null);
-  let low = finite.reduce((a, b) => Math.min(a, b), 0);
-  let high = finite.reduce((a, b) => Math.max(a, b), 0);
-  if (!(high > low)) { low -= 1; high += 1; }
-  const span = data.time[last] - data.time[0] || 1;
-  const x = (t) => strip.left + (t - data.time[0]) / span * (width - strip.left - strip.right);
-  const y = (e) => height - strip.bottom - (e - low) / (high - low) * (height - strip.top - strip.bottom);
-  c.lineWidth = 1; c.textBaseline = "middle"; c.textAlign = "right";
-  const step = niceStep(high - low, 4);
-  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; i++) {
-    c.strokeStyle = i === 0 ? colours.line : colours.grid; c.fillStyle = colours.soft;
-    c.beginPath(); c.moveTo(strip.left, y(i * step)); c.lineTo(width - strip.right, y(i * step)); c.stroke();
-    c.fillText(label(i * step, step), strip.left - 6, y(i * step));
+    const rim = body.rim.map((i) => at[i]).filter(Boolean);
+    if (rim.length > 2) {
+      const depth = mean(rim)[2];
+      item(depth, () => {
+        path(c, hull(rim), true);
+        c.fillStyle = colour; c.globalAlpha = 0.13; c.fill(); c.globalAlpha = 1;
+      });
+    }
+    for (const s of body.wire) {
+      const a = at[s.from], b = at[s.to];
+      if (!a || !b) continue;
+      const depth = (a[2] + b[2]) / 2, behind = depth > mean(rim)[2] + 1e-6 * extent;
+      item(depth, () => {
+        c.strokeStyle = colour; c.lineWidth = 1.1; c.globalAlpha = behind ? 0.4 : 0.95;
+        path(c, [a, b]); c.stroke(); c.globalAlpha = 1;
+      });
+    }
+    const ends = body.ends.map((i) => at[i]).filter(Boolean);
+    if (ends.length > 2 && ends.length === body.ends.length) {
+      // A body with several joints is a plate.
+      item(mean(ends)[2], () => drawPlate(c, hull(ends), colour, 0.75 * rod));
+    } else for (const s of body.solid) {
+      const a = at[s.from], b = at[s.to];
+      if (!a || !b) continue;
+      // Long rods are cut for the order: two that cross lie right then.
+      const pieces = data.spatial ? 8 : 1;
+      for (let k = 0; k < pieces; k++) {
+        const cut = (t) => [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
+        const [from, to] = [cut(k / pieces), cut((k + 1) / pieces)], depth = (from[2] + to[2]) / 2;
+        item(depth, () => drawRod(c, from, to, colour, rod, haze(depth), k === 0, k === pieces - 1));
+      }
+    }
+    if (!body.solid.length && !body.wire.length) for (const track of body.own) {
+      const p = at[track];
+      if (p) item(p[2], () => disc(c, p, 6.5, colour, colours.page, 2));
+    }
   }
-  c.textBaseline = "bottom"; c.textAlign = "center";
-  const tick = niceStep(span, Math.max(2, width / 110));
-  for (let i = Math.ceil(data.time[0] / tick); i * tick <= data.time[last] + 1e-9 * span; i++)
-    c.fillText(label(i * tick, tick), Math.min(x(i * tick), width - 4 - c.measureText(label(i * tick, tick)).width / 2), height - 4);
-  c.textAlign = "left"; c.fillText("t, s", 6, height - 4);
-  c.textBaseline = "middle"; c.fillText("J", 6, 12);
-  let at = strip.left;
-  curves.forEach(([long, short, values], k) => {
-    c.strokeStyle = k === 2 ? colours.ink : colours.part[k];
-    c.lineWidth = 1.5; c.setLineDash(k === 2 ? [5, 3] : []);
-    c.beginPath();
-    let pen = false;
-    values.forEach((e, i) => {
-      if (e !== null) { if (pen) c.lineTo(x(data.time[i]), y(e)); else c.moveTo(x(data.time[i]), y(e)); }
-      pen = e !== null;
-    });
+
+  at.forEach((p, track) => {
+    if (!p || rims.has(track) || !isJoint[track]) return;
+    item(p[2] - 0.07 * extent, () => disc(c, p, Math.max(2, 0.62 * rod), colours.page, colours.ink, rod > 4 ? 1.6 : 1));
+  });
+  items.sort((a, b) => b[0] - a[0]);
+  for (const [, draw] of items) draw();
+}
+
+function disc(c, p, radius, fill, stroke, width) {
+  c.beginPath(); c.arc(p[0], p[1], radius, 0, 2 * Math.PI);
+  c.lineWidth = width; c.fillStyle = fill; c.strokeStyle = stroke;
+  c.fill(); c.stroke();
+}
+
+// A rim in the colour of the page parts it from what it passes. Pieces of one rod overlap a little and hide their seams.
+function drawRod(c, a, b, colour, width, strength, first, final) {
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  const x = (b[0] - a[0]) / (length || 1) * 0.7, y = (b[1] - a[1]) / (length || 1) * 0.7;
+  const dot = (p, radius) => { c.beginPath(); c.arc(p[0], p[1], radius, 0, 2 * Math.PI); c.fill(); };
+  c.lineCap = "butt";
+  for (const [paint, wide] of [[colours.page, width + 2.5], [mix(colour, colours.page, strength), width]]) {
+    c.strokeStyle = c.fillStyle = paint; c.lineWidth = wide;
+    if (wide > width) path(c, [a, b]); else path(c, [[a[0] - x, a[1] - y], [b[0] + x, b[1] + y]]);
     c.stroke();
-    const name = width < 560 ? short : long;
-    c.beginPath(); c.moveTo(at, 12); c.lineTo(at + 20, 12); c.stroke(); c.setLineDash([]);
-    c.fillStyle = colours.ink; c.fillText(name, at + 26, 12);
-    at += 46 + c.measureText(name).width;
-  });
-  c.strokeStyle = colours.ink; c.lineWidth = 1;
-  c.beginPath(); c.moveTo(x(data.time[state.frame]), strip.top - 4); c.lineTo(x(data.time[state.frame]), height - strip.bottom); c.stroke();
-}
-
-/* ---- controls -------------------------------------------------------------------------------------------------- */
-
-function draw() {
-  drawScene();
-  drawEnergy();
-  byId("time").value = state.frame;
-  const digits = Math.max(0, Math.min(6, 3 - Math.floor(Math.log10(data.time[last] || 1))));
-  byId("clock").textContent = `${data.time[state.frame].toFixed(digits)} s`;
-  byId("time").setAttribute("aria-valuetext", byId("clock").textContent);
-}
-
-// The recorded instant at or before t: bars keep their lengths, as no instant between two records is made up.
-function frameAt(t) {
-  let low = 0, high = last;
-  while (low < high) {
-    const middle = (low + high + 1) >> 1;
-    if (data.time[middle] <= t) low = middle; else high = middle - 1;
+    if (first) dot(a, wide / 2);
+    if (final) dot(b, wide / 2);
   }
-  return low;
-}
-function show(frame) { state.frame = Math.max(0, Math.min(last, frame)); state.clock = data.time[state.frame]; draw(); }
-
-let before = 0;
-function tick(now) {
-  if (!state.playing) return;
-  state.clock += Math.min(0.1, (now - before) / 1000) * state.speed;
-  before = now;
-  if (state.clock > data.time[last]) state.clock = data.time[0];
-  const frame = frameAt(state.clock);
-  if (frame !== state.frame) { state.frame = frame; draw(); }
-  requestAnimationFrame(tick);
-}
-function play(on) {
-  state.playing = on;
-  byId("play").textContent = on ? "Pause" : "Play";
-  if (on) { before = performance.now(); requestAnimationFrame(tick); }
+  c.lineCap = "round";
 }
 
-function fillSpeeds() {
-  const span = data.time[last] - data.time[0] || 1;
-  // Real time where that is watchable, else the speed that shows the run in about ten seconds.
-  state.speed = span >= 2 && span <= 60 ? 1 : Number((span / 10).toPrecision(1));
-  const choices = [...new Set([0.1, 0.25, 0.5, 1, 2, 5, 10].map((m) => Number((m * state.speed).toPrecision(3))).concat(1))];
-  for (const speed of choices.sort((a, b) => a - b)) {
-    byId("speed").add(new Option(`${speed} ×`, speed, false, speed === state.speed));
-  }
+function drawPlate(c, outline, colour, width) {
+  path(c, outline, true);
+  c.lineWidth = width + 3; c.strokeStyle = colours.page; c.stroke();
+  c.fillStyle = c.strokeStyle = colour; c.lineWidth = width;
+  c.globalAlpha = 0.3; c.fill();
+  c.globalAlpha = 1; c.stroke();
 }
 
-function dragView(canvas) {
-  let from = null;
-  canvas.addEventListener("pointerdown", (e) => { from = [e.clientX, e.clientY]; canvas.setPointerCapture(e.pointerId); });
-  canvas.addEventListener("pointerup", () => { from = null; });
-  canvas.addEventListener("pointermove", (e) => {
-    if (!from) return;
-    state.yaw += (e.clientX - from[0]) * 0.008;
-    state.pitch = Math.max(-1.57, Math.min(1.57, state.pitch + (e.clientY - from[1]) * 0.008));
-    from = [e.clientX, e.clientY];
-    measure(); draw();
-  });
-  canvas.style.cursor = "grab";
+function drawSpring(c, a, b, turns) {
+  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
+  if (length < 1) return;
+  const along = [(b[0] - a[0]) / length, (b[1] - a[1]) / length], width = Math.min(7, length / 5);
+  const spot = (s, w) => [a[0] + s * length * along[0] - w * along[1], a[1] + s * length * along[1] + w * along[0]];
+  const zigzag = Array.from({ length: 2 * turns }, (_, i) => spot(0.1 + 0.8 * (i + 0.5) / (2 * turns), i % 2 ? width : -width));
+  path(c, [a, spot(0.1, 0), ...zigzag, spot(0.9, 0), b]);
+  c.lineWidth = 1.6; c.strokeStyle = colours.soft; c.stroke();
 }
 
-function scrubStrip(canvas) {
-  const go = (e) => { show(frameAt(timeAt(e.clientX - canvas.getBoundingClientRect().left, canvas.clientWidth))); };
-  canvas.addEventListener("pointerdown", (e) => { play(false); canvas.setPointerCapture(e.pointerId); go(e); });
-  canvas.addEventListener("pointermove", (e) => { if (e.buttons) go(e); });
-}
-
-let fixed = [];
-function start() {
-  readColours();
-  if (last < 0) { byId("clock").textContent = "nothing was recorded"; return; }
+// Ground: a triangle with hatching in the plane, a pyramid on its square in space.
+function drawSupport(c, cam, track, p, strength) {
+  c.lineWidth = 1.3; c.strokeStyle = colours.ink; c.fillStyle = colours.page; c.globalAlpha = strength;
   if (data.spatial) {
-    state.up = guessUp();
-    const button = byId("up");
-    const name = () => { button.textContent = `up: ${"xyz"[state.up]}`; };
-    button.hidden = false; name();
-    button.onclick = () => { state.up = (state.up + 1) % 3; name(); measure(); draw(); };
-    dragView(byId("scene"));
+    const height = 15 * supportSize(cam.scale) / cam.scale, tip = position(track, state.frame), foot = add(tip, up, -height);
+    const corners = [[1, 1], [1, -1], [-1, -1], [-1, 1]].map(([i, k]) =>
+      cam.place(add(add(foot, ahead, 0.5 * i * height), aside, 0.5 * k * height)));
+    path(c, hull([p, ...corners]), true);
+    c.fill(); c.stroke();
+    c.lineWidth = 1;
+    path(c, corners, true); c.stroke();
+    for (const corner of corners) { path(c, [p, corner]); c.stroke(); }
+  } else {
+    const k = supportSize(cam.scale);
+    c.save(); c.translate(p[0], p[1]); c.scale(k, k);
+    path(c, [[0, 0], [-9, 15], [9, 15]], true);
+    c.fill(); c.stroke();
+    path(c, [[-15, 15], [15, 15]]); c.stroke();
+    c.lineWidth = 1;
+    for (let x = -13; x <= 15; x += 5.6) { path(c, [[x, 15.5], [x - 5, 21]]); c.stroke(); }
+    c.restore();
   }
-  measure();
-  fixed = findFixed();
-  fillSpeeds();
-  scrubStrip(byId("energy"));
-  byId("time").max = last;
-  byId("time").oninput = () => { play(false); show(Number(byId("time").value)); };
-  byId("play").onclick = () => play(!state.playing);
-  byId("speed").onchange = () => { state.speed = Number(byId("speed").value); };
-  byId("traces").onchange = byId("names").onchange = draw;
-  addEventListener("resize", draw);
-  dark.addEventListener("change", () => { readColours(); draw(); });
-  addEventListener("keydown", (e) => {
-    if (["INPUT", "SELECT", "BUTTON"].includes(e.target.tagName)) return;
-    if (e.key === " ") { e.preventDefault(); play(!state.playing); }
-    if (e.key === "ArrowRight") { play(false); show(state.frame + 1); }
-    if (e.key === "ArrowLeft") { play(false); show(state.frame - 1); }
-  });
-  draw();
-  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) play(true);
+  c.globalAlpha = 1;
 }
-start();
+
+function drawSlider(c, cam, track, p) {
+  const axis = travel[track].axis, before = cam.place(add(position(track, state.frame), axis, 1e-3 * extent));
+  const angle = Math.atan2(before[1] - p[1], before[0] - p[0]);
+  c.save(); c.translate(p[0], p[1]); c.rotate(angle);
+  c.beginPath(); c.rect(-13, -8.5, 26, 17);
+  c.fillStyle = colours.page; c.strokeStyle = colours.ink; c.lineWidth = 1.4;
+  c.fill(); c.stroke(); c.restore();
+}
+
+/* ---- forces and names ------------------------------------------------------------------------------------------ */
+
+function arrow(c, from, to, width, head) {
+  const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+  if (length < 1) return;
+  const tip = Math.min(head, length), x = (to[0] - from[0]) / length, y = (to[1] - from[1]) / length;
+  c.lineWidth = width;
+  if (length > tip) { path(c, [from, [to[0] - x * tip * 0.8, to[1] - y * tip * 0.8]]); c.stroke(); }
+  path(c, [to, [to[0] - x * tip - y * tip * 0.42, to[1] - y * tip + x * tip * 0.42], [to[0] - x * tip + y * tip * 0.42, to[1] - y * tip - x * tip * 0.42]], true);
+  c.fill();
+}
+
+// Pixels per newton: the usual force is a fifth of the picture.
+const forceScale = (cam) => 0.17 * Math.min(cam.width, cam.height) / usualForce;
+
+function drawForces(c, cam, now, at) {
+  if (!(usualForce > 0)) return;
+  const scale = forceScale(cam), most = 0.36 * Math.min(cam.width, cam.height);
+  for (const reaction of arrows) {
+    const force = forceAt(reaction, state.frame), from = at[reaction.track];
+    if (!force || !from) continue;
+    const length = scale * size(force);
+    if (length < 2) continue;
+    // Longer ones are cut and end in an open head.
+    const drawn = Math.min(length, most), tip = cam.place(add(now[reaction.track], unit(force), drawn / cam.scale));
+    c.strokeStyle = c.fillStyle = colours.page;
+    arrow(c, from, tip, 4.5, 0);
+    c.strokeStyle = c.fillStyle = colours.force;
+    arrow(c, from, tip, 2, 9);
+    if (length > most) disc(c, [from[0] + 0.5 * (tip[0] - from[0]), from[1] + 0.5 * (tip[1] - from[1])], 3, colours.page, colours.force, 1.5);
+  }
+}
+
+function drawForceKey(c, cam) {
+  if (!state.forces || !(usualForce > 0)) return;
+  const force = niceStep(46 / forceScale(cam), 1), length = force * forceScale(cam), x = data.spatial ? 112 : cam.width - 16 - length;
+  const y = cam.height - (data.spatial ? 14 : 34);
+  c.strokeStyle = c.fillStyle = colours.force;
+  arrow(c, [x, y], [x + length, y], 2, 9);
+  c.textBaseline = "middle"; c.textAlign = data.spatial ? "left" : "right"; c.fillStyle = colours.ink;
+  haloText(c, `${quantity(force)} N`, data.spatial ? x + length + 8 : x - 8, y);
+}
+
+function drawNames(c, at) {
+  c.textAlign = "left"; c.textBaseline = "bottom"; c.fillStyle = colours.ink;
+  const named = new Set();
+  data.names.forEach((name, i) => {
+    const track = data.track[i], p = at[track];
+    if (!p || rims.has(track) || named.has(track)) return;
+    named.add(track);
+    haloText(c, name, p[0] + 8, p[1] - 6);
+  });
+}
