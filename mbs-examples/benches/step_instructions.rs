@@ -69,7 +69,7 @@ fn disagreement(step: f64, steps: u64) -> f64 {
         .fold(0.0, f64::max)
 }
 
-fn stepper(step: f64) -> Option<TwoLevelStepper<<DoubleFourBar as Mechanism>::System, 6, 5>> {
+fn stepper(step: f64) -> Option<TwoLevelStepper<<DoubleFourBar as Mechanism>::System, 6, 6, 5>> {
     let settings = Settings {
         step,
         ..Settings::default()

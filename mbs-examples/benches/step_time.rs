@@ -43,7 +43,7 @@ fn double_four_bar(criterion: &mut Criterion) {
             TwoLevelStepper::new(system, simulation.state().clone(), &settings)
                 .expect("its settings are fine")
         };
-        let run = |mut stepper: TwoLevelStepper<_, 6, 5>| {
+        let run = |mut stepper: TwoLevelStepper<_, 6, 6, 5>| {
             (0..STEPS).for_each(|_| stepper.step(black_box(STEP)).expect("it converges"));
             stepper
         };

@@ -16,7 +16,7 @@ macro_rules! any_simulation {
             fn velocities(&self) -> Vec<f64>;
         }
 
-        impl<S: System<N, R>, const N: usize, const R: usize> AnySimulation for Simulation<S, N, R> {
+        impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> AnySimulation for Simulation<S, Q, N, R> {
             $(fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result {
                 Simulation::$name(self $(, $argument)*)
             })*

@@ -16,10 +16,10 @@ const ASSEMBLED: f64 = 1e-9;
 ///
 /// # Errors
 /// [`SimulationError::Assembly`] with the rows that pull apart.
-pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
+pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
-) -> Result<(State<N, R>, AssemblyVerdict), SimulationError> {
+) -> Result<(State<Q, N, R>, AssemblyVerdict), SimulationError> {
     let (guess, mut v) = system.guess();
     check_finite("guess of a coordinate", &guess)?;
     check_finite("guess of a velocity", &v)?;
@@ -50,10 +50,10 @@ pub(crate) fn assemble<S: System<N, R>, const N: usize, const R: usize>(
 }
 
 /// The verdict on a state that is to be resumed from; nothing is moved.
-pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
+pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
-    state: &State<N, R>,
+    state: &State<Q, N, R>,
 ) -> Result<AssemblyVerdict, SimulationError> {
     check_finite("time", &[state.time])?;
     check_finite("a coordinate", &state.positions)?;
@@ -70,23 +70,21 @@ pub(crate) fn inspect<S: System<N, R>, const N: usize, const R: usize>(
 }
 
 /// What there is to say about the pose q, reached from `guess`.
-fn judge<S: System<N, R>, const N: usize, const R: usize>(
+fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
-    node: &Node<S, N, R>,
+    node: &Node<S, Q, N, R>,
     phi: &[f64; R],
     residual_before: f64,
-    guess: &[f64; N],
-    q: &[f64; N],
+    guess: &[f64; Q],
+    q: &[f64; Q],
 ) -> AssemblyVerdict {
     let size = largest(guess).max(1.0);
     let rows = dependence(&node.a, &node.w);
     let mut change = [0.0; N];
-    system.momentum(q, &std::array::from_fn(|i| q[i] - guess[i]), &mut change);
-    let moved = (0..N)
-        .map(|i| change[i] * (q[i] - guess[i]))
-        .sum::<f64>()
-        .max(0.0);
+    let way = system.difference(guess, q);
+    system.momentum(q, &way, &mut change);
+    let moved = dot(&change, &way).max(0.0);
     let mut mass = crate::linear::clear::<N, N>();
     system.mass_matrix(q, &mut *mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
@@ -113,11 +111,11 @@ fn judge<S: System<N, R>, const N: usize, const R: usize>(
     }
 }
 
-/// Damped Newton in the metric of M: q ← q − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
-fn close<S: System<N, R>, const N: usize, const R: usize>(
+/// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
+fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    node: &mut Node<S, N, R>,
-    q: &mut [f64; N],
+    node: &mut Node<S, Q, N, R>,
+    q: &mut [f64; Q],
     phi: &mut [f64; R],
     tolerance: f64,
 ) -> Result<(), Fault> {
@@ -132,8 +130,9 @@ fn close<S: System<N, R>, const N: usize, const R: usize>(
         solver.solve(&mut multiplier);
         let mut factor = 1.0;
         loop {
-            let mut trial = *q;
-            accumulate(&mut trial, &node.w, &multiplier.map(|k| factor * k));
+            let mut way = [0.0; N];
+            accumulate(&mut way, &node.w, &multiplier);
+            let trial = system.advance(q, &way, factor);
             let mut residual = [0.0; R];
             system.holonomic(0.0, &trial, &mut residual);
             if dot(&residual, &residual) < before {
@@ -152,8 +151,8 @@ fn close<S: System<N, R>, const N: usize, const R: usize>(
 }
 
 /// S of the holonomic rows, with unit rows in place of the others.
-fn holonomic_gram<S: System<N, R>, const N: usize, const R: usize>(
-    node: &Node<S, N, R>,
+fn holonomic_gram<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    node: &Node<S, Q, N, R>,
 ) -> crate::linear::Matrix<R, R> {
     let mut gram = node.gram.clone();
     for i in S::STRUCTURE.holonomic_rows..R {
@@ -167,9 +166,9 @@ fn holonomic_gram<S: System<N, R>, const N: usize, const R: usize>(
 }
 
 /// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
-fn project<S: System<N, R>, const N: usize, const R: usize>(
+fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    node: &Node<S, N, R>,
+    node: &Node<S, Q, N, R>,
     v: &mut [f64; N],
 ) {
     let mut solver = Box::new(SymmetricDual::new());

@@ -3,9 +3,9 @@
 use crate::{Energy, State, System};
 
 /// T, V and works; their balance is zero for the exact motion.
-pub(crate) fn balance<S: System<N, R>, const N: usize, const R: usize>(
+pub(crate) fn balance<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    state: &State<N, R>,
+    state: &State<Q, N, R>,
 ) -> Energy {
     let kinetic = system.kinetic_energy(&state.positions, &state.velocities);
     let potential = system.potential_energy(&state.positions);

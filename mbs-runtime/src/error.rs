@@ -55,6 +55,20 @@ pub enum ParameterError {
         /// The coordinate at which the factorisation met a pivot that is not positive.
         coordinate: &'static str,
     },
+    /// An inertia tensor is not positive definite.
+    InertiaNotPositive {
+        /// The body.
+        body: &'static str,
+        /// Its principal moments, kg m².
+        moments: [f64; 3],
+    },
+    /// A principal moment exceeds the sum of the other two.
+    InertiaTriangle {
+        /// The body.
+        body: &'static str,
+        /// Its principal moments, kg m².
+        moments: [f64; 3],
+    },
 }
 
 impl fmt::Display for ParameterError {
@@ -67,8 +81,22 @@ impl fmt::Display for ParameterError {
                 out,
                 "the mass matrix is not positive definite at coordinate `{coordinate}`: give the parts that move with it a positive mass and inertia"
             ),
+            ParameterError::InertiaNotPositive { body, moments } => write!(
+                out,
+                "the inertia of `{body}` is not positive definite: its principal moments are {} kg m²; all three have to be positive",
+                list(moments)
+            ),
+            ParameterError::InertiaTriangle { body, moments } => write!(
+                out,
+                "no body has the inertia of `{body}`: its principal moments are {} kg m², and none of them may exceed the sum of the other two",
+                list(moments)
+            ),
         }
     }
+}
+
+fn list([a, b, c]: &[f64; 3]) -> String {
+    format!("{a:.6}, {b:.6} and {c:.6}")
 }
 
 impl std::error::Error for ParameterError {}

@@ -1,10 +1,15 @@
 //! What generated code calls. Public because it runs in users' crates; not meant to be called by hand.
 
-use crate::{MatrixSink, Model, ParameterError, Structure, System, TensorSink};
+use crate::{MatrixSink, Model, ParameterError, Structure, System, TensorSink, World};
 
 pub use cholesky::Cholesky;
+pub use rotation::{rotation_between, turned};
+pub use spin::Spin;
 
 mod cholesky;
+mod principal;
+mod rotation;
+mod spin;
 
 /// −1, 0 or 1.
 #[inline]
@@ -28,6 +33,18 @@ pub fn check_finite(name: &'static str, value: f64) -> Result<(), ParameterError
     } else {
         Err(ParameterError::NotFinite { name, value })
     }
+}
+
+/// q + h v: [`System::advance`] where no coordinate is a rotation.
+#[inline]
+pub fn translated<const N: usize>(q: &[f64; N], v: &[f64; N], h: f64) -> [f64; N] {
+    std::array::from_fn(|i| q[i] + h * v[i])
+}
+
+/// to − from: [`System::difference`] where no coordinate is a rotation.
+#[inline]
+pub fn displacement<const N: usize>(from: &[f64; N], to: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|i| to[i] - from[i])
 }
 
 /// M⁻¹ of a constant mass matrix.
@@ -108,7 +125,10 @@ pub const UNFINISHED: &Model = &Model {
     name: "",
     doc: "",
     declaration: "",
+    world: World::Planar,
+    up: [0.0, 1.0, 0.0],
     coordinates: &[],
+    velocities: &[],
     rows: &[],
     parts: &[],
     parameters: &[],
@@ -126,13 +146,15 @@ pub const UNFINISHED: &Model = &Model {
         position_forces: false,
         time_dependent: false,
         holonomic_rows: 0,
+        rotations: 0,
     },
     mobility: None,
 };
 
-impl System<0, 0> for Unfinished {
+impl System<0, 0, 0> for Unfinished {
     const MODEL: &'static Model = UNFINISHED;
     const STRUCTURE: Structure = UNFINISHED.structure;
+    const ROTATIONS: &'static [usize] = &[];
     type Mass = ();
 
     fn inputs(&self) -> &[f64] {
@@ -144,6 +166,13 @@ impl System<0, 0> for Unfinished {
     fn guess(&self) -> ([f64; 0], [f64; 0]) {
         ([], [])
     }
+    fn advance(&self, _: &[f64; 0], _: &[f64; 0], _: f64) -> [f64; 0] {
+        []
+    }
+    fn difference(&self, _: &[f64; 0], _: &[f64; 0]) -> [f64; 0] {
+        []
+    }
+    fn free_flight(&self, _: &mut [f64; 0], _: &mut [f64; 0], _: f64) {}
     fn mass_matrix(&self, _: &[f64; 0], _: &mut impl MatrixSink) {}
     fn factor_mass(&self, _: &[f64; 0]) -> Option<()> {
         Some(())

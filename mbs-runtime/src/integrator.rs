@@ -5,15 +5,15 @@ use crate::linear::Independence;
 use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
 
 /// The integrator of a simulation.
-pub(crate) enum Integrator<S: System<N, R>, const N: usize, const R: usize> {
-    TwoLevel(TwoLevelStepper<S, N, R>),
-    Paper(PaperStepper<S, N, R>),
+pub(crate) enum Integrator<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    TwoLevel(TwoLevelStepper<S, Q, N, R>),
+    Paper(PaperStepper<S, Q, N, R>),
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integrator<S, Q, N, R> {
     pub(crate) fn new(
         system: S,
-        state: State<N, R>,
+        state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
         match settings.method {
@@ -68,14 +68,14 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
         }
     }
 
-    pub(crate) fn state(&self) -> &State<N, R> {
+    pub(crate) fn state(&self) -> &State<Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => &stepper.core.state,
             Integrator::Paper(stepper) => &stepper.state,
         }
     }
 
-    pub(crate) fn state_mut(&mut self) -> &mut State<N, R> {
+    pub(crate) fn state_mut(&mut self) -> &mut State<Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.core.state,
             Integrator::Paper(stepper) => &mut stepper.state,
@@ -94,7 +94,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
     }
 
     /// What the last accepted step left behind.
-    pub(crate) fn trace(&self) -> Trace<'_, N, R> {
+    pub(crate) fn trace(&self) -> Trace<'_, Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => {
                 let core = &stepper.core;
@@ -129,7 +129,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Integrator<S, N, R> {
 }
 
 /// Quantities at hand after a step, from which the report is kept.
-pub(crate) struct Trace<'a, const N: usize, const R: usize> {
+pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
     /// φ.
     pub(crate) phi: &'a [f64; R],
     /// A v + b.

@@ -77,7 +77,7 @@ pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
 pub use model::{
     Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy, Row, RowKind,
-    Segment, Structure,
+    Segment, Structure, World,
 };
 pub use report::{AssemblyVerdict, Energy, Reactions, Report, Sample};
 pub use samples::Samples;

@@ -6,11 +6,15 @@
 //!
 //! | symbol | shape | meaning |
 //! |---|---|---|
-//! | q, v | N | generalized coordinates and velocities (q̇ = v) |
+//! | q | Q | generalized coordinates; rotations as unit quaternions (w, x, y, z) that take body axes to space axes |
+//! | v | N | generalized velocities, q̇ = G(q) v: rates of translations and angles; angular velocities in body axes |
 //! | M | N × N | mass matrix |
 //! | φ, ψ̇ | R | constraint rows: holonomic (first [`Structure::holonomic_rows`]), then nonholonomic |
-//! | A | R × N | constraint Jacobian: ∂φ/∂q, then the coefficients of ψ̇ = N v + n |
+//! | A | R × N | constraint Jacobian: ∂φ/∂q · G, then the coefficients of ψ̇ = N v + n |
 //! | b | R | rheonomic part of the velocity rows: φ̇ = A v + b |
+//!
+//! Derivatives with respect to q are taken along velocities, D_j f = ∂f/∂q · G_j, and have N columns. In the plane G is
+//! the identity and Q = N.
 
 use crate::{MatrixSink, Model, ParameterError, Structure, TensorSink, UnknownName};
 
@@ -37,15 +41,18 @@ pub trait Mechanism: Clone + Default {
     fn set_parameter(&mut self, name: &str, value: f64) -> Result<(), UnknownName>;
 }
 
-/// The equations of a mechanism for one set of parameters, with N velocities and R constraint rows.
+/// The equations of a mechanism for one set of parameters, with Q coordinates, N velocities and R constraint
+/// rows.
 ///
 /// Functions that fill arrays write structurally nonzero entries only: clear the array once, when it is made.
 /// None of them allocates.
-pub trait System<const N: usize, const R: usize>: Clone {
+pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
     /// What was modelled.
     const MODEL: &'static Model;
     /// What the integrator may rely on.
     const STRUCTURE: Structure;
+    /// For each unit quaternion, where its angular velocity begins in v.
+    const ROTATIONS: &'static [usize];
     /// A factor of M(q): nothing where M is constant (its inverse is in the system), else a Cholesky factor.
     type Mass: Clone;
 
@@ -54,12 +61,20 @@ pub trait System<const N: usize, const R: usize>: Clone {
     /// The current values of the `Input`s, to be set.
     fn inputs_mut(&mut self) -> &mut [f64];
     /// Declared guesses of q and v at time 0; they need not satisfy the constraints.
-    fn guess(&self) -> ([f64; N], [f64; N]);
+    fn guess(&self) -> ([f64; Q], [f64; N]);
+
+    /// q ⊕ h v: translations q + h v, unit quaternions q ∘ exp(h ω/2) (ω in body axes), renormalised.
+    fn advance(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q];
+    /// v of unit time that leads from one configuration to another: `advance(from, difference(from, to), 1.0)` is `to`.
+    fn difference(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N];
+    /// Free flight of all bodies over h: translations q + h v; rotations by the symmetric splitting into principal-axis
+    /// rotations, which changes ω (body axes) at constant angular momentum.
+    fn free_flight(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64);
 
     /// M(q), both triangles.
-    fn mass_matrix(&self, q: &[f64; N], mass: &mut impl MatrixSink);
+    fn mass_matrix(&self, q: &[f64; Q], mass: &mut impl MatrixSink);
     /// A factor of M(q); `None` if M is not positive definite there.
-    fn factor_mass(&self, q: &[f64; N]) -> Option<Self::Mass>;
+    fn factor_mass(&self, q: &[f64; Q]) -> Option<Self::Mass>;
     /// x ← M⁻¹ x.
     fn solve_mass(&self, mass: &Self::Mass, x: &mut [f64; N]);
     /// Row by row w = M⁻¹ a; `a` has the zero pattern of A.
@@ -74,7 +89,7 @@ pub trait System<const N: usize, const R: usize>: Clone {
         &self,
         mass: &Self::Mass,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         a: &[[f64; N]; R],
         w: &mut [[f64; N]; R],
         gram: &mut [[f64; R]; R],
@@ -91,18 +106,18 @@ pub trait System<const N: usize, const R: usize>: Clone {
         }
     }
     /// p = M(q) v.
-    fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]);
-    /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), so that
-    /// d(M v)/dt − ∂T/∂q = M v̇ + Γ_ijk v_j v_k.
-    fn affinities(&self, q: &[f64; N], gamma: &mut impl TensorSink);
+    fn momentum(&self, q: &[f64; Q], v: &[f64; N], p: &mut [f64; N]);
+    /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), and the structure
+    /// constants of the rotations (ω × Jω), so that d(M v)/dt − ∂T/∂q = M v̇ + Γ_ijk v_j v_k.
+    fn affinities(&self, q: &[f64; Q], gamma: &mut impl TensorSink);
 
     /// φ(q, t), the holonomic rows only.
-    fn holonomic(&self, t: f64, q: &[f64; N], phi: &mut [f64; R]);
+    fn holonomic(&self, t: f64, q: &[f64; Q], phi: &mut [f64; R]);
     /// φ (holonomic rows only), A and b.
     fn constraints(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         phi: &mut [f64; R],
         a: &mut impl MatrixSink,
         b: &mut [f64; R],
@@ -111,21 +126,21 @@ pub trait System<const N: usize, const R: usize>: Clone {
     fn constraint_rates(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         a_rate: &mut impl MatrixSink,
         gamma: &mut [f64; R],
     );
 
     /// Applied generalized forces f(q, v, t): gravity, springs, dampers, forces, torques.
-    fn applied_forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]);
-    /// F = f + ∂T/∂q, the right-hand side of ṗ = F + Aᵀλ.
-    fn forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]);
+    fn applied_forces(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]);
+    /// F = f + ∂T/∂q + (Jω) × ω of the rotations, the right-hand side of ṗ = F + Aᵀλ.
+    fn forces(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]);
     /// ∂f/∂q and ∂f/∂v of the applied forces.
     fn applied_force_tangents(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
@@ -134,34 +149,34 @@ pub trait System<const N: usize, const R: usize>: Clone {
     fn force_tangents(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
     );
-    /// M⁻¹ f(q, t), where M is constant and forces do not depend on velocities; zero elsewhere (it is not used there).
-    fn acceleration(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N]);
+    /// M⁻¹ f(q, t) of the applied forces, where M is constant and forces do not depend on velocities; zero elsewhere (it is not used there).
+    fn acceleration(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N]);
 
     /// T(q, v), J.
-    fn kinetic_energy(&self, q: &[f64; N], v: &[f64; N]) -> f64;
+    fn kinetic_energy(&self, q: &[f64; Q], v: &[f64; N]) -> f64;
     /// V(q) of gravity and springs, J.
-    fn potential_energy(&self, q: &[f64; N]) -> f64;
+    fn potential_energy(&self, q: &[f64; Q]) -> f64;
     /// Power of the applied forces that have no potential, W.
-    fn nonconservative_power(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64;
+    fn nonconservative_power(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> f64;
 
     /// `Output`s, in the order of [`Model::outputs`] (a shorter slice receives the first ones).
-    fn outputs(&self, t: f64, q: &[f64; N], v: &[f64; N], outputs: &mut [f64]);
+    fn outputs(&self, t: f64, q: &[f64; Q], v: &[f64; N], outputs: &mut [f64]);
     /// `Event` expressions, in the order of [`Model::events`].
-    fn events(&self, t: f64, q: &[f64; N], v: &[f64; N], events: &mut [f64]);
+    fn events(&self, t: f64, q: &[f64; Q], v: &[f64; N], events: &mut [f64]);
     /// Points in world axes, m, in the order of [`Model::points`].
-    fn points(&self, t: f64, q: &[f64; N], points: &mut [[f64; 3]]);
+    fn points(&self, t: f64, q: &[f64; Q], points: &mut [[f64; 3]]);
     /// Joint reactions from accelerations v̇ and multipliers λ (of M v̇ + Γvv = f + Aᵀλ), in the order of
     /// [`Model::reactions`].
     fn reactions(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         acceleration: &[f64; N],
         lambda: &[f64; R],

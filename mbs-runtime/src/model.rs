@@ -9,8 +9,15 @@ pub struct Model {
     pub doc: &'static str,
     /// The declaration as it was written, token by token; the compiler library reads it back for `explain`.
     pub declaration: &'static str,
-    /// Generalized coordinates q, in the order of every array of length N.
+    /// The world it moves in.
+    pub world: World,
+    /// Unit vector against gravity with default parameters; without gravity y in the plane and z in space.
+    pub up: [f64; 3],
+    /// Generalized coordinates q, in the order of every array of length Q.
     pub coordinates: &'static [Coordinate],
+    /// Generalized velocities v, in the order of every array of length N: rates of the coordinates, and for a body with
+    /// a unit quaternion its angular velocity in body axes.
+    pub velocities: &'static [Coordinate],
     /// Constraint rows, in the order of every array of length R: holonomic rows first.
     pub rows: &'static [Row],
     /// Bars, bodies and particles.
@@ -47,13 +54,22 @@ impl Model {
     }
 }
 
+/// The world a mechanism moves in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum World {
+    /// x and y.
+    Planar,
+    /// x, y and z.
+    Spatial,
+}
+
 /// What the rows leave free, determined at compile time. (Assembly repeats the check for the actual parameters:
 /// [`AssemblyVerdict`](crate::AssemblyVerdict).)
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mobility {
     /// Rank of A.
     pub rank: usize,
-    /// Coordinates less rank.
+    /// Velocities less rank.
     pub degrees_of_freedom: usize,
     /// Rows that follow from others; they are harmless, but their reactions are not unique.
     pub redundant: &'static [Redundancy],
@@ -68,12 +84,12 @@ pub struct Redundancy {
     pub follows_from: &'static [&'static str],
 }
 
-/// A generalized coordinate.
+/// A generalized coordinate, or a velocity.
 #[derive(Debug, Clone, Copy)]
 pub struct Coordinate {
-    /// For example `crank.b.x`.
+    /// For example `crank.b.x`; for a velocity `crank.b.x'`.
     pub name: &'static str,
-    /// SI unit of the coordinate, for example `m`.
+    /// SI unit, for example `m`, or `m/s` for a velocity.
     pub unit: &'static str,
 }
 
@@ -177,4 +193,6 @@ pub struct Structure {
     pub time_dependent: bool,
     /// The number of leading rows that are holonomic.
     pub holonomic_rows: usize,
+    /// The number of unit quaternions among the coordinates.
+    pub rotations: usize,
 }

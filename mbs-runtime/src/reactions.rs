@@ -8,9 +8,9 @@ use crate::{Reactions, State, System};
 /// Solves M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 and maps λ to the joints.
 ///
 /// With F = f + ∂T/∂q the first reads M v̇ = F − (∂p/∂q) v + Aᵀλ, which needs no affinities.
-pub(crate) fn reactions<S: System<N, R>, const N: usize, const R: usize>(
+pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    state: &State<N, R>,
+    state: &State<Q, N, R>,
 ) -> Result<Reactions, Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
     let mut node = Node::new(system, q)?;

@@ -17,15 +17,15 @@ const HALVINGS: u32 = 8;
 /// max |φ| and |A v + b| with which a state can be resumed, relative to the size of q and v.
 const RESUMABLE: f64 = 1e-6;
 
-/// A mechanism with its integrator: N coordinates, R constraint rows.
+/// A mechanism with its integrator: Q coordinates, N velocities, R constraint rows.
 ///
 /// ```text
 /// let mut simulation = Simulation::new(SliderCrank { crank_length: 0.2, ..Default::default() })?;
 /// simulation.run_until(10.0)?;
 /// ```
-pub struct Simulation<S: System<N, R>, const N: usize, const R: usize> {
+pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     settings: Settings,
-    integrator: Integrator<S, N, R>,
+    integrator: Integrator<S, Q, N, R>,
     assembly: AssemblyVerdict,
     report: Report,
     /// Power of nonconservative forces at the current instant, W.
@@ -33,12 +33,12 @@ pub struct Simulation<S: System<N, R>, const N: usize, const R: usize> {
     /// How independent the rows are where it stands, if the last step found out; else the next one asks.
     independence: Option<Independence>,
     /// Where a step that is tried began.
-    before: Box<State<N, R>>,
+    before: Box<State<Q, N, R>>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
     events: Vec<f64>,
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A simulation with default settings, assembled from the declared guess.
     ///
     /// # Errors
@@ -68,7 +68,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     pub fn resume<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
-        state: State<N, R>,
+        state: State<Q, N, R>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
@@ -96,7 +96,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     fn start(
         system: S,
         settings: Settings,
-        state: State<N, R>,
+        state: State<Q, N, R>,
         assembly: AssemblyVerdict,
     ) -> Result<Self, SimulationError> {
         let report = Report {
@@ -145,7 +145,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     }
 
     /// Where it stands; [`Simulation::resume`] continues from it.
-    pub fn state(&self) -> &State<N, R> {
+    pub fn state(&self) -> &State<Q, N, R> {
         self.integrator.state()
     }
 
@@ -155,7 +155,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     }
 
     /// q.
-    pub fn positions(&self) -> &[f64; N] {
+    pub fn positions(&self) -> &[f64; Q] {
         &self.state().positions
     }
 

@@ -7,11 +7,11 @@ const USUAL_GROWTH_WEAK: f64 = 4.0;
 
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
-pub struct State<const N: usize, const R: usize> {
+pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// Time, s.
     pub time: f64,
     /// q.
-    pub positions: [f64; N],
+    pub positions: [f64; Q],
     /// v.
     pub velocities: [f64; N],
     /// κ₁/h, the multiplier of the last step's first kick as a force; the next step starts its iteration with it …
@@ -26,7 +26,7 @@ pub struct State<const N: usize, const R: usize> {
     pub fields: ThreeFields<N, R>,
 }
 
-impl<const N: usize, const R: usize> State<N, R> {
+impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// The impulses κ₁ that a step of h begins with.
     #[inline(always)]
     pub(crate) fn expected_impulse(&self, h: f64) -> [f64; R] {
@@ -113,7 +113,7 @@ impl<const N: usize, const R: usize> State<N, R> {
     }
 
     /// A state without history.
-    pub fn new(time: f64, positions: [f64; N], velocities: [f64; N]) -> Self {
+    pub fn new(time: f64, positions: [f64; Q], velocities: [f64; N]) -> Self {
         State {
             time,
             positions,

@@ -13,7 +13,7 @@ use mbs_runtime::{
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-type Run<T, const N: usize, const R: usize> = Simulation<Hand<T, N, R>, N, R>;
+type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 
 fn settings(order: u8, step: f64) -> Settings {
     Settings {
@@ -24,11 +24,11 @@ fn settings(order: u8, step: f64) -> Settings {
     }
 }
 
-fn run<T: Scene<N, R>, const N: usize, const R: usize>(
+fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     settings: Settings,
     time: f64,
-) -> Run<T, N, R> {
+) -> Run<T, Q, N, R> {
     let mut simulation = Simulation::with_settings(Parameters(scene), settings).unwrap();
     simulation.run_until(time).unwrap();
     simulation
@@ -40,7 +40,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Checks the slopes of positions between h and h/2, against order 8 with a fine step.
-fn slopes<T: Scene<N, R>, const N: usize, const R: usize>(
+fn slopes<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     time: f64,
     steps: [(u8, f64); 3],

@@ -14,14 +14,14 @@ use mbs_runtime::{
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-fn new<T: Scene<N, R>, const N: usize, const R: usize>(
+fn new<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     settings: Settings,
-) -> Result<Simulation<Hand<T, N, R>, N, R>, SimulationError> {
+) -> Result<Simulation<Hand<T, Q, N, R>, Q, N, R>, SimulationError> {
     Simulation::with_settings(Parameters(scene), settings)
 }
 
-fn allocations<T: Scene<N, R>, const N: usize, const R: usize>(
+fn allocations<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     settings: Settings,
 ) -> u64 {
@@ -65,7 +65,10 @@ fn singular_passages_do_not_allocate() {
     assert_eq!(count() - before, 0);
 }
 
-fn resumes<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, settings: Settings) {
+fn resumes<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    settings: Settings,
+) {
     let mut whole = new(scene.clone(), settings).unwrap();
     whole.run_until(0.1).unwrap();
     let state = whole.state().clone();

@@ -7,9 +7,12 @@ use common::scenes::*;
 use common::{Hand, Parameters, Scene};
 use mbs_runtime::{Flow, Settings, Simulation, State};
 
-type Run<T, const N: usize, const R: usize> = Simulation<Hand<T, N, R>, N, R>;
+type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 
-fn start<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64) -> Run<T, N, R> {
+fn start<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    step: f64,
+) -> Run<T, Q, N, R> {
     Simulation::with_settings(
         Parameters(scene),
         Settings {
@@ -20,11 +23,11 @@ fn start<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64) ->
     .unwrap()
 }
 
-fn run<T: Scene<N, R>, const N: usize, const R: usize>(
+fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     step: f64,
     time: f64,
-) -> Run<T, N, R> {
+) -> Run<T, Q, N, R> {
     let mut simulation = start(scene, step);
     simulation.run_until(time).unwrap();
     println!(
@@ -43,7 +46,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// The ratio of differences of three runs with steps h, h/2, h/4: 4 at second order.
-fn order_ratio<T: Scene<N, R>, const N: usize, const R: usize>(
+fn order_ratio<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     step: f64,
     time: f64,
@@ -60,7 +63,11 @@ fn order_ratio<T: Scene<N, R>, const N: usize, const R: usize>(
 }
 
 /// Forward, velocities reversed, back: the distance from where it began.
-fn reversal<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64, time: f64) -> f64 {
+fn reversal<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    step: f64,
+    time: f64,
+) -> f64 {
     let forward = run(scene.clone(), step, time);
     let back = State::new(0.0, *forward.positions(), forward.velocities().map(|v| -v));
     let settings = Settings {
@@ -166,7 +173,7 @@ fn stiff_damper_costs_no_accuracy() {
             stiffness: 1e6,
             damping,
         };
-        let angles = |run: Run<StiffPendulum, 4, 1>| {
+        let angles = |run: Run<StiffPendulum, 4, 4, 1>| {
             let q = run.positions();
             [q[1].atan2(q[0]), (q[3] - q[1]).atan2(q[2] - q[0])]
         };

@@ -6,11 +6,11 @@ use common::planar::{DampedSliderCrank, Doubled, FlatFourBar, FourBar, SliderCra
 use common::{Hand, Parameters, Scene};
 use mbs_runtime::{Settings, Simulation};
 
-fn run<T: Scene<N, R>, const N: usize, const R: usize>(
+fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     step: f64,
     time: f64,
-) -> Simulation<Hand<T, N, R>, N, R> {
+) -> Simulation<Hand<T, Q, N, R>, Q, N, R> {
     let settings = Settings {
         step,
         ..Settings::default()

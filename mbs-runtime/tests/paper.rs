@@ -7,11 +7,11 @@ use common::scenes::{DampedSleigh, Shaken, Sleigh};
 use common::{Hand, Parameters, Scene};
 use mbs_runtime::{Method, PaperSettings, Settings, Simulation, SimulationError};
 
-fn start<T: Scene<N, R>, const N: usize, const R: usize>(
+fn start<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     step: f64,
     paper: PaperSettings,
-) -> Simulation<Hand<T, N, R>, N, R> {
+) -> Simulation<Hand<T, Q, N, R>, Q, N, R> {
     let settings = Settings {
         step,
         method: Method::Paper(paper),
@@ -83,7 +83,11 @@ fn stabilised_rows_pass() {
     result.unwrap();
 }
 
-fn ratio<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64, time: f64) -> f64 {
+fn ratio<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    step: f64,
+    time: f64,
+) -> f64 {
     let [a, b, c] = [1.0, 2.0, 4.0].map(|divisor| {
         let mut simulation = start(scene.clone(), step / divisor, fine(1e-9));
         simulation.run_until(time).unwrap();
@@ -91,7 +95,7 @@ fn ratio<T: Scene<N, R>, const N: usize, const R: usize>(scene: T, step: f64, ti
         *simulation.positions()
     });
     let distance =
-        |a: &[f64; N], b: &[f64; N]| (0..N).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+        |a: &[f64; Q], b: &[f64; Q]| (0..Q).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
     distance(&a, &b) / distance(&b, &c)
 }
 

@@ -23,13 +23,13 @@ fn reference(name: &str) -> Option<Vec<Vec<f64>>> {
 }
 
 /// The largest deviation of a quantity from a column of the reference, up to `until`.
-fn deviation<T: Scene<N, R>, const N: usize, const R: usize>(
+fn deviation<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     step: f64,
     until: f64,
     rows: &[Vec<f64>],
     column: usize,
-    quantity: impl Fn(&Simulation<Hand<T, N, R>, N, R>) -> f64,
+    quantity: impl Fn(&Simulation<Hand<T, Q, N, R>, Q, N, R>) -> f64,
 ) -> f64 {
     let settings = Settings {
         step,

@@ -21,9 +21,9 @@ impl TensorSink for Entries {
 }
 
 /// All functions at one instant.
-pub fn table<S: System<N, R>, const N: usize, const R: usize>(
+pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
 ) -> Table {
     let Arguments {
         time: t,

@@ -75,46 +75,46 @@ impl Findings {
 }
 
 /// All functions of a system in dense form, as closures of the arguments would be too long to write each time.
-struct Dense<'a, S, const N: usize, const R: usize>(&'a S);
+struct Dense<'a, S, const Q: usize, const N: usize, const R: usize>(&'a S);
 
-impl<S: System<N, R>, const N: usize, const R: usize> Dense<'_, S, N, R> {
-    fn mass(&self, q: &[f64; N]) -> Vec<f64> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dense<'_, S, Q, N, R> {
+    fn mass(&self, q: &[f64; Q]) -> Vec<f64> {
         let mut mass = Box::new([[0.0; N]; N]);
         self.0.mass_matrix(q, &mut *mass);
         mass.as_flattened().to_vec()
     }
-    fn momentum(&self, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+    fn momentum(&self, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
         let mut p = [0.0; N];
         self.0.momentum(q, v, &mut p);
         p.to_vec()
     }
-    fn holonomic(&self, t: f64, q: &[f64; N]) -> Vec<f64> {
+    fn holonomic(&self, t: f64, q: &[f64; Q]) -> Vec<f64> {
         let mut phi = [0.0; R];
         self.0.holonomic(t, q, &mut phi);
         phi.to_vec()
     }
     /// φ, A by rows, b.
-    fn constraints(&self, t: f64, q: &[f64; N]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+    fn constraints(&self, t: f64, q: &[f64; Q]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let (mut phi, mut a, mut b) = ([0.0; R], Box::new([[0.0; N]; R]), [0.0; R]);
         self.0.constraints(t, q, &mut phi, &mut *a, &mut b);
         (phi.to_vec(), a.as_flattened().to_vec(), b.to_vec())
     }
     /// A v + b.
-    fn rates(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+    fn rates(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
         let (_, a, b) = self.constraints(t, q);
         (0..R).map(|i| b[i] + dot(&a[i * N..][..N], v)).collect()
     }
-    fn constraint_rates(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> (Vec<f64>, Vec<f64>) {
+    fn constraint_rates(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> (Vec<f64>, Vec<f64>) {
         let (mut rate, mut gamma) = (Box::new([[0.0; N]; R]), [0.0; R]);
         self.0.constraint_rates(t, q, v, &mut *rate, &mut gamma);
         (rate.as_flattened().to_vec(), gamma.to_vec())
     }
-    fn applied(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+    fn applied(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
         let mut f = [0.0; N];
         self.0.applied_forces(t, q, v, &mut f);
         f.to_vec()
     }
-    fn total(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> Vec<f64> {
+    fn total(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
         let mut f = [0.0; N];
         self.0.forces(t, q, v, &mut f);
         f.to_vec()
@@ -139,12 +139,13 @@ fn column<const N: usize>(matrix: &[[f64; N]], j: usize) -> Vec<f64> {
 }
 
 /// All that does not agree at an instant.
-pub fn findings<S: System<N, R>, const N: usize, const R: usize>(
+pub fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
     random: &mut Random,
 ) -> Vec<String> {
     let mut findings = Findings(Vec::new());
+    motion(&mut findings, system, at);
     constraints(&mut findings, system, at);
     forces(&mut findings, system, at);
     tangents(&mut findings, system, at);
@@ -153,10 +154,67 @@ pub fn findings<S: System<N, R>, const N: usize, const R: usize>(
     findings.0
 }
 
-fn constraints<S: System<N, R>, const N: usize, const R: usize>(
+/// (p × ω)_j where v_j is a component of an angular velocity: what F has beside f and ∂T/∂q.
+fn gyroscopic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    p: &[f64],
+    v: &[f64; N],
+) -> [f64; N] {
+    let mut torque = [0.0; N];
+    for &first in S::ROTATIONS {
+        for i in 0..3 {
+            let (j, k) = (first + (i + 1) % 3, first + (i + 2) % 3);
+            torque[first + i] = p[j] * v[k] - p[k] * v[j];
+        }
+    }
+    torque
+}
+
+/// ⊕, its inverse and free flight.
+fn motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
+) {
+    let (q, v) = (&at.q, &at.v);
+    findings.identity(
+        "q ⊕ v ⊖ q",
+        &system.difference(q, &system.advance(q, v, 1.0)),
+        v,
+    );
+    let back = system.advance(&system.advance(q, v, 0.7), v, -0.7);
+    findings.identity("q ⊕ h v ⊕ −h v", &back, q);
+    let flight = |h: f64| {
+        let (mut q, mut v) = (*q, *v);
+        system.free_flight(&mut q, &mut v, h);
+        (q, v)
+    };
+    findings.identity("flight of no time", &flight(0.0).1, v);
+    for j in 0..N {
+        // All of G, and not only along v.
+        let (rate, _) = slope(&|s| system.advance(q, &unit(j), s).to_vec());
+        findings.derivative(&format!("G, column {j}"), &rate, &|s| {
+            let mut q = *q;
+            system.free_flight(&mut q, &mut unit(j), s);
+            q.to_vec()
+        });
+    }
+    if S::STRUCTURE.constant_mass {
+        let dense = Dense(system);
+        let p = dense.momentum(q, v);
+        let torque = gyroscopic::<S, Q, N, R>(&p, v);
+        findings.derivative("torque-free motion", &torque, &|s| {
+            let (q, v) = flight(s);
+            dense.momentum(&q, &v)
+        });
+        let energy = |(q, v): ([f64; Q], [f64; N])| system.kinetic_energy(&q, &v);
+        findings.derivative("T in free flight", &[0.0], &|s| vec![energy(flight(s))]);
+    }
+}
+
+fn constraints<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<Q, N, R>,
 ) {
     let dense = Dense(system);
     let (t, q, v) = (at.time, &at.q, &at.v);
@@ -170,7 +228,7 @@ fn constraints<S: System<N, R>, const N: usize, const R: usize>(
     for j in 0..N {
         let entries: Vec<f64> = (0..holonomic).map(|i| a[i * N + j]).collect();
         findings.derivative(&format!("A, column {j}"), &entries, &|s| {
-            dense.holonomic(t, &along(q, s, &unit(j)))[..holonomic].to_vec()
+            dense.holonomic(t, &system.advance(q, &unit(j), s))[..holonomic].to_vec()
         });
     }
     findings.derivative("b", &b[..holonomic], &|s| {
@@ -178,47 +236,50 @@ fn constraints<S: System<N, R>, const N: usize, const R: usize>(
     });
     let (a_rate, gamma) = dense.constraint_rates(t, q, v);
     findings.derivative("rate of A", &a_rate, &|s| {
-        dense.constraints(t + s, &along(q, s, v)).1
+        dense.constraints(t + s, &system.advance(q, v, s)).1
     });
-    findings.derivative("gamma", &gamma, &|s| dense.rates(t + s, &along(q, s, v), v));
+    findings.derivative("gamma", &gamma, &|s| {
+        dense.rates(t + s, &system.advance(q, v, s), v)
+    });
 }
 
 /// f + ∂V/∂q is what does work without potential.
-fn forces<S: System<N, R>, const N: usize, const R: usize>(
+fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
 ) {
     let dense = Dense(system);
     let (t, q, v) = (at.time, &at.q, &at.v);
     let f = dense.applied(t, q, v);
     let power = system.nonconservative_power(t, q, v);
     findings.derivative("f·v − power", &[dot(&f, v) - power], &|s| {
-        vec![-system.potential_energy(&along(q, s, v))]
+        vec![-system.potential_energy(&system.advance(q, v, s))]
     });
     if !S::STRUCTURE.velocity_forces && power == 0.0 {
         for j in 0..N {
             findings.derivative(&format!("f[{j}]"), &[f[j]], &|s| {
-                vec![-system.potential_energy(&along(q, s, &unit(j)))]
+                vec![-system.potential_energy(&system.advance(q, &unit(j), s))]
             });
         }
     }
     let total = dense.total(t, q, v);
-    let inertial: Vec<f64> = total.iter().zip(&f).map(|(total, f)| total - f).collect();
+    let torque = gyroscopic::<S, Q, N, R>(&dense.momentum(q, v), v);
+    let inertial: Vec<f64> = (0..N).map(|j| total[j] - f[j] - torque[j]).collect();
     for j in 0..N {
         // Beside large applied forces the difference has their round-off.
         let round_off = 1e-8 * f[j];
         findings.derivative(&format!("F − f, {j}"), &[inertial[j], 0.0], &|s| {
-            let energy = system.kinetic_energy(&along(q, s, &unit(j)), v);
+            let energy = system.kinetic_energy(&system.advance(q, &unit(j), s), v);
             vec![energy, round_off]
         });
     }
 }
 
-fn tangents<S: System<N, R>, const N: usize, const R: usize>(
+fn tangents<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
 ) {
     let dense = Dense(system);
     let (t, q, v) = (at.time, &at.q, &at.v);
@@ -232,7 +293,7 @@ fn tangents<S: System<N, R>, const N: usize, const R: usize>(
     system.force_tangents(t, q, v, &mut *total_q, &mut *total_v, &mut *p_q);
     for j in 0..N {
         findings.derivative(&format!("∂f/∂q, column {j}"), &column(&*f_q, j), &|s| {
-            dense.applied(t, &along(q, s, &unit(j)), v)
+            dense.applied(t, &system.advance(q, &unit(j), s), v)
         });
         findings.derivative(&format!("∂f/∂v, column {j}"), &column(&*f_v, j), &|s| {
             dense.applied(t, q, &along(v, s, &unit(j)))
@@ -240,7 +301,7 @@ fn tangents<S: System<N, R>, const N: usize, const R: usize>(
         findings.derivative(
             &format!("∂F/∂q, column {j}"),
             &column(&*total_q, j),
-            &|s| dense.total(t, &along(q, s, &unit(j)), v),
+            &|s| dense.total(t, &system.advance(q, &unit(j), s), v),
         );
         findings.derivative(
             &format!("∂F/∂v, column {j}"),
@@ -248,15 +309,15 @@ fn tangents<S: System<N, R>, const N: usize, const R: usize>(
             &|s| dense.total(t, q, &along(v, s, &unit(j))),
         );
         findings.derivative(&format!("∂p/∂q, column {j}"), &column(&*p_q, j), &|s| {
-            dense.momentum(&along(q, s, &unit(j)), v)
+            dense.momentum(&system.advance(q, &unit(j), s), v)
         });
     }
 }
 
-fn inertia<S: System<N, R>, const N: usize, const R: usize>(
+fn inertia<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
 ) {
     let dense = Dense(system);
     let (q, v) = (&at.q, &at.v);
@@ -271,6 +332,13 @@ fn inertia<S: System<N, R>, const N: usize, const R: usize>(
     let mut gamma = vec![[[0.0; N]; N]; N];
     let mut sink = Affinities(&mut gamma);
     system.affinities(q, &mut sink);
+    if S::STRUCTURE.constant_mass && !S::ROTATIONS.is_empty() {
+        let product = |i: usize| (0..N).map(|j| v[j] * dot(&gamma[i][j], v)).sum::<f64>();
+        let given: Vec<f64> = (0..N).map(product).collect();
+        let expected = gyroscopic::<S, Q, N, R>(&p, v).map(|torque| -torque);
+        findings.identity("affinities", &given, &expected);
+        return;
+    }
     if S::STRUCTURE.constant_mass {
         let none = gamma
             .as_flattened()
@@ -281,7 +349,7 @@ fn inertia<S: System<N, R>, const N: usize, const R: usize>(
         return;
     }
     let slopes: Vec<(Vec<f64>, f64)> = (0..N)
-        .map(|k| slope(&|s| dense.mass(&along(q, s, &unit(k)))))
+        .map(|k| slope(&|s| dense.mass(&system.advance(q, &unit(k), s))))
         .collect();
     let size = slopes
         .iter()
@@ -308,10 +376,10 @@ impl<const N: usize> mbs_runtime::TensorSink for Affinities<'_, N> {
     }
 }
 
-fn kernels<S: System<N, R>, const N: usize, const R: usize>(
+fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
-    at: &Arguments<N, R>,
+    at: &Arguments<Q, N, R>,
     random: &mut Random,
 ) {
     let dense = Dense(system);

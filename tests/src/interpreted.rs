@@ -34,10 +34,10 @@ pub fn analysis(declaration: &str) -> Analysis {
 
 impl Interpreted {
     /// The declaration of a mechanism, with the mechanism's parameters.
-    pub fn new<M, S, const N: usize, const R: usize>(mechanism: &M) -> Self
+    pub fn new<M, S, const Q: usize, const N: usize, const R: usize>(mechanism: &M) -> Self
     where
         M: Mechanism<System = S>,
-        S: System<N, R>,
+        S: System<Q, N, R>,
     {
         let analysis = analysis(<M as Mechanism>::MODEL.declaration);
         let graph = analysis.derived.system.graph.clone();
@@ -115,10 +115,10 @@ impl Interpreted {
     }
 
     /// Both tables at an instant: of the symbolic interpreter, and of the interpreter of programs.
-    pub fn tables<S: System<N, R>, const N: usize, const R: usize>(
+    pub fn tables<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         &self,
         system: &S,
-        at: &Arguments<N, R>,
+        at: &Arguments<Q, N, R>,
     ) -> (Table, Table) {
         let inputs = system.inputs();
         let (mut a, mut w) = (Box::new([[0.0; N]; R]), Box::new([[0.0; N]; R]));

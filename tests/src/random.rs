@@ -1,5 +1,7 @@
 //! Deterministic numbers that look random.
 
+use mbs_runtime::System;
+
 /// SplitMix64.
 #[derive(Debug, Clone)]
 pub struct Random(u64);
@@ -33,11 +35,11 @@ impl Random {
 
 /// Arguments of the equations.
 #[derive(Debug, Clone)]
-pub struct Arguments<const N: usize, const R: usize> {
+pub struct Arguments<const Q: usize, const N: usize, const R: usize> {
     /// t
     pub time: f64,
     /// q
-    pub q: [f64; N],
+    pub q: [f64; Q],
     /// v
     pub v: [f64; N],
     /// v̇
@@ -46,14 +48,14 @@ pub struct Arguments<const N: usize, const R: usize> {
     pub lambda: [f64; R],
 }
 
-impl<const N: usize, const R: usize> Arguments<N, R> {
-    /// Arguments near a guess of q; constraints are not respected, since derivatives hold everywhere.
-    pub fn near(guess: &[f64; N], random: &mut Random) -> Self {
-        let mut q: [f64; N] = random.array(0.4);
-        q.iter_mut().zip(guess).for_each(|(q, guess)| *q += guess);
+impl<const Q: usize, const N: usize, const R: usize> Arguments<Q, N, R> {
+    /// Arguments near the guess of q; constraints are not respected, since derivatives hold everywhere.
+    pub fn near<S: System<Q, N, R>>(system: &S, random: &mut Random) -> Self {
+        let (guess, _) = system.guess();
+        let way = random.array(0.4);
         Arguments {
             time: 0.7 + random.within(0.6),
-            q,
+            q: system.advance(&guess, &way, 1.0),
             v: random.array(1.5),
             acceleration: random.array(2.0),
             lambda: random.array(2.0),

@@ -24,6 +24,8 @@ pub const QUANTITIES: &[&str] = &[
     "T",
     "V",
     "power",
+    "difference",
+    "free_flight",
     "solve_mass",
     "solve_mass_rows",
     "gram",
@@ -102,9 +104,12 @@ impl<T: TensorSink> TensorSink for Wrong<'_, T> {
     }
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<S> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q, N, R>
+    for Tampered<S>
+{
     const MODEL: &'static Model = S::MODEL;
     const STRUCTURE: Structure = S::STRUCTURE;
+    const ROTATIONS: &'static [usize] = S::ROTATIONS;
     type Mass = S::Mass;
 
     fn inputs(&self) -> &[f64] {
@@ -113,13 +118,25 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
     fn inputs_mut(&mut self) -> &mut [f64] {
         self.inner.inputs_mut()
     }
-    fn guess(&self) -> ([f64; N], [f64; N]) {
+    fn guess(&self) -> ([f64; Q], [f64; N]) {
         self.inner.guess()
     }
-    fn mass_matrix(&self, q: &[f64; N], mass: &mut impl MatrixSink) {
+    fn advance(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q] {
+        self.inner.advance(q, v, h)
+    }
+    fn difference(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N] {
+        let mut way = self.inner.difference(from, to);
+        self.vector("difference", &mut way);
+        way
+    }
+    fn free_flight(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64) {
+        self.inner.free_flight(q, v, h);
+        self.vector("free_flight", v);
+    }
+    fn mass_matrix(&self, q: &[f64; Q], mass: &mut impl MatrixSink) {
         self.inner.mass_matrix(q, &mut self.sink("mass", mass));
     }
-    fn factor_mass(&self, q: &[f64; N]) -> Option<Self::Mass> {
+    fn factor_mass(&self, q: &[f64; Q]) -> Option<Self::Mass> {
         self.inner.factor_mass(q)
     }
     fn solve_mass(&self, mass: &Self::Mass, x: &mut [f64; N]) {
@@ -138,7 +155,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         &self,
         mass: &Self::Mass,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         a: &[[f64; N]; R],
         w: &mut [[f64; N]; R],
         gram: &mut [[f64; R]; R],
@@ -151,22 +168,22 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         self.inner.row_rates(a, v, rates);
         self.vector("row_rates", rates);
     }
-    fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]) {
+    fn momentum(&self, q: &[f64; Q], v: &[f64; N], p: &mut [f64; N]) {
         self.inner.momentum(q, v, p);
         self.vector("p", p);
     }
-    fn affinities(&self, q: &[f64; N], gamma: &mut impl TensorSink) {
+    fn affinities(&self, q: &[f64; Q], gamma: &mut impl TensorSink) {
         self.inner
             .affinities(q, &mut self.sink("affinities", gamma));
     }
-    fn holonomic(&self, t: f64, q: &[f64; N], phi: &mut [f64; R]) {
+    fn holonomic(&self, t: f64, q: &[f64; Q], phi: &mut [f64; R]) {
         self.inner.holonomic(t, q, phi);
         self.vector("holonomic", &mut phi[..S::STRUCTURE.holonomic_rows]);
     }
     fn constraints(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         phi: &mut [f64; R],
         a: &mut impl MatrixSink,
         b: &mut [f64; R],
@@ -178,7 +195,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
     fn constraint_rates(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         a_rate: &mut impl MatrixSink,
         gamma: &mut [f64; R],
@@ -187,18 +204,18 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
             .constraint_rates(t, q, v, &mut self.sink("a_rate", a_rate), gamma);
         self.vector("gamma", gamma);
     }
-    fn applied_forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
+    fn applied_forces(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]) {
         self.inner.applied_forces(t, q, v, f);
         self.vector("f", f);
     }
-    fn forces(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
+    fn forces(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]) {
         self.inner.forces(t, q, v, f);
         self.vector("F", f);
     }
     fn applied_force_tangents(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
@@ -210,7 +227,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
     fn force_tangents(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
@@ -220,14 +237,14 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
         self.inner
             .force_tangents(t, q, v, &mut f_q, &mut f_v, &mut self.sink("p_q", p_q));
     }
-    fn acceleration(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N]) {
+    fn acceleration(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N]) {
         self.inner.acceleration(t, q, acceleration);
         self.vector("acceleration", acceleration);
     }
-    fn kinetic_energy(&self, q: &[f64; N], v: &[f64; N]) -> f64 {
+    fn kinetic_energy(&self, q: &[f64; Q], v: &[f64; N]) -> f64 {
         self.number("T", self.inner.kinetic_energy(q, v))
     }
-    fn potential_energy(&self, q: &[f64; N]) -> f64 {
+    fn potential_energy(&self, q: &[f64; Q]) -> f64 {
         let energy = self.inner.potential_energy(q);
         // A constant error would not matter.
         if self.wrong == "V" {
@@ -236,22 +253,22 @@ impl<S: System<N, R>, const N: usize, const R: usize> System<N, R> for Tampered<
             energy
         }
     }
-    fn nonconservative_power(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64 {
+    fn nonconservative_power(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> f64 {
         self.number("power", self.inner.nonconservative_power(t, q, v))
     }
-    fn outputs(&self, t: f64, q: &[f64; N], v: &[f64; N], outputs: &mut [f64]) {
+    fn outputs(&self, t: f64, q: &[f64; Q], v: &[f64; N], outputs: &mut [f64]) {
         self.inner.outputs(t, q, v, outputs);
     }
-    fn events(&self, t: f64, q: &[f64; N], v: &[f64; N], events: &mut [f64]) {
+    fn events(&self, t: f64, q: &[f64; Q], v: &[f64; N], events: &mut [f64]) {
         self.inner.events(t, q, v, events);
     }
-    fn points(&self, t: f64, q: &[f64; N], points: &mut [[f64; 3]]) {
+    fn points(&self, t: f64, q: &[f64; Q], points: &mut [[f64; 3]]) {
         self.inner.points(t, q, points);
     }
     fn reactions(
         &self,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         acceleration: &[f64; N],
         lambda: &[f64; R],

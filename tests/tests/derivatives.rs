@@ -16,27 +16,28 @@ fn count(size: usize) -> usize {
 }
 
 /// A system whose inputs are not their defaults, and states for it.
-fn prepare<M, S, const N: usize, const R: usize>(mechanism: &M) -> (S, Vec<Arguments<N, R>>, Random)
+fn prepare<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: &M,
+) -> (S, Vec<Arguments<Q, N, R>>, Random)
 where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     let mut random = Random::of(<M as Mechanism>::MODEL.name);
     let mut system = mechanism.prepare().expect("default parameters are good");
     for input in system.inputs_mut() {
         *input += random.within(1.0);
     }
-    let (guess, _) = system.guess();
     let states = (0..count(N))
-        .map(|_| Arguments::near(&guess, &mut random))
+        .map(|_| Arguments::near(&system, &mut random))
         .collect();
     (system, states, random)
 }
 
-fn differences<M, S, const N: usize, const R: usize>()
+fn differences<M, S, const Q: usize, const N: usize, const R: usize>()
 where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     let (system, states, mut random) = prepare(&M::default());
     for at in &states {
@@ -47,10 +48,10 @@ where
     }
 }
 
-fn interpreters<M, S, const N: usize, const R: usize>()
+fn interpreters<M, S, const Q: usize, const N: usize, const R: usize>()
 where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     let mechanism = M::default();
     let (system, states, _) = prepare(&mechanism);
@@ -87,7 +88,7 @@ macro_rules! mechanisms {
             use super::*;
             $(#[test]
             fn $test() {
-                differences::<$mechanism, _, _, _>();
+                differences::<$mechanism, _, _, _, _>();
             })*
         }
 
@@ -95,7 +96,7 @@ macro_rules! mechanisms {
             use super::*;
             $(#[test]
             fn $test() {
-                interpreters::<$mechanism, _, _, _>();
+                interpreters::<$mechanism, _, _, _, _>();
             })*
         }
 
@@ -158,10 +159,10 @@ fn every_kind_of_the_schema_is_used() {
 #[test]
 fn an_error_in_any_function_is_found() {
     let finds = |wrong: &'static str| {
-        fn finds<M, S, const N: usize, const R: usize>(wrong: &'static str) -> bool
+        fn finds<M, S, const Q: usize, const N: usize, const R: usize>(wrong: &'static str) -> bool
         where
             M: Mechanism<System = S>,
-            S: System<N, R>,
+            S: System<Q, N, R>,
         {
             let (system, states, mut random) = prepare(&M::default());
             let tampered = Tampered::new(system, wrong);
@@ -169,9 +170,9 @@ fn an_error_in_any_function_is_found() {
                 .iter()
                 .any(|at| !differences::findings(&tampered, at, &mut random).is_empty())
         }
-        finds::<fixtures::Truss, _, _, _>(wrong)
-            || finds::<fixtures::Chain, _, _, _>(wrong)
-            || finds::<scenes::pendulum::Pendulum, _, _, _>(wrong)
+        finds::<fixtures::Truss, _, _, _, _>(wrong)
+            || finds::<fixtures::Chain, _, _, _, _>(wrong)
+            || finds::<scenes::pendulum::Pendulum, _, _, _, _>(wrong)
     };
     for &wrong in QUANTITIES {
         assert!(finds(wrong), "an error in `{wrong}` is not found");

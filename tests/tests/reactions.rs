@@ -4,8 +4,8 @@ use mbs_examples::scenes;
 use mbs_runtime::{Mechanism, Settings, Simulation, System};
 use mbs_tests::reference;
 
-fn reaction<S: System<N, R>, const N: usize, const R: usize>(
-    simulation: &Simulation<S, N, R>,
+fn reaction<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    simulation: &Simulation<S, Q, N, R>,
     joint: &str,
     component: &str,
 ) -> f64 {
@@ -17,10 +17,13 @@ fn reaction<S: System<N, R>, const N: usize, const R: usize>(
     simulation.reactions().expect(joint).values[index]
 }
 
-fn simulation<M, S, const N: usize, const R: usize>(mechanism: M, step: f64) -> Simulation<S, N, R>
+fn simulation<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    step: f64,
+) -> Simulation<S, Q, N, R>
 where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     Simulation::with_settings(
         mechanism,
@@ -33,7 +36,7 @@ where
 }
 
 /// Compares reactions with columns along a run; errors are relative to the largest value of the column.
-fn along_a_run<M, S, const N: usize, const R: usize>(
+fn along_a_run<M, S, const Q: usize, const N: usize, const R: usize>(
     mechanism: M,
     file: &str,
     step: f64,
@@ -43,7 +46,7 @@ fn along_a_run<M, S, const N: usize, const R: usize>(
     singular: impl Fn(&reference::Table, usize) -> bool,
 ) where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     let table = reference::table(file);
     let mut simulation = simulation(mechanism, step);

@@ -230,10 +230,13 @@ fn no_reference_is_forgotten() {
 }
 
 /// Forwards, velocities turned round, and back: the start.
-fn returns<M, S, const N: usize, const R: usize>(mechanism: M, step: f64, steps: usize)
-where
+fn returns<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    step: f64,
+    steps: usize,
+) where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     let settings = Settings {
         step,

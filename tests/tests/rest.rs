@@ -54,10 +54,13 @@ mechanism!(Cart {
     ),
 });
 
-fn comes_to_rest<M, S, const N: usize, const R: usize>(mechanism: M, step: f64, until: f64)
-where
+fn comes_to_rest<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    step: f64,
+    until: f64,
+) where
     M: Mechanism<System = S>,
-    S: System<N, R>,
+    S: System<Q, N, R>,
 {
     let settings = Settings {
         step,

@@ -147,12 +147,12 @@ fn structure(out: &mut String, scene: &Scene) -> fmt::Result {
                 redundancy.row
             )?;
         }
-        let coordinates = scene.model.coordinates.len();
+        let velocities = scene.model.velocities.len();
         let freedom = count(mobility.degrees_of_freedom, "degree");
-        let counted = coordinates as i64 - rows as i64;
+        let counted = velocities as i64 - rows as i64;
         writeln!(
             out,
-            "  mobility     {freedom} of freedom (coordinates less rows: {counted})"
+            "  mobility     {freedom} of freedom (velocities less rows: {counted})"
         )?;
     }
     match (scene.build)(&[], settings) {

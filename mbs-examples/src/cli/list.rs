@@ -61,7 +61,7 @@ fn object(scene: &Scene) -> Value {
         "title": scene.title,
         "source": scene.source,
         "coordinates": scene.model.coordinates.len(),
-        "velocities": scene.model.coordinates.len(),
+        "velocities": scene.model.velocities.len(),
         "rows": scene.model.rows.len(),
         "rank": rank(scene),
         "duration_s": scene.duration,

@@ -7,6 +7,7 @@ use std::process::{Command, Stdio};
 
 use mbs_runtime::output::Frame;
 use mbs_runtime::output::motion::write_motion;
+use mbs_runtime::{Model, World};
 
 use crate::{MODEL, frame, motion, runs};
 
@@ -88,8 +89,16 @@ fn swinging(depth: f64) -> String {
             frame
         })
         .collect();
+    let model = Model {
+        world: if depth == 0.0 {
+            World::Planar
+        } else {
+            World::Spatial
+        },
+        ..MODEL
+    };
     let mut page = Vec::new();
-    write_motion(&mut page, &MODEL, &frames, "Swinging", None).expect("a page");
+    write_motion(&mut page, &model, &frames, "Swinging", None).expect("a page");
     String::from_utf8(page).expect("UTF-8")
 }
 

@@ -6,16 +6,22 @@ use mbs_examples::plot;
 use mbs_runtime::output::Frame;
 use mbs_runtime::output::csv::CsvWriter;
 use mbs_runtime::output::motion::write_motion;
-use mbs_runtime::{Coordinate, Energy, Model, Quantity, Reaction, Segment, Structure};
+use mbs_runtime::{Coordinate, Energy, Model, Quantity, Reaction, Segment, Structure, World};
 use serde_json::Value;
 
 const MODEL: Model = Model {
     name: "Hostile",
     doc: "A text with </script>, \"quotes\" and a \\ in it.",
     declaration: "",
+    world: World::Planar,
+    up: [0.0, 1.0, 0.0],
     coordinates: &[Coordinate {
         name: "bar.b.x",
         unit: "m",
+    }],
+    velocities: &[Coordinate {
+        name: "bar.b.x'",
+        unit: "m/s",
     }],
     rows: &[],
     parts: &[],
@@ -56,6 +62,7 @@ const MODEL: Model = Model {
         position_forces: false,
         time_dependent: false,
         holonomic_rows: 0,
+        rotations: 0,
     },
     mobility: None,
 };

@@ -12,12 +12,12 @@ const REFINEMENTS: usize = 10;
 const LOST: f64 = 1e-6;
 
 /// System, state, and the workspace of a step.
-pub(crate) struct Core<S: System<N, R>, const N: usize, const R: usize> {
+pub(crate) struct Core<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
-    pub(crate) state: State<N, R>,
+    pub(crate) state: State<Q, N, R>,
     pub(crate) max_iterations: usize,
-    pub(crate) start: Box<Node<S, N, R>>,
-    pub(crate) end: Box<Node<S, N, R>>,
+    pub(crate) start: Box<Node<S, Q, N, R>>,
+    pub(crate) end: Box<Node<S, Q, N, R>>,
     pub(crate) work: Box<Work<R>>,
     pub(crate) scale: RowScale<R>,
     pub(crate) counters: Counters,
@@ -69,7 +69,10 @@ pub(crate) struct RowScale<const R: usize> {
 }
 
 impl<const R: usize> RowScale<R> {
-    fn new<S: System<N, R>, const N: usize>(system: &S, tolerance: f64) -> Result<Self, Fault> {
+    fn new<S: System<Q, N, R>, const Q: usize, const N: usize>(
+        system: &S,
+        tolerance: f64,
+    ) -> Result<Self, Fault> {
         let (q, _) = system.guess();
         let size = tolerance * largest(&q).max(1.0);
         let mut node = Box::new(Node::new(system, &q)?);
@@ -92,8 +95,12 @@ impl<const R: usize> RowScale<R> {
     }
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
-    pub(crate) fn new(system: S, state: State<N, R>, settings: &Settings) -> Result<Self, Fault> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S, Q, N, R> {
+    pub(crate) fn new(
+        system: S,
+        state: State<Q, N, R>,
+        settings: &Settings,
+    ) -> Result<Self, Fault> {
         let node = Node::new(&system, &state.positions)?;
         let mut core = Core {
             scale: RowScale::new(&system, settings.constraint_tolerance)?,
@@ -129,7 +136,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
         &mut self,
         time: f64,
         h: f64,
-        q: [f64; N],
+        q: [f64; Q],
         v: [f64; N],
         weak: bool,
     ) -> Result<(), Fault> {
@@ -174,9 +181,9 @@ impl<S: System<N, R>, const N: usize, const R: usize> Core<S, N, R> {
 /// nearly lost directions, elimination some digits.
 #[cold]
 #[inline(never)]
-fn refine<S: System<N, R>, const N: usize, const R: usize>(
+fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    end: &Node<S, N, R>,
+    end: &Node<S, Q, N, R>,
     work: &mut Work<R>,
     v: &mut [f64; N],
 ) {

@@ -1,7 +1,7 @@
 //! The multiplier inside the implicit step, for forces that depend on velocities.
 //!
 //! ```text
-//! p(q₁, v_b) − p(q₀, v₀) = h/2 (F₀ + F₁) + ½(A₀ + A₁)ᵀ κ,    q₁ = q₀ + h/2 (v₀ + v_b)
+//! p(q₁, v_b) − p(q₀, v₀) = h/2 (F₀ + F₁) + ½(A₀ + A₁)ᵀ κ,    q₁ = q₀ ⊕ h/2 (v₀ + v_b)
 //! φ(q₁, t₁) = 0 (holonomic),  N₁ v_b + n₁ = 0 (nonholonomic) → κ
 //! v₁ = v_b + (M₁ − h/2 ∂F/∂v)⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
 //! ```
@@ -13,7 +13,7 @@ use super::core::Core;
 use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
-use crate::flow::{Implicit, imperceptible};
+use crate::flow::{Implicit, imperceptible, trapezoid};
 use crate::linear::{Dual, Matrix, Pivoted, accumulate, clear, dot, largest};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
@@ -38,7 +38,7 @@ enum Along {
     Velocity,
 }
 
-pub(super) struct ImplicitStep<const N: usize, const R: usize> {
+pub(super) struct ImplicitStep<const Q: usize, const N: usize, const R: usize> {
     solver: Implicit<N>,
     /// ½(A₀ + A₁), and J⁻¹ times its rows.
     mean: Matrix<R, N>,
@@ -50,7 +50,7 @@ pub(super) struct ImplicitStep<const N: usize, const R: usize> {
     velocity_metric: Pivoted<N>,
 }
 
-impl<const N: usize, const R: usize> ImplicitStep<N, R> {
+impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
     #[inline(never)]
     pub(super) fn new() -> Box<Self> {
         Box::new(ImplicitStep {
@@ -64,9 +64,9 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         })
     }
 
-    pub(super) fn step<S: System<N, R>>(
+    pub(super) fn step<S: System<Q, N, R>>(
         &mut self,
-        core: &mut Core<S, N, R>,
+        core: &mut Core<S, Q, N, R>,
         h: f64,
     ) -> Result<Outcome, Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
@@ -95,7 +95,7 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
         let (mut last, mut last_change) = (f64::NAN, f64::NAN);
         let mut iterations = 0;
         let q = loop {
-            let q: [f64; N] = std::array::from_fn(|i| q0[i] + 0.5 * h * (v0[i] + vb[i]));
+            let q = trapezoid(system, &q0, &v0, &vb, h);
             system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
             let mut defect = work.phi;
             for i in holonomic..R {
@@ -169,10 +169,10 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
     }
 
     /// Factors A₁J⁻¹½(A₀ + A₁)ᵀ; false where it has lost a direction that A₁J⁻¹A₁ᵀ has.
-    fn factor<S: System<N, R>>(
+    fn factor<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, N, R>,
+        end: &Node<S, Q, N, R>,
         dual: &mut Dual<R>,
     ) -> bool {
         let lengths = self.factor_end(system, end, Along::Position);
@@ -187,10 +187,10 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
     }
 
     /// Factors A₁J⁻¹A₁ᵀ, J taken as `along` tells, and returns its diagonal.
-    fn factor_end<S: System<N, R>>(
+    fn factor_end<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, N, R>,
+        end: &Node<S, Q, N, R>,
         along: Along,
     ) -> [f64; R] {
         let metric = match along {
@@ -208,10 +208,10 @@ impl<const N: usize, const R: usize> ImplicitStep<N, R> {
     }
 
     /// v₁ from v_b; returns κ₂.
-    fn project<S: System<N, R>>(
+    fn project<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, N, R>,
+        end: &Node<S, Q, N, R>,
         v: &mut [f64; N],
     ) -> Result<[f64; R], Fault> {
         self.solver.velocity_metric(&mut self.velocity_metric)?;

@@ -30,14 +30,14 @@ enum Matrix {
     Kept,
 }
 
-pub(crate) fn step<S, F, const N: usize, const R: usize>(
-    core: &mut Core<S, N, R>,
+pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
+    core: &mut Core<S, Q, N, R>,
     flow: &mut F,
     h: f64,
 ) -> Result<(), Fault>
 where
-    S: System<N, R>,
-    F: KickFlow<S, N, R>,
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
 {
     let Core {
         system,

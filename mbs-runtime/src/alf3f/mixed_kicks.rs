@@ -16,14 +16,14 @@ use crate::System;
 use crate::flow::KickFlow;
 use crate::linear::{accumulate, dot, largest};
 
-pub(crate) fn step<S, F, const N: usize, const R: usize>(
-    core: &mut Core<S, N, R>,
+pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
+    core: &mut Core<S, Q, N, R>,
     flow: &mut F,
     h: f64,
 ) -> Result<(), Fault>
 where
-    S: System<N, R>,
-    F: KickFlow<S, N, R>,
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
 {
     let holonomic = S::STRUCTURE.holonomic_rows;
     let Core {
@@ -137,8 +137,8 @@ where
 }
 
 /// Factors S of the holonomic rows, with unit rows in place of the others.
-fn factor_holonomic<S: System<N, R>, const N: usize, const R: usize>(
-    end: &Node<S, N, R>,
+fn factor_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    end: &Node<S, Q, N, R>,
     work: &mut Work<R>,
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
@@ -157,8 +157,8 @@ fn factor_holonomic<S: System<N, R>, const N: usize, const R: usize>(
 }
 
 /// Projects v onto the holonomic velocity rows and adds the multipliers to the second impulse.
-fn project<S: System<N, R>, const N: usize, const R: usize>(
-    end: &Node<S, N, R>,
+fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    end: &Node<S, Q, N, R>,
     work: &mut Work<R>,
     v: &mut [f64; N],
 ) {
@@ -182,8 +182,8 @@ fn project<S: System<N, R>, const N: usize, const R: usize>(
 }
 
 /// x ← P x.
-fn remove_holonomic<S: System<N, R>, const N: usize, const R: usize>(
-    end: &Node<S, N, R>,
+fn remove_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    end: &Node<S, Q, N, R>,
     work: &Work<R>,
     x: &mut [f64; N],
 ) {

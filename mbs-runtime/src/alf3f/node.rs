@@ -6,7 +6,7 @@ use crate::linear::{Matrix, clear};
 
 /// A, b, W = M⁻¹Aᵀ, S = A M⁻¹ Aᵀ and M⁻¹f at one instant.
 #[derive(Clone)]
-pub(crate) struct Node<S: System<N, R>, const N: usize, const R: usize> {
+pub(crate) struct Node<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) mass: S::Mass,
     /// A, row by row.
     pub(crate) a: Matrix<R, N>,
@@ -19,12 +19,12 @@ pub(crate) struct Node<S: System<N, R>, const N: usize, const R: usize> {
     pub(crate) acceleration: [f64; N],
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Node<S, Q, N, R> {
     /// A node with the metric at q and all arrays clear.
     ///
     /// On the heap from the start, and in a frame of its own: large systems are built on small stacks.
     #[inline(never)]
-    pub(crate) fn new(system: &S, q: &[f64; N]) -> Result<Box<Self>, Fault> {
+    pub(crate) fn new(system: &S, q: &[f64; Q]) -> Result<Box<Self>, Fault> {
         let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         Ok(Box::new(Node {
             mass,
@@ -38,7 +38,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
 
     /// M, W and S at q, for the A that is there.
     #[inline(always)]
-    pub(crate) fn metric(&mut self, system: &S, t: f64, q: &[f64; N]) -> Result<(), Fault> {
+    pub(crate) fn metric(&mut self, system: &S, t: f64, q: &[f64; Q]) -> Result<(), Fault> {
         if !S::STRUCTURE.constant_mass {
             self.mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         }
@@ -51,7 +51,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Node<S, N, R> {
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         phi: &mut [f64; R],
     ) -> Result<(), Fault> {
         system.constraints(t, q, phi, &mut *self.a, &mut self.b);

@@ -4,7 +4,7 @@
 //!
 //! ```text
 //! η(v₁) = M₁v₁ − A₁ᵀM̄μ̄ − π₀ − h/2 (F₀ + F₁) = 0,    μ̄ = μ − Ξψ̇,  λ̄ = λ − Ξφ     (74), (75)
-//! q₁ = q₀ + h/2 (v₀ + v₁),    λ₁ = λ₀ + h/2 (μ₀ + μ₁)                               (28), (29)
+//! q₁ = q₀ ⊕ h/2 (v₀ + v₁),    λ₁ = λ₀ + h/2 (μ₀ + μ₁)                               (28), (29)
 //! ```
 //!
 //! The numbers in the comments are the lines of Algorithm 1. At singular poses the impulse acts along the row of
@@ -13,30 +13,31 @@
 use super::core::Counters;
 use super::paper_rows::{Instant, Jacobian, Unknowns};
 use super::{Fault, kicks};
+use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest};
 use crate::{Method, PaperSettings, Settings, SimulationError, State, System};
 
 /// The integrator of the paper by itself.
-pub struct PaperStepper<S: System<N, R>, const N: usize, const R: usize> {
+pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
-    pub(crate) state: State<N, R>,
+    pub(crate) state: State<Q, N, R>,
     settings: PaperSettings,
-    start: Box<Instant<S, N, R>>,
-    end: Box<Instant<S, N, R>>,
+    start: Box<Instant<S, Q, N, R>>,
+    end: Box<Instant<S, Q, N, R>>,
     jacobian: Box<(Jacobian<N>, Pivoted<N>)>,
     /// Work of each row against b during the last step, J.
     drive: [f64; R],
     counters: Counters,
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperStepper<S, Q, N, R> {
     /// An integrator that starts from `state`, which has to satisfy the constraints.
     ///
     /// # Errors
     /// Settings that cannot be used, or a mass matrix that is not positive definite at the state.
     pub fn new(
         system: S,
-        state: State<N, R>,
+        state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
@@ -78,7 +79,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
     }
 
     /// Where it stands.
-    pub fn state(&self) -> &State<N, R> {
+    pub fn state(&self) -> &State<Q, N, R> {
         &self.state
     }
 
@@ -179,7 +180,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         // 3, 4
         let mut x = Unknowns {
             v: v0,
-            q: std::array::from_fn(|i| q0[i] + h * v0[i]),
+            q: self.system.advance(&q0, &v0, h),
             mu: mu0,
             lambda: lambda0,
             penalty: [settings.penalty; R],
@@ -191,7 +192,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
             self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
             let settled = self.satisfy_rows(t1, h, &known, &mut x)?;
             // 30
-            x.q = std::array::from_fn(|i| q0[i] + 0.5 * h * (v0[i] + x.v[i]));
+            x.q = trapezoid(&self.system, &q0, &v0, &x.v, h);
             for i in 0..S::STRUCTURE.holonomic_rows {
                 x.lambda[i] = lambda0[i] + 0.5 * h * (mu0[i] + x.mu[i]);
             }
@@ -244,7 +245,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         t1: f64,
         h: f64,
         known: &[f64; N],
-        x: &mut Unknowns<N, R>,
+        x: &mut Unknowns<Q, N, R>,
     ) -> Result<bool, Fault> {
         let settings = self.settings;
         let tolerance = settings.velocity_tolerance;
@@ -285,7 +286,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> PaperStepper<S, N, R> {
         t1: f64,
         h: f64,
         known: &[f64; N],
-        x: &mut Unknowns<N, R>,
+        x: &mut Unknowns<Q, N, R>,
     ) -> Result<(), Fault> {
         let mut size = 0.0;
         for _ in 0..self.settings.max_newton_iterations {

@@ -6,17 +6,17 @@ use crate::sink::Discard;
 use crate::{PaperSettings, System};
 
 /// The unknowns at the end of a step.
-pub(super) struct Unknowns<const N: usize, const R: usize> {
+pub(super) struct Unknowns<const Q: usize, const N: usize, const R: usize> {
     pub(super) v: [f64; N],
-    pub(super) q: [f64; N],
+    pub(super) q: [f64; Q],
     pub(super) mu: [f64; R],
     pub(super) lambda: [f64; R],
     pub(super) penalty: [f64; R],
 }
 
 /// One instant of Algorithm 1.
-pub(super) struct Instant<S: System<N, R>, const N: usize, const R: usize> {
-    pub(super) node: Box<Node<S, N, R>>,
+pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    pub(super) node: Box<Node<S, Q, N, R>>,
     pub(super) phi: [f64; R],
     /// m̄ of (18), times the scale of the settings.
     pub(super) constraint_mass: [f64; R],
@@ -36,8 +36,8 @@ pub(super) struct Instant<S: System<N, R>, const N: usize, const R: usize> {
     scratch: [f64; R],
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
-    pub(super) fn new(system: &S, q: &[f64; N]) -> Result<Self, Fault> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant<S, Q, N, R> {
+    pub(super) fn new(system: &S, q: &[f64; Q]) -> Result<Self, Fault> {
         Ok(Instant {
             node: Node::new(system, q)?,
             phi: [0.0; R],
@@ -60,7 +60,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         system: &S,
         settings: &PaperSettings,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
     ) -> Result<(), Fault> {
         let Instant { node, phi, .. } = self;
@@ -96,7 +96,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         mu: &[f64; R],
         lambda: &[f64; R],
@@ -126,7 +126,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
     pub(super) fn momentum(
         &mut self,
         system: &S,
-        q: &[f64; N],
+        q: &[f64; Q],
         v: &[f64; N],
         mu: &[f64; R],
     ) -> [f64; N] {
@@ -147,7 +147,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Instant<S, N, R> {
         system: &S,
         t: f64,
         h: f64,
-        x: &Unknowns<N, R>,
+        x: &Unknowns<Q, N, R>,
         jacobian: &mut Jacobian<N>,
     ) {
         system.mass_matrix(&x.q, &mut jacobian.mass);

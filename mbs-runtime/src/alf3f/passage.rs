@@ -35,9 +35,9 @@ impl Passage {
     /// Adds a stage of h seconds, after it was taken. The works are those of the trapezoidal rule, symmetric like the
     /// stage: the composition raises their order too.
     #[inline]
-    pub(crate) fn add<S: System<N, R>, const N: usize, const R: usize>(
+    pub(crate) fn add<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         &mut self,
-        core: &Core<S, N, R>,
+        core: &Core<S, Q, N, R>,
         h: f64,
     ) {
         let state = &core.state;

@@ -11,33 +11,33 @@ use crate::{Flow, Settings, SimulationError, State, System};
 ///
 /// A step allocates nothing and has the length that is asked for, near singular poses too.
 /// [`Simulation`](crate::Simulation) wraps it; use it directly to measure, or to compose steps.
-pub struct TwoLevelStepper<S: System<N, R>, const N: usize, const R: usize> {
-    pub(crate) core: Core<S, N, R>,
-    flow: Stepping<N, R>,
+pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    pub(crate) core: Core<S, Q, N, R>,
+    flow: Stepping<Q, N, R>,
     /// Fractions of a step.
     stages: &'static [f64],
     /// The state before a step of several stages.
-    before: State<N, R>,
+    before: State<Q, N, R>,
 }
 
 /// The flow and its workspace.
-enum Stepping<const N: usize, const R: usize> {
-    Leapfrog(Leapfrog<N>),
-    Trapezoid(Box<Trapezoid<N, R>>),
+enum Stepping<const Q: usize, const N: usize, const R: usize> {
+    Leapfrog(Leapfrog<Q, N>),
+    Trapezoid(Box<Trapezoid<Q, N, R>>),
     /// The second is for steps near singular poses.
-    Implicit(Box<ImplicitStep<N, R>>, Box<Trapezoid<N, R>>),
+    Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
 }
 
 /// The step that suits the kinds of rows there are.
 #[inline(always)]
-fn kick_flow_kick<S, F, const N: usize, const R: usize>(
-    core: &mut Core<S, N, R>,
+fn kick_flow_kick<S, F, const Q: usize, const N: usize, const R: usize>(
+    core: &mut Core<S, Q, N, R>,
     flow: &mut F,
     h: f64,
 ) -> Result<(), Fault>
 where
-    S: System<N, R>,
-    F: KickFlow<S, N, R>,
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
 {
     if S::STRUCTURE.holonomic_rows == R {
         kicks::step(core, flow, h)
@@ -46,14 +46,16 @@ where
     }
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
+    TwoLevelStepper<S, Q, N, R>
+{
     /// An integrator that starts from `state`, which has to satisfy the constraints.
     ///
     /// # Errors
     /// Settings that cannot be used, or a mass matrix that is not positive definite at the state.
     pub fn new(
         system: S,
-        state: State<N, R>,
+        state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
@@ -180,7 +182,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> TwoLevelStepper<S, N, R> {
     }
 
     /// Where it stands.
-    pub fn state(&self) -> &State<N, R> {
+    pub fn state(&self) -> &State<Q, N, R> {
         &self.core.state
     }
 

@@ -9,9 +9,9 @@ const STIFF: f64 = 0.25;
 const POWER_ITERATIONS: usize = 30;
 
 /// The flow asked for, if it can be right; otherwise the one that the structure of the equations calls for.
-pub(crate) fn choose<S: System<N, R>, const N: usize, const R: usize>(
+pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    state: &State<N, R>,
+    state: &State<Q, N, R>,
     settings: &Settings,
 ) -> Result<Flow, SimulationError> {
     let natural = natural(&S::STRUCTURE);
@@ -66,9 +66,9 @@ fn refuse(flow: Flow, because: &'static str, instead: Flow) -> SimulationError {
 }
 
 /// The largest eigenvalue of M⁻¹(−∂f/∂q) in size, 1/s², by power iteration.
-fn stiffness<S: System<N, R>, const N: usize, const R: usize>(
+fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    state: &State<N, R>,
+    state: &State<Q, N, R>,
 ) -> Result<f64, Fault> {
     let mut f_q = crate::linear::clear::<N, N>();
     let mut f_v = crate::linear::clear::<N, N>();

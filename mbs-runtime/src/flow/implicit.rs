@@ -1,4 +1,4 @@
-//! Newton's method for the end of an implicit trapezoid: p(q₁, v_b) − h/2 F(q₁, v_b) = known, q₁ = base + h/2 v_b.
+//! Newton's method for the end of an implicit trapezoid: p(q₁, v_b) − h/2 F(q₁, v_b) = known, q₁ = q₀ ⊕ h/2 (v_a + v_b).
 
 use crate::System;
 use crate::alf3f::Fault;
@@ -15,8 +15,20 @@ const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
 /// A velocity that moves the end of a step of h by no more than the round-off of its positions. At rest the corrections
 /// stay of this size: 2φ/h, the rate that a row asks for, is no better known, and smaller steps make it worse.
-pub(crate) fn imperceptible<const N: usize>(q: &[f64; N], h: f64) -> f64 {
+pub(crate) fn imperceptible(q: &[f64], h: f64) -> f64 {
     ROUND_OFF * largest(q).max(1.0) / (0.5 * h)
+}
+
+/// q₀ ⊕ h/2 (v₀ + v₁).
+#[inline(always)]
+pub(crate) fn trapezoid<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    q0: &[f64; Q],
+    v0: &[f64; N],
+    v1: &[f64; N],
+    h: f64,
+) -> [f64; Q] {
+    system.advance(q0, &std::array::from_fn(|i| v0[i] + v1[i]), 0.5 * h)
 }
 
 pub(crate) struct Implicit<const N: usize> {
@@ -69,11 +81,11 @@ impl<const N: usize> Implicit<N> {
     }
 
     /// known ← p(q₀, v) + h/2 F(q₀, v).
-    pub(crate) fn impulse<S: System<N, R>, const R: usize>(
+    pub(crate) fn impulse<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
         t0: f64,
-        q0: &[f64; N],
+        q0: &[f64; Q],
         v: &[f64; N],
     ) {
         system.momentum(q0, v, &mut self.momentum);
@@ -84,11 +96,11 @@ impl<const N: usize> Implicit<N> {
     }
 
     /// ∂F/∂v at the start of the step.
-    pub(crate) fn start_tangent<S: System<N, R>, const R: usize>(
+    pub(crate) fn start_tangent<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
         t0: f64,
-        q0: &[f64; N],
+        q0: &[f64; Q],
         v: &[f64; N],
         f_v: &mut [[f64; N]; N],
     ) {
@@ -96,10 +108,10 @@ impl<const N: usize> Implicit<N> {
     }
 
     /// −G at (q₁, v_b): what is missing of the momentum balance.
-    pub(crate) fn defect<S: System<N, R>, const R: usize>(
+    pub(crate) fn defect<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
-        q1: &[f64; N],
+        q1: &[f64; Q],
         vb: &[f64; N],
     ) -> [f64; N] {
         system.momentum(q1, vb, &mut self.momentum);
@@ -108,10 +120,10 @@ impl<const N: usize> Implicit<N> {
     }
 
     /// J at (q₁, v_b), factored.
-    pub(crate) fn refresh<S: System<N, R>, const R: usize>(
+    pub(crate) fn refresh<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
-        q1: &[f64; N],
+        q1: &[f64; Q],
         vb: &[f64; N],
     ) -> Result<(), Fault> {
         let h = self.h;
@@ -147,17 +159,17 @@ impl<const N: usize> Implicit<N> {
         }
     }
 
-    /// Solves for v_b, starting from the one given, and returns q₁ = base + h/2 v_b.
-    pub(crate) fn solve<S: System<N, R>, const R: usize>(
+    /// Solves for v_b, starting from the one given, and returns q₁ = q₀ ⊕ h/2 (v_a + v_b).
+    pub(crate) fn solve<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
-        base: &[f64; N],
+        q0: &[f64; Q],
+        va: &[f64; N],
         vb: &mut [f64; N],
-    ) -> Result<[f64; N], Fault> {
-        let half = 0.5 * self.h;
+    ) -> Result<[f64; Q], Fault> {
         let mut last = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
-            let q1 = std::array::from_fn(|i| base[i] + half * vb[i]);
+            let q1 = trapezoid(system, q0, va, vb, self.h);
             let mut change = self.defect(system, &q1, vb);
             let fresh = !self.current;
             if fresh {
@@ -172,7 +184,7 @@ impl<const N: usize> Implicit<N> {
             let least = (STAGNATED * speed).max(imperceptible(&q1, self.h));
             let stagnated = fresh && size >= 0.5 * last && size <= least;
             if size <= CONVERGED * speed || stagnated {
-                return Ok(std::array::from_fn(|i| base[i] + half * vb[i]));
+                return Ok(trapezoid(system, q0, va, vb, self.h));
             }
             if !size.is_finite() {
                 return Err(Fault::NonFinite("velocities"));

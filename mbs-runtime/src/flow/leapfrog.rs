@@ -1,48 +1,74 @@
 //! Leapfrog (velocity Verlet): constant mass, forces of position and time.
 //!
-//! q₁ = q₀ + h v_a + h²/2 a₀,  v_b = v_a + h/2 (a₀ + a₁): one force evaluation a step, shared by its neighbours.
+//! q₁ = q₀ + h v_a + h²/2 a₀,  v_b = v_a + h/2 (a₀ + a₁): one force evaluation a step, shared by its neighbours. With
+//! rotations the drift is the free flight of the bodies, v ← v_a + h/2 a₀, (q₁, v) ← flight, v_b = v + h/2 a₁.
 
 use super::KickFlow;
 use crate::System;
 use crate::alf3f::{Fault, Node};
 
-pub(crate) struct Leapfrog<const N: usize> {
+pub(crate) struct Leapfrog<const Q: usize, const N: usize> {
     h: f64,
     t1: f64,
-    /// q₀ + h²/2 a₀.
-    base: [f64; N],
+    /// q₀ + h²/2 a₀; with rotations q₀.
+    base: [f64; Q],
     /// h/2 a₀.
     half_kick: [f64; N],
+    /// Velocities after the free flight.
+    flown: [f64; N],
 }
 
-impl<const N: usize> Leapfrog<N> {
+impl<const Q: usize, const N: usize> Leapfrog<Q, N> {
     pub(crate) fn new() -> Self {
         Leapfrog {
             h: 0.0,
             t1: 0.0,
-            base: [0.0; N],
+            base: [0.0; Q],
             half_kick: [0.0; N],
+            flown: [0.0; N],
         }
     }
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Leapfrog<N> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
+    for Leapfrog<Q, N>
+{
     const DIRECT: bool = true;
 
     #[inline(always)]
-    fn begin(&mut self, _: &S, t: f64, q: &[f64; N], _: &[f64; N], start: &Node<S, N, R>, h: f64) {
+    fn begin(
+        &mut self,
+        _: &S,
+        t: f64,
+        q: &[f64; Q],
+        _: &[f64; N],
+        start: &Node<S, Q, N, R>,
+        h: f64,
+    ) {
         self.h = h;
         self.t1 = t + h;
         for i in 0..N {
             self.half_kick[i] = 0.5 * h * start.acceleration[i];
-            self.base[i] = q[i] + h * self.half_kick[i];
+        }
+        if S::ROTATIONS.is_empty() {
+            for i in 0..N {
+                self.base[i] = q[i] + h * self.half_kick[i];
+            }
+        } else {
+            self.base = *q;
         }
     }
 
     #[inline(always)]
-    fn positions(&mut self, _: &S, va: &[f64; N], q: &mut [f64; N]) -> Result<(), Fault> {
-        for i in 0..N {
-            q[i] = self.base[i] + self.h * va[i];
+    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
+        if S::ROTATIONS.is_empty() {
+            for i in 0..N {
+                q[i] = self.base[i] + self.h * va[i];
+            }
+        } else {
+            *q = self.base;
+            self.flown = std::array::from_fn(|i| va[i] + self.half_kick[i]);
+            system.free_flight(q, &mut self.flown, self.h);
         }
         Ok(())
     }
@@ -71,10 +97,16 @@ impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Leap
         &mut self,
         system: &S,
         va: &[f64; N],
-        q1: &[f64; N],
-        end: &mut Node<S, N, R>,
+        q1: &[f64; Q],
+        end: &mut Node<S, Q, N, R>,
     ) -> [f64; N] {
         system.acceleration(self.t1, q1, &mut end.acceleration);
-        std::array::from_fn(|i| va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i]))
+        if S::ROTATIONS.is_empty() {
+            std::array::from_fn(|i| {
+                va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i])
+            })
+        } else {
+            std::array::from_fn(|i| self.flown[i] + 0.5 * self.h * end.acceleration[i])
+        }
     }
 }

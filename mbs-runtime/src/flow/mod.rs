@@ -6,7 +6,7 @@ mod leapfrog;
 mod trapezoid;
 
 pub(crate) use choice::choose;
-pub(crate) use implicit::{Implicit, imperceptible};
+pub(crate) use implicit::{Implicit, imperceptible, trapezoid};
 pub(crate) use leapfrog::Leapfrog;
 pub(crate) use trapezoid::Trapezoid;
 
@@ -14,7 +14,7 @@ use crate::System;
 use crate::alf3f::{Fault, Node};
 
 /// A flow between two kicks.
-pub(crate) trait KickFlow<S: System<N, R>, const N: usize, const R: usize> {
+pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     /// Whether ∂q₁/∂v_a is h I, so that B = A₁M⁻¹A₀ᵀ differs from A₀M⁻¹A₀ᵀ by O(h).
     const DIRECT: bool;
     /// Begins a step of h from q₀ at t₀, where `va` is the first guess of the kicked velocity.
@@ -22,13 +22,13 @@ pub(crate) trait KickFlow<S: System<N, R>, const N: usize, const R: usize> {
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; N],
+        q: &[f64; Q],
         va: &[f64; N],
-        start: &Node<S, N, R>,
+        start: &Node<S, Q, N, R>,
         h: f64,
     );
     /// q₁ for the kicked velocity v_a.
-    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; N]) -> Result<(), Fault>;
+    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault>;
     /// Row by row (∂q₁/∂v_a) w / h for the rows w of `w0`.
     fn directions<'a>(
         &'a mut self,
@@ -45,7 +45,7 @@ pub(crate) trait KickFlow<S: System<N, R>, const N: usize, const R: usize> {
         &mut self,
         system: &S,
         va: &[f64; N],
-        q1: &[f64; N],
-        end: &mut Node<S, N, R>,
+        q1: &[f64; Q],
+        end: &mut Node<S, Q, N, R>,
     ) -> [f64; N];
 }

@@ -15,10 +15,10 @@ use crate::System;
 use crate::alf3f::{Fault, Node};
 use crate::linear::{Matrix, clear};
 
-pub(crate) struct Trapezoid<const N: usize, const R: usize> {
+pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t0: f64,
-    q0: [f64; N],
+    q0: [f64; Q],
     vb: [f64; N],
     solver: Implicit<N>,
     tangents: Tangents<N>,
@@ -34,13 +34,13 @@ struct Tangents<const N: usize> {
     f_v: Matrix<N, N>,
 }
 
-impl<const N: usize, const R: usize> Trapezoid<N, R> {
+impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
     #[inline(never)]
     pub(crate) fn new() -> Box<Self> {
         Box::new(Trapezoid {
             h: 0.0,
             t0: 0.0,
-            q0: [0.0; N],
+            q0: [0.0; Q],
             vb: [0.0; N],
             solver: Implicit::new(),
             tangents: Tangents {
@@ -53,18 +53,19 @@ impl<const N: usize, const R: usize> Trapezoid<N, R> {
     }
 }
 
-impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Trapezoid<N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
+    for Trapezoid<Q, N, R>
+{
     const DIRECT: bool = false;
 
-    fn begin(&mut self, _: &S, t: f64, q: &[f64; N], va: &[f64; N], _: &Node<S, N, R>, h: f64) {
+    fn begin(&mut self, _: &S, t: f64, q: &[f64; Q], va: &[f64; N], _: &Node<S, Q, N, R>, h: f64) {
         (self.h, self.t0, self.q0, self.vb) = (h, t, *q, *va);
         self.solver.begin(t + h, h);
     }
 
-    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; N]) -> Result<(), Fault> {
+    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
         self.solver.impulse(system, self.t0, &self.q0, va);
-        let base = std::array::from_fn(|i| self.q0[i] + 0.5 * self.h * va[i]);
-        *q = self.solver.solve(system, &base, &mut self.vb)?;
+        *q = self.solver.solve(system, &self.q0, va, &mut self.vb)?;
         Ok(())
     }
 
@@ -105,7 +106,13 @@ impl<S: System<N, R>, const N: usize, const R: usize> KickFlow<S, N, R> for Trap
         crate::linear::accumulate(&mut self.vb, &self.far, change);
     }
 
-    fn velocities(&mut self, _: &S, _: &[f64; N], _: &[f64; N], _: &mut Node<S, N, R>) -> [f64; N] {
+    fn velocities(
+        &mut self,
+        _: &S,
+        _: &[f64; N],
+        _: &[f64; Q],
+        _: &mut Node<S, Q, N, R>,
+    ) -> [f64; N] {
         self.vb
     }
 }

@@ -67,13 +67,10 @@ impl<W: Write> CsvWriter<W> {
 fn header(model: &Model) -> Vec<String> {
     let outputs = model.outputs.iter().map(|q| column(q.name, q.unit));
     let coordinates = model.coordinates.iter().map(|q| column(q.name, q.unit));
-    let velocities = model.coordinates.iter().map(|q| {
-        let unit = match q.unit {
-            "" => "per_s".to_owned(),
-            unit => format!("{unit}/s"),
-        };
-        column(&format!("{}_dot", q.name), &unit)
-    });
+    let velocities = model
+        .velocities
+        .iter()
+        .map(|v| column(&v.name.replace('\'', "_dot"), v.unit));
     let fixed = [
         "kinetic_J",
         "potential_J",
@@ -91,6 +88,9 @@ fn header(model: &Model) -> Vec<String> {
 
 /// `("x_dot", "m/s^2")` → `x_dot_m_per_s2`: a name that needs no quoting in any program that reads tables.
 pub fn column(name: &str, unit: &str) -> String {
+    let unit = unit
+        .strip_prefix("1/")
+        .map_or_else(|| unit.to_owned(), |rest| format!("per_{rest}"));
     let mut unit = unit.replace('/', "_per_").replace('²', "2");
     unit.retain(|c| c.is_alphanumeric() || c == '_');
     if unit.is_empty() {
@@ -108,6 +108,7 @@ mod tests {
     fn units_become_part_of_the_name() {
         assert_eq!(column("x", "m"), "x_m");
         assert_eq!(column("a", "m/s^2"), "a_m_per_s2");
+        assert_eq!(column("s_dot", "1/s"), "s_dot_per_s");
         assert_eq!(column("torque", "N m"), "torque_Nm");
         assert_eq!(column("ratio", ""), "ratio");
     }

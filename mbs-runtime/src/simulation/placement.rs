@@ -17,7 +17,7 @@ const LENGTHS: [f64; 7] = [0.8, 0.64, 1.15, 0.9, 0.72, 0.5, 0.57];
 /// a singular pose.
 const REMAINDER: f64 = 0.1;
 
-impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, of which `left` must not be exceeded, that keeps clear of singular poses; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let placed = self.settings.placement && h >= REMAINDER * self.settings.step;

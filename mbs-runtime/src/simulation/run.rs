@@ -7,7 +7,7 @@ use crate::{Report, SimulationError, State, System, UnknownName};
 /// rounding of a clock that has added up 1e8 steps.
 const SLIVER: f64 = 1e-6;
 
-impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Runs to `time` and lands exactly on it: the last step is shortened.
     ///
     /// # Errors
@@ -99,7 +99,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
     fn locate(
         &mut self,
         index: usize,
-        state: &State<N, R>,
+        state: &State<Q, N, R>,
         report: Report,
         h: f64,
         before: f64,
@@ -139,7 +139,7 @@ impl<S: System<N, R>, const N: usize, const R: usize> Simulation<S, N, R> {
         Ok(())
     }
 
-    fn rewind(&mut self, state: &State<N, R>, report: Report) -> Result<(), SimulationError> {
+    fn rewind(&mut self, state: &State<Q, N, R>, report: Report) -> Result<(), SimulationError> {
         *self.integrator.state_mut() = state.clone();
         self.report = report;
         self.integrator.refresh(&self.settings)?;

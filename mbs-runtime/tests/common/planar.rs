@@ -9,7 +9,7 @@ pub const G: f64 = 9.81;
 #[derive(Clone, Default)]
 pub struct SliderCrank;
 
-impl Scene<4, 3> for SliderCrank {
+impl Scene<4, 4, 3> for SliderCrank {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 3)
@@ -62,7 +62,7 @@ impl Scene<4, 3> for SliderCrank {
 #[derive(Clone, Default)]
 pub struct FourBar;
 
-impl Scene<6, 5> for FourBar {
+impl Scene<6, 6, 5> for FourBar {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 5)
@@ -123,7 +123,7 @@ impl Scene<6, 5> for FourBar {
 #[derive(Clone, Default)]
 pub struct FortyFourBars;
 
-impl Scene<82, 81> for FortyFourBars {
+impl Scene<82, 82, 81> for FortyFourBars {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 81)
@@ -178,7 +178,7 @@ impl Scene<82, 81> for FortyFourBars {
 #[derive(Clone, Default)]
 pub struct DampedSliderCrank;
 
-impl Scene<4, 3> for DampedSliderCrank {
+impl Scene<4, 4, 3> for DampedSliderCrank {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, true, 3)
@@ -210,7 +210,7 @@ impl Scene<4, 3> for DampedSliderCrank {
 #[derive(Clone, Default)]
 pub struct FlatFourBar;
 
-impl Scene<6, 5> for FlatFourBar {
+impl Scene<6, 6, 5> for FlatFourBar {
     const STRUCTURE: Structure = FourBar::STRUCTURE;
     const ROWS: &'static [Row] = FourBar::ROWS;
     fn guess(&self) -> ([f64; 6], [f64; 6]) {
@@ -237,7 +237,7 @@ impl Scene<6, 5> for FlatFourBar {
 #[derive(Clone, Default)]
 pub struct Doubled;
 
-impl Scene<2, 2> for Doubled {
+impl Scene<2, 2, 2> for Doubled {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 2)

@@ -11,7 +11,7 @@ use mbs_runtime::{
 #[derive(Clone, Default)]
 pub struct SliderCrankAngles;
 
-impl Scene<2, 1> for SliderCrankAngles {
+impl Scene<2, 2, 1> for SliderCrankAngles {
     const STRUCTURE: Structure = structure(false, false, 1);
     const ROWS: &'static [Row] = &[row("liner", Holonomic)];
     fn guess(&self) -> ([f64; 2], [f64; 2]) {
@@ -62,7 +62,7 @@ impl Default for Sleigh {
     }
 }
 
-impl Scene<3, 1> for Sleigh {
+impl Scene<3, 3, 1> for Sleigh {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 0)
@@ -93,7 +93,7 @@ impl Scene<3, 1> for Sleigh {
 #[derive(Clone, Default)]
 pub struct DampedSleigh(pub Sleigh);
 
-impl Scene<3, 1> for DampedSleigh {
+impl Scene<3, 3, 1> for DampedSleigh {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, true, 0)
@@ -124,7 +124,7 @@ impl Scene<3, 1> for DampedSleigh {
 #[derive(Clone, Default)]
 pub struct Towing;
 
-impl Scene<5, 2> for Towing {
+impl Scene<5, 5, 2> for Towing {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 1)
@@ -187,7 +187,7 @@ impl StiffPendulum {
     }
 }
 
-impl Scene<4, 1> for StiffPendulum {
+impl Scene<4, 4, 1> for StiffPendulum {
     const STRUCTURE: Structure = structure(true, true, 1);
     const ROWS: &'static [Row] = &[row("link", Holonomic)];
     fn guess(&self) -> ([f64; 4], [f64; 4]) {
@@ -239,7 +239,7 @@ impl StiffSpring {
     }
 }
 
-impl Scene<4, 1> for StiffSpring {
+impl Scene<4, 4, 1> for StiffSpring {
     const STRUCTURE: Structure = structure(true, false, 1);
     const ROWS: &'static [Row] = StiffPendulum::ROWS;
     fn guess(&self) -> ([f64; 4], [f64; 4]) {
@@ -263,7 +263,7 @@ impl Scene<4, 1> for StiffSpring {
 #[derive(Clone, Default)]
 pub struct Oscillator;
 
-impl Scene<2, 0> for Oscillator {
+impl Scene<2, 2, 0> for Oscillator {
     const STRUCTURE: Structure = structure(true, false, 0);
     fn guess(&self) -> ([f64; 2], [f64; 2]) {
         ([1.0, 0.0], [0.0, 2.0])
@@ -291,7 +291,7 @@ impl Shaken {
     const FREQUENCY: f64 = 5.0;
 }
 
-impl Scene<2, 1> for Shaken {
+impl Scene<2, 2, 1> for Shaken {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
         ..structure(true, false, 1)
@@ -323,7 +323,7 @@ impl Scene<2, 1> for Shaken {
 #[derive(Clone, Default)]
 pub struct Contradiction;
 
-impl Scene<2, 2> for Contradiction {
+impl Scene<2, 2, 2> for Contradiction {
     const STRUCTURE: Structure = structure(true, false, 2);
     const ROWS: &'static [Row] = &[row("near", Holonomic), row("far", Holonomic)];
     fn guess(&self) -> ([f64; 2], [f64; 2]) {

@@ -20,6 +20,20 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
             )
         })
         .collect();
+    let velocities = model
+        .coordinates
+        .iter()
+        .map(|c| {
+            let unit = match c.unit.as_str() {
+                "" => "1/s".to_owned(),
+                unit => format!("{unit}/s"),
+            };
+            format!(
+                "::mbs_runtime::Coordinate {{ name: \"{}'\", unit: {unit:?} }}",
+                c.name
+            )
+        })
+        .collect();
     let rows = program
         .rows
         .iter()
@@ -90,7 +104,10 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
     field("name", format!("{:?}", model.name));
     field("doc", format!("{:?}", model.doc));
     field("declaration", format!("{:?}", model.text));
+    field("world", "::mbs_runtime::World::Planar".to_owned());
+    field("up", "[0.0, 1.0, 0.0]".to_owned());
     field("coordinates", list(coordinates));
+    field("velocities", list(velocities));
     field("rows", list(rows));
     field("parts", list(parts));
     field(
@@ -146,7 +163,7 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
 pub(super) fn structure(program: &Program) -> String {
     let s = program.structure;
     format!(
-        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {} }}",
+        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {}, rotations: 0 }}",
         s.constant_mass, s.velocity_forces, s.position_forces, s.time_dependent, s.holonomic_rows
     )
 }

@@ -10,97 +10,97 @@ use std::fmt::Write;
 const METHODS: &[(&str, &str, Ending)] = &[
     (
         "mass_matrix",
-        "(&self, q: &[f64; N], mass: &mut impl ::mbs_runtime::MatrixSink)",
+        "(&self, q: &[f64; Q], mass: &mut impl ::mbs_runtime::MatrixSink)",
         Ending::Writes,
     ),
     (
         "momentum",
-        "(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N])",
+        "(&self, q: &[f64; Q], v: &[f64; N], p: &mut [f64; N])",
         Ending::Writes,
     ),
     (
         "affinities",
-        "(&self, q: &[f64; N], gamma: &mut impl ::mbs_runtime::TensorSink)",
+        "(&self, q: &[f64; Q], gamma: &mut impl ::mbs_runtime::TensorSink)",
         Ending::Writes,
     ),
     (
         "holonomic",
-        "(&self, t: f64, q: &[f64; N], phi: &mut [f64; R])",
+        "(&self, t: f64, q: &[f64; Q], phi: &mut [f64; R])",
         Ending::Writes,
     ),
     (
         "constraints",
-        "(&self, t: f64, q: &[f64; N], phi: &mut [f64; R], a: &mut impl ::mbs_runtime::MatrixSink, b: &mut [f64; R])",
+        "(&self, t: f64, q: &[f64; Q], phi: &mut [f64; R], a: &mut impl ::mbs_runtime::MatrixSink, b: &mut [f64; R])",
         Ending::Writes,
     ),
     (
         "constraint_rates",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], a_rate: &mut impl ::mbs_runtime::MatrixSink, gamma: &mut [f64; R])",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], a_rate: &mut impl ::mbs_runtime::MatrixSink, gamma: &mut [f64; R])",
         Ending::Writes,
     ),
     (
         "applied_forces",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N])",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N])",
         Ending::Writes,
     ),
     (
         "forces",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N])",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N])",
         Ending::Writes,
     ),
     (
         "applied_force_tangents",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink)",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink)",
         Ending::Writes,
     ),
     (
         "force_tangents",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink, p_q: &mut impl ::mbs_runtime::MatrixSink)",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink, p_q: &mut impl ::mbs_runtime::MatrixSink)",
         Ending::Writes,
     ),
     (
         "acceleration",
-        "(&self, t: f64, q: &[f64; N], acceleration: &mut [f64; N])",
+        "(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N])",
         Ending::Writes,
     ),
     (
         "kinetic_energy",
-        "(&self, q: &[f64; N], v: &[f64; N]) -> f64",
+        "(&self, q: &[f64; Q], v: &[f64; N]) -> f64",
         Ending::Writes,
     ),
     (
         "potential_energy",
-        "(&self, q: &[f64; N]) -> f64",
+        "(&self, q: &[f64; Q]) -> f64",
         Ending::Writes,
     ),
     (
         "nonconservative_power",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> f64",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> f64",
         Ending::Writes,
     ),
     (
         "outputs",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], outputs: &mut [f64])",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], outputs: &mut [f64])",
         Ending::Slice("outputs"),
     ),
     (
         "events",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], events: &mut [f64])",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], events: &mut [f64])",
         Ending::Slice("events"),
     ),
     (
         "points",
-        "(&self, t: f64, q: &[f64; N], points: &mut [[f64; 3]])",
+        "(&self, t: f64, q: &[f64; Q], points: &mut [[f64; 3]])",
         Ending::Points,
     ),
     (
         "reactions",
-        "(&self, t: f64, q: &[f64; N], v: &[f64; N], acceleration: &[f64; N], lambda: &[f64; R], reactions: &mut [f64])",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], acceleration: &[f64; N], lambda: &[f64; R], reactions: &mut [f64])",
         Ending::Slice("reactions"),
     ),
     (
         "metric",
-        "(&self, mass: &Self::Mass, t: f64, q: &[f64; N], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
+        "(&self, mass: &Self::Mass, t: f64, q: &[f64; Q], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
         Ending::Writes,
     ),
     (
@@ -141,6 +141,25 @@ const KERNELS: &[Kernel] = &[
     },
 ];
 
+/// Motion along velocities, where no coordinate is a rotation: name, signature and body.
+const PLANAR: &[(&str, &str, &str)] = &[
+    (
+        "advance",
+        "(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q]",
+        "::mbs_runtime::generated::translated(q, v, h)",
+    ),
+    (
+        "difference",
+        "(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N]",
+        "::mbs_runtime::generated::displacement(from, to)",
+    ),
+    (
+        "free_flight",
+        "(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64)",
+        "*q = self.advance(q, v, h);",
+    ),
+];
+
 /// Methods of F, the methods of f that compute the same where M is constant, and the call of the latter.
 const SAME_WHERE_MASS_IS_CONSTANT: &[(&str, &str, &str)] = &[
     (
@@ -169,6 +188,7 @@ enum Ending {
 /// A signature with the sizes of the program.
 fn sized(signature: &str, program: &Program) -> String {
     signature
+        .replace("; Q]", &format!("; {}]", program.size))
         .replace("; N]", &format!("; {}]", program.size))
         .replace("; R]", &format!("; {}]", program.rows.len()))
 }
@@ -191,6 +211,13 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
             .iter()
             .find(|function| function.name == name)
     };
+    for (name, signature, body) in PLANAR {
+        let _ = writeln!(
+            out,
+            "#[inline]\nfn {name}{} {{ {body} }}",
+            sized(signature, program)
+        );
+    }
     for (name, signature, ending) in METHODS {
         if let Some(function) = find(name) {
             // Where M is constant ∂T/∂q is zero, and F is f.
@@ -290,10 +317,13 @@ pub(super) fn stubs(program: &Program) -> String {
     };
     stub("inputs", "(&self) -> &[f64]");
     stub("inputs_mut", "(&mut self) -> &mut [f64]");
-    stub("guess", "(&self) -> ([f64; N], [f64; N])");
+    stub("guess", "(&self) -> ([f64; Q], [f64; N])");
+    for (name, signature, _) in PLANAR {
+        stub(name, signature);
+    }
     stub(
         "factor_mass",
-        "(&self, q: &[f64; N]) -> ::core::option::Option<Self::Mass>",
+        "(&self, q: &[f64; Q]) -> ::core::option::Option<Self::Mass>",
     );
     for (name, signature, _) in METHODS {
         stub(name, signature);

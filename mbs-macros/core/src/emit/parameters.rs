@@ -122,7 +122,7 @@ pub(super) fn emit_mechanism(
         #[allow(clippy::all, unused_variables, unused_mut)]
         impl ::mbs_runtime::Mechanism for #name {
             type System = #system;
-            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #rows>>::MODEL;
+            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #size, #rows>>::MODEL;
 
             fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
                 #( ::mbs_runtime::generated::check_finite(#names, self.#fields)?; )*

@@ -78,18 +78,20 @@ pub(super) fn emit(
         const _: () = {
             #[allow(clippy::all, unused_variables, unused_parens)]
             #[cfg(not(rust_analyzer))]
-            impl ::mbs_runtime::System<#size, #rows> for #name {
+            impl ::mbs_runtime::System<#size, #size, #rows> for #name {
                 const MODEL: &'static ::mbs_runtime::Model = #metadata;
                 const STRUCTURE: ::mbs_runtime::Structure = #structure;
+                const ROTATIONS: &'static [usize] = &[];
                 #mass
                 #full
             }
 
             // Editors resolve names against these signatures and never see the long bodies.
             #[cfg(rust_analyzer)]
-            impl ::mbs_runtime::System<#size, #rows> for #name {
+            impl ::mbs_runtime::System<#size, #size, #rows> for #name {
                 const MODEL: &'static ::mbs_runtime::Model = #metadata;
                 const STRUCTURE: ::mbs_runtime::Structure = #structure;
+                const ROTATIONS: &'static [usize] = &[];
                 #mass
                 #stubs
             }

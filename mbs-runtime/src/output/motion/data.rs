@@ -5,7 +5,7 @@
 use std::io::{self, Write};
 
 use super::{Frame, json};
-use crate::Model;
+use crate::{Model, World};
 
 /// Frames beyond this number are thinned out: a screen shows no more, and the file stays small.
 const MOST_FRAMES: usize = 2001;
@@ -33,13 +33,15 @@ pub(super) fn write(
         frames,
         MOST_FRAMES.min(FEWEST_FRAMES.max(MOST_NUMBERS / columns)),
     );
-    let spatial = frames.iter().any(|f| f.points.iter().any(|p| p[2] != 0.0));
+    let spatial = model.world == World::Spatial;
     let stopped = stopped.map_or("null".to_owned(), json::string);
     let redundant = model.mobility.is_some_and(|m| !m.redundant.is_empty());
     writeln!(out, "{{\"title\":{},", json::string(title))?;
     writeln!(out, "\"doc\":{},", json::string(model.doc))?;
     writeln!(out, "\"stopped\":{stopped},")?;
     writeln!(out, "\"spatial\":{spatial},")?;
+    let up = model.up.iter().map(|x| json::number(*x, 6));
+    writeln!(out, "\"up\":{},", json::array(up))?;
     writeln!(out, "\"redundant\":{redundant},")?;
     let parts = model.parts.iter().map(|part| part.name);
     writeln!(out, "\"parts\":{},", json::strings(parts))?;

@@ -23,7 +23,7 @@ function position(track, frame) {
   return x === null || y === null || z === null ? null : [x, y, z];
 }
 
-const up = data.up ? unit(data.up) : data.spatial ? [0, 0, 1] : [0, 1, 0];
+const up = data.spatial ? unit(data.up) : [0, 1, 0];
 
 // What the motion fills: a box in world axes, and its middle.
 const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
