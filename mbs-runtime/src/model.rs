@@ -32,7 +32,8 @@ pub struct Model {
     pub events: &'static [&'static str],
     /// Named points that an animation can draw, in the order of [`System::points`](crate::System::points).
     pub points: &'static [&'static str],
-    /// Lines between points.
+    /// Lines between points. Six or more of a part that touch no joint are the outline of a convex shape: they are drawn
+    /// thin, and what they enclose is tinted.
     pub segments: &'static [Segment],
     /// Components of the joint reactions, in the order of [`System::reactions`](crate::System::reactions).
     pub reactions: &'static [Reaction],

@@ -9,7 +9,7 @@ const series = (column) => (Array.isArray(column) ? column : data.time.map(() =>
 const charts = [
   { title: "Energy", unit: "J", curves: [
     { name: "T", values: data.kinetic }, { name: "V", values: data.potential }, { name: "T + V", values: total }] },
-  { title: "Energy error", unit: "J", log: true, curves: [{ name: "|E \u2212 E\u2080|", values: data.energyError }] },
+  { title: "Energy error", unit: "J", log: true, curves: [{ name: "|E \u2212 E\u2080 \u2212 W|", values: data.energyError }] },
   { title: "Constraint error, max", unit: "", log: true, curves: [
     { name: "|φ|", values: data.holonomicError }, { name: "|A v + b|", values: data.velocityError }] },
 ];
@@ -17,13 +17,13 @@ const charts = [
 // Outputs and the sizes of reactions: those of one unit share a diagram.
 const choices = data.outputs.map(([name, unit, column]) => ({ name, unit, values: series(column) }));
 for (const r of arrows) {
-  choices.push({ name: `|F| ${r.joint}`, unit: "N", values: data.time.map((_, f) => { const force = forceAt(r, f); return force && size(force); }) });
+  choices.push({ name: `|F| ${r.joint}`, reaction: true, unit: "N", values: data.time.map((_, f) => { const force = forceAt(r, f); return force && size(force); }) });
 }
 for (const r of reactions) for (const [joint, component, unit, , column] of r.rows) {
-  if (!/^f[xyz]$/.test(component)) choices.push({ name: `${component} ${joint}`, unit, values: series(column) });
+  if (!/^f[xyz]$/.test(component)) choices.push({ name: `${component} ${joint}`, reaction: true, unit, values: series(column) });
 }
 if (choices.length) {
-  const first = choices.filter((choice) => choice.unit === choices[0].unit && !choice.name.startsWith("|F|"));
+  const first = choices.filter((choice) => choice.unit === choices[0].unit && choice.reaction === choices[0].reaction);
   charts.push({ title: "", choices, curves: first.slice(0, 2), unit: choices[0].unit });
 }
 
@@ -59,8 +59,9 @@ function choose(chart, choice) {
 }
 
 function buildKeys(chart) {
-  const heading = chart.title || (chart.unit ? `Outputs, ${chart.unit}` : "Outputs");
-  chart.keys.querySelector("h2").textContent = chart.title && chart.unit ? `${heading}, ${chart.unit}` : heading;
+  const title = chart.title || (chart.curves.every((curve) => curve.reaction) ? "Reactions" : "Outputs");
+  const heading = chart.unit ? `${title}, ${chart.unit}` : title;
+  chart.keys.querySelector("h2").textContent = heading;
   chart.canvas.setAttribute("aria-label", `${heading} over time`);
   for (const key of chart.keys.querySelectorAll("span")) key.remove();
   chart.curves.forEach((curve, k) => {

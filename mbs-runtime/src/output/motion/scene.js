@@ -8,7 +8,7 @@ const rodWidth = (() => {
     return a && b ? size(add(a, b, -1)) : 0;
   }).filter((x) => x > 0).sort((a, b) => a - b);
   const short = lengths[Math.floor(lengths.length / 4)] || extent;
-  return (scale) => Math.max(2, Math.min(8, scale * short / 8, 9 - 0.06 * lengths.length));
+  return (scale) => Math.max(lengths.length < 12 ? 4 : 2, Math.min(8, scale * short / 8, 9 - 0.06 * lengths.length));
 })();
 
 // Supports are smaller where they are close together.
@@ -140,7 +140,7 @@ function drawShadows(c, cam, now, rod) {
 
 // The world directions and the step of the floor, in a corner.
 function drawTriad(c, cam, step) {
-  const x = 40, y = cam.height - 62;
+  const x = 50, y = cam.height - 64;
   c.lineWidth = 1.5; c.textAlign = "center"; c.textBaseline = "middle";
   const arms = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis, k) => [dot(axis, cam.into), dot(axis, cam.right), dot(axis, cam.over), "xyz"[k]]);
   for (const [depth, right, over, name] of arms.sort((a, b) => b[0] - a[0])) {

@@ -52,7 +52,9 @@ const home = (() => {
   return { yaw: best.find(([s]) => s >= 0.5 * most)?.[1] ?? usual, pitch };
 })();
 
-// The box of the whole motion in the picture from there; turning the view keeps the scale.
+// The box of the whole motion in the picture from there. In space the view turns about its middle, which stays in place,
+// as does the scale: none that loses much of the motion from other sides.
+let radius = 0;
 const box = (() => {
   const frame = axes(home.yaw, home.pitch);
   const box = { x0: Infinity, x1: -Infinity, y0: Infinity, y1: -Infinity };
@@ -62,8 +64,12 @@ const box = (() => {
     const [x, y] = flatten(p, frame);
     box.x0 = Math.min(box.x0, x); box.x1 = Math.max(box.x1, x);
     box.y0 = Math.min(box.y0, y); box.y1 = Math.max(box.y1, y);
+    radius = Math.max(radius, Math.hypot(x, y));
   }
-  return box.x0 <= box.x1 ? box : { x0: -1, x1: 1, y0: -1, y1: 1 };
+  if (!(box.x0 <= box.x1)) return { x0: -1, x1: 1, y0: -1, y1: 1 };
+  if (!data.spatial) return box;
+  const x = Math.max(-box.x0, box.x1, 0.75 * radius), y = Math.max(-box.y0, box.y1, 0.75 * radius);
+  return { x0: -x, x1: x, y0: -y, y1: y };
 })();
 
 function resetView() {
