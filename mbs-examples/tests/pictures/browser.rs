@@ -117,6 +117,7 @@ fn used(name: &str, text: &str, width: u32) {
     assert!((number("scrubbed") - 0.72).abs() < 0.05, "{report:?}");
     assert!(number("dragged") > 200.0 && number("zoomed") > 200.0);
     assert_eq!(number("reset"), 0.0);
+    assert!(number("pinched") > 200.0 && (number("zoom") - 2.0).abs() < 1e-9);
     assert_eq!(report["themed"], "true");
     assert!(number("wide") <= 0.0, "{report:?}");
     let pictures = ["#t=1", "#t=2"].map(|address| page.screenshot(address));

@@ -11,8 +11,8 @@ const differences = (a, b) => a.reduce((sum, x, i) => sum + (x !== b[i]), 0);
 
 async function exercise() {
   const scene = document.getElementById("scene"), time = document.getElementById("time");
-  const pointer = (target, name, x, y) =>
-    target.dispatchEvent(new PointerEvent(name, { pointerId: 1, clientX: x, clientY: y, buttons: 1, bubbles: true }));
+  const pointer = (target, name, x, y, pointerId = 1) =>
+    target.dispatchEvent(new PointerEvent(name, { pointerId, clientX: x, clientY: y, buttons: 1, bubbles: true }));
   const key = (name) => document.body.dispatchEvent(new KeyboardEvent("keydown", { key: name, bubbles: true, cancelable: true }));
   const goTo = async (t) => { location.hash = `#t=${t}`; await later(); return pixels(scene); };
   const about = (text) => { const box = text.getBoundingClientRect(); return [box.left + 0.75 * box.width, box.top + 0.5 * box.height]; };
@@ -45,6 +45,15 @@ async function exercise() {
   report("reset", differences(upright, pixels(scene)));
   scene.dispatchEvent(new WheelEvent("wheel", { deltaY: -200, clientX: u, clientY: w, cancelable: true }));
   report("zoomed", differences(upright, pixels(scene)));
+
+  document.getElementById("fit").click();
+  pointer(scene, "pointerdown", u, w);
+  pointer(scene, "pointerdown", u - 60, w, 2);
+  pointer(scene, "pointermove", u - 120, w, 2);
+  pointer(scene, "pointerup", u, w);
+  pointer(scene, "pointerup", u - 120, w, 2);
+  report("pinched", differences(upright, pixels(scene)));
+  report("zoom", view.zoom);
 
   for (const chip of document.querySelectorAll(".chip")) chip.click();
   const before = document.documentElement.dataset.theme, theme = document.getElementById("theme");

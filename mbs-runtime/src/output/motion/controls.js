@@ -134,6 +134,11 @@ function zoomAt(x, y, factor) {
   if (!state.playing) draw();
 }
 
+// A pointer that is already gone cannot be held.
+function hold(canvas, e) {
+  try { canvas.setPointerCapture(e.pointerId); } catch { /* gone */ }
+}
+
 // One pointer turns the view in space and shifts it in the plane; two shift and zoom.
 function moveView(canvas) {
   const pointers = new Map();
@@ -142,7 +147,7 @@ function moveView(canvas) {
     const x = all.reduce((s, p) => s + p[0], 0) / n, y = all.reduce((s, p) => s + p[1], 0) / n;
     return { x, y, spread: n > 1 ? Math.hypot(all[0][0] - all[1][0], all[0][1] - all[1][1]) : 0 };
   };
-  canvas.addEventListener("pointerdown", (e) => { pointers.set(e.pointerId, [e.offsetX, e.offsetY]); canvas.setPointerCapture(e.pointerId); });
+  canvas.addEventListener("pointerdown", (e) => { pointers.set(e.pointerId, [e.offsetX, e.offsetY]); hold(canvas, e); });
   for (const name of ["pointerup", "pointercancel"]) canvas.addEventListener(name, (e) => pointers.delete(e.pointerId));
   canvas.addEventListener("pointermove", (e) => {
     if (!pointers.has(e.pointerId)) return;
@@ -167,7 +172,7 @@ function moveView(canvas) {
 
 function scrubChart(chart) {
   const go = (e) => { show(frameNear(timeOf(e.offsetX, chart.canvas.clientWidth))); };
-  chart.canvas.addEventListener("pointerdown", (e) => { play(false); chart.canvas.setPointerCapture(e.pointerId); go(e); });
+  chart.canvas.addEventListener("pointerdown", (e) => { play(false); hold(chart.canvas, e); go(e); });
   chart.canvas.addEventListener("pointermove", (e) => { if (e.buttons) go(e); });
 }
 

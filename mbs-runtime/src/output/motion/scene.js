@@ -3,7 +3,7 @@
 
 // Shorter rods are thinner, and many of them too.
 const rodWidth = (() => {
-  const lengths = segments.map((s) => {
+  const lengths = bodies.flatMap((body) => (body.spring ? [] : body.solid)).map((s) => {
     const a = position(s.from, 0), b = position(s.to, 0);
     return a && b ? size(add(a, b, -1)) : 0;
   }).filter((x) => x > 0).sort((a, b) => a - b);
@@ -125,7 +125,7 @@ function drawFloor(c, cam, step) {
 function drawShadows(c, cam, now, rod) {
   if (dot(cam.into, up) > 0) return; // seen from below
   const spot = now.map((p) => p && cam.place(onFloor(p)));
-  c.globalAlpha = 0.1; c.strokeStyle = c.fillStyle = colours.ink; c.lineWidth = rod;
+  c.globalAlpha = 0.35; c.strokeStyle = c.fillStyle = colours.shadow; c.lineWidth = rod;
   c.beginPath();
   for (const body of bodies) for (const s of body.spring ? [] : body.solid) {
     if (spot[s.from] && spot[s.to]) { c.moveTo(...spot[s.from].slice(0, 2)); c.lineTo(...spot[s.to].slice(0, 2)); }
@@ -374,7 +374,7 @@ function drawForces(c, cam, now, at) {
     if (!force || !from) continue;
     const length = scale * size(force);
     if (length < 2) continue;
-    // Longer ones are cut and end in an open head.
+    // Longer ones are cut; a ring on the arrow says so.
     const drawn = Math.min(length, most), tip = cam.place(add(now[reaction.track], unit(force), drawn / cam.scale));
     c.strokeStyle = c.fillStyle = colours.page;
     arrow(c, from, tip, 4.5, 0);

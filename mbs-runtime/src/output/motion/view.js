@@ -99,7 +99,7 @@ function readColours() {
   const style = getComputedStyle(document.documentElement);
   const read = (name) => style.getPropertyValue(`--${name}`).trim();
   colours = { groups: [0, 1, 2, 3, 4, 5].map((i) => read(`c${i}`)) };
-  for (const name of ["page", "panel", "ink", "soft", "grid", "line", "force"]) colours[name] = read(name);
+  for (const name of ["page", "panel", "ink", "soft", "grid", "line", "shadow", "force"]) colours[name] = read(name);
 }
 // Part of one colour, the rest of another; both as #rrggbb.
 function mix(one, other, part) {
