@@ -29,11 +29,36 @@ mechanism!(Bricard {
     p5: Point([0.0, -side, side]),
     p6: Point([0.0, 0.0, side]),
 
-    rod1: Bar(mass = mass, from = p1, to = p2, inertia = Cuboid(side, width, width)),
-    rod2: Bar(mass = mass, from = p2, to = p3, inertia = Cuboid(side, width, width)),
-    rod3: Bar(mass = mass, from = p3, to = p4, inertia = Cuboid(side, width, width)),
-    rod4: Bar(mass = mass, from = p4, to = p5, inertia = Cuboid(side, width, width)),
-    rod5: Bar(mass = mass, from = p5, to = p6, inertia = Cuboid(side, width, width)),
+    rod1: Bar(
+        mass = mass,
+        from = p1,
+        to = p2,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod2: Bar(
+        mass = mass,
+        from = p2,
+        to = p3,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod3: Bar(
+        mass = mass,
+        from = p3,
+        to = p4,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod4: Bar(
+        mass = mass,
+        from = p4,
+        to = p5,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod5: Bar(
+        mass = mass,
+        from = p5,
+        to = p6,
+        inertia = Cuboid(side, width, width)
+    ),
 
     j1: Revolute(ground, rod1, at = p1, axis = Y),
     j2: Revolute(rod1, rod2, at = p2, axis = Z),

@@ -44,8 +44,20 @@ mechanism!(CardanShaft {
     ),
 
     front: Revolute(ground, input, at = [0.0_m, 0.0, 0.0], axis = X),
-    cross1: Universal(input, middle, at = first, axis = Z, second_axis = [-sin(bend), cos(bend), 0.0]),
-    cross2: Universal(middle, output, at = second, axis = [-sin(bend), cos(bend), 0.0], second_axis = Z),
+    cross1: Universal(
+        input,
+        middle,
+        at = first,
+        axis = Z,
+        second_axis = [-sin(bend), cos(bend), 0.0]
+    ),
+    cross2: Universal(
+        middle,
+        output,
+        at = second,
+        axis = [-sin(bend), cos(bend), 0.0],
+        second_axis = Z
+    ),
     rear: Revolute(ground, output, at = second, axis = X),
 
     input_angle: Output(front.angle),

@@ -40,11 +40,9 @@ mechanism!(FlyballGovernor {
     // centre of mass and inertia of an arm with its ball
     reach: Let((0.5 * rod_mass + ball_mass) / arm_mass * length),
     axial: Let(rod_mass * width.powi(2) / 6.0),
-    transverse: Let(
-        rod_mass * (length.powi(2) + width.powi(2)) / 12.0
-            + rod_mass * (reach - 0.5 * length).powi(2)
-            + ball_mass * (length - reach).powi(2)
-    ),
+    transverse: Let(rod_mass * (length.powi(2) + width.powi(2)) / 12.0
+        + rod_mass * (reach - 0.5 * length).powi(2)
+        + ball_mass * (length - reach).powi(2)),
 
     shaft: Bar(
         mass = rod_mass,

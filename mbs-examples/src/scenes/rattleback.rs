@@ -48,12 +48,10 @@ mechanism!(Rattleback {
     ny: Let(width * dot(stone.y, ground.z)),
     nz: Let(height * dot(stone.z, ground.z)),
     reach: Let(sqrt(nx * nx + ny * ny + nz * nz)),
-    contact: Let(
-        stone.origin
-            - (length * nx / reach) * stone.x
-            - (width * ny / reach) * stone.y
-            - (height * nz / reach) * stone.z
-    ),
+    contact: Let(stone.origin
+        - (length * nx / reach) * stone.x
+        - (width * ny / reach) * stone.y
+        - (height * nz / reach) * stone.z),
     slip: Let(stone.velocity_at(contact)),
 
     touch: Holonomic(stone.origin.z - reach),

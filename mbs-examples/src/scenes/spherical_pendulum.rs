@@ -16,7 +16,11 @@ mechanism!(SphericalPendulum {
     speed: Param(2.0_m_per_s),
 
     rod: Bar(from = [0.0_m, 0.0, 0.0], to = [length, 0.0, 0.0]),
-    bob: Particle(mass = mass, at = [length, 0.0, 0.0], velocity = [0.0, speed, 0.0]),
+    bob: Particle(
+        mass = mass,
+        at = [length, 0.0, 0.0],
+        velocity = [0.0, speed, 0.0]
+    ),
     pivot: Spherical(ground.origin, rod.a),
     knot: Spherical(rod.b, bob),
 

@@ -179,7 +179,9 @@ impl Numbers<'_> {
             if residual <= ASSEMBLED * size.max(1e-3) {
                 return Some(q);
             }
-            let change = self.rows(&q, NEARLY_DEPENDENT).correction(system.size, &phi);
+            let change = self
+                .rows(&q, NEARLY_DEPENDENT)
+                .correction(system.size, &phi);
             q = system.layout.moved(&q, &change, 1.0);
         }
         None

@@ -129,8 +129,7 @@ impl<'a> Lowering<'a> {
             Node::Constant(number) => Operand::Number(number),
             Node::Symbol(Symbol::Rotation(first, entry)) => {
                 let slot = self.hoisted.layout.slots[first as usize] as u32;
-                let quaternion =
-                    [0, 1, 2, 3].map(|k| self.graph.symbol(Symbol::Stored(slot + k)));
+                let quaternion = [0, 1, 2, 3].map(|k| self.graph.symbol(Symbol::Stored(slot + k)));
                 let expr = self.graph.rotation_entry(quaternion, entry);
                 let name = self.graph.name(Symbol::Rotation(first, entry));
                 self.graph.suggest_name(expr, name.replace('.', "_"));

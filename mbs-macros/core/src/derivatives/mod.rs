@@ -75,7 +75,12 @@ pub fn derive(mut system: System) -> Derived {
     let momentum = affinities::momentum(graph, size, &system.mass);
     let kinetic = affinities::kinetic(graph, &momentum);
     let mut affinities = affinities::christoffel(graph, size, &system.mass);
-    affinities::gyroscopic(graph, &system.layout.rotations, &system.mass, &mut affinities);
+    affinities::gyroscopic(
+        graph,
+        &system.layout.rotations,
+        &system.mass,
+        &mut affinities,
+    );
     let mut inertial: Vec<Expr> = (0..size as u32)
         .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
         .collect();

@@ -49,6 +49,7 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
         })
         .collect();
     let segments = model
+        .drawing
         .segments
         .iter()
         .map(|(part, from, to)| {
@@ -59,7 +60,11 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
         .reactions
         .iter()
         .map(|(joint, component, unit)| {
-            format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?} }}")
+            let site = match model.drawing.site(joint) {
+                Some(point) => format!("::core::option::Option::Some({point})"),
+                None => "::core::option::Option::None".to_owned(),
+            };
+            format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {site} }}")
         })
         .collect();
     let operations = program
@@ -118,6 +123,7 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
         "points",
         list(
             model
+                .drawing
                 .points
                 .iter()
                 .map(|(name, _)| format!("{name:?}"))
@@ -148,7 +154,12 @@ pub(super) fn structure(program: &Program) -> String {
     let s = program.structure;
     format!(
         "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {}, rotations: {} }}",
-        s.constant_mass, s.velocity_forces, s.position_forces, s.time_dependent, s.holonomic_rows, s.rotations
+        s.constant_mass,
+        s.velocity_forces,
+        s.position_forces,
+        s.time_dependent,
+        s.holonomic_rows,
+        s.rotations
     )
 }
 

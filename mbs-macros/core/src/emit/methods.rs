@@ -194,7 +194,10 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
             .iter()
             .find(|function| function.name == name)
     };
-    for ((name, signature), body) in motion::SIGNATURES.into_iter().zip(motion::bodies(graph, program)) {
+    for ((name, signature), body) in motion::SIGNATURES
+        .into_iter()
+        .zip(motion::bodies(graph, program))
+    {
         let _ = writeln!(
             out,
             "#[inline]\nfn {name}{} {{ {body} }}",

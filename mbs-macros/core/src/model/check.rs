@@ -268,7 +268,10 @@ pub(super) fn massive(resolver: &mut Resolver, reduction: &Reduction) {
 
 /// The coordinates of a part, or those that it follows, with which it moves mass.
 fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
-    let (mass, inertia) = (!graph.is_zero(part.mass), !graph.is_zero(part.inertia[2][2]));
+    let (mass, inertia) = (
+        !graph.is_zero(part.mass),
+        !graph.is_zero(part.inertia[2][2]),
+    );
     match part.representation {
         Representation::Coordinate => Vec::new(),
         Representation::Natural | Representation::FreePoint if mass => part.locals.clone(),
@@ -287,9 +290,7 @@ fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
         Representation::Prescribed => {
             let turn = part.frame.angle.filter(|_| inertia);
             let place = part.frame.origin.into_iter().filter(|_| mass);
-            let swing = part
-                .frame
-                .axes[0]
+            let swing = part.frame.axes[0]
                 .into_iter()
                 .filter(|_| mass && part.center.iter().any(|&x| !graph.is_zero(x)));
             let symbols = graph.directions(turn.into_iter().chain(place).chain(swing));

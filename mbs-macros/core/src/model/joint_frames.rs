@@ -121,8 +121,8 @@ impl Resolver<'_> {
 
     /// The angular velocity of the child against the parent about the axis.
     pub(super) fn joint_rate(&mut self, joint: &JointFrames) -> Expr {
-        let spins = [joint.child.point.owner, joint.parent.point.owner]
-            .map(|owner| self.frame(owner).spin);
+        let spins =
+            [joint.child.point.owner, joint.parent.point.owner].map(|owner| self.frame(owner).spin);
         let relative = self.graph.vector_sub(spins[0], spins[1]);
         self.graph.dot(joint.parent.axes[2], relative)
     }
@@ -142,7 +142,12 @@ impl Resolver<'_> {
             known.extend(["stroke", "speed"]);
         }
         if !known.contains(&member) {
-            return self.no_such_member(&Value::Joint(Box::new(joint.clone())), member, &known, span);
+            return self.no_such_member(
+                &Value::Joint(Box::new(joint.clone())),
+                member,
+                &known,
+                span,
+            );
         }
         Some(match member {
             "angle" => Value::Scalar(self.joint_angle(joint), Some(Dimension::NONE)),
@@ -197,6 +202,7 @@ impl Arguments<'_, '_> {
             }
         }
         let triad = self.triad(&[&parent, &child])?;
+        let name = self.entry_name();
         let mut attach = |field: &str, hold: Hold| -> Option<Attachment> {
             self.held_axes(field, hold.owner())?;
             let resolver = self.resolver();
@@ -209,7 +215,7 @@ impl Arguments<'_, '_> {
                     let at = at?;
                     let arm = resolver.graph.vector_sub(at, home.origin);
                     let local = resolver.graph.components(&home.axes, arm);
-                    let label = format!("{} at the joint", resolver.owner_name(owner));
+                    let label = format!("{} at {name}", resolver.owner_name(owner));
                     resolver.attach(owner, local, axes, label)
                 }
             })
@@ -308,7 +314,10 @@ impl Arguments<'_, '_> {
     pub fn given_points(&mut self) -> Option<(Point, Point)> {
         let mut points = ["parent", "child"].into_iter().map(|field| {
             let syntax = self.syntax(field)?;
-            match self.resolver().silently(|resolver| resolver.evaluate(syntax))? {
+            match self
+                .resolver()
+                .silently(|resolver| resolver.evaluate(syntax))?
+            {
                 Value::Point(point) => Some(point),
                 Value::Frame(owner) => self.resolver().named_point(owner, "origin"),
                 _ => None,

@@ -62,7 +62,11 @@ impl Layout {
     pub fn moved(&self, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
         let mut next = q.to_vec();
         for (i, &slot) in self.slots.iter().enumerate() {
-            if !self.rotations.iter().any(|rotation| rotation.coordinate == slot) {
+            if !self
+                .rotations
+                .iter()
+                .any(|rotation| rotation.coordinate == slot)
+            {
                 next[slot] += h * v[i];
             }
         }
@@ -98,11 +102,7 @@ impl Layout {
 }
 
 /// Lays out what the reduction has kept.
-pub(super) fn layout(
-    resolver: &mut Resolver,
-    reduction: &Reduction,
-    guesses: &Guesses,
-) -> Layout {
+pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &Guesses) -> Layout {
     let mut layout = Layout::default();
     let mut kept = reduction.kept().iter();
     while let Some((local, name)) = kept.next() {

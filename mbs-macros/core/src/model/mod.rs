@@ -27,6 +27,7 @@ use crate::symbolic::{Expr, Graph, Substitution};
 
 pub use arguments::Arguments;
 pub use dimension::{Dimension, UNITS, unit};
+pub use drawing::Drawing;
 pub use geometry::{Attachment, Axes, Frame, Owner, Point, Vector};
 pub use joint_frames::{JointFrames, Winding};
 pub use layout::{Layout, Rotation, Stored};
@@ -75,10 +76,8 @@ pub struct Model {
     pub merged: Vec<MergedJoint>,
     /// What the reduction did, in sentences.
     pub reductions: Vec<String>,
-    /// Points to draw.
-    pub points: Vec<(String, Vector)>,
-    /// Lines to draw: part, from, to.
-    pub segments: Vec<(String, usize, usize)>,
+    /// What an animation draws.
+    pub drawing: Drawing,
     /// Paths of the users' laws and the number of their arguments.
     pub laws: Vec<Law>,
 }

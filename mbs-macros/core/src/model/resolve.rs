@@ -42,7 +42,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         World::Spatial => home::guesses(&mut resolver, &joints),
     };
     let layout = layout::layout(&mut resolver, &reduction, &guesses);
-    let (points, segments) = resolver.drawing(&joints, &forces);
+    let drawing = resolver.drawing(&joints, &forces);
     let up = resolver.up(gravity);
     let joints = joints
         .into_iter()
@@ -82,8 +82,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         reduction: reduction.substitution,
         merged: reduction.merged,
         reductions: reduction.sentences,
-        points,
-        segments,
+        drawing,
         laws,
     })
 }
@@ -301,6 +300,19 @@ impl<'d> Resolver<'d> {
         };
         self.silent = silent;
         self.states[index] = State::Done(value);
+    }
+
+    /// The points that have a name of their own and belong to this owner.
+    pub(super) fn declared_points(&self, owner: Owner) -> Vec<Point> {
+        let entries = self.declaration.entries.iter().zip(&self.states);
+        let points = entries.filter_map(|(entry, state)| match state {
+            State::Done(Some(Value::Point(point))) if point.owner == owner => Some(Point {
+                label: entry.name.to_string(),
+                ..point.clone()
+            }),
+            _ => None,
+        });
+        points.collect()
     }
 
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {

@@ -7,7 +7,8 @@ use super::Expects::{
 use super::{Field, Group, Kind, field, positional};
 use crate::model::Dimension;
 
-pub(super) const PARENT: Field = positional("parent", Point, Required, "point of the first partner");
+pub(super) const PARENT: Field =
+    positional("parent", Point, Required, "point of the first partner");
 pub(super) const CHILD: Field = positional(
     "child",
     Point,

@@ -8,7 +8,6 @@ mod spatial;
 
 use crate::model::Dimension;
 
-
 /// The worlds, by which kinds differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum World {
@@ -173,13 +172,24 @@ pub fn any_kind(name: &str) -> Option<&'static Kind> {
 pub fn names() -> impl Iterator<Item = &'static str> + Clone {
     let planar = World::Planar.own_kinds().iter();
     let spatial = World::Spatial.own_kinds().iter();
-    let new = spatial.filter(|kind| World::Planar.own_kinds().iter().all(|other| other.name != kind.name));
-    common::KINDS.iter().chain(planar).chain(new).map(|kind| kind.name)
+    let new = spatial.filter(|kind| {
+        World::Planar
+            .own_kinds()
+            .iter()
+            .all(|other| other.name != kind.name)
+    });
+    common::KINDS
+        .iter()
+        .chain(planar)
+        .chain(new)
+        .map(|kind| kind.name)
 }
 
 /// The world of this name.
 pub fn world(name: &str) -> Option<World> {
-    World::ALL.into_iter().find(|world| world.kind().name == name)
+    World::ALL
+        .into_iter()
+        .find(|world| world.kind().name == name)
 }
 
 const fn field(name: &'static str, expects: Expects, default: Absent, doc: &'static str) -> Field {

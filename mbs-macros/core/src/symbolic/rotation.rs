@@ -30,9 +30,8 @@ pub fn rotation_entry(quaternion: [f64; 4], entry: u8) -> f64 {
 impl Graph {
     /// The same as an expression of the quaternion's components.
     pub fn rotation_entry(&mut self, quaternion: [Expr; 4], entry: u8) -> Expr {
-        let terms = PRODUCTS[usize::from(entry)].map(|(i, j, sign)| {
-            (self.mul(quaternion[i], quaternion[j]), 2.0 * sign)
-        });
+        let terms = PRODUCTS[usize::from(entry)]
+            .map(|(i, j, sign)| (self.mul(quaternion[i], quaternion[j]), 2.0 * sign));
         self.linear(identity(entry), &terms)
     }
 }

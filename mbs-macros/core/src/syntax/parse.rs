@@ -84,7 +84,9 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
                 "the world is already declared; keep one `world:` entry",
             );
         } else if schema::world(&entry.kind.to_string()).is_none() {
-            let known = schema::World::ALL.into_iter().map(|world| world.kind().name);
+            let known = schema::World::ALL
+                .into_iter()
+                .map(|world| world.kind().name);
             let hint = did_you_mean(&entry.kind.to_string(), known.clone());
             let known: Vec<_> = known.collect();
             errors.at(

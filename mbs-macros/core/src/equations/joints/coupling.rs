@@ -1,7 +1,8 @@
 //! Two scalars keep a linear relation.
 
 use super::{
-    Joint, JointEquations, JointRow, Level, ReactionComponent, affine_relation, multiplier_dimension,
+    Joint, JointEquations, JointRow, Level, ReactionComponent, affine_relation,
+    multiplier_dimension,
 };
 use crate::model::{Arguments, Dimension};
 use crate::symbolic::{Expr, Graph};

@@ -66,11 +66,7 @@ impl Joint for Distance {
 }
 
 /// (d·d − L²)/2: quadratic, so that its Jacobian is d itself; λ d is the force on the second point.
-pub(super) fn half_square_difference(
-    graph: &mut Graph,
-    difference: Vector,
-    length: Expr,
-) -> Expr {
+pub(super) fn half_square_difference(graph: &mut Graph, difference: Vector, length: Expr) -> Expr {
     let square = graph.dot(difference, difference);
     let length_square = graph.square(length);
     let gap = graph.sub(square, length_square);

@@ -35,6 +35,11 @@ impl<'r, 'd> Arguments<'r, 'd> {
         self.resolver.world
     }
 
+    /// The name of the entry.
+    pub fn entry_name(&self) -> String {
+        self.entry.name.to_string()
+    }
+
     /// The name of the entry's kind.
     pub fn kind_name(&self) -> String {
         self.entry.kind.to_string()

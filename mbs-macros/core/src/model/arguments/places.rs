@@ -234,9 +234,7 @@ impl Arguments<'_, '_> {
         let Some(syntax) = self.syntax(field) else {
             return false;
         };
-        let value = self
-            .resolver
-            .silently(|resolver| resolver.evaluate(syntax));
+        let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
         matches!(value, Some(Value::Joint(_)))
     }
 
@@ -262,7 +260,9 @@ impl Arguments<'_, '_> {
                 let what = other.describe();
                 return self.fail(
                     field,
-                    format!("`{field}` is a number, three numbers or three rows, but this is {what}"),
+                    format!(
+                        "`{field}` is a number, three numbers or three rows, but this is {what}"
+                    ),
                 );
             }
         };

@@ -30,7 +30,8 @@ const FUNCTIONS: &[(&str, Function, Shape)] = &[
 
 /// Functions that are not elementary.
 const OTHER_FUNCTIONS: &[&str] = &[
-    "dot", "cross", "norm", "unit", "reject", "diag", "rate", "atan2", "hypot", "min", "max", "law", "powi", "powf",
+    "dot", "cross", "norm", "unit", "reject", "diag", "rate", "atan2", "hypot", "min", "max",
+    "law", "powi", "powf",
 ];
 
 #[derive(Clone, Copy, PartialEq)]

@@ -60,9 +60,7 @@ impl Resolver<'_> {
             return Some(Value::Vector(frame.axes[axis], Some(Dimension::NONE)));
         }
         match (self.world, member) {
-            (World::Planar, "rate") => {
-                Some(Value::Scalar(frame.spin[2], Some(Dimension::RATE)))
-            }
+            (World::Planar, "rate") => Some(Value::Scalar(frame.spin[2], Some(Dimension::RATE))),
             (World::Spatial, "angular_velocity") => {
                 Some(Value::Vector(frame.spin, Some(Dimension::RATE)))
             }
@@ -196,10 +194,7 @@ impl Resolver<'_> {
     /// `part.frame([x, y, z], axis)`: axes whose z is `axis`, given in those of the part.
     fn own_frame(&mut self, owner: Owner, span: Span, arguments: &[&Syntax]) -> Option<Value> {
         if self.world == World::Planar {
-            return self.fail(
-                span,
-                "a planar joint takes points; write `point(x, y)`",
-            );
+            return self.fail(span, "a planar joint takes points; write `point(x, y)`");
         }
         let [place, axis] = self.take(arguments.to_vec(), "frame", span)?;
         let (local, dimension) = self.vector(place)?;

@@ -108,8 +108,7 @@ impl Resolver<'_> {
             }
             (BinOp::Mul(_), Value::Scalar(x, a), Value::Tensor(y, b))
             | (BinOp::Mul(_), Value::Tensor(y, b), Value::Scalar(x, a)) => {
-                let dimension =
-                    self.product(&[*x], *a, y.as_flattened(), *b, Dimension::times);
+                let dimension = self.product(&[*x], *a, y.as_flattened(), *b, Dimension::times);
                 let scaled = y.map(|row| self.graph.vector_scale(*x, row));
                 Some(Value::Tensor(scaled, dimension))
             }

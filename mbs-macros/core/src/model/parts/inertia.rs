@@ -80,7 +80,10 @@ impl Arguments<'_, '_> {
     fn shape(&mut self, name: &str, call: &syn::ExprCall) -> Option<Option<Shape>> {
         let (usage, counts) = match name {
             "Cuboid" => ("Cuboid(x, y, z)", 3..=3),
-            "Cylinder" => ("Cylinder(radius, length) or Cylinder(radius, length, axis)", 2..=3),
+            "Cylinder" => (
+                "Cylinder(radius, length) or Cylinder(radius, length, axis)",
+                2..=3,
+            ),
             "Sphere" => ("Sphere(radius)", 1..=1),
             _ => return None,
         };
@@ -121,7 +124,10 @@ impl Arguments<'_, '_> {
         };
         match found {
             Some(axis) => Some(axis),
-            None => self.fail_at(Place::of(syntax), "the axis of a cylinder is `X`, `Y` or `Z`"),
+            None => self.fail_at(
+                Place::of(syntax),
+                "the axis of a cylinder is `X`, `Y` or `Z`",
+            ),
         }
     }
 
@@ -156,8 +162,9 @@ impl Arguments<'_, '_> {
             graph.scale(factor, product)
         };
         let moments = match shape {
-            Shape::Cuboid([x, y, z]) => [[y, z], [z, x], [x, y]]
-                .map(|[a, b]| part(1.0 / 12.0, &[(a, 1.0), (b, 1.0)])),
+            Shape::Cuboid([x, y, z]) => {
+                [[y, z], [z, x], [x, y]].map(|[a, b]| part(1.0 / 12.0, &[(a, 1.0), (b, 1.0)]))
+            }
             Shape::Cylinder(radius, length, axis) => {
                 let along = part(0.5, &[(radius, 1.0)]);
                 let across = part(1.0 / 12.0, &[(radius, 3.0), (length, 1.0)]);
@@ -206,11 +213,7 @@ impl Arguments<'_, '_> {
         // J ↦ ½ tr(J) − J are the second moments of the mass, which no body has negative.
         let moments: [[f64; 3]; 3] = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
-                let half_trace = if i == j {
-                    (0.5 + 1e-12) * trace
-                } else {
-                    0.0
-                };
+                let half_trace = if i == j { (0.5 + 1e-12) * trace } else { 0.0 };
                 half_trace - value[i][j]
             })
         });

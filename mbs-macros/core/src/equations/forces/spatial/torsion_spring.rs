@@ -37,9 +37,6 @@ impl Force for TorsionSpring {
     }
 
     fn owners(&self) -> Vec<Owner> {
-        vec![
-            self.joint.parent.point.owner,
-            self.joint.child.point.owner,
-        ]
+        vec![self.joint.parent.point.owner, self.joint.child.point.owner]
     }
 }

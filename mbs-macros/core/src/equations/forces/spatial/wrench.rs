@@ -29,7 +29,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Force>> {
         );
     }
     if !arguments.has("force") && !arguments.has("torque") {
-        return arguments.fail("", "this wrench does nothing; give it `force =` or `torque =`");
+        return arguments.fail(
+            "",
+            "this wrench does nothing; give it `force =` or `torque =`",
+        );
     }
     let zero = arguments.graph().zero_vector();
     let mut component = |field: &str| match arguments.has(field) {

@@ -4,10 +4,7 @@ use super::{Joint, Relation};
 use crate::model::{Arguments, Dimension, JointFrames};
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
-    let (first, second) = (
-        turning(arguments, "first"),
-        turning(arguments, "second"),
-    );
+    let (first, second) = (turning(arguments, "first"), turning(arguments, "second"));
     let (first, second) = (first?, second?);
     if first.name == second.name {
         return arguments.fail(
@@ -37,7 +34,9 @@ pub(super) fn turning(arguments: &mut Arguments, field: &str) -> Option<JointFra
         let (kind, name) = (&joint.kind, &joint.name);
         return arguments.fail(
             field,
-            format!("`{name}` is a `{kind}`, which has no angle; name a `Revolute` or `Cylindrical`"),
+            format!(
+                "`{name}` is a `{kind}`, which has no angle; name a `Revolute` or `Cylindrical`"
+            ),
         );
     }
     Some(joint)

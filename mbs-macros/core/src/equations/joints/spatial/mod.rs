@@ -131,8 +131,10 @@ impl<'g> Builder<'g> {
     fn finish(mut self) -> JointEquations {
         let names = [["fx", "fy", "fz"], ["tx", "ty", "tz"]];
         let dimensions = [Dimension::FORCE, Dimension::TORQUE];
-        for ((components, names), dimension) in
-            [self.force, self.torque].into_iter().zip(names).zip(dimensions)
+        for ((components, names), dimension) in [self.force, self.torque]
+            .into_iter()
+            .zip(names)
+            .zip(dimensions)
         {
             if components.iter().all(Vec::is_empty) {
                 continue;
@@ -243,4 +245,3 @@ impl Joint for Relation {
         self.owners.clone()
     }
 }
-

@@ -17,7 +17,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
 impl Joint for Revolute {
     /// d = 0 and z_p · c_y = z_p · c_x = 0.
     fn equations(&self, graph: &mut Graph) -> JointEquations {
-        Builder::new(graph, &self.frames).coincide().parallel().finish()
+        Builder::new(graph, &self.frames)
+            .coincide()
+            .parallel()
+            .finish()
     }
 
     fn points(&self) -> Vec<&Point> {

@@ -23,7 +23,9 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
         let angle = cosine.clamp(-1.0, 1.0).acos().to_degrees();
         return arguments.fail(
             "second_axis",
-            format!("the pins of a universal joint cross at right angles, but these at {angle:.3}°"),
+            format!(
+                "the pins of a universal joint cross at right angles, but these at {angle:.3}°"
+            ),
         );
     }
     let pin = arguments.fixed_direction(second, frames.child.point.owner);
