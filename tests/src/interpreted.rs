@@ -157,7 +157,9 @@ impl Interpreted {
             constants: &self.constants,
             laws: &laws,
         };
-        for function in &self.program.functions {
+        // Counted angles are no method of their own: `advance` writes them, and outputs show them.
+        let methods = self.program.functions.iter();
+        for function in methods.filter(|function| function.name != "windings") {
             for (output, value) in run.function(function) {
                 program.insert((function.name, output.sink, indices(output.place)), value);
             }
@@ -231,8 +233,8 @@ fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
         list.push((("affinities", "gamma", [i, j, k]), value));
     }
     for (i, point) in system.points.iter().enumerate() {
-        list.push((("points", "points", [i, 0, 0]), point[0]));
-        list.push((("points", "points", [i, 1, 0]), point[1]));
+        let components = point.iter().enumerate();
+        list.extend(components.map(|(axis, &x)| (("points", "points", [i, axis, 0]), x)));
     }
     list
 }

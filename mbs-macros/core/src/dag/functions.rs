@@ -62,7 +62,9 @@ pub fn lower(derived: Derived) -> Program {
                 derived.acceleration.as_deref().unwrap_or(&[]),
             )
         });
-        make("windings", &mut |f| vector(f, "angles", &system.windings));
+        if !system.windings.is_empty() {
+            make("windings", &mut |f| vector(f, "angles", &system.windings));
+        }
         make("kinetic_energy", &mut |f| {
             f.output("", Place::Value, derived.kinetic)
         });

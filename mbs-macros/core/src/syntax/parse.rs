@@ -103,7 +103,8 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
         }
         return true;
     }
-    if schema::world(&entry.kind.to_string()).is_some() {
+    // `Planar` is a joint of space, too, and then has partners.
+    if schema::world(&entry.kind.to_string()).is_some() && entry.positional.is_empty() {
         errors.at(
             entry.name.span(),
             format!(
