@@ -16,9 +16,10 @@ const WIDTH: u32 = SIZE.0 - LEFT - RIGHT;
 const FONT: &str = "DejaVu Sans, Helvetica, Arial, sans-serif";
 const TEXT: RGBColor = RGBColor(29, 33, 38);
 const GRID: RGBColor = RGBColor(228, 229, 225);
-const BLUE: RGBColor = RGBColor(11, 98, 168);
-const ORANGE: RGBColor = RGBColor(194, 65, 12);
-const GREEN: RGBColor = RGBColor(26, 127, 75);
+// Their lightness differs: the curves stay apart in grey.
+const BLUE: RGBColor = RGBColor(20, 80, 125);
+const ORANGE: RGBColor = RGBColor(224, 142, 46);
+const GREEN: RGBColor = RGBColor(60, 133, 72);
 
 /// Errors below this are drawn at it: a logarithmic axis has no zero.
 const FLOOR: f64 = 1e-18;

@@ -198,6 +198,7 @@ mod tests {
             velocities: vec![],
             outputs: vec![x],
             points: vec![],
+            reactions: vec![],
             energy,
             holonomic_error: 0.0,
             velocity_error: 0.0,

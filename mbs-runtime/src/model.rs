@@ -32,7 +32,8 @@ pub struct Model {
     pub events: &'static [&'static str],
     /// Named points that an animation can draw, in the order of [`System::points`](crate::System::points).
     pub points: &'static [&'static str],
-    /// Lines between points.
+    /// Lines between points. Six or more of a part that touch no joint are the outline of a convex shape: they are drawn
+    /// thin, and what they enclose is tinted.
     pub segments: &'static [Segment],
     /// Components of the joint reactions, in the order of [`System::reactions`](crate::System::reactions).
     pub reactions: &'static [Reaction],
@@ -144,7 +145,7 @@ pub struct Quantity {
 /// A line to draw between two points.
 #[derive(Debug, Clone, Copy)]
 pub struct Segment {
-    /// The part it belongs to.
+    /// The part it belongs to, or the spring it stands for.
     pub part: &'static str,
     /// Index into [`Model::points`].
     pub from: usize,
@@ -161,6 +162,8 @@ pub struct Reaction {
     pub component: &'static str,
     /// `N` or `N m`.
     pub unit: &'static str,
+    /// Where it acts: index into [`Model::points`], if the joint holds a point of a part.
+    pub at: Option<usize>,
 }
 
 /// Operations of one generated function.

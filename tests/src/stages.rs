@@ -98,10 +98,10 @@ fn model(model: &Model, graph: &Graph, system: &System) -> String {
     for (name, _) in &model.forces {
         let _ = writeln!(out, "force from {name}");
     }
-    for (name, _) in &model.points {
+    for (name, _) in &model.drawing.points {
         let _ = writeln!(out, "point {name}");
     }
-    for (part, from, to) in &model.segments {
+    for (part, from, to) in &model.drawing.segments {
         let _ = writeln!(out, "line of {part}: point {from} to point {to}");
     }
     out

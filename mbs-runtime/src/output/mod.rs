@@ -19,6 +19,8 @@ pub struct Frame {
     pub outputs: Vec<f64>,
     /// Named points in world axes, m.
     pub points: Vec<[f64; 3]>,
+    /// Joint reactions in the order of [`Model::reactions`](crate::Model::reactions); NaN where they are not known.
+    pub reactions: Vec<f64>,
     /// The energy balance.
     pub energy: Energy,
     /// max |φ| over the rows as declared.
@@ -31,12 +33,15 @@ impl Frame {
     /// Records where the simulation is now.
     pub fn record(simulation: &dyn AnySimulation) -> Self {
         let sample = simulation.sample();
+        let reactions = simulation.reactions().map(|reactions| reactions.values);
         Frame {
             time: sample.time,
             coordinates: simulation.coordinates(),
             velocities: simulation.velocities(),
             outputs: sample.outputs,
             points: simulation.points(),
+            reactions: reactions
+                .unwrap_or_else(|_| vec![f64::NAN; simulation.model().reactions.len()]),
             energy: sample.energy,
             holonomic_error: sample.holonomic_error,
             velocity_error: sample.velocity_error,

@@ -63,6 +63,7 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
         })
         .collect();
     let segments = model
+        .drawing
         .segments
         .iter()
         .map(|(part, from, to)| {
@@ -73,7 +74,11 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
         .reactions
         .iter()
         .map(|(joint, component, unit)| {
-            format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?} }}")
+            let site = match model.drawing.site(joint) {
+                Some(point) => format!("::core::option::Option::Some({point})"),
+                None => "::core::option::Option::None".to_owned(),
+            };
+            format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {site} }}")
         })
         .collect();
     let operations = program
@@ -128,6 +133,7 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
         "points",
         list(
             model
+                .drawing
                 .points
                 .iter()
                 .map(|(name, _)| format!("{name:?}"))

@@ -152,6 +152,7 @@ pub fn derive(model: &mut Model) -> System {
         .map(|(_, expr)| global(&mut graph, *expr))
         .collect();
     let points = model
+        .drawing
         .points
         .iter()
         .map(|(_, position)| position.map(|x| global(&mut graph, x)))

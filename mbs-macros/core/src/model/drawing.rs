@@ -1,19 +1,47 @@
 //! What an animation draws.
 
 use super::elements::{ForceElement, JointElement};
-use super::geometry::{Owner, Vector};
+use super::geometry::{Owner, Point, Vector};
 use super::parts::Representation;
 use super::resolve::Resolver;
 
+/// Points and lines, and where reactions act.
+#[derive(Debug, Clone, Default)]
+pub struct Drawing {
+    /// Points with their names.
+    pub points: Vec<(String, Vector)>,
+    /// Lines: part or spring, from, to.
+    pub segments: Vec<(String, usize, usize)>,
+    /// Joints with the point that their reaction acts on.
+    pub sites: Vec<(String, usize)>,
+}
+
+impl Drawing {
+    /// The point at this place among those from `first` on; it is added if there is none.
+    fn point(&mut self, first: usize, point: &Point) -> usize {
+        let known = self.points[first..]
+            .iter()
+            .position(|(_, position)| *position == point.position);
+        known.map_or_else(
+            || {
+                self.points.push((point.label.clone(), point.position));
+                self.points.len() - 1
+            },
+            |index| first + index,
+        )
+    }
+
+    /// Where the reaction of a joint acts.
+    pub fn site(&self, joint: &str) -> Option<usize> {
+        let site = self.sites.iter().find(|(name, _)| name == joint);
+        site.map(|&(_, point)| point)
+    }
+}
+
 impl Resolver<'_> {
-    /// Points and lines for an animation: bars from end to end, bodies from their origin to their joints.
-    pub(super) fn drawing(
-        &mut self,
-        joints: &[JointElement],
-        forces: &[ForceElement],
-    ) -> (Vec<(String, Vector)>, Vec<(String, usize, usize)>) {
-        let mut points: Vec<(String, Vector)> = Vec::new();
-        let mut segments = Vec::new();
+    /// Bars from end to end, bodies from their origin to their joints and points that have a name, springs between their points.
+    pub(super) fn drawing(&mut self, joints: &[JointElement], forces: &[ForceElement]) -> Drawing {
+        let mut drawing = Drawing::default();
         for index in 0..self.parts.len() {
             let owner = Owner::Part(index);
             let part = &self.parts[index];
@@ -21,34 +49,57 @@ impl Resolver<'_> {
             if part.representation == Representation::Coordinate {
                 continue;
             }
-            let first = points.len();
+            let first = drawing.points.len();
             for end in if kind == "Bar" {
                 vec!["a", "b"]
             } else {
                 vec!["origin"]
             } {
                 if let Some(point) = self.named_point(owner, end) {
-                    points.push((point.label, point.position));
+                    drawing.points.push((point.label, point.position));
                 }
             }
             if kind == "Bar" {
-                segments.push((name, first, first + 1));
+                drawing.segments.push((name, first, first + 1));
                 continue;
             }
             let attached = joints
                 .iter()
                 .flat_map(|joint| joint.joint.points())
                 .chain(forces.iter().flat_map(|f| f.force.points()));
-            for point in attached.filter(|point| point.owner == owner) {
-                if points[first..]
-                    .iter()
-                    .all(|(_, position)| *position != point.position)
-                {
-                    segments.push((name.clone(), first, points.len()));
-                    points.push((point.label.clone(), point.position));
+            let mut attached: Vec<Point> = attached
+                .filter(|point| point.owner == owner)
+                .cloned()
+                .collect();
+            attached.extend(self.declared_points(owner));
+            // Without any, the centre of mass at least shows how the body turns.
+            if attached.is_empty() {
+                attached.extend(self.named_point(owner, "center"));
+            }
+            for point in &attached {
+                let before = drawing.points.len();
+                let to = drawing.point(first, point);
+                if to == before {
+                    drawing.segments.push((name.clone(), first, to));
                 }
             }
         }
-        (points, segments)
+        for element in forces {
+            if let [from, to] = element.force.points()[..] {
+                let ends = (drawing.point(0, from), drawing.point(0, to));
+                drawing
+                    .segments
+                    .push((element.name.clone(), ends.0, ends.1));
+            }
+        }
+        for element in joints {
+            let points = element.joint.points();
+            let moving = points.iter().rev().find(|p| p.owner != Owner::Ground);
+            if let Some(point) = moving {
+                let site = drawing.point(0, point);
+                drawing.sites.push((element.name.clone(), site));
+            }
+        }
+        drawing
     }
 }

@@ -23,6 +23,7 @@ use crate::symbolic::{Expr, Graph, Substitution};
 
 pub use arguments::Arguments;
 pub use dimension::{Dimension, UNITS, unit};
+pub use drawing::Drawing;
 pub use geometry::{Frame, Owner, Point, Vector};
 pub use parts::{Part, Representation};
 pub use reduce::MergedJoint;
@@ -65,10 +66,8 @@ pub struct Model {
     pub merged: Vec<MergedJoint>,
     /// What the reduction did, in sentences.
     pub reductions: Vec<String>,
-    /// Points to draw.
-    pub points: Vec<(String, Vector)>,
-    /// Lines to draw: part, from, to.
-    pub segments: Vec<(String, usize, usize)>,
+    /// What an animation draws.
+    pub drawing: Drawing,
     /// Paths of the users' laws and the number of their arguments.
     pub laws: Vec<Law>,
 }

@@ -34,7 +34,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     check::massive(&mut resolver, &reduction);
     let guesses = placement::place(&mut resolver, &joints);
     let coordinates = reduction.coordinates(&mut resolver, &guesses);
-    let (points, segments) = resolver.drawing(&joints, &forces);
+    let drawing = resolver.drawing(&joints, &forces);
     let joints = joints
         .into_iter()
         .filter(|element| !reduction.dissolved(&element.name))
@@ -70,8 +70,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         reduction: reduction.substitution,
         merged: reduction.merged,
         reductions: reduction.sentences,
-        points,
-        segments,
+        drawing,
         laws,
     })
 }
@@ -261,6 +260,19 @@ impl<'d> Resolver<'d> {
         };
         self.silent = silent;
         self.states[index] = State::Done(value);
+    }
+
+    /// The points that have a name of their own and belong to this owner.
+    pub(super) fn declared_points(&self, owner: Owner) -> Vec<Point> {
+        let entries = self.declaration.entries.iter().zip(&self.states);
+        let points = entries.filter_map(|(entry, state)| match state {
+            State::Done(Some(Value::Point(point))) if point.owner == owner => Some(Point {
+                label: entry.name.to_string(),
+                ..point.clone()
+            }),
+            _ => None,
+        });
+        points.collect()
     }
 
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {

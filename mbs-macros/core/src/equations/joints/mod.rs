@@ -25,7 +25,7 @@ pub trait Joint: Debug {
     /// Its rows and reactions.
     fn equations(&self, graph: &mut Graph) -> JointEquations;
 
-    /// The points it holds.
+    /// The points it holds; its reaction acts on the last.
     fn points(&self) -> Vec<&Point> {
         Vec::new()
     }

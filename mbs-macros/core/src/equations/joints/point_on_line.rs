@@ -32,6 +32,6 @@ impl Joint for PointOnLine {
     }
 
     fn points(&self) -> Vec<&Point> {
-        vec![&self.point, &self.line]
+        vec![&self.line, &self.point]
     }
 }

@@ -1,10 +1,12 @@
 //! Diagrams and the animation of runs that are not as they should be: empty, still, with values that are not finite.
 
+mod browser;
+
 use mbs_examples::plot;
 use mbs_runtime::output::Frame;
 use mbs_runtime::output::csv::CsvWriter;
 use mbs_runtime::output::motion::write_motion;
-use mbs_runtime::{Coordinate, Energy, Model, Quantity, Segment, Structure, World};
+use mbs_runtime::{Coordinate, Energy, Model, Quantity, Reaction, Segment, Structure, World};
 use serde_json::Value;
 
 const MODEL: Model = Model {
@@ -38,7 +40,20 @@ const MODEL: Model = Model {
         from: 0,
         to: 1,
     }],
-    reactions: &[],
+    reactions: &[
+        Reaction {
+            joint: "pivot",
+            component: "fx",
+            unit: "N",
+            at: Some(0),
+        },
+        Reaction {
+            joint: "pivot",
+            component: "fy",
+            unit: "N",
+            at: Some(0),
+        },
+    ],
     reductions: &[],
     operations: &[],
     structure: Structure {
@@ -59,6 +74,7 @@ fn frame(time: f64, x: f64, kinetic: f64, error: f64) -> Frame {
         velocities: vec![-x],
         outputs: vec![0.1 * x],
         points: vec![[0.0; 3], [x, 0.5, 0.0]],
+        reactions: vec![10.0, x],
         energy: Energy {
             kinetic,
             potential: 0.0,
@@ -125,11 +141,12 @@ fn animations_hold_all_frames_or_a_selection_with_both_ends() {
     for frames in runs() {
         let data = data(&motion(&frames));
         let time = data["time"].as_array().expect("an array");
-        assert_eq!(
-            time.len(),
-            data["points"].as_array().expect("an array").len()
-        );
-        assert!(time.len() <= 1501 && time.len() >= frames.len().min(1000));
+        // What never changes is one number.
+        let columns = [&data["tracks"][1][0], &data["outputs"][0][2]];
+        for column in columns.into_iter().filter_map(Value::as_array) {
+            assert_eq!(column.len(), time.len());
+        }
+        assert!(time.len() <= 2001 && time.len() >= frames.len().min(1000));
         if let (Some(first), Some(last)) = (frames.first(), frames.last()) {
             let near = |value: &Value, wanted: f64| {
                 (value.as_f64().expect("a number") - wanted).abs() <= 1e-5 * last.time
@@ -177,4 +194,27 @@ fn tables_read_back_to_the_same_bits_and_show_where_a_run_stopped() {
         assert_eq!(cells[6].to_bits(), frame.energy.error.to_bits());
     }
     assert_eq!(lines[3], "# stopped at t = 0.1 s: two lines");
+}
+
+#[test]
+fn points_that_go_the_same_way_are_written_once() {
+    const TWO: Model = Model {
+        points: &["bar.a", "bar.b", "rod.a"],
+        ..MODEL
+    };
+    let frames: Vec<Frame> = (0..10)
+        .map(|i| {
+            let mut frame = frame(0.1 * f64::from(i), f64::from(i), 1.0, 0.0);
+            frame.points.push(frame.points[1]);
+            frame.points[2][0] += 1e-9;
+            frame
+        })
+        .collect();
+    let mut page = Vec::new();
+    write_motion(&mut page, &TWO, &frames, "", None).expect("a page");
+    let data = data(&String::from_utf8(page).expect("UTF-8"));
+    assert_eq!(data["track"], serde_json::json!([0, 1, 1]));
+    assert_eq!(data["tracks"][0], serde_json::json!([0, 0]));
+    assert_eq!(data["tracks"][1][1], 0.5);
+    assert_eq!(data["tracks"][1][0][9], 9);
 }

@@ -1,0 +1,71 @@
+//! A self-contained animation: `motion.html` with the recorded instants inside, no network.
+
+mod data;
+
+use std::io::{self, Write};
+
+use super::{Frame, json};
+use crate::Model;
+
+/// The page; its three markers are replaced by the style, the data and the program.
+const PAGE: &str = include_str!("page.html");
+const STYLE: &str = include_str!("style.css");
+
+/// The program: one scope, each file uses what those before it define.
+const PROGRAM: [&str; 5] = [
+    include_str!("record.js"),
+    include_str!("view.js"),
+    include_str!("scene.js"),
+    include_str!("charts.js"),
+    include_str!("controls.js"),
+];
+
+/// Writes the animation of `frames`.
+///
+/// `title` heads the page; `stopped` says why the run ended before its end, if it did.
+///
+/// # Errors
+/// `out` cannot be written.
+pub fn write_motion(
+    out: &mut impl Write,
+    model: &Model,
+    frames: &[Frame],
+    title: &str,
+    stopped: Option<&str>,
+) -> io::Result<()> {
+    let mut rest = PAGE;
+    let mut up_to = |out: &mut dyn Write, marker: &str| {
+        let (head, tail) = rest.split_once(marker).unwrap_or((rest, ""));
+        rest = tail;
+        out.write_all(head.as_bytes())
+    };
+    up_to(out, "/*STYLE*/")?;
+    out.write_all(STYLE.as_bytes())?;
+    up_to(out, "/*DATA*/")?;
+    data::write(out, model, frames, title, stopped)?;
+    up_to(out, "/*PROGRAM*/")?;
+    for file in PROGRAM {
+        out.write_all(file.as_bytes())?;
+    }
+    out.write_all(rest.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PAGE, PROGRAM, STYLE};
+
+    #[test]
+    fn the_page_has_its_markers_in_order() {
+        let places = ["/*STYLE*/", "/*DATA*/", "/*PROGRAM*/"].map(|marker| PAGE.find(marker));
+        assert!(places.is_sorted() && places.iter().all(Option::is_some));
+    }
+
+    #[test]
+    fn the_page_is_small_and_asks_for_nothing() {
+        let text = [&[PAGE, STYLE], &PROGRAM[..]].concat().concat();
+        assert!(text.len() < 100_000, "{} bytes", text.len());
+        for address in ["http:", "https:", "url(", "@import", "import(", "fetch("] {
+            assert!(!text.contains(address), "{address}");
+        }
+    }
+}
