@@ -23,6 +23,7 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let (guess, mut v) = system.guess();
     check_finite("guess of a coordinate", &guess)?;
     check_finite("guess of a velocity", &v)?;
+    let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
     let size = largest(&guess).max(1.0);
@@ -61,6 +62,12 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     check_finite("a multiplier", &state.multipliers)?;
     check_finite("a change of a multiplier", &state.multiplier_changes)?;
     let q = &state.positions;
+    let unit = unit_rotations(system, q)?;
+    for (given, unit) in q.iter().zip(unit) {
+        if (given - unit).abs() > 1e-6 {
+            return Err(not_unit(given / unit));
+        }
+    }
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
     let mut node = Node::new(system, q).map_err(fault)?;
     let mut phi = [0.0; R];
@@ -182,6 +189,25 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         let mut multiplier = rates.map(|rate| -rate);
         solver.solve(&mut multiplier);
         accumulate(v, &node.w, &multiplier);
+    }
+}
+
+/// q with unit quaternions; refused where one is zero.
+fn unit_rotations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    q: &[f64; Q],
+) -> Result<[f64; Q], SimulationError> {
+    let unit = system.advance(q, &[0.0; N], 0.0);
+    match unit.iter().all(|value| value.is_finite()) {
+        true => Ok(unit),
+        false => Err(not_unit(0.0)),
+    }
+}
+
+fn not_unit(value: f64) -> SimulationError {
+    SimulationError::State {
+        what: "length of a unit quaternion",
+        value,
     }
 }
 

@@ -13,7 +13,7 @@ use super::core::Core;
 use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
-use crate::flow::{Implicit, imperceptible, trapezoid};
+use crate::flow::{Implicit, imperceptible, transport, trapezoid};
 use crate::linear::{Dual, Matrix, Pivoted, accumulate, clear, dot, largest};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
@@ -111,20 +111,25 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             let residual = residual_of(&defect, &weights);
             let slow = !(residual < 1e-2 * last || residual <= 1.0);
             if !last_change.is_finite() || slow || self.solver.is_stale() {
-                self.solver.refresh(system, &q, &vb)?;
-                if !self.factor(system, end, &mut work.dual) {
+                self.solver.refresh(system, &q, &v0, &vb)?;
+                let turn = std::array::from_fn(|i| 0.5 * h * (v0[i] + vb[i]));
+                if !self.factor(system, end, &turn, &mut work.dual) {
                     return Ok(Outcome::Lost);
                 }
                 counters.regularised += u64::from(work.dual.regularised);
             }
             self.solver.jacobian.solve(&mut change);
+            let mut moved = [change];
+            if !S::ROTATIONS.is_empty() {
+                let turn = std::array::from_fn(|i| 0.5 * h * (v0[i] + vb[i]));
+                transport::<S, Q, N, R>(&turn, &mut moved);
+            }
             let mut multiplier: [f64; R] = std::array::from_fn(|i| {
-                let rate = if i < holonomic {
-                    2.0 / h * defect[i]
+                if i < holonomic {
+                    -2.0 / h * defect[i] - dot(&end.a[i], &moved[0])
                 } else {
-                    defect[i]
-                };
-                -rate - dot(&end.a[i], &change)
+                    -defect[i] - dot(&end.a[i], &change)
+                }
             });
             work.dual.solve(&mut multiplier);
             accumulate(&mut change, &self.along_mean, &multiplier);
@@ -173,6 +178,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         &mut self,
         system: &S,
         end: &Node<S, Q, N, R>,
+        turn: &[f64; N],
         dual: &mut Dual<R>,
     ) -> bool {
         let lengths = self.factor_end(system, end, Along::Position);
@@ -181,9 +187,28 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             self.solver.jacobian.solve(&mut self.along_mean[i]);
         }
         system.gram(&end.a, &self.along_mean, &mut self.metric);
+        if !S::ROTATIONS.is_empty() {
+            self.turn_holonomic(system, end, turn);
+        }
         dual.factor(&self.metric, &lengths);
         self.end_dual.regularised
             || dual.smallest_pivot(&lengths) >= LOST * self.end_dual.smallest_pivot(&lengths)
+    }
+
+    /// Makes A₁TJ⁻¹½(A₀ + A₁)ᵀ of the holonomic rows: velocities reach positions through the tangent of ⊕.
+    fn turn_holonomic<S: System<Q, N, R>>(
+        &mut self,
+        system: &S,
+        end: &Node<S, Q, N, R>,
+        turn: &[f64; N],
+    ) {
+        let plain = *self.metric;
+        *self.along_end = *self.along_mean;
+        transport::<S, Q, N, R>(turn, &mut *self.along_end);
+        system.gram(&end.a, &self.along_end, &mut self.metric);
+        for i in S::STRUCTURE.holonomic_rows..R {
+            self.metric[i] = plain[i];
+        }
     }
 
     /// Factors A₁J⁻¹A₁ᵀ, J taken as `along` tells, and returns its diagonal.

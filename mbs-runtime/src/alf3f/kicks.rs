@@ -61,7 +61,7 @@ where
     let rate = 1.0 / h;
     let weak_start = work.symmetric.weak;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    let mut matrix = if F::DIRECT && !weak_start {
+    let mut matrix = if flow.is_direct() && !weak_start {
         Matrix::Start
     } else {
         Matrix::None

@@ -22,7 +22,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
 
 /// The flow and its workspace.
 enum Stepping<const Q: usize, const N: usize, const R: usize> {
-    Leapfrog(Leapfrog<Q, N>),
+    Leapfrog(Leapfrog<Q, N, R>),
     Trapezoid(Box<Trapezoid<Q, N, R>>),
     /// The second is for steps near singular poses.
     Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
@@ -76,7 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         Ok(TwoLevelStepper {
             core,
             flow: match flow {
-                Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new()),
+                Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new::<S>()),
                 Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
                 Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
             },

@@ -1,5 +1,6 @@
 //! Newton's method for the end of an implicit trapezoid: p(q₁, v_b) − h/2 F(q₁, v_b) = known, q₁ = q₀ ⊕ h/2 (v_a + v_b).
 
+use super::group::pull_back;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::linear::{Matrix, Pivoted, clear, largest};
@@ -38,9 +39,11 @@ pub(crate) struct Implicit<const N: usize> {
     pub(crate) known: [f64; N],
     /// J, factored.
     pub(crate) jacobian: Pivoted<N>,
-    pub(crate) f_q: Matrix<N, N>,
+    /// (∂p/∂q − h/2 ∂F/∂q) T, with the tangent T of ⊕.
+    pub(crate) by_end: Matrix<N, N>,
+    f_q: Matrix<N, N>,
     f_v: Matrix<N, N>,
-    pub(crate) p_q: Matrix<N, N>,
+    p_q: Matrix<N, N>,
     mass: Matrix<N, N>,
     force: [f64; N],
     momentum: [f64; N],
@@ -55,6 +58,7 @@ impl<const N: usize> Implicit<N> {
             t1: 0.0,
             known: [0.0; N],
             jacobian: Pivoted::new(),
+            by_end: clear(),
             f_q: clear(),
             f_v: clear(),
             p_q: clear(),
@@ -119,21 +123,30 @@ impl<const N: usize> Implicit<N> {
         std::array::from_fn(|i| self.known[i] - self.momentum[i] + 0.5 * self.h * self.force[i])
     }
 
-    /// J at (q₁, v_b), factored.
+    /// J at (q₁, v_b) after a step that began with v_a, factored.
     pub(crate) fn refresh<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
         q1: &[f64; Q],
+        va: &[f64; N],
         vb: &[f64; N],
     ) -> Result<(), Fault> {
         let h = self.h;
         system.mass_matrix(q1, &mut self.mass);
         system.force_tangents(self.t1, q1, vb, &mut self.f_q, &mut self.f_v, &mut self.p_q);
+        for i in 0..N {
+            for j in 0..N {
+                self.by_end[i][j] = self.p_q[i][j] - 0.5 * h * self.f_q[i][j];
+            }
+        }
+        if !S::ROTATIONS.is_empty() {
+            let turn = std::array::from_fn(|i| 0.5 * h * (va[i] + vb[i]));
+            pull_back::<S, Q, N, R>(&turn, &mut self.by_end);
+        }
         let mut jacobian = *self.mass;
         for i in 0..N {
             for j in 0..N {
-                let rate = self.p_q[i][j] - self.f_v[i][j] - 0.5 * h * self.f_q[i][j];
-                jacobian[i][j] += 0.5 * h * rate;
+                jacobian[i][j] += 0.5 * h * (self.by_end[i][j] - self.f_v[i][j]);
             }
         }
         self.current = self.jacobian.factor(&jacobian);
@@ -173,7 +186,7 @@ impl<const N: usize> Implicit<N> {
             let mut change = self.defect(system, &q1, vb);
             let fresh = !self.current;
             if fresh {
-                self.refresh(system, &q1, vb)?;
+                self.refresh(system, &q1, va, vb)?;
             }
             self.jacobian.solve(&mut change);
             for i in 0..N {

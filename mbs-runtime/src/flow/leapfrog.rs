@@ -1,47 +1,46 @@
 //! Leapfrog (velocity Verlet): constant mass, forces of position and time.
 //!
 //! q₁ = q₀ + h v_a + h²/2 a₀,  v_b = v_a + h/2 (a₀ + a₁): one force evaluation a step, shared by its neighbours. With
-//! rotations the drift is the free flight of the bodies, v ← v_a + h/2 a₀, (q₁, v) ← flight, v_b = v + h/2 a₁.
+//! rotations the drift is the free flight of the bodies: v = v_a + h/2 a₀, (q₁, v) ← flight, v_b = v + h/2 a₁.
 
 use super::KickFlow;
+use super::drift::Drift;
 use crate::System;
 use crate::alf3f::{Fault, Node};
 
-pub(crate) struct Leapfrog<const Q: usize, const N: usize> {
+pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t1: f64,
-    /// q₀ + h²/2 a₀; with rotations q₀.
+    /// q₀ + h²/2 a₀, where there are no rotations.
     base: [f64; Q],
     /// h/2 a₀.
     half_kick: [f64; N],
-    /// Velocities after the free flight.
-    flown: [f64; N],
+    /// `None` without rotations.
+    drift: Option<Box<Drift<Q, N, R>>>,
 }
 
-impl<const Q: usize, const N: usize> Leapfrog<Q, N> {
-    pub(crate) fn new() -> Self {
+impl<const Q: usize, const N: usize, const R: usize> Leapfrog<Q, N, R> {
+    pub(crate) fn new<S: System<Q, N, R>>() -> Self {
         Leapfrog {
             h: 0.0,
             t1: 0.0,
             base: [0.0; Q],
             half_kick: [0.0; N],
-            flown: [0.0; N],
+            drift: (!S::ROTATIONS.is_empty()).then(Drift::new),
         }
     }
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
-    for Leapfrog<Q, N>
+    for Leapfrog<Q, N, R>
 {
-    const DIRECT: bool = true;
-
     #[inline(always)]
     fn begin(
         &mut self,
         _: &S,
         t: f64,
         q: &[f64; Q],
-        _: &[f64; N],
+        va: &[f64; N],
         start: &Node<S, Q, N, R>,
         h: f64,
     ) {
@@ -54,9 +53,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             for i in 0..N {
                 self.base[i] = q[i] + h * self.half_kick[i];
             }
-        } else {
-            self.base = *q;
+        } else if let Some(drift) = &mut self.drift {
+            drift.begin::<S>(q, va, h);
         }
+    }
+
+    #[inline(always)]
+    fn is_direct(&self) -> bool {
+        S::ROTATIONS.is_empty() || self.drift.as_ref().is_some_and(|drift| !drift.swift)
     }
 
     #[inline(always)]
@@ -65,10 +69,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             for i in 0..N {
                 q[i] = self.base[i] + self.h * va[i];
             }
-        } else {
-            *q = self.base;
-            self.flown = std::array::from_fn(|i| va[i] + self.half_kick[i]);
-            system.free_flight(q, &mut self.flown, self.h);
+        } else if let Some(drift) = &mut self.drift {
+            *q = drift.fly(system, std::array::from_fn(|i| va[i] + self.half_kick[i]));
         }
         Ok(())
     }
@@ -76,17 +78,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     #[inline(always)]
     fn directions<'a>(
         &'a mut self,
-        _: &S,
+        system: &S,
         _: &[f64; N],
         w0: &'a [[f64; N]; R],
     ) -> Result<&'a [[f64; N]; R], Fault> {
-        Ok(w0)
+        match &mut self.drift {
+            Some(drift) if !S::ROTATIONS.is_empty() => Ok(drift.directions(system, w0)),
+            _ => Ok(w0),
+        }
     }
 
     /// Leaves out h²/2 of the force gradient, which only slows the iteration a little.
     #[inline(always)]
     fn far<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
-        w0
+        match &self.drift {
+            Some(drift) if !S::ROTATIONS.is_empty() => &drift.far,
+            _ => w0,
+        }
     }
 
     #[inline(always)]
@@ -101,12 +109,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         end: &mut Node<S, Q, N, R>,
     ) -> [f64; N] {
         system.acceleration(self.t1, q1, &mut end.acceleration);
-        if S::ROTATIONS.is_empty() {
-            std::array::from_fn(|i| {
+        match &self.drift {
+            Some(drift) if !S::ROTATIONS.is_empty() => {
+                std::array::from_fn(|i| drift.velocities()[i] + 0.5 * self.h * end.acceleration[i])
+            }
+            _ => std::array::from_fn(|i| {
                 va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i])
-            })
-        } else {
-            std::array::from_fn(|i| self.flown[i] + 0.5 * self.h * end.acceleration[i])
+            }),
         }
     }
 }

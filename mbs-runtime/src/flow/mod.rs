@@ -1,11 +1,14 @@
 //! Symmetric second-order flows without constraints, (q₁, v_b) = Φ_h(q₀, v_a).
 
 mod choice;
+mod drift;
+mod group;
 mod implicit;
 mod leapfrog;
 mod trapezoid;
 
 pub(crate) use choice::choose;
+pub(crate) use group::transport;
 pub(crate) use implicit::{Implicit, imperceptible, trapezoid};
 pub(crate) use leapfrog::Leapfrog;
 pub(crate) use trapezoid::Trapezoid;
@@ -15,8 +18,6 @@ use crate::alf3f::{Fault, Node};
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
-    /// Whether ∂q₁/∂v_a is h I, so that B = A₁M⁻¹A₀ᵀ differs from A₀M⁻¹A₀ᵀ by O(h).
-    const DIRECT: bool;
     /// Begins a step of h from q₀ at t₀, where `va` is the first guess of the kicked velocity.
     fn begin(
         &mut self,
@@ -27,6 +28,8 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
         start: &Node<S, Q, N, R>,
         h: f64,
     );
+    /// Whether ∂q₁/∂v_a is h I, or hardly differs, so that B is close to A₀M⁻¹A₀ᵀ.
+    fn is_direct(&self) -> bool;
     /// q₁ for the kicked velocity v_a.
     fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault>;
     /// Row by row (∂q₁/∂v_a) w / h for the rows w of `w0`.

@@ -1,15 +1,16 @@
 //! Implicit trapezoid in momentum form: M(q), and forces that are stiff in the positions.
 //!
 //! ```text
-//! G = p(q₁, v_b) − p(q₀, v_a) − h/2 (F(q₀, v_a) + F(q₁, v_b)) = 0,    q₁ = q₀ + h/2 (v_a + v_b)
-//! J =  ∂G/∂v_b = M₁ + h/2 p_q₁ − h/2 F_v₁ − h²/4 F_q₁
-//! K = −∂G/∂v_a = M₀ − h/2 p_q₁ + h/2 F_v₀ + h²/4 F_q₁
+//! G = p(q₁, v_b) − p(q₀, v_a) − h/2 (F(q₀, v_a) + F(q₁, v_b)) = 0,    q₁ = q₀ ⊕ h/2 (v_a + v_b)
+//! J =  ∂G/∂v_b = M₁ + h/2 (p_q₁ − h/2 F_q₁) T − h/2 F_v₁
+//! K = −∂G/∂v_a = M₀ − h/2 (p_q₁ − h/2 F_q₁) T + h/2 F_v₀
 //! ```
 //!
-//! F = f + ∂T/∂q holds the affinities. The tangent ∂q₁/∂v_a = h/2 (I + J⁻¹K) is what the multipliers of the first kick
+//! F = f + ∂T/∂q holds the affinities; T, the tangent of ⊕, is I but for rotations. ∂q₁/∂v_a = h/2 T (I + J⁻¹K) is what the multipliers of the first kick
 //! act through; h I in its place fails beside stiff springs.
 
 use super::KickFlow;
+use super::group::transport;
 use super::implicit::Implicit;
 use crate::System;
 use crate::alf3f::{Fault, Node};
@@ -19,6 +20,7 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t0: f64,
     q0: [f64; Q],
+    q1: [f64; Q],
     vb: [f64; N],
     solver: Implicit<N>,
     tangents: Tangents<N>,
@@ -41,6 +43,7 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
             h: 0.0,
             t0: 0.0,
             q0: [0.0; Q],
+            q1: [0.0; Q],
             vb: [0.0; N],
             solver: Implicit::new(),
             tangents: Tangents {
@@ -56,16 +59,19 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
     for Trapezoid<Q, N, R>
 {
-    const DIRECT: bool = false;
-
     fn begin(&mut self, _: &S, t: f64, q: &[f64; Q], va: &[f64; N], _: &Node<S, Q, N, R>, h: f64) {
         (self.h, self.t0, self.q0, self.vb) = (h, t, *q, *va);
         self.solver.begin(t + h, h);
     }
 
+    fn is_direct(&self) -> bool {
+        false
+    }
+
     fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
         self.solver.impulse(system, self.t0, &self.q0, va);
         *q = self.solver.solve(system, &self.q0, va, &mut self.vb)?;
+        self.q1 = *q;
         Ok(())
     }
 
@@ -76,6 +82,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         w0: &'a [[f64; N]; R],
     ) -> Result<&'a [[f64; N]; R], Fault> {
         let h = self.h;
+        // The tangent is that of the end, and what is factored for it begins the next iteration.
+        self.solver.refresh(system, &self.q1, va, &self.vb)?;
         let Tangents { mass, f_v } = &mut self.tangents;
         system.mass_matrix(&self.q0, mass);
         self.solver
@@ -86,14 +94,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             for i in 0..N {
                 let mut sum = 0.0;
                 for j in 0..N {
-                    let end = 0.5 * h * self.solver.f_q[i][j] - self.solver.p_q[i][j];
-                    sum += (mass[i][j] + 0.5 * h * (f_v[i][j] + end)) * w[j];
+                    let change = f_v[i][j] - self.solver.by_end[i][j];
+                    sum += (mass[i][j] + 0.5 * h * change) * w[j];
                 }
                 far[i] = sum;
             }
             self.solver.jacobian.solve(&mut far);
             self.far[r] = far;
             self.directions[r] = std::array::from_fn(|i| 0.5 * (w[i] + far[i]));
+        }
+        if !S::ROTATIONS.is_empty() {
+            let turn = std::array::from_fn(|i| 0.5 * h * (va[i] + self.vb[i]));
+            transport::<S, Q, N, R>(&turn, &mut *self.directions);
         }
         Ok(&self.directions)
     }

@@ -2,8 +2,11 @@
 #![allow(dead_code)]
 
 pub mod alloc;
+pub mod bricard;
 pub mod planar;
 pub mod scenes;
+pub mod space;
+pub mod spatial;
 
 use mbs_runtime::generated::{Spin, rotation_between, turned};
 use mbs_runtime::{

@@ -1,0 +1,96 @@
+//! Free flight between the kicks of leapfrog, and how it passes kicks on.
+
+use crate::System;
+use crate::linear::{Matrix, clear};
+
+/// Angle that a body turns in a step, rad, above which the factors of A₀M⁻¹A₀ᵀ are not worth trying: they take a kick to
+/// act unturned, and are wrong by half the angle.
+const SWIFT: f64 = 0.05;
+/// Change of the angle of a step by which the tangent of the flight is taken, rad: round-off leaves seven digits.
+const DIFFERENCE: f64 = 1e-8;
+
+pub(crate) struct Drift<const Q: usize, const N: usize, const R: usize> {
+    h: f64,
+    /// q and v before the flight, and after it.
+    start: ([f64; Q], [f64; N]),
+    end: ([f64; Q], [f64; N]),
+    /// Whether a body turns fast.
+    pub(super) swift: bool,
+    /// (∂q₁/∂v_a) w / h, row by row.
+    directions: Matrix<R, N>,
+    /// (∂v_b/∂v_a) w, row by row.
+    pub(super) far: Matrix<R, N>,
+}
+
+impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
+    #[inline(never)]
+    pub(super) fn new() -> Box<Self> {
+        Box::new(Drift {
+            h: 0.0,
+            start: ([0.0; Q], [0.0; N]),
+            end: ([0.0; Q], [0.0; N]),
+            swift: false,
+            directions: clear(),
+            far: clear(),
+        })
+    }
+
+    pub(super) fn begin<S: System<Q, N, R>>(&mut self, q: &[f64; Q], va: &[f64; N], h: f64) {
+        (self.start.0, self.h) = (*q, h);
+        let square = |&i: &usize| va[i] * va[i] + va[i + 1] * va[i + 1] + va[i + 2] * va[i + 2];
+        let most = S::ROTATIONS.iter().map(square).fold(0.0, f64::max);
+        self.swift = h * h * most > SWIFT * SWIFT;
+    }
+
+    /// Flies with `v` and returns q₁.
+    #[inline]
+    pub(super) fn fly<S: System<Q, N, R>>(&mut self, system: &S, v: [f64; N]) -> [f64; Q] {
+        self.start.1 = v;
+        self.end = self.start;
+        system.free_flight(&mut self.end.0, &mut self.end.1, self.h);
+        self.end.0
+    }
+
+    /// v after the flight.
+    #[inline(always)]
+    pub(super) fn velocities(&self) -> &[f64; N] {
+        &self.end.1
+    }
+
+    /// The rows `w0` after the last flight. Bodies fly by themselves, so that three more flights, each with one component
+    /// of all angular velocities changed, give the tangents of all.
+    pub(super) fn directions<S: System<Q, N, R>>(
+        &mut self,
+        system: &S,
+        w0: &[[f64; N]; R],
+    ) -> &[[f64; N]; R] {
+        *self.directions = *w0;
+        *self.far = *w0;
+        for rows in [&mut self.directions, &mut self.far] {
+            for row in rows.iter_mut() {
+                for &i in S::ROTATIONS {
+                    row[i..i + 3].fill(0.0);
+                }
+            }
+        }
+        let step = DIFFERENCE / self.h;
+        for k in 0..3 {
+            let (mut q, mut v) = self.start;
+            for &i in S::ROTATIONS {
+                v[i + k] += step;
+            }
+            system.free_flight(&mut q, &mut v, self.h);
+            let turn = system.difference(&self.end.0, &q);
+            for &i in S::ROTATIONS {
+                for j in i..i + 3 {
+                    let (turn, change) = (turn[j] / DIFFERENCE, (v[j] - self.end.1[j]) / step);
+                    for r in 0..R {
+                        self.directions[r][j] += turn * w0[r][i + k];
+                        self.far[r][j] += change * w0[r][i + k];
+                    }
+                }
+            }
+        }
+        &self.directions
+    }
+}

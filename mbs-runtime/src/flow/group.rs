@@ -1,0 +1,90 @@
+//! How ⊕ passes changes on where rotations turn by finite angles.
+//!
+//! A change δθ of the rotation vector θ (body axes) turns the end of q ∘ exp(θ/2) by T(θ) δθ, in the body axes there:
+//!
+//! ```text
+//! T(θ) = I − (1 − cos θ)/θ² θ̂ + (θ − sin θ)/θ³ θ̂²
+//! ```
+
+use crate::System;
+
+/// T(θ).
+pub(crate) fn right_tangent([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+    let square = x * x + y * y + z * z;
+    // Below, the first neglected terms of the series are round-off.
+    let (b, c) = if square < 1e-2 {
+        let b = 0.5 - square * (1.0 / 24.0 - square * (1.0 / 720.0 - square / 40_320.0));
+        let c = 1.0 / 6.0 - square * (1.0 / 120.0 - square * (1.0 / 5_040.0 - square / 362_880.0));
+        (b, c)
+    } else {
+        let angle = square.sqrt();
+        (
+            (1.0 - angle.cos()) / square,
+            (angle - angle.sin()) / (square * angle),
+        )
+    };
+    let d = 1.0 - c * square;
+    [
+        [d + c * x * x, c * x * y + b * z, c * x * z - b * y],
+        [c * x * y - b * z, d + c * y * y, c * y * z + b * x],
+        [c * x * z + b * y, c * y * z - b * x, d + c * z * z],
+    ]
+}
+
+/// x ← T(θ) x for each x, where `turn` holds the θ of all rotations (and anything for translations).
+pub(crate) fn transport<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    turn: &[f64; N],
+    vectors: &mut [[f64; N]],
+) {
+    for &i in S::ROTATIONS {
+        let tangent = right_tangent([turn[i], turn[i + 1], turn[i + 2]]);
+        for x in &mut *vectors {
+            let own = [x[i], x[i + 1], x[i + 2]];
+            for k in 0..3 {
+                x[i + k] = crate::linear::dot(&tangent[k], &own);
+            }
+        }
+    }
+}
+
+/// m ← m T(θ): derivatives with respect to the end become derivatives with respect to θ.
+pub(crate) fn pull_back<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    turn: &[f64; N],
+    matrix: &mut [[f64; N]; N],
+) {
+    for &i in S::ROTATIONS {
+        let tangent = right_tangent([turn[i], turn[i + 1], turn[i + 2]]);
+        for row in &mut *matrix {
+            let own = [row[i], row[i + 1], row[i + 2]];
+            for k in 0..3 {
+                row[i + k] = (0..3).map(|j| own[j] * tangent[j][k]).sum();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::right_tangent;
+    use crate::generated::{rotation_between, turned};
+
+    #[test]
+    fn the_tangent_is_that_of_turns() {
+        let q = [0.5, -0.5, 0.5, 0.5];
+        for size in [1e-3, 0.09, 0.11, 2.0] {
+            let theta = [0.6 * size, -0.48 * size, 0.64 * size];
+            let tangent = right_tangent(theta);
+            for j in 0..3 {
+                let end = |e: f64| {
+                    let mut theta = theta;
+                    theta[j] += e;
+                    turned(q, theta, 1.0)
+                };
+                let slope = rotation_between(end(-1e-5), end(1e-5)).map(|x| x / 2e-5);
+                for i in 0..3 {
+                    assert!((tangent[i][j] - slope[i]).abs() < 1e-9, "{size} {i} {j}");
+                }
+            }
+        }
+    }
+}
