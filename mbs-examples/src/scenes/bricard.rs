@@ -13,7 +13,7 @@ use mbs_runtime::{Mechanism, mechanism};
 
 mechanism!(Bricard {
     doc: "Five rods in a ring with the ground, six revolutes about X, Y and Z: overconstrained and movable.",
-    world: Spatial(gravity = [0.0, -9.81_m_per_s2, 0.0]),
+    world: Spatial(gravity = [0.0, -9.81_m_per_s2, 0.0], coordinates = Joint),
 
     /// Length of each rod.
     side: Param(1.0_m),

@@ -3,7 +3,7 @@
 use crate::derivatives::{self, Derived};
 use crate::diagnostics::{Errors, Failure};
 use crate::mobility::{self, Mobility};
-use crate::model::{self, Model};
+use crate::model::{self, Formulation, Model};
 use crate::syntax::{self, Declaration};
 use crate::{dag, emit, equations};
 use proc_macro2::TokenStream;
@@ -65,7 +65,8 @@ pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Fa
     };
 
     let mut errors = Errors::new();
-    let model = model::resolve(&declaration, &mut errors);
+    let formulation = model::requested(&declaration, &mut errors).unwrap_or(Formulation::Natural);
+    let model = model::resolve(&declaration, formulation, &mut errors);
     if let Err(failure) = errors.stop_if_any() {
         return (Some(declaration), Err(failure));
     }

@@ -17,7 +17,7 @@ mod constraints;
 mod inverse_mass;
 mod tangents;
 
-use crate::equations::System;
+use crate::equations::{System, inertia};
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
@@ -72,8 +72,14 @@ pub fn derive(mut system: System) -> Derived {
         .mass
         .values()
         .any(|&entry| graph.depends_on(entry, is_state));
-    let momentum = affinities::momentum(graph, size, &system.mass);
-    let kinetic = affinities::kinetic(graph, &momentum);
+    let (momentum, kinetic) = match system.kinetic {
+        Some(kinetic) => (inertia::momentum_of(graph, size, kinetic), kinetic),
+        None => {
+            let momentum = affinities::momentum(graph, size, &system.mass);
+            let kinetic = affinities::kinetic(graph, &momentum);
+            (momentum, kinetic)
+        }
+    };
     let mut affinities = affinities::christoffel(graph, size, &system.mass);
     affinities::gyroscopic(
         graph,
@@ -81,9 +87,21 @@ pub fn derive(mut system: System) -> Derived {
         &system.mass,
         &mut affinities,
     );
-    let mut inertial: Vec<Expr> = (0..size as u32)
-        .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
-        .collect();
+    let mut inertial: Vec<Expr> = vec![graph.zero(); size];
+    match system.kinetic {
+        Some(_) => {
+            for (symbol, slope) in graph.gradient(kinetic) {
+                if let Symbol::Coordinate(j) = symbol {
+                    inertial[j as usize] = slope;
+                }
+            }
+        }
+        None => {
+            for (j, slope) in inertial.iter_mut().enumerate() {
+                *slope = graph.derivative(kinetic, Symbol::Coordinate(j as u32));
+            }
+        }
+    }
     affinities::turning_momentum(graph, &system.layout.rotations, &momentum, &mut inertial);
     let total_forces: Vec<Expr> = system
         .forces

@@ -5,6 +5,7 @@ use super::geometry::{Axes, Owner, Point, Vector};
 use super::parts::{Home, Part, Representation};
 use super::placement::Guesses;
 use super::resolve::Resolver;
+use super::tree::{Tree, TreeJoint};
 use crate::symbolic::{Evaluator, Expr, Function, Graph, Symbol};
 
 impl Resolver<'_> {
@@ -40,11 +41,14 @@ impl Resolver<'_> {
 
 /// The home pose as initial guess. Velocities that were not declared are carried along the joints from the ground
 /// outwards; what stays unknown starts at rest, and assembly has the last word.
-pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guesses {
+pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement], tree: &Tree) -> Guesses {
     let mut guesses = Guesses::default();
     let parts = resolver.parts.clone();
     let speeds = origin_velocities(resolver, &parts, joints);
     let zero = resolver.graph.zero();
+    for joint in &tree.joints {
+        joint_guess(resolver, &parts, &speeds, joint, &mut guesses);
+    }
     for (part, speed) in parts.iter().zip(speeds) {
         let Some(home) = part.home else {
             let (value, rate) = (
@@ -85,6 +89,66 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guess
         }
     }
     guesses
+}
+
+/// The coordinates and rates of a joint of the tree in the home pose.
+fn joint_guess(
+    resolver: &mut Resolver,
+    parts: &[Part],
+    speeds: &[Vector],
+    joint: &TreeJoint,
+    guesses: &mut Guesses,
+) {
+    let zero = resolver.graph.zero_vector();
+    // Frame, velocity of its origin, and angular velocity, in the ground's axes.
+    let mut sides = [&joint.link.parent, &joint.link.child].map(|side| {
+        let owner = side.point.owner;
+        let home = resolver.home(owner);
+        let (speed, spin) = match owner {
+            Owner::Ground => (zero, zero),
+            Owner::Part(part) => (speeds[part], parts[part].guess.spin.unwrap_or(zero)),
+        };
+        let graph = &mut resolver.graph;
+        let arm = graph.turn(&home.axes, side.point.local);
+        let swing = graph.cross(spin, arm);
+        (
+            graph.vector_add(home.origin, arm),
+            graph.compose(&home.axes, &side.local),
+            graph.vector_add(speed, swing),
+            spin,
+        )
+    });
+    let child = sides[1];
+    let parent = &mut sides[0];
+    // What is zero but for rounding is zero.
+    let settle = |resolver: &mut Resolver, x: Expr| match resolver.by_default(x).abs() < 1e-12 {
+        true => resolver.graph.zero(),
+        false => x,
+    };
+    if let Some(local) = joint.angle {
+        let graph = &mut resolver.graph;
+        let (sin, cos) = (
+            graph.dot(parent.1[1], child.1[0]),
+            graph.dot(parent.1[0], child.1[0]),
+        );
+        let angle = graph.atan2(sin, cos);
+        let relative = graph.vector_sub(child.3, parent.3);
+        let rate = graph.dot(parent.1[2], relative);
+        let angle = settle(resolver, angle);
+        guesses.set(local, angle, rate);
+    }
+    for (&axis, &local) in joint.link.slides.iter().zip(&joint.strokes) {
+        let graph = &mut resolver.graph;
+        let gap = graph.vector_sub(child.0, parent.0);
+        let stroke = graph.dot(parent.1[axis], gap);
+        // The axis turns with the parent.
+        let swing = graph.cross(parent.3, gap);
+        let relative = graph.vector_sub(child.2, parent.2);
+        let relative = graph.vector_sub(relative, swing);
+        let speed = graph.dot(parent.1[axis], relative);
+        let stroke = settle(resolver, stroke);
+        guesses.set(local, stroke, speed);
+    }
 }
 
 /// The velocity of the origin of each part.
