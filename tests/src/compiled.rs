@@ -102,9 +102,9 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     let mut points = vec![[f64::NAN; 3]; model.points.len()];
     system.points(t, q, &mut points);
     for (i, point) in points.iter().enumerate() {
-        assert_eq!(point[2], 0.0, "planar");
-        table.insert(("points", "points", [i, 0, 0]), point[0]);
-        table.insert(("points", "points", [i, 1, 0]), point[1]);
+        for (axis, &x) in point.iter().enumerate() {
+            table.insert(("points", "points", [i, axis, 0]), x);
+        }
     }
     let mut reactions = vec![f64::NAN; model.reactions.len()];
     system.reactions(t, q, v, acceleration, lambda, &mut reactions);

@@ -354,12 +354,28 @@ fn inertia<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let size = slopes
         .iter()
         .fold(0.0, |size: f64, (_, other)| size.max(*other));
+    // (p × ω)_i of a rotation is Σ M_bj v_j ω_k with (i, b, k) an even permutation, less the same with an odd one.
+    let turning = |i: usize, j: usize, k: usize| {
+        let first = S::ROTATIONS
+            .iter()
+            .find(|&&first| (first..first + 3).contains(&i) && (first..first + 3).contains(&k));
+        first.map_or(0.0, |&first| {
+            let (a, c) = (i - first, k - first);
+            if a == c {
+                return 0.0;
+            }
+            let b = 3 - a - c;
+            let sign = if (a + 1) % 3 == b { 1.0 } else { -1.0 };
+            sign * mass[(first + b) * N + j]
+        })
+    };
     for i in 0..N {
         for j in 0..N {
             let expected: Vec<f64> = (0..N)
                 .map(|k| {
                     let slope = |i: usize, j: usize, k: usize| slopes[k].0[i * N + j];
                     0.5 * (slope(i, j, k) + slope(i, k, j) - slope(j, k, i))
+                        - 0.5 * (turning(i, j, k) + turning(i, k, j))
                 })
                 .collect();
             let what = format!("affinities[{i}][{j}]");

@@ -273,3 +273,147 @@ mechanism!(Functions {
     out: Output(rate(half * above)),
     crossing: Event(x - y),
 });
+
+mechanism!(Workshop {
+    doc: "Every joint and force of space, in one machine that nobody would build.",
+    world: Spatial(gravity = [0.3_m_per_s2, -0.2, -9.6]),
+
+    span: Param(0.4_m),
+    load: Param(1.5_kg),
+    stiff: Param(300.0_N_per_m),
+    push: Input(2.0_N),
+    twist: Coordinate(0.3, rate = 0.2),
+
+    table: Body(
+        mass = 4.0 * load,
+        inertia = Cuboid(span, 0.3_m, 0.1_m),
+        center_of_mass = [0.02, 0.01, 0.03],
+        at = [0.1, 0.2, 0.3],
+        orientation = [turn(Z, 0.3), turn([1.0, 2.0, 0.5], 0.4)],
+        velocity = [0.1_m_per_s, 0.0, 0.2],
+        angular_velocity = [0.3_rad_per_s, 0.1, 0.5],
+    ),
+    spindle: Bar(
+        mass = load,
+        from = [0.1, 0.2, 0.3],
+        to = [0.1, 0.6, 0.7],
+        radius = 0.04_m
+    ),
+    wheel: Body(
+        mass = load,
+        inertia = Cylinder(0.2_m, 0.05_m, Y),
+        at = [0.1, 0.6, 0.7]
+    ),
+    nut: Body(mass = load, inertia = Sphere(0.1_m), at = [0.5, 0.0, 0.2]),
+    carriage: Body(
+        mass = load,
+        inertia = [
+            [0.03_kg_m2, 0.002, 0.001],
+            [0.002, 0.04, 0.003],
+            [0.001, 0.003, 0.05]
+        ],
+        at = [0.6, 0.1, 0.2],
+    ),
+    drum: Body(
+        mass = load,
+        inertia = diag(0.02, 0.03, 0.025) * load * span.powi(2),
+        at = [-0.3, 0.1, 0.0]
+    ),
+    plate: Body(mass = load, inertia = 0.02_kg_m2, at = [-0.3, 0.4, 0.1]),
+    shaft: Bar(
+        mass = load,
+        from = [-0.3, 0.4, 0.1],
+        to = [-0.6, 0.5, 0.3],
+        radius = 0.03_m
+    ),
+    link: Bar(
+        mass = 0.5 * load,
+        from = [-0.6, 0.5, 0.3],
+        to = [-0.8, 0.2, 0.1]
+    ),
+    rod: Bar(from = [-0.8, 0.2, 0.1], to = [-1.0, 0.0, 0.4]),
+    bob: Particle(mass = 0.2 * load, at = [-1.0, 0.0, 0.4]),
+    rider: Particle(
+        mass = load,
+        position = span * [cos(twist), 0.5 * sin(twist), 0.2 * twist]
+    ),
+
+    hinge: Revolute(ground, table, at = [0.1, 0.2, 0.3], axis = [1.0, 2.0, 0.5]),
+    swivel: Revolute(table.origin, spindle.a, axis = [0.2, 1.0, 0.3]),
+    yokes: Universal(
+        spindle,
+        wheel,
+        at = [0.1, 0.6, 0.7],
+        axis = X,
+        second_axis = Y
+    ),
+    thread: Screw(ground, nut, at = [0.5, 0.0, 0.2], axis = X, pitch = 0.02_m),
+    slide: Prismatic(nut, carriage, at = [0.6, 0.1, 0.2], axis = [0.0, 1.0, 1.0]),
+    sleeve: Cylindrical(
+        ground.frame([-0.3, 0.1, 0.0], Y),
+        drum.frame([0.0, 0.0, 0.0], Y)
+    ),
+    floor: Planar(drum, plate, at = [-0.3, 0.4, 0.1], axis = [1.0, 0.0, 1.0]),
+    homokinetic: ConstantVelocity(plate, shaft, at = [-0.3, 0.4, 0.1], axis = [-0.3, 0.1, 0.2]),
+    ball: Spherical(shaft.b, link.a),
+    eye: Spherical(link.b, rod.a),
+    knot: Spherical(rod.b, bob),
+    weld: Fixed(carriage, tool, at = [0.7, 0.1, 0.2]),
+    tool: Body(mass = load, inertia = 0.01_kg_m2, at = [0.7, 0.1, 0.2]),
+    gear: Gear(hinge, sleeve, ratio = -1.5),
+    rack: RackPinion(swivel, slide, radius = 0.05_m, offset = 0.01_m),
+    wire: PointOnLine(
+        wheel.origin,
+        table.point(0.1, 0.2, 0.0),
+        axis = [0.3, 1.0, 0.2]
+    ),
+    ledge: PointOnPlane(bob, table.origin, normal = [0.1, 0.2, 1.0]),
+    strut: Distance(wheel.point(0.1, 0.0, 0.1), shaft.b, length = 0.9_m),
+    skid: Nonholonomic(dot(tool.velocity_at(tool.point(0.1, 0.0, 0.0)), tool.y)),
+    height: Holonomic(norm(cross(plate.x, link.x)) - 0.8),
+
+    coil: SpringDamper(
+        wheel.origin,
+        plate.point(0.1, 0.1, 0.0),
+        stiffness = stiff,
+        damping = 3.0_N_s_per_m,
+        length = 0.2_m
+    ),
+    torsion: TorsionSpring(swivel, stiffness = 2.0_Nm, damping = 0.1_Nm_s, angle = 0.2),
+    mount: Bushing(
+        ground,
+        drum,
+        at = [-0.3, 0.1, 0.0],
+        stiffness = [100.0_N_per_m, 200.0, 300.0],
+        damping = 4.0_N_s_per_m,
+        torsion_stiffness = [[3.0_Nm, 0.2, 0.1], [0.2, 2.0, 0.3], [0.1, 0.3, 1.0]],
+        torsion_damping = [0.1_Nm_s, 0.2, 0.3],
+        cross_stiffness = 0.5_N,
+    ),
+    wind: Force(
+        bob,
+        value = [push, 0.3 * push, -push * sin(2.0_rad_per_s * t)]
+    ),
+    thrust: Force(wheel.origin, value = [push, 0.0, 1.0], axes = wheel),
+    jet: Wrench(
+        nut.point(0.1, 0.1, 0.0),
+        force = [1.0_N, 0.2, 0.1],
+        torque = [0.3_Nm, 0.1, -push * 0.1_m],
+        axes = drum
+    ),
+    motor: Torque(hinge, value = 0.4_Nm * cos(3.0_rad_per_s * t)),
+    stir: Torque(
+        wheel,
+        value = [0.1_Nm, 0.2, 0.3],
+        from = plate,
+        axes = table
+    ),
+
+    turned: Output(hinge.angle + 2.0 * sleeve.angle),
+    pace: Output(hinge.rate - swivel.rate),
+    shifted: Output(slide.stroke),
+    quickness: Output(slide.speed),
+    spot: Output(wheel.point(0.0, 0.2, 0.0)),
+    turn_rate: Output(reject(wheel.angular_velocity, wheel.y)),
+    rider_place: Output(rider.origin),
+});

@@ -5,7 +5,7 @@ use crate::random::Arguments;
 use crate::table::{Key, Table, indices};
 use mbs_macros_core::dag::{self, Operand, Place, Program, Run};
 use mbs_macros_core::derivatives::Derived;
-use mbs_macros_core::model::Law;
+use mbs_macros_core::model::{Law, Layout};
 use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, Symbol};
 use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::{Mechanism, System};
@@ -13,6 +13,7 @@ use mbs_runtime::{Mechanism, System};
 /// A declaration that was compiled once more, inside the test.
 pub struct Interpreted {
     laws: Vec<Law>,
+    layout: Layout,
     graph: Graph,
     expressions: Vec<(Key, Expr)>,
     program: Program,
@@ -41,6 +42,7 @@ impl Interpreted {
     {
         let analysis = analysis(<M as Mechanism>::MODEL.declaration);
         let graph = analysis.derived.system.graph.clone();
+        let layout = analysis.derived.system.layout.clone();
         let expressions = expressions(&analysis.derived);
         let program = dag::lower(analysis.derived);
         let parameters: Vec<f64> = <M as Mechanism>::MODEL
@@ -54,6 +56,7 @@ impl Interpreted {
             .collect();
         let mut interpreted = Interpreted {
             laws: analysis.model.laws,
+            layout,
             graph,
             expressions,
             program,
@@ -129,13 +132,16 @@ impl Interpreted {
         let symbols = |symbol: Symbol| match symbol {
             Symbol::Time => at.time,
             Symbol::Input(i) => inputs[i as usize],
-            Symbol::Coordinate(i) => at.q[i as usize],
+            Symbol::Stored(i) => at.q[i as usize],
             Symbol::Velocity(i) => at.v[i as usize],
             Symbol::Acceleration(i) | Symbol::VectorEntry(i) => at.acceleration[i as usize],
             Symbol::Multiplier(i) => at.lambda[i as usize],
             Symbol::RowEntry(i, j) => a[i as usize][j as usize],
             Symbol::WeightedEntry(i, j) => w[i as usize][j as usize],
-            other => self.parameter(other),
+            other => match self.layout.value(other, &at.q) {
+                Some(value) => value,
+                None => self.parameter(other),
+            },
         };
         let laws = |law: u32, arguments: &[f64]| laws::call(&self.laws[law as usize], arguments);
 
@@ -151,7 +157,9 @@ impl Interpreted {
             constants: &self.constants,
             laws: &laws,
         };
-        for function in &self.program.functions {
+        // Counted angles are no method of their own: `advance` writes them, and outputs show them.
+        let methods = self.program.functions.iter();
+        for function in methods.filter(|function| function.name != "windings") {
             for (output, value) in run.function(function) {
                 program.insert((function.name, output.sink, indices(output.place)), value);
             }
@@ -225,8 +233,8 @@ fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
         list.push((("affinities", "gamma", [i, j, k]), value));
     }
     for (i, point) in system.points.iter().enumerate() {
-        list.push((("points", "points", [i, 0, 0]), point[0]));
-        list.push((("points", "points", [i, 1, 0]), point[1]));
+        let components = point.iter().enumerate();
+        list.extend(components.map(|(axis, &x)| (("points", "points", [i, axis, 0]), x)));
     }
     list
 }

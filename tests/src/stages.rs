@@ -81,13 +81,15 @@ fn model(model: &Model, graph: &Graph, system: &System) -> String {
             part.representation.describe()
         );
     }
-    for (coordinate, &(q, v)) in model.coordinates.iter().zip(&system.guesses) {
-        let (q, v) = (graph.text(q), graph.text(v));
-        let _ = writeln!(
-            out,
-            "coordinate {} [{}] from {q}, rate {v}",
-            coordinate.name, coordinate.unit
-        );
+    let layout = &system.layout;
+    for (kind, list) in [
+        ("coordinate", &layout.coordinates),
+        ("velocity", &layout.velocities),
+    ] {
+        for stored in list {
+            let (name, unit, guess) = (&stored.name, &stored.unit, graph.text(stored.guess));
+            let _ = writeln!(out, "{kind} {name} [{unit}] from {guess}");
+        }
     }
     for sentence in &model.reductions {
         let _ = writeln!(out, "reduction: {sentence}");

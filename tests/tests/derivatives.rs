@@ -2,6 +2,7 @@
 //! expressions, and against the interpreter of programs.
 
 use mbs_examples::scenes;
+use mbs_macros_core::schema::{self, World};
 use mbs_runtime::{Mechanism, System};
 use mbs_tests::fixtures;
 use mbs_tests::interpreted::{Interpreted, analysis};
@@ -123,6 +124,14 @@ mechanisms! {
     andrews: scenes::andrews::Andrews;
     chaplygin_sleigh: scenes::chaplygin_sleigh::ChaplyginSleigh;
     knife_edge: scenes::knife_edge::KnifeEdge;
+    workshop: fixtures::Workshop;
+    spherical_pendulum: scenes::spherical_pendulum::SphericalPendulum;
+    heavy_top: scenes::heavy_top::HeavyTop;
+    bricard: scenes::bricard::Bricard;
+    flyball_governor: scenes::flyball_governor::FlyballGovernor;
+    cardan_shaft: scenes::cardan_shaft::CardanShaft;
+    rolling_disk: scenes::rolling_disk::RollingDisk;
+    rattleback: scenes::rattleback::Rattleback;
 }
 
 #[test]
@@ -144,15 +153,30 @@ fn every_kind_of_the_schema_is_used() {
         let mut errors = mbs_macros_core::diagnostics::Errors::new();
         let tree = mbs_macros_core::syntax::parse(declaration.parse().unwrap(), &mut errors);
         errors.stop_if_any().expect("it compiled");
-        let entries = tree.expect("it compiled").entries;
-        used.extend(entries.iter().map(|entry| entry.kind.to_string()));
+        let tree = tree.expect("it compiled");
+        let world = tree.world_kind().describe();
+        used.extend(
+            tree.entries
+                .iter()
+                .map(|entry| (world, entry.kind.to_string())),
+        );
     }
-    let missing: Vec<_> = mbs_macros_core::schema::KINDS
+    let mut missing: Vec<(&str, &str)> = Vec::new();
+    for world in World::ALL.map(World::describe) {
+        let own = World::ALL.into_iter().filter(|w| w.describe() == world);
+        let kinds = own.flat_map(World::own_kinds);
+        missing.extend(
+            kinds
+                .map(|kind| (world, kind.name))
+                .filter(|(_, name)| !used.contains(&(world, (*name).to_owned()))),
+        );
+    }
+    let commonly_used = |name: &str| used.iter().any(|(_, kind)| kind == name);
+    let common = schema::common_kinds()
         .iter()
-        .map(|kind| kind.name)
-        .filter(|name| !used.contains(*name))
-        .collect();
-    assert_eq!(missing, Vec::<&str>::new());
+        .map(|kind| ("both", kind.name));
+    missing.extend(common.filter(|(_, name)| !commonly_used(name)));
+    assert_eq!(missing, Vec::new());
 }
 
 /// What is slightly wrong is found: in some mechanism, for each function.
@@ -185,7 +209,7 @@ fn an_error_in_any_function_is_found() {
 fn declarations_compile_to_the_same_sizes_again() {
     for scene in scenes::scenes() {
         let analysis = analysis(scene.model.declaration);
-        assert_eq!(analysis.derived.system.size, scene.model.coordinates.len());
+        assert_eq!(analysis.derived.system.size, scene.model.velocities.len());
         assert_eq!(analysis.derived.system.rows.len(), scene.model.rows.len());
     }
 }

@@ -87,7 +87,13 @@ fn singular_starts_do_not_count() {
             .model
             .mobility
             .unwrap_or_else(|| panic!("{} does not assemble", scene.name));
-        assert_eq!(mobility.rank, scene.model.rows.len(), "{}", scene.name);
-        assert!(mobility.redundant.is_empty(), "{}", scene.name);
+        let redundant = match scene.name {
+            // Overconstrained by nature: six revolutes in a ring, two universal joints between fixed bearings.
+            "bricard" | "bricard-slender" | "cardan-shaft" => 1,
+            _ => 0,
+        };
+        assert_eq!(mobility.redundant.len(), redundant, "{}", scene.name);
+        let rank = scene.model.rows.len() - redundant;
+        assert_eq!(mobility.rank, rank, "{}", scene.name);
     }
 }

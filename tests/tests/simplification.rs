@@ -371,7 +371,8 @@ mod program {
             outputs: outputs.to_vec(),
             events: Vec::new(),
             points: Vec::new(),
-            guesses: Vec::new(),
+            layout: Default::default(),
+            windings: Vec::new(),
         });
         let program = dag::lower(derived);
         let symbols = |symbol| match symbol {

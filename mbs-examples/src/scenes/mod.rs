@@ -1,14 +1,21 @@
 //! The scenes, one module each.
 
 pub mod andrews;
+pub mod bricard;
+pub mod cardan_shaft;
 pub mod chaplygin_sleigh;
 pub mod double_four_bar;
 pub mod double_pendulum;
 pub mod driven_slider_crank;
+pub mod flyball_governor;
 pub mod four_bar_40;
+pub mod heavy_top;
 pub mod knife_edge;
 pub mod pendulum;
+pub mod rattleback;
+pub mod rolling_disk;
 pub mod slider_crank;
+pub mod spherical_pendulum;
 
 use crate::scene::Scene;
 
@@ -30,4 +37,13 @@ const SCENES: &[Scene] = &[
     chaplygin_sleigh::SCENE,
     knife_edge::SCENE,
     knife_edge::MOVING,
+    spherical_pendulum::SCENE,
+    heavy_top::SCENE,
+    bricard::SCENE,
+    bricard::SLENDER_RODS,
+    flyball_governor::SCENE,
+    cardan_shaft::SCENE,
+    rolling_disk::SCENE,
+    rolling_disk::TILTED,
+    rattleback::SCENE,
 ];

@@ -59,8 +59,8 @@ pub fn analyse(model: &Model, derived: &Derived) -> Option<Mobility> {
     }
     let numbers = Numbers { model, derived };
     let guess: Vec<f64> = numbers.values(
-        &vec![0.0; system.size],
-        system.guesses.iter().map(|&(q, _)| q),
+        &[],
+        system.layout.coordinates.iter().map(|stored| stored.guess),
     );
     let size = guess.iter().fold(0.0f64, |size, q| size.max(q.abs()));
     let size = if size > 0.0 { size } else { 1.0 };
@@ -110,11 +110,11 @@ struct Numbers<'a> {
 
 impl Numbers<'_> {
     fn values(&self, q: &[f64], exprs: impl Iterator<Item = Expr>) -> Vec<f64> {
+        let layout = &self.derived.system.layout;
         let symbols = |symbol: Symbol| match symbol {
             Symbol::Parameter(i) => self.model.parameters[i as usize].default,
             Symbol::Input(i) => self.model.inputs[i as usize].default,
-            Symbol::Coordinate(i) => q[i as usize],
-            _ => 0.0,
+            other => layout.value(other, q).unwrap_or(0.0),
         };
         // Laws are refused in rows.
         let laws = |_: u32, _: &[f64]| (0.0, Vec::new());
@@ -127,7 +127,7 @@ impl Numbers<'_> {
     fn rows(&self, q: &[f64], dependent: f64) -> Rows {
         let jacobian = &self.derived.jacobian;
         let list = &self.derived.system.rows;
-        let mut matrix = vec![vec![0.0; q.len()]; list.len()];
+        let mut matrix = vec![vec![0.0; self.derived.system.size]; list.len()];
         for (&(i, j), value) in jacobian
             .keys()
             .zip(self.values(q, jacobian.values().copied()))
@@ -148,7 +148,8 @@ impl Numbers<'_> {
     /// A pose on the branch of `home`: moved at random along what the rows leave free, and assembled again.
     fn generic_pose(&self, home: &[f64], size: f64, seed: u64) -> Option<Vec<f64>> {
         let mut random = Random(seed + 1);
-        let mut direction: Vec<f64> = home.iter().map(|_| random.next()).collect();
+        let count = self.derived.system.size;
+        let mut direction: Vec<f64> = (0..count).map(|_| random.next()).collect();
         self.rows(home, NEARLY_DEPENDENT)
             .remove_from(&mut direction);
         let length = norm(&direction);
@@ -157,11 +158,8 @@ impl Numbers<'_> {
         }
         MOVES.iter().find_map(|distance| {
             let step = distance * size / length;
-            let moved: Vec<f64> = home
-                .iter()
-                .zip(&direction)
-                .map(|(q, d)| q + step * d)
-                .collect();
+            let layout = &self.derived.system.layout;
+            let moved = layout.moved(home, &direction, step);
             let arrived = self.assemble(moved.clone(), size)?;
             let strayed: Vec<f64> = arrived.iter().zip(&moved).map(|(a, b)| a - b).collect();
             (norm(&strayed) < 0.5 * distance * size).then_some(arrived)
@@ -181,7 +179,10 @@ impl Numbers<'_> {
             if residual <= ASSEMBLED * size.max(1e-3) {
                 return Some(q);
             }
-            self.rows(&q, NEARLY_DEPENDENT).correct(&mut q, &phi);
+            let change = self
+                .rows(&q, NEARLY_DEPENDENT)
+                .correction(system.size, &phi);
+            q = system.layout.moved(&q, &change, 1.0);
         }
         None
     }
@@ -255,19 +256,22 @@ impl Rows {
         }
     }
 
-    /// q ← q − A⁺ φ over the independent holonomic rows.
-    fn correct(&self, q: &mut [f64], phi: &[f64]) {
+    /// −A⁺ φ over the independent holonomic rows, in velocities.
+    fn correction(&self, size: usize, phi: &[f64]) -> Vec<f64> {
+        let mut change = vec![0.0; size];
         let mut along: Vec<f64> = Vec::new();
         for (k, &row) in self.independent.iter().enumerate() {
             // Nonholonomic rows come last and have no φ.
             let Some(phi) = phi.get(row) else { break };
             let known: f64 = along.iter().zip(&self.lower[k]).map(|(x, l)| x * l).sum();
             let step = (phi - known) / self.lower[k][k];
-            q.iter_mut()
+            change
+                .iter_mut()
                 .zip(&self.basis[k].entries)
-                .for_each(|(q, e)| *q -= step * e);
+                .for_each(|(x, e)| *x -= step * e);
             along.push(step);
         }
+        change
     }
 }
 

@@ -1,7 +1,7 @@
 //! The reference page of the language, from the schema and the table of units.
 
 use crate::model::{Dimension, UNITS};
-use crate::schema::{Absent, Expects, Field, Group, KINDS, Kind, WORLDS};
+use crate::schema::{self, Absent, Expects, Field, Group, Kind, World};
 use std::fmt::Write;
 
 const HEADINGS: [(Group, &str); 5] = [
@@ -16,16 +16,27 @@ const HEADINGS: [(Group, &str); 5] = [
 pub fn page() -> String {
     let mut out = String::from(INTRODUCTION);
     let _ = writeln!(out, "\n## Worlds");
-    WORLDS.iter().for_each(|kind| entry(&mut out, kind));
-    for (group, heading) in HEADINGS {
-        let _ = writeln!(out, "\n## {heading}");
-        KINDS
-            .iter()
-            .filter(|kind| kind.group == group)
-            .for_each(|kind| entry(&mut out, kind));
+    for world in World::ALL {
+        entry(&mut out, world.kind());
+    }
+    let _ = writeln!(out, "\n# Kinds of both worlds");
+    kinds(&mut out, schema::common_kinds());
+    for world in World::ALL {
+        let _ = writeln!(out, "\n# Kinds of {}", world.describe());
+        kinds(&mut out, world.own_kinds());
     }
     units(&mut out);
     out
+}
+
+fn kinds(out: &mut String, kinds: &[Kind]) {
+    for (group, heading) in HEADINGS {
+        let mut list = kinds.iter().filter(|kind| kind.group == group).peekable();
+        if list.peek().is_some() {
+            let _ = writeln!(out, "\n## {heading}");
+        }
+        list.for_each(|kind| entry(out, kind));
+    }
 }
 
 const INTRODUCTION: &str = "\
@@ -33,14 +44,19 @@ const INTRODUCTION: &str = "\
 
 A declaration is a list of entries `name: Kind(arguments)`, in any order. Arguments marked *positional* may be given in
 their order without a name; all others are `name = value`. Numbers carry units as suffixes (`0.15_m`, `9.81_m_per_s2`,
-`30.0_deg`); a bare number is in SI units. `ground`, `t`, `pi`, `X` and `Y` have fixed meanings.
+`30.0_deg`); a bare number is in SI units. `ground`, `t`, `pi`, `X`, `Y` and, in space, `Z` have fixed meanings.
 
 Expressions know `+ − * /`, `sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs sign step`, `atan2 hypot min max`,
-`x.powi(2)` and `x.powf(1.5)`, vectors `[x, y]` with `dot cross norm unit` and `.x .y`, `rate(…)` for the time derivative of
-an expression of positions, and `law(path, argument, …)` for functions of your own (`fn([f64; K]) -> (f64, [f64; K])`, value
-and partials). Parts have `angle`, `rate`, `velocity`, the axes `x` and `y`, points (`a`, `b`, `center` of a bar; `origin`
-and `center` of a body; `origin` of a particle and of the ground), `point(x, y)` in their own axes, and
-`velocity_at(point)`; points have `x`, `y` and `velocity`; a coordinate has `rate`.
+`x.powi(2)` and `x.powf(1.5)`, vectors `[x, y]` or `[x, y, z]` with `dot cross norm unit reject` and `.x .y .z`
+(`reject(a, b)` is a without its part along b; in the plane `cross` is a number), `rate(…)` for the time derivative of an
+expression of positions, and `law(path, argument, …)` for functions of your own (`fn([f64; K]) -> (f64, [f64; K])`, value and
+partials).
+
+Parts have `velocity`, the axes `x`, `y` and `z`, points (`a`, `b`, `center` of a bar; `origin` and `center` of a body;
+`origin` of a particle and of the ground), `point(x, y)` or `point(x, y, z)` in their own axes, and `velocity_at(point)`; in
+the plane also `angle` and `rate`, in space `angular_velocity` and `frame([x, y, z], axis)`, a place and an axis for a joint.
+Points have components and `velocity`; a coordinate has `rate`. Joints of space have what their kind says below: `angle`
+(counted over full turns), `rate`, `stroke`, `speed`.
 
 This page is written by the compiler's own table of kinds, and tested to be up to date.
 ";
@@ -76,14 +92,22 @@ fn takes(expects: Expects) -> String {
     match expects {
         Expects::Known(dimension) => dimension.to_string(),
         Expects::KnownAny => "a number".to_owned(),
-        Expects::KnownVector(dimension) => format!("[x, y], each {dimension}"),
+        Expects::KnownVector(dimension) => format!("vector of {dimension}"),
         Expects::Moving(dimension) => format!("{dimension}{moving}"),
         Expects::MovingAny => format!("a number{moving}"),
-        Expects::MovingVector(dimension) => format!("[x, y], each {dimension}{moving}"),
+        Expects::MovingVector(dimension) => format!("vector of {dimension}{moving}"),
         Expects::Anything => "an expression or a list".to_owned(),
         Expects::Point => "a point".to_owned(),
         Expects::Part => "a part or `ground`".to_owned(),
-        Expects::Axis => "`X`, `Y` or [x, y]".to_owned(),
+        Expects::Axis => "`X`, `Y`, `Z` or components".to_owned(),
+        Expects::Attachment => "a part with `at =`, a point, or a frame".to_owned(),
+        Expects::Joint => "a joint".to_owned(),
+        Expects::Orientation => "`turn(axis, angle)`, or a list of them".to_owned(),
+        Expects::Shape => "`Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`".to_owned(),
+        Expects::Inertia => {
+            "moment of inertia (kg m²), `diag(a, b, c)`, three rows, `Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`".to_owned()
+        }
+        Expects::Gains(dimension) => format!("{dimension}: one, three, or a 3 × 3 matrix"),
         Expects::Frame => "`Frame([x, y], angle)`".to_owned(),
         Expects::Law => "the path of a law".to_owned(),
         Expects::Unit => "an SI unit".to_owned(),

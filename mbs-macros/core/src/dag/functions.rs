@@ -2,15 +2,16 @@
 
 use super::kernels::kernels;
 use super::lower::{Hoisted, Lowering};
-use super::{Constant, Function, Operand, Place, Program, Structure};
+use super::{Constant, Function, Operand, Place, Program, Structure, Turning};
 use crate::derivatives::{Derived, Matrix};
+use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Lowers everything that a mechanism computes.
 pub fn lower(derived: Derived) -> Program {
     let Derived { system, .. } = &derived;
     let mut graph = system.graph.clone();
-    let mut hoisted = Hoisted::default();
+    let mut hoisted = Hoisted::new(system.layout.clone());
     let structure = structure(&derived);
     let mut functions = Vec::new();
     {
@@ -61,6 +62,9 @@ pub fn lower(derived: Derived) -> Program {
                 derived.acceleration.as_deref().unwrap_or(&[]),
             )
         });
+        if !system.windings.is_empty() {
+            make("windings", &mut |f| vector(f, "angles", &system.windings));
+        }
         make("kinetic_energy", &mut |f| {
             f.output("", Place::Value, derived.kinetic)
         });
@@ -88,14 +92,21 @@ pub fn lower(derived: Derived) -> Program {
     }
     functions.extend(kernels(&mut graph, &mut hoisted, &derived));
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
-    for (i, &(q, v)) in system.guesses.iter().enumerate() {
-        guesses.output("q", Place::Element(i), q);
-        guesses.output("v", Place::Element(i), v);
+    let layout = &system.layout;
+    for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
+        for (i, stored) in list.iter().enumerate() {
+            guesses.output(sink, Place::Element(i), stored.guess);
+        }
     }
     let guesses = guesses.finish("guess");
     let constant_mass = derived
         .constant_mass
         .then(|| constant_mass(&mut graph, &mut hoisted, &system.mass));
+    let rotations = layout
+        .rotations
+        .iter()
+        .map(|rotation| turning(&mut graph, &mut hoisted, rotation))
+        .collect();
     let (constants, preparation) = constants(&mut graph, &mut hoisted);
     Program {
         constants,
@@ -103,6 +114,10 @@ pub fn lower(derived: Derived) -> Program {
         preparation,
         functions,
         guesses,
+        rotations,
+        windings: layout.windings.iter().map(|(slot, _)| *slot).collect(),
+        coordinates: layout.coordinates.len(),
+        slots: layout.slots.clone(),
         size: system.size,
         rows: system.rows.clone(),
         reactions: system
@@ -124,6 +139,7 @@ fn structure(derived: &Derived) -> Structure {
         position_forces: !derived.applied_by_position.is_empty(),
         time_dependent: system.rows.iter().any(|row| on_time(&row.expr))
             || system.forces.iter().any(on_time),
+        rotations: system.layout.rotations.len(),
         holonomic_rows: system.holonomic_rows(),
     }
 }
@@ -164,6 +180,21 @@ fn constant_mass(
             _ => (0, 0, output.value),
         })
         .collect()
+}
+
+/// A rotation, with its inertia in constants.
+fn turning(graph: &mut Graph, hoisted: &mut Hoisted, rotation: &Rotation) -> Turning {
+    let mut lowering = Lowering::new(graph, hoisted);
+    for (i, &entry) in rotation.inertia.as_flattened().iter().enumerate() {
+        lowering.output("inertia", Place::Element(i), entry);
+    }
+    let values = lowering.finish("inertia").outputs;
+    Turning {
+        part: rotation.part.clone(),
+        velocity: rotation.velocity,
+        coordinate: rotation.coordinate,
+        inertia: std::array::from_fn(|i| std::array::from_fn(|j| values[3 * i + j].value)),
+    }
 }
 
 /// The constants, and the two functions that compute them: before M⁻¹ is known, and after.

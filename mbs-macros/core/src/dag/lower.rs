@@ -5,17 +5,27 @@
 
 use super::reciprocals::share_reciprocals;
 use super::{Function, Operand, Operation, Output, Place};
+use crate::model::Layout;
 use crate::symbolic::{Expr, Graph, Map, Node, Number, Symbol};
 
 /// Constants found so far, shared by all functions of a mechanism.
 #[derive(Debug, Default)]
 pub(super) struct Hoisted {
+    /// Where coordinates are stored.
+    layout: Layout,
     pub list: Vec<Expr>,
     index: Map<Expr, usize>,
     known: Map<Expr, bool>,
 }
 
 impl Hoisted {
+    pub(super) fn new(layout: Layout) -> Self {
+        Hoisted {
+            layout,
+            ..Hoisted::default()
+        }
+    }
+
     /// Whether an expression depends on parameters only.
     fn is_known(&mut self, graph: &Graph, expr: Expr) -> bool {
         if let Some(&known) = self.known.get(&expr) {
@@ -117,7 +127,18 @@ impl<'a> Lowering<'a> {
         }
         let operand = match self.graph.node(expr).clone() {
             Node::Constant(number) => Operand::Number(number),
-            Node::Symbol(symbol) => Operand::Symbol(symbol),
+            Node::Symbol(Symbol::Rotation(first, entry)) => {
+                let slot = self.hoisted.layout.slots[first as usize] as u32;
+                let quaternion = [0, 1, 2, 3].map(|k| self.graph.symbol(Symbol::Stored(slot + k)));
+                let expr = self.graph.rotation_entry(quaternion, entry);
+                let name = self.graph.name(Symbol::Rotation(first, entry));
+                self.graph.suggest_name(expr, name.replace('.', "_"));
+                self.operand(expr)
+            }
+            Node::Symbol(symbol) => match self.hoisted.layout.slot(symbol) {
+                Some(slot) => Operand::Symbol(Symbol::Stored(slot as u32)),
+                None => Operand::Symbol(symbol),
+            },
             _ if self.hoist && self.hoisted.is_known(self.graph, expr) => {
                 Operand::Constant(self.hoisted.slot(expr))
             }

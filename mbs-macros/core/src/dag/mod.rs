@@ -31,6 +31,14 @@ pub struct Program {
     pub functions: Vec<Function>,
     /// Guesses of q and v.
     pub guesses: Function,
+    /// Rotations, for their free flight.
+    pub rotations: Vec<Turning>,
+    /// Where the counted joint angles are stored, in the order of the function `windings`.
+    pub windings: Vec<usize>,
+    /// Q.
+    pub coordinates: usize,
+    /// For each velocity where its coordinate is stored.
+    pub slots: Vec<usize>,
     /// N.
     pub size: usize,
     /// R.
@@ -39,6 +47,19 @@ pub struct Program {
     pub reactions: Vec<(String, &'static str, String)>,
     /// What the integrator may rely on.
     pub structure: Structure,
+}
+
+/// A rotation: a unit quaternion and three angular velocities in body axes.
+#[derive(Debug, Clone)]
+pub struct Turning {
+    /// The part.
+    pub part: String,
+    /// Index of its first velocity.
+    pub velocity: usize,
+    /// Index of the first component of its quaternion.
+    pub coordinate: usize,
+    /// Its inertia about the centre of mass, in constants.
+    pub inertia: [[Operand; 3]; 3],
 }
 
 /// What the integrator may rely on, from the symbolic zeros.
@@ -52,6 +73,8 @@ pub struct Structure {
     pub position_forces: bool,
     /// A row or force depends on time.
     pub time_dependent: bool,
+    /// The number of unit quaternions.
+    pub rotations: usize,
     /// The number of leading holonomic rows.
     pub holonomic_rows: usize,
 }

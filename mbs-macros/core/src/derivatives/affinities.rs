@@ -1,6 +1,7 @@
 //! Momentum, kinetic energy, and the affinities of the connection that M defines (paper, section 2).
 
 use super::Matrix;
+use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
@@ -43,7 +44,7 @@ pub(super) fn christoffel(
     // ∂M_ij/∂q_k, upper triangle; nothing at all where M is constant.
     let mut slopes: BTreeMap<(usize, usize, usize), Expr> = BTreeMap::new();
     for (&(i, j), &entry) in mass {
-        for symbol in graph.symbols([entry]) {
+        for symbol in graph.directions([entry]) {
             if let Symbol::Coordinate(k) = symbol {
                 slopes.insert((i, j, k as usize), graph.derivative(entry, symbol));
             }
@@ -73,4 +74,69 @@ pub(super) fn christoffel(
         }
     }
     affinities
+}
+
+/// ε_abc as (a, b, c, sign).
+const PERMUTATIONS: [(usize, usize, usize, f64); 6] = [
+    (0, 1, 2, 1.0),
+    (1, 2, 0, 1.0),
+    (2, 0, 1, 1.0),
+    (0, 2, 1, -1.0),
+    (2, 1, 0, -1.0),
+    (1, 0, 2, -1.0),
+];
+
+/// Adds p × ω to the generalized inertial forces of each rotation: what the momentum in body axes changes by because the
+/// axes turn (Boltzmann–Hamel equations).
+pub(super) fn turning_momentum(
+    graph: &mut Graph,
+    rotations: &[Rotation],
+    momentum: &[Expr],
+    inertial: &mut [Expr],
+) {
+    for rotation in rotations {
+        let first = rotation.velocity;
+        for (a, b, c, sign) in PERMUTATIONS {
+            let omega = graph.symbol(Symbol::Velocity((first + c) as u32));
+            let term = graph.mul(momentum[first + b], omega);
+            let term = graph.scale(sign, term);
+            inertial[first + a] = graph.add(inertial[first + a], term);
+        }
+    }
+}
+
+/// Adds the structure constants of the rotations: ω × p = Γ_ijk v_j v_k, symmetric in j and k.
+pub(super) fn gyroscopic(
+    graph: &mut Graph,
+    rotations: &[Rotation],
+    mass: &Matrix,
+    affinities: &mut BTreeMap<(usize, usize, usize), Expr>,
+) {
+    for rotation in rotations {
+        let first = rotation.velocity;
+        for (a, b, c, sign) in PERMUTATIONS {
+            // −ε_abc p_b ω_c with p_b = Σ M_bj v_j
+            let (row, turn) = (first + b, first + c);
+            let entries: Vec<(usize, Expr)> = mass
+                .iter()
+                .filter_map(|(&(i, j), &entry)| match (i == row, j == row) {
+                    (true, _) => Some((j, entry)),
+                    (_, true) => Some((i, entry)),
+                    _ => None,
+                })
+                .collect();
+            for (column, entry) in entries {
+                let half = graph.scale(-0.5 * sign, entry);
+                for (j, k) in [(column, turn), (turn, column)] {
+                    let slot = (first + a, j, k);
+                    let value = match affinities.get(&slot) {
+                        Some(&before) => graph.add(before, half),
+                        None => half,
+                    };
+                    affinities.insert(slot, value);
+                }
+            }
+        }
+    }
+    affinities.retain(|_, value| !graph.is_zero(*value));
 }

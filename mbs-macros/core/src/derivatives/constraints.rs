@@ -55,7 +55,7 @@ pub(super) fn derive(graph: &mut Graph, rows: &[Row]) -> DerivedRows {
 /// d/dt with v̇ = 0.
 fn rate_at_constant_velocity(graph: &mut Graph, expr: Expr) -> Expr {
     let mut terms = Vec::new();
-    for symbol in graph.symbols([expr]) {
+    for symbol in graph.directions([expr]) {
         let rate = match symbol {
             Symbol::Coordinate(i) => graph.symbol(Symbol::Velocity(i)),
             Symbol::Time => graph.one(),

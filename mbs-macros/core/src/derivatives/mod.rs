@@ -5,8 +5,10 @@
 //! | constraint Jacobian | A | ∂φ/∂q, ∂ψ̇/∂v |
 //! | rheonomic part | b | ∂φ/∂t, ψ̇ at v = 0 |
 //! | rates | Ȧ, γ | d/dt along v |
-//! | affinities | Γ_ijk | ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i) |
-//! | tangents | ∂F/∂q, ∂F/∂v, ∂p/∂q | F = f + ∂T/∂q, p = M v |
+//! | affinities | Γ_ijk | ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), and the structure constants of rotations |
+//! | tangents | ∂F/∂q, ∂F/∂v, ∂p/∂q | F = f + ∂T/∂q (+ p × ω for rotations), p = M v |
+//!
+//! Derivatives by q are taken along the velocities: for rotations along the angular velocities in body axes.
 //!
 //! AFTER THIS STAGE: every entry that is structurally zero is absent.
 
@@ -45,7 +47,7 @@ pub struct Derived {
     pub jacobian_rate: Matrix,
     /// γ of A v̇ + γ = 0.
     pub convective: Vec<Expr>,
-    /// F = f + ∂T/∂q.
+    /// F = f + ∂T/∂q, and p × ω for rotations.
     pub total_forces: Vec<Expr>,
     /// ∂f/∂q.
     pub applied_by_position: Matrix,
@@ -65,17 +67,24 @@ pub struct Derived {
 pub fn derive(mut system: System) -> Derived {
     let graph = &mut system.graph;
     let size = system.size;
-    let is_state = |symbol: Symbol| matches!(symbol, Symbol::Coordinate(_));
+    let is_state = Symbol::is_configuration;
     let constant_mass = !system
         .mass
         .values()
         .any(|&entry| graph.depends_on(entry, is_state));
     let momentum = affinities::momentum(graph, size, &system.mass);
     let kinetic = affinities::kinetic(graph, &momentum);
-    let affinities = affinities::christoffel(graph, size, &system.mass);
-    let inertial: Vec<Expr> = (0..size as u32)
+    let mut affinities = affinities::christoffel(graph, size, &system.mass);
+    affinities::gyroscopic(
+        graph,
+        &system.layout.rotations,
+        &system.mass,
+        &mut affinities,
+    );
+    let mut inertial: Vec<Expr> = (0..size as u32)
         .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
         .collect();
+    affinities::turning_momentum(graph, &system.layout.rotations, &momentum, &mut inertial);
     let total_forces: Vec<Expr> = system
         .forces
         .iter()

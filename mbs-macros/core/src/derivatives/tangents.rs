@@ -7,7 +7,7 @@ use crate::symbolic::{Expr, Graph, Symbol};
 pub(super) fn jacobian(graph: &mut Graph, values: &[Expr], by: impl Fn(u32) -> Symbol) -> Matrix {
     let mut matrix = Matrix::new();
     for (row, &value) in values.iter().enumerate() {
-        for symbol in graph.symbols([value]) {
+        for symbol in graph.directions([value]) {
             let column = match symbol {
                 Symbol::Coordinate(i) | Symbol::Velocity(i) if by(i) == symbol => i as usize,
                 _ => continue,

@@ -4,36 +4,22 @@ use super::body::number;
 use crate::dag::Program;
 use crate::equations::RowKind;
 use crate::mobility::Mobility;
-use crate::model::{Model, Quantity, Representation};
+use crate::model::{Model, Quantity, Representation, Stored};
+use crate::schema::World;
 use std::fmt::Write;
 
 /// The initialiser of `MODEL`, as text.
 pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program) -> String {
     let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
-    let coordinates = model
-        .coordinates
-        .iter()
-        .map(|c| {
+    let stored = |items: &[Stored]| {
+        let texts = items.iter().map(|item| {
             format!(
                 "::mbs_runtime::Coordinate {{ name: {:?}, unit: {:?} }}",
-                c.name, c.unit
+                item.name, item.unit
             )
-        })
-        .collect();
-    let velocities = model
-        .coordinates
-        .iter()
-        .map(|c| {
-            let unit = match c.unit.as_str() {
-                "" => "1/s".to_owned(),
-                unit => format!("{unit}/s"),
-            };
-            format!(
-                "::mbs_runtime::Coordinate {{ name: \"{}'\", unit: {unit:?} }}",
-                c.name
-            )
-        })
-        .collect();
+        });
+        list(texts.collect())
+    };
     let rows = program
         .rows
         .iter()
@@ -104,10 +90,14 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
     field("name", format!("{:?}", model.name));
     field("doc", format!("{:?}", model.doc));
     field("declaration", format!("{:?}", model.text));
-    field("world", "::mbs_runtime::World::Planar".to_owned());
-    field("up", "[0.0, 1.0, 0.0]".to_owned());
-    field("coordinates", list(coordinates));
-    field("velocities", list(velocities));
+    let world = match model.world {
+        World::Planar => "Planar",
+        World::Spatial => "Spatial",
+    };
+    field("world", format!("::mbs_runtime::World::{world}"));
+    field("up", format!("[{}]", model.up.map(number).join(", ")));
+    field("coordinates", stored(&model.layout.coordinates));
+    field("velocities", stored(&model.layout.velocities));
     field("rows", list(rows));
     field("parts", list(parts));
     field(
@@ -163,8 +153,13 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
 pub(super) fn structure(program: &Program) -> String {
     let s = program.structure;
     format!(
-        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {}, rotations: 0 }}",
-        s.constant_mass, s.velocity_forces, s.position_forces, s.time_dependent, s.holonomic_rows
+        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, holonomic_rows: {}, rotations: {} }}",
+        s.constant_mass,
+        s.velocity_forces,
+        s.position_forces,
+        s.time_dependent,
+        s.holonomic_rows,
+        s.rotations
     )
 }
 

@@ -1,6 +1,7 @@
 //! The methods of `System`: one for each function of the program.
 
 use super::body::Body;
+use super::motion;
 use crate::dag::{Function, Program};
 use crate::symbolic::Graph;
 use std::fmt::Write;
@@ -141,25 +142,6 @@ const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// Motion along velocities, where no coordinate is a rotation: name, signature and body.
-const PLANAR: &[(&str, &str, &str)] = &[
-    (
-        "advance",
-        "(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q]",
-        "::mbs_runtime::generated::translated(q, v, h)",
-    ),
-    (
-        "difference",
-        "(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N]",
-        "::mbs_runtime::generated::displacement(from, to)",
-    ),
-    (
-        "free_flight",
-        "(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64)",
-        "*q = self.advance(q, v, h);",
-    ),
-];
-
 /// Methods of F, the methods of f that compute the same where M is constant, and the call of the latter.
 const SAME_WHERE_MASS_IS_CONSTANT: &[(&str, &str, &str)] = &[
     (
@@ -181,14 +163,14 @@ enum Ending {
     Writes,
     /// A slice of the caller's length receives as many values as fit.
     Slice(&'static str),
-    /// The same for points; in the plane the third component is zero.
+    /// The same for points.
     Points,
 }
 
 /// A signature with the sizes of the program.
 fn sized(signature: &str, program: &Program) -> String {
     signature
-        .replace("; Q]", &format!("; {}]", program.size))
+        .replace("; Q]", &format!("; {}]", program.coordinates))
         .replace("; N]", &format!("; {}]", program.size))
         .replace("; R]", &format!("; {}]", program.rows.len()))
 }
@@ -200,7 +182,8 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
     let body = Body::of_method(graph, &program.guesses);
     let _ = writeln!(
         out,
-        "fn guess(&self) -> ([f64; {0}], [f64; {0}]) {{ let (mut q, mut v) = ([0.0; {0}], [0.0; {0}]); {1} {2} (q, v) }}",
+        "fn guess(&self) -> ([f64; {0}], [f64; {1}]) {{ let (mut q, mut v) = ([0.0; {0}], [0.0; {1}]); {2} {3} (q, v) }}",
+        program.coordinates,
         program.size,
         body.statements(),
         body.writes()
@@ -211,7 +194,10 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
             .iter()
             .find(|function| function.name == name)
     };
-    for (name, signature, body) in PLANAR {
+    for ((name, signature), body) in motion::SIGNATURES
+        .into_iter()
+        .zip(motion::bodies(graph, program))
+    {
         let _ = writeln!(
             out,
             "#[inline]\nfn {name}{} {{ {body} }}",
@@ -266,7 +252,7 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
     let _ = writeln!(
         out,
         "#[inline] fn factor_mass(&self, q: &[f64; {}]) -> ::core::option::Option<Self::Mass> {{ {factor} }}",
-        program.size
+        program.coordinates
     );
     out
 }
@@ -288,8 +274,8 @@ fn method(out: &mut String, graph: &Graph, function: &Function, signature: &str,
         Ending::Points => {
             let points: Vec<String> = body
                 .values()
-                .chunks(2)
-                .map(|xy| format!("[{}, {}, 0.0]", xy[0], xy[1]))
+                .chunks(3)
+                .map(|point| format!("[{}]", point.join(", ")))
                 .collect();
             format!(
                 "for (place, value) in points.iter_mut().zip([{}]) {{ *place = value; }}",
@@ -318,7 +304,7 @@ pub(super) fn stubs(program: &Program) -> String {
     stub("inputs", "(&self) -> &[f64]");
     stub("inputs_mut", "(&mut self) -> &mut [f64]");
     stub("guess", "(&self) -> ([f64; Q], [f64; N])");
-    for (name, signature, _) in PLANAR {
+    for (name, signature) in motion::SIGNATURES {
         stub(name, signature);
     }
     stub(

@@ -7,6 +7,7 @@ mod body;
 mod fallback;
 mod metadata;
 mod methods;
+mod motion;
 mod names;
 mod parameters;
 mod system;

@@ -84,7 +84,7 @@ impl Names {
         let mut bound = BTreeMap::new();
         for symbol in symbols(function) {
             let source = match symbol {
-                Symbol::Coordinate(i) => format!("q[{i}]"),
+                Symbol::Stored(i) => format!("q[{i}]"),
                 Symbol::Velocity(i) => format!("v[{i}]"),
                 Symbol::Acceleration(i) => format!("acceleration[{i}]"),
                 Symbol::Input(i) => format!("self.inputs[{i}]"),

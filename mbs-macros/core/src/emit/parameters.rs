@@ -1,7 +1,7 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::{doc, system, tokens};
+use super::{doc, motion, system, tokens};
 use crate::dag::{Operand, Program};
 use crate::mobility::Mobility;
 use crate::model::Model;
@@ -74,6 +74,7 @@ fn documentation(model: &Model, mobility: Option<&Mobility>) -> String {
         let _ = writeln!(out, "{}\n", model.doc);
     }
     let names = model
+        .layout
         .coordinates
         .iter()
         .map(|coordinate| format!("`{}`", coordinate.name))
@@ -106,7 +107,7 @@ pub(super) fn emit_mechanism(
 ) -> TokenStream {
     let name = &declaration.name;
     let system = system::name(declaration);
-    let (size, rows) = (program.size, program.rows.len());
+    let (coordinates, size, rows) = (program.coordinates, program.size, program.rows.len());
     let fields: Vec<Ident> = model
         .parameters
         .iter()
@@ -122,7 +123,7 @@ pub(super) fn emit_mechanism(
         #[allow(clippy::all, unused_variables, unused_mut)]
         impl ::mbs_runtime::Mechanism for #name {
             type System = #system;
-            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#size, #size, #rows>>::MODEL;
+            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#coordinates, #size, #rows>>::MODEL;
 
             fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
                 #( ::mbs_runtime::generated::check_finite(#names, self.#fields)?; )*
@@ -156,24 +157,36 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
         out.push_str(&body.writes());
     };
     write(&mut out, before);
+    let operand = |value: Operand| match value {
+        Operand::Number(value) => number(value.value()),
+        Operand::Constant(slot) => format!("k{slot}"),
+        Operand::Symbol(symbol) => format!("self.{}", graph.name(symbol)),
+        Operand::Value(_) => unreachable!("what depends on parameters alone is a constant"),
+    };
+    if !program.rotations.is_empty() {
+        out.push_str(&motion::spins(program, operand));
+    }
     if let Some(entries) = &program.constant_mass {
         let _ = writeln!(out, "let mut mass = [[0.0; {0}]; {0}];", program.size);
         for &(i, j, value) in entries {
-            let value = match value {
-                Operand::Number(value) => number(value.value()),
-                Operand::Constant(slot) => format!("k{slot}"),
-                Operand::Symbol(symbol) => format!("self.{}", graph.name(symbol)),
-                Operand::Value(_) => unreachable!("a constant mass matrix has no operations left"),
-            };
+            let value = operand(value);
             let _ = writeln!(out, "mass[{i}][{j}] = {value};");
             if i != j {
                 let _ = writeln!(out, "mass[{j}][{i}] = {value};");
             }
         }
         let coordinates: Vec<String> = model
-            .coordinates
+            .layout
+            .slots
             .iter()
-            .map(|coordinate| format!("{:?}", coordinate.name))
+            .zip(&model.layout.velocities)
+            .map(|(&slot, velocity)| {
+                let coordinate = &model.layout.coordinates[slot].name;
+                match velocity.name.strip_suffix('\'') {
+                    Some(_) => format!("{coordinate:?}"),
+                    None => format!("{:?}", velocity.name),
+                }
+            })
             .collect();
         let _ = writeln!(
             out,
@@ -192,11 +205,16 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
     } else {
         ""
     };
+    let spins = if program.rotations.is_empty() {
+        ""
+    } else {
+        "spins, "
+    };
     let constants: String =
         (0..program.constants.len()).fold(String::new(), |text, slot| text + &format!("k{slot}, "));
     let _ = writeln!(
         out,
-        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{constants} }})",
+        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{spins}{constants} }})",
         inputs.join(", ")
     );
     out

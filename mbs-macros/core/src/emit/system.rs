@@ -26,7 +26,11 @@ pub(super) fn emit(
         .visibility
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
-    let (size, rows, inputs) = (program.size, program.rows.len(), model.inputs.len());
+    let (coordinates, size) = (program.coordinates, program.size);
+    let (rows, inputs) = (program.rows.len(), model.inputs.len());
+    let rotations: Vec<usize> = program.rotations.iter().map(|r| r.velocity).collect();
+    let count = rotations.len();
+    let spins = (count > 0).then(|| quote! { spins: [::mbs_runtime::generated::Spin; #count], });
     let inverse = program
         .constant_mass
         .is_some()
@@ -65,6 +69,7 @@ pub(super) fn emit(
             parameters: #parameters,
             inputs: [f64; #inputs],
             #inverse
+            #spins
             #( #constants )*
         }
 
@@ -78,20 +83,20 @@ pub(super) fn emit(
         const _: () = {
             #[allow(clippy::all, unused_variables, unused_parens)]
             #[cfg(not(rust_analyzer))]
-            impl ::mbs_runtime::System<#size, #size, #rows> for #name {
+            impl ::mbs_runtime::System<#coordinates, #size, #rows> for #name {
                 const MODEL: &'static ::mbs_runtime::Model = #metadata;
                 const STRUCTURE: ::mbs_runtime::Structure = #structure;
-                const ROTATIONS: &'static [usize] = &[];
+                const ROTATIONS: &'static [usize] = &[#( #rotations ),*];
                 #mass
                 #full
             }
 
             // Editors resolve names against these signatures and never see the long bodies.
             #[cfg(rust_analyzer)]
-            impl ::mbs_runtime::System<#size, #size, #rows> for #name {
+            impl ::mbs_runtime::System<#coordinates, #size, #rows> for #name {
                 const MODEL: &'static ::mbs_runtime::Model = #metadata;
                 const STRUCTURE: ::mbs_runtime::Structure = #structure;
-                const ROTATIONS: &'static [usize] = &[];
+                const ROTATIONS: &'static [usize] = &[#( #rotations ),*];
                 #mass
                 #stubs
             }

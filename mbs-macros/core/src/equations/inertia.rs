@@ -11,22 +11,24 @@ pub(super) type LocalMass = BTreeMap<(u32, u32), Expr>;
 pub(super) fn center_of(graph: &mut Graph, part: &Part, offset: Vector) -> Vector {
     match part.representation {
         // Exactly the coordinates, rather than origin + offset, which would not cancel where the origin has the offset.
-        Representation::Reference => {
-            [part.locals[0], part.locals[1]].map(|x| graph.symbol(Symbol::LocalPosition(x)))
-        }
+        Representation::Reference => components(graph, &part.locals[..2]),
+        Representation::Rigid => components(graph, &part.locals[..3]),
         Representation::Natural => {
-            let ends: Vec<Expr> = part
-                .locals
-                .iter()
-                .map(|&x| graph.symbol(Symbol::LocalPosition(x)))
-                .collect();
-            [
-                graph.linear(0.0, &[(ends[0], 0.5), (ends[2], 0.5)]),
-                graph.linear(0.0, &[(ends[1], 0.5), (ends[3], 0.5)]),
-            ]
+            let (a, b) = part.locals.split_at(part.locals.len() / 2);
+            let (a, b) = (components(graph, a), components(graph, b));
+            std::array::from_fn(|k| graph.linear(0.0, &[(a[k], 0.5), (b[k], 0.5)]))
         }
         _ => graph.vector_add(part.frame.origin, offset),
     }
+}
+
+/// The point whose components are these locals.
+fn components(graph: &mut Graph, locals: &[u32]) -> Vector {
+    let mut point = graph.zero_vector();
+    for (x, &local) in point.iter_mut().zip(locals) {
+        *x = graph.symbol(Symbol::LocalPosition(local));
+    }
+    point
 }
 
 pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
@@ -39,8 +41,9 @@ pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
                     graph.scale(1.0 / 3.0, part.mass),
                     graph.scale(1.0 / 6.0, part.mass),
                 );
-                for axis in 0..2 {
-                    let (a, b) = (part.locals[axis], part.locals[axis + 2]);
+                let dimension = part.locals.len() / 2;
+                for axis in 0..dimension {
+                    let (a, b) = (part.locals[axis], part.locals[axis + dimension]);
                     for (i, k, value) in
                         [(a, a, third), (a, b, sixth), (b, a, sixth), (b, b, third)]
                     {
@@ -54,9 +57,21 @@ pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
                     .for_each(|&local| add(graph, &mut mass, (local, local), part.mass));
             }
             Representation::Reference => {
-                for (&local, value) in part.locals.iter().zip([part.mass, part.mass, part.inertia])
-                {
+                let inertia = part.inertia[2][2];
+                for (&local, value) in part.locals.iter().zip([part.mass, part.mass, inertia]) {
                     add(graph, &mut mass, (local, local), value);
+                }
+            }
+            // m in space axes, J in body axes: constant, because the velocities are quasi-velocities.
+            Representation::Rigid => {
+                let (place, turns) = part.locals.split_at(3);
+                for &local in place {
+                    add(graph, &mut mass, (local, local), part.mass);
+                }
+                for (&i, row) in turns.iter().zip(&part.inertia) {
+                    for (&k, &value) in turns.iter().zip(row) {
+                        add(graph, &mut mass, (i, k), value);
+                    }
                 }
             }
             Representation::Prescribed => prescribed(graph, part, &mut mass),
@@ -68,28 +83,30 @@ pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
 
 /// m ∂c/∂sᵢ · ∂c/∂sₖ + J ∂θ/∂sᵢ ∂θ/∂sₖ over the coordinates that the part follows.
 fn prescribed(graph: &mut Graph, part: &Part, mass: &mut LocalMass) {
-    let offset = graph.turn(part.frame.axis, part.center);
+    let offset = graph.turn(&part.frame.axes, part.center);
     let center = center_of(graph, part, offset);
     let angle = part.frame.angle.unwrap_or_else(|| graph.zero());
     let followed: Vec<u32> = graph
-        .symbols([center[0], center[1], angle])
+        .directions(center.into_iter().chain([angle]))
         .into_iter()
         .filter_map(|symbol| match symbol {
             Symbol::LocalPosition(local) => Some(local),
             _ => None,
         })
         .collect();
-    let slopes: Vec<[Expr; 3]> = followed
+    let slopes: Vec<(Vector, Expr)> = followed
         .iter()
         .map(|&local| {
-            [center[0], center[1], angle].map(|x| graph.derivative(x, Symbol::LocalPosition(local)))
+            let by = Symbol::LocalPosition(local);
+            let slope = center.map(|x| graph.derivative(x, by));
+            (slope, graph.derivative(angle, by))
         })
         .collect();
     for (i, a) in followed.iter().zip(&slopes) {
         for (k, b) in followed.iter().zip(&slopes) {
-            let square = graph.dot([a[0], a[1]], [b[0], b[1]]);
+            let square = graph.dot(a.0, b.0);
             let translation = graph.mul(part.mass, square);
-            let rotation = graph.product(&[(part.inertia, 1), (a[2], 1), (b[2], 1)]);
+            let rotation = graph.product(&[(part.inertia[2][2], 1), (a.1, 1), (b.1, 1)]);
             let value = graph.add(translation, rotation);
             add(graph, mass, (*i, *k), value);
         }

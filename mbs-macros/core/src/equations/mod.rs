@@ -8,7 +8,7 @@ mod inertia;
 pub mod joints;
 mod reactions;
 
-use crate::model::{Dimension, Model, Vector};
+use crate::model::{Dimension, Layout, Model, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use forces::Load;
 use joints::{JointEquations, Level};
@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 pub struct System {
     /// All expressions.
     pub graph: Graph,
-    /// Number of coordinates N.
+    /// Number of velocities N.
     pub size: usize,
     /// Upper triangle of M, structurally nonzero entries only.
     pub mass: BTreeMap<(usize, usize), Expr>,
@@ -39,8 +39,10 @@ pub struct System {
     pub events: Vec<Expr>,
     /// Points to draw.
     pub points: Vec<Vector>,
-    /// Guesses of q and v, in parameters.
-    pub guesses: Vec<(Expr, Expr)>,
+    /// Coordinates and velocities with their guesses, rotations.
+    pub layout: Layout,
+    /// Counted joint angles, in the order of their memories.
+    pub windings: Vec<Expr>,
 }
 
 /// A constraint row.
@@ -128,6 +130,7 @@ pub fn derive(model: &mut Model) -> System {
         potential,
         loads: &loads,
         rows: &rows,
+        dimension: model.world.dimension(),
     };
     let reactions = reactions::derive(&mut graph, &mut reduction, &joints, &model.merged, &balance);
 
@@ -140,7 +143,7 @@ pub fn derive(model: &mut Model) -> System {
             force: global(&mut graph, load.force),
         })
         .collect();
-    let size = model.coordinates.len();
+    let size = model.layout.velocities.len();
     let outputs = model
         .outputs
         .iter()
@@ -157,14 +160,15 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(_, position)| position.map(|x| global(&mut graph, x)))
         .collect();
+    let windings = model
+        .layout
+        .windings
+        .iter()
+        .map(|(_, angle)| global(&mut graph, *angle))
+        .collect();
     let mass = inertia::global_mass(&mut graph, &mut reduction, &inertia);
     let forces = applied_forces(&mut graph, size, potential, &loads);
     let power = power(&mut graph, &loads);
-    let guesses = model
-        .coordinates
-        .iter()
-        .map(|coordinate| (coordinate.position_guess, coordinate.velocity_guess))
-        .collect();
     System {
         graph,
         size,
@@ -177,7 +181,8 @@ pub fn derive(model: &mut Model) -> System {
         outputs,
         events,
         points,
-        guesses,
+        layout: model.layout.clone(),
+        windings,
     }
 }
 
@@ -185,7 +190,7 @@ pub fn derive(model: &mut Model) -> System {
 fn gravity_potential(graph: &mut Graph, model: &Model) -> Expr {
     let mut terms = Vec::new();
     for part in &model.parts {
-        let offset = graph.turn(part.frame.axis, part.center);
+        let offset = graph.turn(&part.frame.axes, part.center);
         let center = inertia::center_of(graph, part, offset);
         let along = graph.dot(model.gravity, center);
         let energy = graph.mul(part.mass, along);

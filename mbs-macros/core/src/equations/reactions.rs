@@ -17,6 +17,8 @@ pub(super) struct Balance<'a> {
     pub potential: Expr,
     pub loads: &'a [Load],
     pub rows: &'a [Row],
+    /// Components of a point.
+    pub dimension: usize,
 }
 
 impl Balance<'_> {
@@ -56,6 +58,7 @@ pub(super) fn derive(
     merged: &[MergedJoint],
     balance: &Balance,
 ) -> Vec<Reaction> {
+    let dimension = balance.dimension;
     let mut reactions = Vec::new();
     for joint in merged {
         // The child's side, or the parent's side with the opposite sign where the child is held by the ground.
@@ -64,10 +67,10 @@ pub(super) fn derive(
         } else {
             (&joint.child, 1.0)
         };
-        for (axis, component) in ["fx", "fy"].into_iter().enumerate() {
+        for (axis, component) in ["fx", "fy", "fz"].into_iter().enumerate().take(dimension) {
             let terms: Vec<Expr> = ends
                 .iter()
-                .map(|end| balance.needed(graph, end[axis]))
+                .map(|end| balance.needed(graph, end + axis as u32))
                 .collect();
             let sum = graph.sum(terms);
             let signed = graph.scale(sign, sum);

@@ -8,11 +8,14 @@ use super::parts::Part;
 use super::reduce::Reduction;
 use super::resolve::Resolver;
 use crate::diagnostics::{Place, did_you_mean};
-use crate::schema::{self, Absent, Kind};
+use crate::schema::{self, Absent, Kind, World};
 use crate::symbolic::{Graph, Symbol};
 use crate::syntax::Entry;
 use proc_macro2::Span;
 use std::collections::BTreeSet;
+
+/// How far apart points may be in the home pose, relative to the size of the mechanism: assembly closes such gaps.
+const NEARLY_TOGETHER: f64 = 1e-2;
 
 /// Every argument is one that its kind has, and no required one is missing.
 pub(super) fn arguments(resolver: &mut Resolver) {
@@ -20,12 +23,18 @@ pub(super) fn arguments(resolver: &mut Resolver) {
     for entry in declaration.world.iter().chain(&declaration.entries) {
         let name = entry.kind.to_string();
         let kind = if entry.name == "world" {
-            schema::world(&name)
+            schema::world(&name).map(World::kind)
         } else {
-            schema::kind(&name)
+            schema::kind(resolver.world, &name)
         };
         if let Some(kind) = kind {
             entry_arguments(resolver, entry, kind);
+        } else if let Some(kind) = schema::any_kind(&name) {
+            let (world, kind) = (resolver.world.describe(), kind.name);
+            resolver.fail::<()>(
+                entry.kind.span(),
+                format!("there is no `{kind}` in {world}"),
+            );
         }
     }
 }
@@ -152,6 +161,43 @@ pub(super) fn used(resolver: &mut Resolver) {
     }
 }
 
+/// In space, points that a joint holds together are together in the home pose, with the defaults of all parameters.
+/// (Differences within the rounding of a written number are left to assembly.)
+pub(super) fn home_poses(resolver: &mut Resolver, joints: &[JointElement]) {
+    if resolver.world == World::Planar {
+        return;
+    }
+    let mut places: Vec<(Span, [String; 2], [[f64; 3]; 2])> = Vec::new();
+    for element in joints {
+        let Some((parent, child)) = element.joint.coincident() else {
+            continue;
+        };
+        let labels = [parent.label.clone(), child.label.clone()];
+        let homes = [parent, child].map(|point| {
+            let home = resolver.home_of(point);
+            home.map(|x| resolver.by_default(x))
+        });
+        places.push((element.span, labels, homes));
+    }
+    let size = places
+        .iter()
+        .flat_map(|(_, _, homes)| homes.as_flattened())
+        .fold(0.0f64, |size, x| size.max(x.abs()));
+    for (span, labels, [parent, child]) in places {
+        let gap = (0..3)
+            .map(|k| (child[k] - parent[k]).powi(2))
+            .sum::<f64>()
+            .sqrt();
+        if gap > NEARLY_TOGETHER * size {
+            let [first, second] = labels;
+            resolver.fail::<()>(
+                span,
+                format!("in the home pose `{first}` is at {parent:?} m and `{second}` at {child:?} m, {gap:.3} m apart, but this joint holds them together; move one of the parts by its `at`, `from` or `orientation`"),
+            );
+        }
+    }
+}
+
 /// After the reduction, every condition still depends on something that moves.
 pub(super) fn movable(resolver: &mut Resolver, joints: &[JointElement], reduction: &mut Reduction) {
     for element in joints {
@@ -164,7 +210,7 @@ pub(super) fn movable(resolver: &mut Resolver, joints: &[JointElement], reductio
                 .graph
                 .substitute(row.expr, &mut reduction.substitution);
             !resolver.graph.depends_on(expr, |symbol| {
-                matches!(symbol, Symbol::Coordinate(_) | Symbol::Velocity(_))
+                symbol.is_configuration() || matches!(symbol, Symbol::Velocity(_))
             })
         });
         if !idle {
@@ -222,7 +268,10 @@ pub(super) fn massive(resolver: &mut Resolver, reduction: &Reduction) {
 
 /// The coordinates of a part, or those that it follows, with which it moves mass.
 fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
-    let (mass, inertia) = (!graph.is_zero(part.mass), !graph.is_zero(part.inertia));
+    let (mass, inertia) = (
+        !graph.is_zero(part.mass),
+        !graph.is_zero(part.inertia[2][2]),
+    );
     match part.representation {
         Representation::Coordinate => Vec::new(),
         Representation::Natural | Representation::FreePoint if mass => part.locals.clone(),
@@ -235,15 +284,16 @@ fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
                 .map(|(&local, _)| local)
                 .collect()
         }
+        // An inertia that vanishes about an axis was refused where it was declared.
+        Representation::Rigid if mass => part.locals.clone(),
+        Representation::Rigid => part.locals[3..].to_vec(),
         Representation::Prescribed => {
             let turn = part.frame.angle.filter(|_| inertia);
             let place = part.frame.origin.into_iter().filter(|_| mass);
-            let swing = part
-                .frame
-                .axis
+            let swing = part.frame.axes[0]
                 .into_iter()
                 .filter(|_| mass && part.center.iter().any(|&x| !graph.is_zero(x)));
-            let symbols = graph.symbols(turn.into_iter().chain(place).chain(swing));
+            let symbols = graph.directions(turn.into_iter().chain(place).chain(swing));
             symbols
                 .into_iter()
                 .filter_map(|symbol| match symbol {

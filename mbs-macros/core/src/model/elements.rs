@@ -36,8 +36,10 @@ impl Resolver<'_> {
                     let Some(value) = self.evaluate(syntax) else {
                         continue;
                     };
+                    let count = self.world.dimension();
                     let vector = |v: Vector, dimension| {
-                        vec![(".x", v[0], dimension), (".y", v[1], dimension)]
+                        let names = [".x", ".y", ".z"].into_iter().zip(v).take(count);
+                        names.map(|(name, x)| (name, x, dimension)).collect()
                     };
                     let components = match value {
                         Value::Scalar(x, dimension) => vec![("", x, dimension)],
@@ -74,7 +76,7 @@ impl Resolver<'_> {
     pub(super) fn elements(&mut self) -> (Vec<JointElement>, Vec<ForceElement>) {
         let (mut found_joints, mut found_forces) = (Vec::new(), Vec::new());
         for entry in &self.declaration.entries {
-            let Some(kind) = crate::schema::kind(&entry.kind.to_string()) else {
+            let Some(kind) = crate::schema::kind(self.world, &entry.kind.to_string()) else {
                 continue;
             };
             let name = entry.name.to_string();

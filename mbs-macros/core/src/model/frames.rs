@@ -26,12 +26,12 @@ impl Resolver<'_> {
         match owner {
             Owner::Part(part) => self.parts[part].frame.clone(),
             Owner::Ground => {
-                let (zero, one) = (self.graph.zero(), self.graph.one());
+                let zero = self.graph.zero();
                 Frame {
-                    origin: [zero, zero],
-                    axis: [one, zero],
+                    origin: [zero; 3],
+                    axes: self.graph.ground_axes(),
                     angle: Some(zero),
-                    rate: zero,
+                    spin: [zero; 3],
                 }
             }
         }
@@ -71,28 +71,28 @@ impl Resolver<'_> {
         let label = format!("{}.{name}", self.owner_name(owner));
         let zero = self.graph.zero();
         let Owner::Part(index) = owner else {
-            return Some(self.point_of(owner, [zero, zero], label));
+            return Some(self.point_of(owner, [zero; 3], label));
         };
         let part = &self.parts[index];
+        let dimension = self.world.dimension();
         let free = match (&part.representation, name) {
             (Representation::Natural | Representation::FreePoint, "a" | "origin") => {
-                Some([part.locals[0], part.locals[1]])
+                Some(part.locals[0])
             }
-            (Representation::Natural, "b") => Some([part.locals[2], part.locals[3]]),
+            (Representation::Natural, "b") => Some(part.locals[dimension]),
             _ => None,
         };
         let length = part.length.unwrap_or(zero);
         let local = match name {
-            "b" => [length, zero],
-            "center" if part.kind == "Bar" => [self.graph.scale(0.5, length), zero],
+            "b" => [length, zero, zero],
+            "center" if part.kind == "Bar" => [self.graph.scale(0.5, length), zero, zero],
             "center" => part.center,
-            _ => [zero, zero],
+            _ => [zero; 3],
         };
         let mut point = self.point_of(owner, local, label);
-        if let Some([x, y]) = free {
-            let position = [Symbol::LocalPosition(x), Symbol::LocalPosition(y)];
-            point.position = position.map(|symbol| self.graph.symbol(symbol));
-            point.free = Some([x, y]);
+        if let Some(first) = free {
+            point.position = self.free_position(first);
+            point.free = Some(first);
         }
         Some(point)
     }

@@ -11,6 +11,9 @@ mod elements;
 mod expression;
 mod frames;
 mod geometry;
+mod home;
+mod joint_frames;
+mod layout;
 mod parts;
 mod placement;
 mod reduce;
@@ -19,13 +22,16 @@ mod turning;
 mod value;
 
 use crate::equations::{forces::Force, joints::Joint};
+use crate::schema::World;
 use crate::symbolic::{Expr, Graph, Substitution};
 
 pub use arguments::Arguments;
 pub use dimension::{Dimension, UNITS, unit};
 pub use drawing::Drawing;
-pub use geometry::{Frame, Owner, Point, Vector};
-pub use parts::{Part, Representation};
+pub use geometry::{Attachment, Axes, Frame, Owner, Point, Vector};
+pub use joint_frames::{JointFrames, Winding};
+pub use layout::{Layout, Rotation, Stored};
+pub use parts::{Part, Representation, Shape, Tensor};
 pub use reduce::MergedJoint;
 pub use resolve::resolve;
 
@@ -38,6 +44,8 @@ pub struct Model {
     pub name: String,
     /// Its documentation.
     pub doc: String,
+    /// The plane or space.
+    pub world: World,
     /// Its declaration as text.
     pub text: String,
     /// Parameters, in declaration order.
@@ -50,6 +58,8 @@ pub struct Model {
     pub events: Vec<(String, Expr)>,
     /// Acceleration of gravity.
     pub gravity: Vector,
+    /// The unit vector against gravity with default parameters; without gravity, y in the plane and z in space.
+    pub up: [f64; 3],
     /// Coordinates of the parts on their own.
     pub locals: Vec<Local>,
     /// Bars, bodies, particles.
@@ -58,8 +68,8 @@ pub struct Model {
     pub joints: Vec<(String, Box<dyn Joint>)>,
     /// Force elements.
     pub forces: Vec<(String, Box<dyn Force>)>,
-    /// The generalized coordinates.
-    pub coordinates: Vec<Coordinate>,
+    /// The generalized coordinates and velocities.
+    pub layout: Layout,
     /// Local coordinates in terms of the generalized ones.
     pub reduction: Substitution,
     /// Joints that the reduction dissolved.
@@ -92,19 +102,6 @@ pub struct Local {
     pub name: String,
     /// SI unit.
     pub unit: String,
-}
-
-/// A generalized coordinate.
-#[derive(Debug, Clone)]
-pub struct Coordinate {
-    /// The name of the local coordinate it stands for.
-    pub name: String,
-    /// SI unit.
-    pub unit: String,
-    /// Initial guess, in parameters.
-    pub position_guess: Expr,
-    /// Initial guess of its rate, in parameters.
-    pub velocity_guess: Expr,
 }
 
 /// A user's law.

@@ -4,7 +4,7 @@
 //! and place its neighbours. What stays unknown starts at angle 0 and position 0; assembly has the last word.
 
 use super::elements::JointElement;
-use super::geometry::{Owner, Point, Vector};
+use super::geometry::{Axes, Owner, Point, Vector};
 use super::parts::{Part, Representation};
 use super::resolve::Resolver;
 use crate::symbolic::{Expr, Graph};
@@ -14,6 +14,7 @@ use std::collections::HashMap;
 #[derive(Debug, Default)]
 pub(super) struct Guesses {
     values: HashMap<u32, (Expr, Expr)>,
+    quaternions: HashMap<u32, [Expr; 4]>,
 }
 
 impl Guesses {
@@ -21,6 +22,21 @@ impl Guesses {
         self.values
             .get(&local)
             .map_or_else(|| graph.zero(), |value| value.0)
+    }
+
+    pub(super) fn set(&mut self, local: u32, position: Expr, velocity: Expr) {
+        self.values.insert(local, (position, velocity));
+    }
+
+    pub(super) fn set_quaternion(&mut self, first: u32, quaternion: [Expr; 4]) {
+        self.quaternions.insert(first, quaternion);
+    }
+
+    /// The quaternion of the rotation whose first local is this.
+    pub(super) fn quaternion(&self, first: u32, graph: &mut Graph) -> [Expr; 4] {
+        let (zero, one) = (graph.zero(), graph.one());
+        let identity = [one, zero, zero, zero];
+        self.quaternions.get(&first).copied().unwrap_or(identity)
     }
 
     pub(super) fn velocity(&self, local: u32, graph: &mut Graph) -> Expr {
@@ -36,7 +52,7 @@ struct Pose {
     origin: Vector,
     velocity: Vector,
     angle: Expr,
-    axis: Vector,
+    axes: Axes,
     rate: Expr,
 }
 
@@ -116,7 +132,7 @@ fn known_points(
                     let zero = graph.zero();
                     Some(Known {
                         position: other.position,
-                        velocity: [zero; 2],
+                        velocity: [zero; 3],
                     })
                 }
                 Owner::Part(index) => poses[index].map(|pose| point_of(graph, &pose, other.local)),
@@ -128,7 +144,7 @@ fn known_points(
 }
 
 fn point_of(graph: &mut Graph, pose: &Pose, local: Vector) -> Known {
-    let arm = graph.turn(pose.axis, local);
+    let arm = graph.turn(&pose.axes, local);
     let turned = graph.perpendicular(arm);
     let swing = graph.vector_scale(pose.rate, turned);
     Known {
@@ -148,19 +164,19 @@ fn pose(
     let mut known = known.to_vec();
     if let Some(origin) = guess.origin {
         known.push((
-            [zero; 2],
+            [zero; 3],
             Known {
                 position: origin,
-                velocity: guess.velocity.unwrap_or([zero; 2]),
+                velocity: guess.velocity.unwrap_or([zero; 3]),
             },
         ));
     }
     if let (Some(end), Some(length)) = (guess.end, part.length) {
         known.push((
-            [length, zero],
+            [length, zero, zero],
             Known {
                 position: end,
-                velocity: [zero; 2],
+                velocity: [zero; 3],
             },
         ));
     }
@@ -172,24 +188,25 @@ fn pose(
         (None, None) if desperate => (zero, guess.rate.unwrap_or(zero)),
         (None, None) => return None,
     };
-    let axis = graph.direction(angle);
+    let x = graph.direction(angle);
+    let axes = graph.planar_axes(x);
     let (local, place) = match known.first() {
         Some(known) => *known,
         None if desperate => (
-            [zero; 2],
+            [zero; 3],
             Known {
-                position: [zero; 2],
-                velocity: guess.velocity.unwrap_or([zero; 2]),
+                position: [zero; 3],
+                velocity: guess.velocity.unwrap_or([zero; 3]),
             },
         ),
         None => return None,
     };
     // origin = known point − its arm, and the same for velocities
     let mut pose = Pose {
-        origin: [zero; 2],
-        velocity: [zero; 2],
+        origin: [zero; 3],
+        velocity: [zero; 3],
         angle,
-        axis,
+        axes,
         rate,
     };
     let arm = point_of(graph, &pose, local);
@@ -212,7 +229,7 @@ fn two_points(graph: &mut Graph, known: &[(Vector, Known)]) -> Option<(Expr, Exp
         graph.atan2(inside[1], inside[0]),
     );
     let angle = graph.sub(to, from);
-    let cross = graph.cross(outside, spread);
+    let cross = graph.planar_cross(outside, spread);
     let square = graph.dot(outside, outside);
     let rate = graph.div(cross, square);
     Some((angle, rate))
@@ -221,10 +238,12 @@ fn two_points(graph: &mut Graph, known: &[(Vector, Known)]) -> Option<(Expr, Exp
 fn store(graph: &mut Graph, part: &Part, pose: &Pose, guesses: &mut Guesses) {
     let zero = graph.zero();
     let points: Vec<Vector> = match part.representation {
-        Representation::Natural => vec![[zero, zero], [part.length.unwrap_or(zero), zero]],
-        Representation::FreePoint => vec![[zero, zero]],
+        Representation::Natural => vec![[zero; 3], [part.length.unwrap_or(zero), zero, zero]],
+        Representation::FreePoint => vec![[zero; 3]],
         Representation::Reference => vec![part.center],
-        Representation::Prescribed | Representation::Coordinate => Vec::new(),
+        Representation::Prescribed | Representation::Coordinate | Representation::Rigid => {
+            Vec::new()
+        }
     };
     for (slot, local) in points.into_iter().enumerate() {
         let place = point_of(graph, pose, local);

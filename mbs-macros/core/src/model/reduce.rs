@@ -2,9 +2,7 @@
 
 use super::elements::JointElement;
 use super::geometry::{Owner, Point, Vector};
-use super::placement::Guesses;
 use super::resolve::Resolver;
-use super::{Coordinate, Representation};
 use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
 use std::collections::BTreeMap;
 
@@ -13,11 +11,11 @@ use std::collections::BTreeMap;
 pub struct MergedJoint {
     /// The joint's name.
     pub joint: String,
-    /// The force on the child is what these ends need from their surroundings: pairs of local coordinates of the parts
-    /// on the child's side. Empty where the child is the ground; then `parent` is taken with the opposite sign.
-    pub child: Vec<[u32; 2]>,
+    /// The force on the child is what these points need from their surroundings: the first local coordinates of the
+    /// ends of parts on the child's side. Empty where the child is the ground; then `parent` is taken with the opposite sign.
+    pub child: Vec<u32>,
     /// The same for the parent's side.
-    pub parent: Vec<[u32; 2]>,
+    pub parent: Vec<u32>,
 }
 
 /// The outcome of the reduction.
@@ -32,7 +30,7 @@ pub(super) struct Reduction {
 /// A set of joined points: ends of parts, and at most one place of the ground.
 #[derive(Default)]
 struct Cluster {
-    ends: Vec<[u32; 2]>,
+    ends: Vec<u32>,
     ground: Option<Vector>,
     joints: Vec<usize>,
 }
@@ -67,7 +65,7 @@ pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option
         sentences: Vec::new(),
         kept: Vec::new(),
     };
-    let mut leaders: BTreeMap<u32, [u32; 2]> = BTreeMap::new();
+    let mut leaders: BTreeMap<u32, u32> = BTreeMap::new();
     let mut fixed: BTreeMap<u32, Vector> = BTreeMap::new();
     for cluster in &clusters.list {
         // Of joined clusters one is left empty.
@@ -76,8 +74,8 @@ pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option
         };
         for &end in &cluster.ends {
             match cluster.ground {
-                Some(place) => fixed.extend([(end[0], place)]),
-                None => leaders.extend([(end[0], leader)]),
+                Some(place) => fixed.extend([(end, place)]),
+                None => leaders.extend([(end, leader)]),
             }
         }
         describe(resolver, cluster, leader, joints, &mut reduction.sentences);
@@ -162,15 +160,15 @@ impl Clusters {
 fn describe(
     resolver: &Resolver,
     cluster: &Cluster,
-    leader: [u32; 2],
+    leader: u32,
     joints: &[JointElement],
     sentences: &mut Vec<String>,
 ) {
     if cluster.joints.is_empty() {
         return;
     }
-    let point = |end: [u32; 2]| {
-        let name = &resolver.locals[end[0] as usize].name;
+    let point = |end: u32| {
+        let name = &resolver.locals[end as usize].name;
         name.trim_end_matches(".x").to_owned()
     };
     let names: Vec<_> = cluster
@@ -184,14 +182,14 @@ fn describe(
             "{}: {} held by the ground, {} coordinates and as many rows saved",
             names.join(", "),
             ends.join(", "),
-            2 * ends.len()
+            resolver.world.dimension() * ends.len()
         ),
         None => format!(
             "{}: {} are one point (`{}`), {} coordinates and as many rows saved",
             names.join(", "),
             ends.join(", "),
             point(leader),
-            2 * (ends.len() - 1)
+            resolver.world.dimension() * (ends.len() - 1)
         ),
     });
 }
@@ -204,7 +202,7 @@ fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoin
             .merges()
             .map(|(parent, child)| (parent.free, child.free))
     };
-    let reach = |start: Option<[u32; 2]>| -> Vec<[u32; 2]> {
+    let reach = |start: Option<u32>| -> Vec<u32> {
         let mut members = vec![start];
         let mut grown = true;
         while grown {
@@ -236,7 +234,7 @@ fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoin
 /// Replaces local coordinates by generalized ones (or constants).
 fn substitute(
     resolver: &mut Resolver,
-    leaders: &BTreeMap<u32, [u32; 2]>,
+    leaders: &BTreeMap<u32, u32>,
     fixed: &BTreeMap<u32, Vector>,
     reduction: &mut Reduction,
 ) {
@@ -244,17 +242,13 @@ fn substitute(
     let zero = graph.zero();
     let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
     for part in &resolver.parts {
-        let pairs = matches!(
-            part.representation,
-            Representation::Natural | Representation::FreePoint
-        );
+        let rotation = part.rotation();
         for (slot, &local) in part.locals.iter().enumerate() {
-            let component = slot % 2;
-            let first = if pairs {
-                part.locals[slot - component]
-            } else {
-                local
+            let component = match part.representation.is_points() {
+                true => slot % resolver.world.dimension(),
+                false => 0,
             };
+            let first = local - component as u32;
             let set = |substitution: &mut Substitution, values: [Expr; 3]| {
                 substitution.insert(Symbol::LocalPosition(local), values[0]);
                 substitution.insert(Symbol::LocalVelocity(local), values[1]);
@@ -266,7 +260,7 @@ fn substitute(
             }
             let leader = leaders
                 .get(&first)
-                .map_or(local, |leader| leader[component]);
+                .map_or(local, |leader| leader + component as u32);
             let index = *index_of.entry(leader).or_insert_with(|| {
                 let index = reduction.kept.len() as u32;
                 reduction
@@ -278,6 +272,9 @@ fn substitute(
             graph.set_name(Symbol::Coordinate(index), name.clone());
             graph.set_name(Symbol::Velocity(index), format!("{name}'"));
             graph.set_name(Symbol::Acceleration(index), format!("{name}''"));
+            if rotation == Some(local) {
+                rotate(graph, local, index, &mut reduction.substitution);
+            }
             let symbols = [
                 Symbol::Coordinate(index),
                 Symbol::Velocity(index),
@@ -286,6 +283,17 @@ fn substitute(
             let values = symbols.map(|symbol| graph.symbol(symbol));
             set(&mut reduction.substitution, values);
         }
+    }
+}
+
+/// The entries of a part's rotation matrix become those of a generalized rotation.
+fn rotate(graph: &mut Graph, local: u32, index: u32, substitution: &mut Substitution) {
+    for entry in 0..9u8 {
+        let name = graph.name(Symbol::LocalRotation(local, entry));
+        let symbol = Symbol::Rotation(index, entry);
+        graph.set_name(symbol, name);
+        let value = graph.symbol(symbol);
+        substitution.insert(Symbol::LocalRotation(local, entry), value);
     }
 }
 
@@ -304,20 +312,8 @@ impl Reduction {
         }
     }
 
-    /// The generalized coordinates with their guesses.
-    pub(super) fn coordinates(
-        &self,
-        resolver: &mut Resolver,
-        guesses: &Guesses,
-    ) -> Vec<Coordinate> {
-        self.kept
-            .iter()
-            .map(|(local, name)| Coordinate {
-                name: name.clone(),
-                unit: resolver.locals[*local as usize].unit.clone(),
-                position_guess: guesses.position(*local, &mut resolver.graph),
-                velocity_guess: guesses.velocity(*local, &mut resolver.graph),
-            })
-            .collect()
+    /// The local coordinates that stay, with their names.
+    pub(super) fn kept(&self) -> &[(u32, String)] {
+        &self.kept
     }
 }

@@ -1,11 +1,15 @@
 //! Name resolution: entries are evaluated when first asked for, so that they may stand in any order.
 
 use super::geometry::{Owner, Point, Vector};
+use super::joint_frames::Winding;
 use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
-use super::{Arguments, Dimension, Law, Local, Model, Quantity, check, placement, reduce};
+use super::{
+    Arguments, Dimension, Law, Local, Model, Quantity, check, home, layout, placement, reduce,
+};
 use crate::diagnostics::{Errors, Place, did_you_mean};
+use crate::schema::{Group, World};
 use crate::symbolic::{Graph, Symbol};
 use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
@@ -29,18 +33,24 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     }
     check::connected(&mut resolver, &joints, &forces);
     check::used(&mut resolver);
+    check::home_poses(&mut resolver, &joints);
     let mut reduction = reduce::reduce(&mut resolver, &joints)?;
     check::movable(&mut resolver, &joints, &mut reduction);
     check::massive(&mut resolver, &reduction);
-    let guesses = placement::place(&mut resolver, &joints);
-    let coordinates = reduction.coordinates(&mut resolver, &guesses);
+    let guesses = match resolver.world {
+        World::Planar => placement::place(&mut resolver, &joints),
+        World::Spatial => home::guesses(&mut resolver, &joints),
+    };
+    let layout = layout::layout(&mut resolver, &reduction, &guesses);
     let drawing = resolver.drawing(&joints, &forces);
+    let up = resolver.up(gravity);
     let joints = joints
         .into_iter()
         .filter(|element| !reduction.dissolved(&element.name))
         .map(|element| (element.name, element.joint))
         .collect();
     let Resolver {
+        world,
         graph,
         parameters,
         inputs,
@@ -52,6 +62,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     Some(Model {
         name: declaration.name.to_string(),
         doc: declaration.doc.clone(),
+        world,
         text: declaration.text.clone(),
         graph,
         parameters,
@@ -59,6 +70,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         outputs,
         events,
         gravity,
+        up,
         locals,
         parts,
         joints,
@@ -66,7 +78,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
             .into_iter()
             .map(|element| (element.name, element.force))
             .collect(),
-        coordinates,
+        layout,
         reduction: reduction.substitution,
         merged: reduction.merged,
         reductions: reduction.sentences,
@@ -85,12 +97,15 @@ enum State {
 pub struct Resolver<'d> {
     pub(super) declaration: &'d Declaration,
     pub(super) errors: &'d mut Errors,
+    pub(super) world: World,
     pub(super) graph: Graph,
     pub(super) parameters: Vec<Quantity>,
     pub(super) inputs: Vec<Quantity>,
     pub(super) locals: Vec<Local>,
     pub(super) parts: Vec<Part>,
     pub(super) laws: Vec<Law>,
+    /// Joint angles that are counted over full turns, by the name of their joint.
+    pub(super) windings: Vec<Winding>,
     /// Names that some expression has asked for.
     pub(super) used: HashSet<String>,
     /// Bars that need an angle.
@@ -107,12 +122,14 @@ impl<'d> Resolver<'d> {
         Resolver {
             declaration,
             errors,
+            world: declaration.world_kind(),
             graph: Graph::default(),
             parameters: Vec::new(),
             inputs: Vec::new(),
             locals: Vec::new(),
             parts: Vec::new(),
             laws: Vec::new(),
+            windings: Vec::new(),
             used: HashSet::new(),
             turning: turning(declaration),
             names: HashMap::new(),
@@ -159,11 +176,22 @@ impl<'d> Resolver<'d> {
     fn gravity(&mut self) -> Vector {
         let zero = self.graph.zero();
         let Some(world) = &self.declaration.world else {
-            return [zero; 2];
+            return [zero; 3];
         };
         Arguments::new(self, world)
             .vector("gravity")
-            .unwrap_or([zero; 2])
+            .unwrap_or([zero; 3])
+    }
+
+    /// The unit vector against gravity.
+    fn up(&self, gravity: Vector) -> [f64; 3] {
+        let down = gravity.map(|x| self.by_default(x));
+        let length = down.iter().map(|x| x * x).sum::<f64>().sqrt();
+        match self.world {
+            _ if length > 0.0 => down.map(|x| if x == 0.0 { 0.0 } else { -x / length }),
+            World::Planar => [0.0, 1.0, 0.0],
+            World::Spatial => [0.0, 0.0, 1.0],
+        }
     }
 
     pub(super) fn entry(&self, index: usize) -> &'d Entry {
@@ -187,23 +215,22 @@ impl<'d> Resolver<'d> {
                     None,
                 ));
             }
-            "X" | "Y" => {
-                let (one, zero) = (self.graph.one(), self.graph.zero());
-                let axis = if name == "X" {
-                    [one, zero]
-                } else {
-                    [zero, one]
-                };
+            "Z" if self.world == World::Planar => {
+                return self.fail(span, "a planar world has no axis Z");
+            }
+            "X" | "Y" | "Z" => {
+                let axes = self.graph.ground_axes();
+                let axis = axes[usize::from(name.as_bytes()[0] - b'X')];
                 return Some(Value::Vector(axis, Some(Dimension::NONE)));
             }
-            "Z" => return self.fail(span, "a planar world has no axis Z"),
             _ => {}
         }
         let Some(&index) = self.names.get(name) else {
             let known: Vec<&str> = self.names.keys().map(String::as_str).collect();
             let mut known: Vec<&str> = known
                 .into_iter()
-                .chain(["ground", "t", "X", "Y", "pi"])
+                .chain(["ground", "t", "X", "Y", "Z", "pi"])
+                .filter(|name| *name != "Z" || self.world == World::Spatial)
                 .collect();
             known.sort_unstable();
             let hint = did_you_mean(name, known);
@@ -220,7 +247,7 @@ impl<'d> Resolver<'d> {
             State::Done(Some(value)) => Some(value.clone()),
             State::Done(None) => {
                 let entry = self.entry(index);
-                if is_value(entry) {
+                if is_value(self.world, entry) {
                     // Its own error is recorded already.
                     return None;
                 }
@@ -232,6 +259,16 @@ impl<'d> Resolver<'d> {
                     ),
                 )
             }
+            State::Waiting | State::Working => None,
+        }
+    }
+
+    /// The value of an entry.
+    pub(super) fn value_of(&mut self, entry: &Entry) -> Option<Value> {
+        let index = *self.names.get(&entry.name.to_string())?;
+        self.force(index);
+        match &self.states[index] {
+            State::Done(value) => value.clone(),
             State::Waiting | State::Working => None,
         }
     }
@@ -253,9 +290,12 @@ impl<'d> Resolver<'d> {
                 .and_then(|syntax| self.evaluate(syntax)),
             "Point" => self.ground_point(entry),
             "Coordinate" => self.coordinate(entry),
-            "Bar" => self.bar(entry),
-            "Body" => self.body(entry),
+            "Bar" if self.world == World::Planar => self.planar_bar(entry),
+            "Bar" => self.spatial_bar(entry),
+            "Body" if self.world == World::Planar => self.planar_body(entry),
+            "Body" => self.spatial_body(entry),
             "Particle" => self.particle(entry),
+            kind if has_frames(self.world, kind) => self.joint_frames(entry),
             _ => None,
         };
         self.silent = silent;
@@ -323,11 +363,20 @@ impl<'d> Resolver<'d> {
     }
 }
 
-fn is_value(entry: &Entry) -> bool {
+fn is_value(world: World, entry: &Entry) -> bool {
+    let kind = entry.kind.to_string();
     matches!(
-        entry.kind.to_string().as_str(),
+        kind.as_str(),
         "Param" | "Input" | "Let" | "Point" | "Coordinate" | "Bar" | "Body" | "Particle"
-    )
+    ) || has_frames(world, &kind)
+}
+
+/// Whether a kind is a joint between two frames.
+pub(super) fn has_frames(world: World, kind: &str) -> bool {
+    world == World::Spatial
+        && crate::schema::kind(world, kind).is_some_and(|kind| {
+            kind.group == Group::Joint && kind.fields.iter().any(|field| field.name == "at")
+        })
 }
 
 pub(super) fn quantity(entry: &Entry, default: f64, dimension: Option<Dimension>) -> Quantity {

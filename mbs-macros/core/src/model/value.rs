@@ -1,7 +1,9 @@
 //! What an expression of the declaration can be.
 
 use super::dimension::Dimension;
-use super::geometry::{Owner, Point, Vector};
+use super::geometry::{Attachment, Owner, Point, Vector};
+use super::joint_frames::JointFrames;
+use super::parts::Tensor;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// The value of an expression. A dimension of `None` is that of a bare number: it fits anywhere.
@@ -9,8 +11,11 @@ use crate::symbolic::{Expr, Graph, Symbol};
 pub(super) enum Value {
     Scalar(Expr, Option<Dimension>),
     Vector(Vector, Option<Dimension>),
+    Tensor(Tensor, Option<Dimension>),
     Point(Point),
     Frame(Owner),
+    Attachment(Box<Attachment>),
+    Joint(Box<JointFrames>),
     List(Vec<Value>),
 }
 
@@ -21,6 +26,9 @@ impl Value {
                 dimension.map_or("a number".to_owned(), |d| d.to_string())
             }
             Value::Vector(..) => "a vector".to_owned(),
+            Value::Tensor(..) => "a tensor".to_owned(),
+            Value::Attachment(frame) => format!("a frame at `{}`", frame.point.label),
+            Value::Joint(joint) => format!("the joint `{}`", joint.name),
             Value::Point(point) => format!("the point `{}`", point.label),
             Value::Frame(Owner::Ground) => "the ground".to_owned(),
             Value::Frame(Owner::Part(_)) => "a part".to_owned(),
@@ -47,7 +55,9 @@ impl Value {
             Value::Scalar(x, _) => vec![*x],
             Value::Vector(v, _) => v.to_vec(),
             Value::Point(point) => point.position.to_vec(),
-            Value::Frame(_) => Vec::new(),
+            Value::Tensor(tensor, _) => tensor.as_flattened().to_vec(),
+            Value::Attachment(frame) => frame.point.position.to_vec(),
+            Value::Frame(_) | Value::Joint(_) => Vec::new(),
             Value::List(items) => items.iter().flat_map(Value::expressions).collect(),
         }
     }

@@ -2,11 +2,57 @@
 //!
 //! It drives the checks of arguments, the hints in error messages and the reference page of the book.
 
-mod kinds;
+mod common;
+mod planar;
+mod spatial;
 
 use crate::model::Dimension;
 
-pub use kinds::{KINDS, WORLDS};
+/// The worlds, by which kinds differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum World {
+    /// Motion in the x–y plane.
+    Planar,
+    /// Motion in space.
+    Spatial,
+}
+
+impl World {
+    /// Both.
+    pub const ALL: [World; 2] = [World::Planar, World::Spatial];
+
+    /// The entry `world:`.
+    pub fn kind(self) -> &'static Kind {
+        match self {
+            World::Planar => &planar::WORLD,
+            World::Spatial => &spatial::WORLD,
+        }
+    }
+
+    /// The kinds that belong to this world alone.
+    pub fn own_kinds(self) -> &'static [Kind] {
+        match self {
+            World::Planar => planar::KINDS,
+            World::Spatial => spatial::KINDS,
+        }
+    }
+
+    /// The number of coordinates of a point.
+    pub fn dimension(self) -> usize {
+        match self {
+            World::Planar => 2,
+            World::Spatial => 3,
+        }
+    }
+
+    /// In words.
+    pub fn describe(self) -> &'static str {
+        match self {
+            World::Planar => "the plane",
+            World::Spatial => "space",
+        }
+    }
+}
 
 /// A kind of entry.
 #[derive(Debug, Clone, Copy)]
@@ -58,13 +104,13 @@ pub enum Expects {
     Known(Dimension),
     /// A scalar of any dimension that is known once the parameters are.
     KnownAny,
-    /// Two components known once the parameters are.
+    /// A vector known once the parameters are.
     KnownVector(Dimension),
     /// A scalar that may change with time, state and inputs.
     Moving(Dimension),
     /// A scalar of any dimension that may change with time, state and inputs.
     MovingAny,
-    /// Two components that may change with time, state and inputs.
+    /// A vector that may change with time, state and inputs.
     MovingVector(Dimension),
     /// A scalar, a vector, a point, or a list of scalars.
     Anything,
@@ -72,8 +118,20 @@ pub enum Expects {
     Point,
     /// A bar, body, or the ground.
     Part,
-    /// `X`, `Y`, or two components in the axes of the second partner.
+    /// A direction: `X`, `Y`, `Z`, or components.
     Axis,
+    /// A part together with `at =`, a point, or a frame: where a spatial joint takes hold.
+    Attachment,
+    /// A joint.
+    Joint,
+    /// `turn(axis, angle)`, or a list of them, each in the axes that the one before has turned.
+    Orientation,
+    /// `Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`.
+    Shape,
+    /// A moment of inertia, `diag(…)`, three rows, or a shape.
+    Inertia,
+    /// A stiffness or damping in six directions: a number of the first dimension (or three, or a matrix of 3 × 3).
+    Gains(Dimension),
     /// `Frame([x, y], angle)`.
     Frame,
     /// The path of a function `fn([f64; K]) -> (f64, [f64; K])`: value and partials.
@@ -96,12 +154,67 @@ pub enum Absent {
 /// Names that no entry may take.
 pub const RESERVED: &[&str] = &["ground", "t", "X", "Y", "Z", "pi"];
 
-/// The kind of this name.
-pub fn kind(name: &str) -> Option<&'static Kind> {
-    KINDS.iter().find(|kind| kind.name == name)
+/// The kinds that all worlds share.
+pub fn common_kinds() -> &'static [Kind] {
+    common::KINDS
+}
+
+/// The kind of this name, in one world.
+pub fn kind(world: World, name: &str) -> Option<&'static Kind> {
+    let mut kinds = common::KINDS.iter().chain(world.own_kinds());
+    kinds.find(|kind| kind.name == name)
+}
+
+/// The kind of this name, in any world.
+pub fn any_kind(name: &str) -> Option<&'static Kind> {
+    World::ALL.into_iter().find_map(|world| kind(world, name))
+}
+
+/// The names of all kinds, each once.
+pub fn names() -> impl Iterator<Item = &'static str> + Clone {
+    let planar = World::Planar.own_kinds().iter();
+    let spatial = World::Spatial.own_kinds().iter();
+    let new = spatial.filter(|kind| {
+        World::Planar
+            .own_kinds()
+            .iter()
+            .all(|other| other.name != kind.name)
+    });
+    common::KINDS
+        .iter()
+        .chain(planar)
+        .chain(new)
+        .map(|kind| kind.name)
 }
 
 /// The world of this name.
-pub fn world(name: &str) -> Option<&'static Kind> {
-    WORLDS.iter().find(|kind| kind.name == name)
+pub fn world(name: &str) -> Option<World> {
+    World::ALL
+        .into_iter()
+        .find(|world| world.kind().name == name)
+}
+
+const fn field(name: &'static str, expects: Expects, default: Absent, doc: &'static str) -> Field {
+    Field {
+        name,
+        positional: false,
+        expects,
+        default,
+        doc,
+    }
+}
+
+const fn positional(
+    name: &'static str,
+    expects: Expects,
+    default: Absent,
+    doc: &'static str,
+) -> Field {
+    Field {
+        name,
+        positional: true,
+        expects,
+        default,
+        doc,
+    }
 }

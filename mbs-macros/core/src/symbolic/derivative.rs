@@ -1,4 +1,7 @@
 //! Derivatives, memoised per node and symbol.
+//!
+//! Orientations are differentiated along the three angular velocities in body axes, D R = R ê, never along components of
+//! a quaternion: a derivative of an entry of R is another entry of R or zero, and costs nothing.
 
 use super::{Expr, Function, Graph, Node, Symbol};
 
@@ -13,7 +16,7 @@ impl Graph {
         }
         let result = match self.node(expr).clone() {
             Node::Constant(_) => self.zero(),
-            Node::Symbol(own) => self.constant(if own == symbol { 1.0 } else { 0.0 }),
+            Node::Symbol(own) => self.symbol_derivative(own, symbol),
             Node::Sum { terms, .. } => {
                 let terms: Vec<_> = terms
                     .iter()
@@ -74,6 +77,30 @@ impl Graph {
         result
     }
 
+    fn symbol_derivative(&mut self, own: Symbol, by: Symbol) -> Expr {
+        let entry = |first: u32, entry: u8, direction: u32| {
+            let axis = direction.checked_sub(first).filter(|&axis| axis < 3)? as u8;
+            turned_entry(entry, axis)
+        };
+        let turned = match (own, by) {
+            (Symbol::LocalRotation(first, e), Symbol::LocalPosition(i)) => {
+                entry(first, e, i).map(|(e, sign)| (Symbol::LocalRotation(first, e), sign))
+            }
+            (Symbol::Rotation(first, e), Symbol::Coordinate(i)) => {
+                entry(first, e, i).map(|(e, sign)| (Symbol::Rotation(first, e), sign))
+            }
+            _ if own == by => return self.one(),
+            _ => None,
+        };
+        match turned {
+            Some((symbol, sign)) => {
+                let entry = self.symbol(symbol);
+                self.scale(sign, entry)
+            }
+            None => self.zero(),
+        }
+    }
+
     fn product_rule(&mut self, factors: &[(Expr, i32)], symbol: Symbol) -> Expr {
         let mut terms = Vec::new();
         for (slot, &(factor, power)) in factors.iter().enumerate() {
@@ -132,7 +159,7 @@ impl Graph {
                 self.sub(one, square)
             }
             Function::Abs => self.function(Function::Sign, x),
-            Function::Sign | Function::Step => self.zero(),
+            Function::Sign | Function::Step | Function::Round => self.zero(),
         };
         self.mul(outer, inner)
     }
@@ -141,7 +168,7 @@ impl Graph {
     /// time with 1.
     pub fn rate(&mut self, expr: Expr) -> Expr {
         let mut terms = Vec::new();
-        for symbol in self.symbols([expr]) {
+        for symbol in self.directions([expr]) {
             let rate = match symbol {
                 Symbol::Time => self.one(),
                 Symbol::LocalPosition(i) => self.symbol(Symbol::LocalVelocity(i)),
@@ -169,4 +196,16 @@ impl Graph {
             _ => self.scale(0.5, expr),
         }
     }
+}
+
+/// R ê_axis, entry by entry: column j of R ê_k is Σ_i ε_ikj (column i of R). Answers the entry and its sign.
+fn turned_entry(entry: u8, axis: u8) -> Option<(u8, f64)> {
+    let (row, column) = (entry / 3, entry % 3);
+    if column == axis {
+        return None;
+    }
+    let other = 3 - column - axis;
+    // (other, axis, column) is an even permutation where `axis` follows `other`.
+    let sign = if (other + 1) % 3 == axis { 1.0 } else { -1.0 };
+    Some((3 * row + other, sign))
 }

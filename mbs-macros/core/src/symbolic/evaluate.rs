@@ -19,6 +19,7 @@ impl Function {
             Function::Cosh => x.cosh(),
             Function::Tanh => x.tanh(),
             Function::Abs => x.abs(),
+            Function::Round => x.round(),
             Function::Sign => {
                 if x == 0.0 {
                     0.0

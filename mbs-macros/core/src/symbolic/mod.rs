@@ -11,6 +11,7 @@ mod latex;
 mod map;
 mod number;
 mod print;
+mod rotation;
 mod substitute;
 
 pub(crate) use map::Map;
@@ -19,6 +20,7 @@ use map::Set;
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
 pub use number::Number;
+pub use rotation::rotation_entry;
 pub use substitute::Substitution;
 
 /// A node of a [`Graph`].
@@ -43,8 +45,18 @@ pub enum Symbol {
     LocalVelocity(u32),
     /// See [`Symbol::LocalPosition`].
     LocalAcceleration(u32),
-    /// Generalized coordinate q.
+    /// Entry 3 row + column of the rotation matrix R of a body (body axes → ground axes) whose angular velocity, in body
+    /// axes, are the local velocities from this index on. Its three local positions are directions only: they never
+    /// occur in expressions, but derivatives are taken along them (see [`Graph::derivative`]).
+    LocalRotation(u32, u8),
+    /// Generalized coordinate q, by the index of its velocity.
     Coordinate(u32),
+    /// The same of a generalized rotation, by the index of its first velocity.
+    Rotation(u32, u8),
+    /// What a joint angle was when it was last counted: it tells the full turns.
+    Winding(u32),
+    /// An element of q as it is stored: what the three above become in generated code.
+    Stored(u32),
     /// Generalized velocity v.
     Velocity(u32),
     /// Generalized acceleration v̇.
@@ -62,9 +74,33 @@ pub enum Symbol {
 }
 
 impl Symbol {
+    /// The symbols along which this one changes: itself, or the three directions of a rotation.
+    pub fn directions(self) -> impl Iterator<Item = Symbol> {
+        let (first, count) = match self {
+            Symbol::LocalRotation(first, _) => (Symbol::LocalPosition(first), 3),
+            Symbol::Rotation(first, _) => (Symbol::Coordinate(first), 3),
+            other => (other, 1),
+        };
+        (0..count).map(move |k| match first {
+            Symbol::LocalPosition(i) => Symbol::LocalPosition(i + k),
+            Symbol::Coordinate(i) => Symbol::Coordinate(i + k),
+            other => other,
+        })
+    }
+
     /// Whether the symbol is known as soon as the parameters are.
     pub fn is_parameter_like(self) -> bool {
         matches!(self, Symbol::Parameter(_) | Symbol::InverseMass(..))
+    }
+
+    /// Whether the symbol is a position or orientation of a part.
+    pub fn is_local_position(self) -> bool {
+        matches!(self, Symbol::LocalPosition(_) | Symbol::LocalRotation(..))
+    }
+
+    /// Whether the symbol is a generalized position or orientation.
+    pub fn is_configuration(self) -> bool {
+        matches!(self, Symbol::Coordinate(_) | Symbol::Rotation(..))
     }
 
     /// Whether the symbol is a velocity.
@@ -106,6 +142,8 @@ pub enum Function {
     Sign,
     /// 1 where the argument is positive, else 0
     Step,
+    /// The nearest integer
+    Round,
 }
 
 /// The operation at a node. Construct nodes through [`Graph`]'s methods only: they keep the canonical form.
@@ -286,13 +324,29 @@ impl Graph {
         self.reach[expr.0 as usize] & reach_of(symbol) != 0
     }
 
+    /// The symbols along which an expression changes, sorted: those inside it, with the three directions of a rotation in
+    /// place of its entries.
+    pub fn directions(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Symbol> {
+        let mut list: Vec<Symbol> = self
+            .symbols(roots)
+            .into_iter()
+            .flat_map(Symbol::directions)
+            .collect();
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
     /// Whether a user's law occurs in the expression.
     pub fn contains_law(&self, expr: Expr) -> bool {
         self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
     }
 }
 
-/// The bit of a symbol.
+/// The bits of a symbol and of the directions along which it changes.
 fn reach_of(symbol: Symbol) -> u128 {
-    1 << (map::hash(symbol) % 128)
+    let bit = |symbol: Symbol| 1 << (map::hash(symbol) % 128);
+    symbol
+        .directions()
+        .fold(bit(symbol), |bits, direction| bits | bit(direction))
 }

@@ -21,6 +21,7 @@ impl Function {
             Function::Abs => "abs",
             Function::Sign => "sign",
             Function::Step => "step",
+            Function::Round => "round",
         }
     }
 }

@@ -5,6 +5,7 @@
 
 mod parse;
 
+use crate::schema::World;
 use proc_macro2::Span;
 use syn::{Expr, Ident, Visibility};
 
@@ -52,6 +53,14 @@ pub struct Entry {
 }
 
 impl Declaration {
+    /// The world; the plane where it is missing or unknown (which is an error already).
+    pub fn world_kind(&self) -> World {
+        let world = self.world.as_ref();
+        world
+            .and_then(|entry| crate::schema::world(&entry.kind.to_string()))
+            .unwrap_or(World::Planar)
+    }
+
     /// No more than a name.
     fn nameable(name: Ident) -> Self {
         Declaration {

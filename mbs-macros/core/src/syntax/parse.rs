@@ -84,7 +84,9 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
                 "the world is already declared; keep one `world:` entry",
             );
         } else if schema::world(&entry.kind.to_string()).is_none() {
-            let known = schema::WORLDS.iter().map(|kind| kind.name);
+            let known = schema::World::ALL
+                .into_iter()
+                .map(|world| world.kind().name);
             let hint = did_you_mean(&entry.kind.to_string(), known.clone());
             let known: Vec<_> = known.collect();
             errors.at(
@@ -101,7 +103,8 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
         }
         return true;
     }
-    if schema::world(&entry.kind.to_string()).is_some() {
+    // `Planar` is a joint of space, too, and then has partners.
+    if schema::world(&entry.kind.to_string()).is_some() && entry.positional.is_empty() {
         errors.at(
             entry.name.span(),
             format!(
@@ -112,8 +115,8 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
         declaration.world.get_or_insert(entry);
         return false;
     }
-    if schema::kind(&entry.kind.to_string()).is_none() {
-        let known = schema::KINDS.iter().map(|kind| kind.name);
+    if schema::any_kind(&entry.kind.to_string()).is_none() {
+        let known = schema::names();
         let hint = did_you_mean(&entry.kind.to_string(), known.clone());
         let hint = if hint.is_empty() {
             format!(" (kinds: {})", known.collect::<Vec<_>>().join(", "))
@@ -150,7 +153,7 @@ fn lost_parameter(chunk: &TokenStream) -> Option<Ident> {
     let rest = tokens.find(|token| !matches!(token, TokenTree::Punct(_)));
     let is_parameter = match rest {
         Some(TokenTree::Ident(kind)) => {
-            let kinds = schema::KINDS.iter().map(|kind| kind.name);
+            let kinds = schema::names();
             nearest(&kind.to_string(), kinds) == Some("Param")
         }
         Some(TokenTree::Literal(_)) => true,
@@ -211,7 +214,7 @@ impl Parse for Item {
         let doc = documentation(&input.call(Attribute::parse_outer)?)?;
         let name = entry_name(input)?;
         if !input.peek(Token![:]) {
-            let message = match schema::kind(&name.to_string()) {
+            let message = match schema::any_kind(&name.to_string()) {
                 Some(kind) => format!(
                     "this `{kind}` has no name; write `name: {kind}(…)`",
                     kind = kind.name

@@ -1,12 +1,14 @@
 //! Force elements, one file each: what the declaration says (`read`, stage 2) and what they contribute (stage 3).
-//! A new force element needs its file, a line in [`read`] and an entry in the schema.
+//! Those of one world are in `planar` and `spatial`. A new force element needs its file, a line in `read` and an entry in
+//! the schema.
 
 mod force;
+mod planar;
+mod spatial;
 mod spring_damper;
-mod torque;
-mod torsion_spring;
 
-use crate::model::{Arguments, Owner, Point};
+use crate::model::{Arguments, Axes, Owner, Point};
+use crate::schema::World;
 use crate::symbolic::{Expr, Graph};
 use std::fmt::Debug;
 
@@ -49,11 +51,25 @@ pub struct Load {
 pub fn read(kind: &str, arguments: &mut Arguments) -> Option<Box<dyn Force>> {
     match kind {
         "SpringDamper" => spring_damper::read(arguments),
-        "TorsionSpring" => torsion_spring::read(arguments),
         "Force" => force::read(arguments),
-        "Torque" => torque::read(arguments),
-        _ => None,
+        _ => match arguments.world() {
+            World::Planar => planar::read(kind, arguments),
+            World::Spatial => spatial::read(kind, arguments),
+        },
     }
+}
+
+/// The axes in which the components of a force are given, by `axes =`.
+fn force_in(arguments: &mut Arguments) -> Option<Axes> {
+    if !arguments.has("axes") {
+        return Some(arguments.graph().ground_axes());
+    }
+    let owner = arguments.part("axes")?;
+    let name = arguments.owner_name(owner);
+    if arguments.is_particle(owner) || arguments.is_slender(owner) {
+        return arguments.fail("axes", format!("`{name}` has no axes; use a `Body`"));
+    }
+    Some(arguments.frame(owner).axes)
 }
 
 /// How a spring and damper answers to a deflection: linearly, or by a user's law of [deflection, rate].

@@ -23,12 +23,12 @@ pub fn bar_length(part: &Part, length: Expr, graph: &Graph) -> Box<dyn Joint> {
 
 impl Joint for BarLength {
     fn equations(&self, graph: &mut Graph) -> JointEquations {
-        let ends: Vec<Expr> = self
-            .ends
-            .iter()
-            .map(|&end| graph.symbol(Symbol::LocalPosition(end)))
-            .collect();
-        let difference = graph.vector_sub([ends[2], ends[3]], [ends[0], ends[1]]);
+        let mut difference = graph.zero_vector();
+        let (a, b) = self.ends.split_at(self.ends.len() / 2);
+        for (x, (&a, &b)) in difference.iter_mut().zip(a.iter().zip(b)) {
+            let [a, b] = [a, b].map(|end| graph.symbol(Symbol::LocalPosition(end)));
+            *x = graph.sub(b, a);
+        }
         let rows = vec![row(
             "length",
             half_square_difference(graph, difference, self.length),

@@ -1,7 +1,9 @@
 //! Two scalars keep a linear relation.
 
-use super::gear::affine_relation;
-use super::{Joint, JointEquations, JointRow, Level, ReactionComponent, multiplier_dimension};
+use super::{
+    Joint, JointEquations, JointRow, Level, ReactionComponent, affine_relation,
+    multiplier_dimension,
+};
 use crate::model::{Arguments, Dimension};
 use crate::symbolic::{Expr, Graph};
 

@@ -1,7 +1,7 @@
 //! Two points keep their distance, as if joined by a massless rod.
 
 use super::{Joint, JointEquations, ReactionComponent, row};
-use crate::model::{Arguments, Dimension, Point};
+use crate::model::{Arguments, Dimension, Point, Vector};
 use crate::symbolic::{Expr, Graph};
 
 #[derive(Debug)]
@@ -9,6 +9,8 @@ struct Distance {
     parent: Point,
     child: Point,
     length: Expr,
+    /// Components of a force.
+    components: usize,
 }
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
@@ -31,6 +33,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
         parent,
         child,
         length,
+        components: arguments.world().dimension(),
     }))
 }
 
@@ -48,7 +51,12 @@ impl Joint for Distance {
                 half_square_difference(graph, difference, self.length),
                 Dimension([2, 0, 0, 0]),
             )],
-            reactions: vec![force("fx", difference[0]), force("fy", difference[1])],
+            reactions: ["fx", "fy", "fz"]
+                .into_iter()
+                .zip(difference)
+                .take(self.components)
+                .map(|(name, d)| force(name, d))
+                .collect(),
         }
     }
 
@@ -58,11 +66,7 @@ impl Joint for Distance {
 }
 
 /// (d·d − L²)/2: quadratic, so that its Jacobian is d itself; λ d is the force on the second point.
-pub(super) fn half_square_difference(
-    graph: &mut Graph,
-    difference: [Expr; 2],
-    length: Expr,
-) -> Expr {
+pub(super) fn half_square_difference(graph: &mut Graph, difference: Vector, length: Expr) -> Expr {
     let square = graph.dot(difference, difference);
     let length_square = graph.square(length);
     let gap = graph.sub(square, length_square);

@@ -2,6 +2,7 @@
 
 use super::{Joint, JointEquations, JointRow, Level, ReactionComponent, multiplier_dimension};
 use crate::model::{Arguments, Dimension, Owner, Vector};
+use crate::schema::World;
 use crate::symbolic::{Expr, Graph, Symbol};
 use syn::{Expr as Syntax, Member};
 
@@ -31,7 +32,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     let owner = bar_angle(arguments);
     let (target, of_target) = match owner {
         Some(owner) => (
-            Target::Direction(arguments.frame(owner).axis),
+            Target::Direction(arguments.frame(owner).axes[0]),
             Some(Dimension::NONE),
         ),
         None => {
@@ -71,6 +72,9 @@ fn bar_angle(arguments: &mut Arguments) -> Option<Owner> {
         Member::Named(name) if name == "angle" => {}
         _ => return None,
     }
+    if arguments.world() == World::Spatial {
+        return None;
+    }
     let owner = arguments.part_of(&field.base)?;
     arguments.frame(owner).angle.is_none().then_some(owner)
 }
@@ -82,7 +86,7 @@ impl Joint for Drive {
             Target::Expression(target) => graph.sub(target, self.value),
             Target::Direction(axis) => {
                 let wanted = graph.direction(self.value);
-                graph.cross(wanted, axis)
+                graph.planar_cross(wanted, axis)
             }
         };
         let dimension = multiplier_dimension(Level::Position, self.dimension);

@@ -36,7 +36,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
 pub(super) fn moves(arguments: &mut Arguments, expr: Expr) -> bool {
     arguments
         .graph()
-        .depends_on(expr, |symbol| matches!(symbol, Symbol::LocalPosition(_)))
+        .depends_on(expr, Symbol::is_local_position)
 }
 
 /// A condition on positions may not have velocities, inputs, or laws (whose second derivatives nobody supplies).

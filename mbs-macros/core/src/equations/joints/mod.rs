@@ -1,20 +1,18 @@
 //! Joints and constraints, one file each: what the declaration says (`read`, stage 2) and the rows that follow
-//! (`equations`, stage 3). A new joint needs its file, a line in [`read`] and an entry in the schema.
+//! (`equations`, stage 3). Joints of one world are in `planar` and `spatial`, conditions of both here. A new
+//! joint needs its file, a line in `read` and an entry in the schema.
 
-mod alignment;
 mod bar_length;
 mod coupling;
 mod distance;
 mod drive;
-mod fixed;
-mod gear;
 mod holonomic;
 mod nonholonomic;
-mod point_on_line;
-mod prismatic;
-mod revolute;
+mod planar;
+mod spatial;
 
-use crate::model::{Arguments, Dimension, Owner, Point, Vector};
+use crate::model::{Arguments, Dimension, Owner, Point};
+use crate::schema::World;
 use crate::symbolic::{Expr, Graph};
 use std::fmt::Debug;
 
@@ -91,17 +89,15 @@ pub struct ReactionComponent {
 /// Reads a joint or constraint.
 pub fn read(kind: &str, arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     match kind {
-        "Revolute" => revolute::read(arguments),
-        "Prismatic" => prismatic::read(arguments),
-        "Fixed" => fixed::read(arguments),
-        "PointOnLine" => point_on_line::read(arguments),
         "Distance" => distance::read(arguments),
-        "Gear" => gear::read(arguments),
         "Coupling" => coupling::read(arguments),
         "Drive" => drive::read(arguments),
         "Holonomic" => holonomic::read(arguments),
         "Nonholonomic" => nonholonomic::read(arguments),
-        _ => None,
+        _ => match arguments.world() {
+            World::Planar => planar::read(kind, arguments),
+            World::Spatial => spatial::read(kind, arguments),
+        },
     }
 }
 
@@ -114,53 +110,17 @@ fn row(suffix: &str, expr: Expr, dimension: Dimension) -> JointRow {
     }
 }
 
-/// φ = child − parent, two rows; λ is the force on the child.
-fn coincidence(graph: &mut Graph, parent: &Point, child: &Point) -> JointEquations {
-    let gap = graph.vector_sub(child.position, parent.position);
-    let one = graph.one();
-    let force = |name, row| ReactionComponent {
-        name,
-        dimension: Dimension::FORCE,
-        terms: vec![(row, one)],
-    };
-    JointEquations {
-        rows: vec![
-            row("x", gap[0], Dimension::LENGTH),
-            row("y", gap[1], Dimension::LENGTH),
-        ],
-        reactions: vec![force("fx", 0), force("fy", 1)],
-    }
-}
-
-/// n · (child − parent) = 0 with n across `axis`; λ n is the force on the child.
-fn across(
+/// second − ratio · first − offset
+fn affine_relation(
     graph: &mut Graph,
-    parent: &Point,
-    child: &Point,
-    axis: Vector,
-    suffix: &str,
-) -> JointEquations {
-    let normal = graph.perpendicular(axis);
-    let gap = graph.vector_sub(child.position, parent.position);
-    let across = graph.dot(normal, gap);
-    let force = |name, n| ReactionComponent {
-        name,
-        dimension: Dimension::FORCE,
-        terms: vec![(0, n)],
-    };
-    JointEquations {
-        rows: vec![row(suffix, across, Dimension::LENGTH)],
-        reactions: vec![force("fx", normal[0]), force("fy", normal[1])],
-    }
-}
-
-/// The multiplier of row `row` as a torque on the child.
-fn torque(graph: &mut Graph, row: usize) -> ReactionComponent {
-    ReactionComponent {
-        name: "torque",
-        dimension: Dimension::TORQUE,
-        terms: vec![(row, graph.one())],
-    }
+    first: Expr,
+    second: Expr,
+    ratio: Expr,
+    offset: Expr,
+) -> Expr {
+    let driven = graph.mul(ratio, first);
+    let difference = graph.sub(second, driven);
+    graph.sub(difference, offset)
 }
 
 /// The dimension of the multiplier of a condition: power over the rate of φ, or over ψ̇.

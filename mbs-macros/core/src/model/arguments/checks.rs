@@ -37,7 +37,7 @@ impl Arguments<'_, '_> {
         Some(())
     }
 
-    pub(super) fn check_dimension(
+    pub(in crate::model) fn check_dimension(
         &mut self,
         field: &str,
         found: Option<Dimension>,
@@ -53,7 +53,7 @@ impl Arguments<'_, '_> {
         }
     }
 
-    pub(super) fn check_known(
+    pub(in crate::model) fn check_known(
         &mut self,
         field: &str,
         syntax: &Syntax,
@@ -75,7 +75,7 @@ impl Arguments<'_, '_> {
 
     pub(super) fn check_configuration(&mut self, syntax: &Syntax, exprs: &[Expr]) -> Option<()> {
         let wrong =
-            |symbol: Symbol| !matches!(symbol, Symbol::LocalPosition(_) | Symbol::Parameter(_));
+            |symbol: Symbol| !symbol.is_local_position() && !matches!(symbol, Symbol::Parameter(_));
         if exprs
             .iter()
             .any(|&x| self.resolver.graph.depends_on(x, wrong))

@@ -8,7 +8,7 @@ use super::Dimension;
 use super::resolve::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;
-use crate::schema::{self, Expects};
+use crate::schema::{self, Expects, Kind, World};
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::Entry;
 use syn::Expr as Syntax;
@@ -23,6 +23,44 @@ pub struct Arguments<'r, 'd> {
 impl<'r, 'd> Arguments<'r, 'd> {
     pub(super) fn new(resolver: &'r mut Resolver<'d>, entry: &'r Entry) -> Self {
         Arguments { resolver, entry }
+    }
+
+    /// The state of the stage.
+    pub(in crate::model) fn resolver(&mut self) -> &mut Resolver<'d> {
+        self.resolver
+    }
+
+    /// The plane or space.
+    pub fn world(&self) -> World {
+        self.resolver.world
+    }
+
+    /// The name of the entry.
+    pub fn entry_name(&self) -> String {
+        self.entry.name.to_string()
+    }
+
+    /// The name of the entry's kind.
+    pub fn kind_name(&self) -> String {
+        self.entry.kind.to_string()
+    }
+
+    fn kind(&self) -> Option<&'static Kind> {
+        let name = self.kind_name();
+        match self.entry.name == "world" {
+            true => Some(schema::world(&name)?.kind()),
+            false => schema::kind(self.resolver.world, &name),
+        }
+    }
+
+    /// The value of an expression.
+    pub(in crate::model) fn evaluate(&mut self, syntax: &Syntax) -> Option<Value> {
+        self.resolver.evaluate(syntax)
+    }
+
+    /// The value of the entry itself, if it has one.
+    pub(in crate::model) fn own_value(&mut self) -> Option<Value> {
+        self.resolver.value_of(self.entry)
     }
 
     /// The graph to build expressions in.
@@ -43,8 +81,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
         if let Some(argument) = self.entry.named(field) {
             return Some(&argument.value);
         }
-        let kind = schema::kind(&self.entry.kind.to_string())
-            .or_else(|| schema::world(&self.entry.kind.to_string()))?;
+        let kind = self.kind()?;
         let slot = kind
             .fields
             .iter()
@@ -59,9 +96,8 @@ impl<'r, 'd> Arguments<'r, 'd> {
     }
 
     fn expects(&self, field: &str) -> Option<Expects> {
-        let kind = schema::kind(&self.entry.kind.to_string())
-            .or_else(|| schema::world(&self.entry.kind.to_string()))?;
-        kind.fields
+        self.kind()?
+            .fields
             .iter()
             .find(|f| f.name == field)
             .map(|f| f.expects)
@@ -100,7 +136,9 @@ impl<'r, 'd> Arguments<'r, 'd> {
             match self.resolver.evaluate(item)? {
                 Value::Scalar(x, dimension) => conditions.push((Place::of(item), x, dimension)),
                 Value::Vector(v, dimension) => {
-                    conditions.extend(v.map(|x| (Place::of(item), x, dimension)))
+                    let count = self.resolver.world.dimension();
+                    let components = v.into_iter().take(count);
+                    conditions.extend(components.map(|x| (Place::of(item), x, dimension)))
                 }
                 other => {
                     let what = other.describe();

@@ -4,7 +4,7 @@ use super::Arguments;
 use crate::diagnostics::Place;
 use crate::model::Dimension;
 use crate::schema::Expects;
-use crate::symbolic::{Evaluator, Expr, Symbol};
+use crate::symbolic::Expr;
 use syn::Expr as Syntax;
 
 impl Arguments<'_, '_> {
@@ -45,13 +45,8 @@ impl Arguments<'_, '_> {
     }
 
     /// The value with the defaults of all parameters; NaN if it depends on anything else.
-    fn by_default(&self, expr: Expr) -> f64 {
-        let symbols = |symbol| match symbol {
-            Symbol::Parameter(index) => self.resolver.parameters[index as usize].default,
-            _ => f64::NAN,
-        };
-        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
-        Evaluator::new(&self.resolver.graph, &symbols, &laws).value(expr)
+    pub fn by_default(&self, expr: Expr) -> f64 {
+        self.resolver.by_default(expr)
     }
 
     /// What a message adds where the value follows from parameters.

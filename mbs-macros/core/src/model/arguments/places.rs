@@ -3,13 +3,13 @@
 use super::Arguments;
 use crate::diagnostics::Place;
 use crate::model::value::Value;
-use crate::model::{Dimension, Frame, Owner, Point, Vector};
-use crate::schema::Expects;
+use crate::model::{Axes, Dimension, Frame, Owner, Point, Representation, Tensor, Vector};
+use crate::schema::{Expects, World};
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
 
 impl Arguments<'_, '_> {
-    /// Two components of the dimension that the schema asks for.
+    /// A vector of the dimension that the schema asks for.
     pub fn vector(&mut self, field: &str) -> Option<Vector> {
         let syntax = self.syntax(field)?;
         let (vector, dimension) = self.resolver.vector(syntax)?;
@@ -88,28 +88,92 @@ impl Arguments<'_, '_> {
         self.resolver.bar_length(owner)
     }
 
-    /// A direction of unit length, turned into the ground's axes from those of `owner`.
+    /// Whether a part is a slender bar of space, which has a direction but no orientation.
+    pub fn is_slender(&self, owner: Owner) -> bool {
+        let Owner::Part(part) = owner else {
+            return false;
+        };
+        self.resolver.world == World::Spatial
+            && self.resolver.parts[part].representation == Representation::Natural
+    }
+
+    /// A direction of unit length in the axes of `owner` (X where it was not given), turned into the ground's axes.
     pub fn axis(&mut self, field: &str, owner: Owner) -> Option<Vector> {
         let components = match self.syntax(field) {
-            None => [self.resolver.graph.one(), self.resolver.graph.zero()],
-            Some(syntax) => {
-                let (vector, dimension) = self.resolver.vector(syntax)?;
-                self.check_known(field, syntax, &vector)?;
-                self.check_dimension(field, dimension, Dimension::NONE, Place::of(syntax))?;
-                if vector.iter().all(|&x| self.resolver.graph.is_zero(x)) {
-                    return self.resolver.fail(
-                        Place::of(syntax),
-                        "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
-                    );
-                }
-                let norm = self.resolver.graph.norm(vector);
-                let one = self.resolver.graph.one();
-                let inverse = self.resolver.graph.div(one, norm);
-                self.resolver.graph.vector_scale(inverse, vector)
-            }
+            None => self.resolver.graph.ground_axes()[0],
+            Some(syntax) => self.direction_of(field, syntax)?,
         };
         let frame = self.resolver.frame(owner);
-        Some(self.resolver.graph.turn(frame.axis, components))
+        Some(self.resolver.graph.turn(&frame.axes, components))
+    }
+
+    /// A direction fixed in `owner`, in the ground's axes, given by its components there in the home pose.
+    pub fn home_axis(&mut self, field: &str, default: usize, owner: Owner) -> Option<Vector> {
+        let direction = match self.syntax(field) {
+            None => self.resolver.graph.ground_axes()[default],
+            Some(syntax) => self.direction_of(field, syntax)?,
+        };
+        Some(self.fixed_direction(direction, owner))
+    }
+
+    /// A direction of the home pose, in parameters, fixed in `owner` from then on.
+    pub fn fixed_direction(&mut self, direction: Vector, owner: Owner) -> Vector {
+        let home = self.resolver.home(owner);
+        let frame = self.resolver.frame(owner);
+        let graph = &mut self.resolver.graph;
+        let local = graph.components(&home.axes, direction);
+        graph.turn(&frame.axes, local)
+    }
+
+    /// A direction of unit length, in parameters.
+    pub(in crate::model) fn direction_of(
+        &mut self,
+        field: &str,
+        syntax: &Syntax,
+    ) -> Option<Vector> {
+        let (vector, dimension) = self.resolver.vector(syntax)?;
+        self.check_known(field, syntax, &vector)?;
+        self.check_dimension(field, dimension, Dimension::NONE, Place::of(syntax))?;
+        if vector.iter().all(|&x| self.by_default(x) == 0.0) {
+            return self.resolver.fail(
+                Place::of(syntax),
+                "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
+            );
+        }
+        Some(self.resolver.graph.unit(vector))
+    }
+
+    /// `turn(axis, angle)` or a list of them, each in the axes that those before have turned.
+    pub fn orientation(&mut self, field: &str) -> Option<Axes> {
+        let mut axes = self.resolver.graph.ground_axes();
+        let Some(syntax) = self.syntax(field) else {
+            return Some(axes);
+        };
+        let turns: Vec<&Syntax> = match syntax {
+            Syntax::Array(list) => list.elems.iter().collect(),
+            single => vec![single],
+        };
+        for turn in turns {
+            let call = match turn {
+                Syntax::Call(call) if call.args.len() == 2 => Some(call),
+                _ => None,
+            };
+            let call = call.filter(
+                |call| matches!(&*call.func, Syntax::Path(path) if path.path.is_ident("turn")),
+            );
+            let Some(call) = call else {
+                return self.resolver.fail(
+                    Place::of(turn),
+                    "expected `turn(axis, angle)`, such as `turn(Z, 30.0_deg)`, or a list of them",
+                );
+            };
+            let axis = self.direction_of(field, &call.args[0])?;
+            let (angle, dimension) = self.resolver.scalar(&call.args[1])?;
+            self.check_dimension(field, dimension, Dimension::NONE, Place::of(&call.args[1]))?;
+            self.check_known(field, &call.args[1], &[angle])?;
+            axes = self.resolver.graph.turned_about(&axes, axis, angle);
+        }
+        Some(axes)
     }
 
     /// `Frame([x, y], angle)`.
@@ -163,5 +227,49 @@ impl Arguments<'_, '_> {
             }
             _ => None,
         }
+    }
+
+    /// Whether an argument names a joint.
+    pub fn names_joint(&mut self, field: &str) -> bool {
+        let Some(syntax) = self.syntax(field) else {
+            return false;
+        };
+        let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
+        matches!(value, Some(Value::Joint(_)))
+    }
+
+    /// The scalar torque about a joint's axis.
+    pub fn torque_value(&mut self, field: &str) -> Option<Expr> {
+        let syntax = self.syntax(field)?;
+        let (value, dimension) = self.resolver.scalar(syntax)?;
+        self.check_dimension(field, dimension, Dimension::TORQUE, Place::of(syntax))?;
+        Some(value)
+    }
+
+    /// Stiffness or damping in three directions: a number for all, three numbers, or a matrix; zero if it was not given.
+    pub fn gains(&mut self, field: &str) -> Option<Tensor> {
+        let zero = self.graph().zero();
+        let Some(syntax) = self.syntax(field) else {
+            return Some([[zero; 3]; 3]);
+        };
+        let (tensor, dimension) = match self.resolver.evaluate(syntax)? {
+            Value::Scalar(x, dimension) => (self.diagonal([x; 3]), dimension),
+            Value::Vector(v, dimension) => (self.diagonal(v), dimension),
+            Value::Tensor(tensor, dimension) => (tensor, dimension),
+            other => {
+                let what = other.describe();
+                return self.fail(
+                    field,
+                    format!(
+                        "`{field}` is a number, three numbers or three rows, but this is {what}"
+                    ),
+                );
+            }
+        };
+        if let Some(Expects::Gains(expected)) = self.expects(field) {
+            self.check_dimension(field, dimension, expected, Place::of(syntax))?;
+        }
+        self.check_known(field, syntax, tensor.as_flattened())?;
+        Some(tensor)
     }
 }

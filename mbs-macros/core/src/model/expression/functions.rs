@@ -4,7 +4,8 @@ use crate::diagnostics::{Place, did_you_mean};
 use crate::model::Dimension;
 use crate::model::resolve::Resolver;
 use crate::model::value::{Value, unify};
-use crate::symbolic::{Function, Symbol};
+use crate::schema::World;
+use crate::symbolic::{Expr, Function, Symbol};
 use proc_macro2::Span;
 use syn::Expr as Syntax;
 
@@ -29,7 +30,8 @@ const FUNCTIONS: &[(&str, Function, Shape)] = &[
 
 /// Functions that are not elementary.
 const OTHER_FUNCTIONS: &[&str] = &[
-    "dot", "cross", "norm", "unit", "rate", "atan2", "hypot", "min", "max", "law", "powi", "powf",
+    "dot", "cross", "norm", "unit", "reject", "diag", "rate", "atan2", "hypot", "min", "max",
+    "law", "powi", "powf",
 ];
 
 #[derive(Clone, Copy, PartialEq)]
@@ -59,13 +61,39 @@ impl Resolver<'_> {
             "dot" | "cross" => {
                 let [a, b] = self.take(arguments, name, span)?;
                 let ((a, da), (b, db)) = (self.vector(a)?, self.vector(b)?);
-                let result = if name == "dot" {
-                    self.graph.dot(a, b)
-                } else {
-                    self.graph.cross(a, b)
-                };
                 let dimension = self.product(&a, da, &b, db, Dimension::times);
-                Some(Value::Scalar(result, dimension))
+                if name == "dot" {
+                    return Some(Value::Scalar(self.graph.dot(a, b), dimension));
+                }
+                let product = self.graph.cross(a, b);
+                Some(match self.world {
+                    World::Planar => Value::Scalar(product[2], dimension),
+                    World::Spatial => Value::Vector(product, dimension),
+                })
+            }
+            // What is left of a vector without its part along another.
+            "reject" => {
+                let [a, from] = self.take(arguments, name, span)?;
+                let ((a, dimension), (from, _)) = (self.vector(a)?, self.vector(from)?);
+                let (inner, square) = (self.graph.dot(a, from), self.graph.dot(from, from));
+                let share = self.graph.div(inner, square);
+                let along = self.graph.vector_scale(share, from);
+                Some(Value::Vector(self.graph.vector_sub(a, along), dimension))
+            }
+            "diag" if self.world == World::Spatial => {
+                let list = self.take::<3>(arguments, name, span)?;
+                let zero = self.graph.zero();
+                let mut tensor = [[zero; 3]; 3];
+                let mut common = None;
+                for (k, syntax) in list.into_iter().enumerate() {
+                    let (x, dimension) = self.scalar(syntax)?;
+                    tensor[k][k] = x;
+                    let Ok(dimension) = unify(common, dimension) else {
+                        return self.fail(span, "the arguments of `diag` differ in dimension");
+                    };
+                    common = dimension;
+                }
+                Some(Value::Tensor(tensor, common))
             }
             "norm" => {
                 let [a] = self.take(arguments, name, span)?;
@@ -75,13 +103,7 @@ impl Resolver<'_> {
             "unit" => {
                 let [a] = self.take(arguments, name, span)?;
                 let (a, _) = self.vector(a)?;
-                let one = self.graph.one();
-                let norm = self.graph.norm(a);
-                let inverse = self.graph.div(one, norm);
-                Some(Value::Vector(
-                    self.graph.vector_scale(inverse, a),
-                    Some(Dimension::NONE),
-                ))
+                Some(Value::Vector(self.graph.unit(a), Some(Dimension::NONE)))
             }
             "rate" => {
                 let [a] = self.take(arguments, name, span)?;
@@ -174,7 +196,7 @@ impl Resolver<'_> {
         };
         Some(match name {
             "atan2" => Value::Scalar(self.graph.atan2(a, b), Some(Dimension::NONE)),
-            "hypot" => Value::Scalar(self.graph.norm([a, b]), dimension),
+            "hypot" => Value::Scalar(self.planar_norm(a, b), dimension),
             // max(a, b) = b + (a − b) step(a − b)
             _ => {
                 let difference = if name == "max" {
@@ -188,6 +210,11 @@ impl Resolver<'_> {
                 Value::Scalar(self.graph.add(b, change), dimension)
             }
         })
+    }
+
+    fn planar_norm(&mut self, a: Expr, b: Expr) -> Expr {
+        let zero = self.graph.zero();
+        self.graph.norm([a, b, zero])
     }
 
     fn power(&mut self, base: &Syntax, exponent: &Syntax) -> Option<Value> {

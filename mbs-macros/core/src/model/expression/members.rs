@@ -3,30 +3,31 @@
 use crate::diagnostics::{Place, did_you_mean};
 use crate::model::resolve::Resolver;
 use crate::model::value::Value;
-use crate::model::{Dimension, Owner, Point, Vector};
+use crate::model::{Dimension, Owner, Point, Representation, Vector};
+use crate::schema::World;
 use crate::symbolic::{Node, Symbol};
 use proc_macro2::Span;
 use syn::Expr as Syntax;
 
 impl Resolver<'_> {
     pub(super) fn member(&mut self, value: &Value, member: &str, span: Span) -> Option<Value> {
-        match (value, member) {
-            (Value::Point(point), "x" | "y") => {
-                let slot = usize::from(member == "y");
-                Some(Value::Scalar(point.position[slot], Some(Dimension::LENGTH)))
+        let axes = &["x", "y", "z"][..self.world.dimension()];
+        let component = axes.iter().position(|axis| *axis == member);
+        match (value, component) {
+            (Value::Point(point), Some(axis)) => {
+                Some(Value::Scalar(point.position[axis], Some(Dimension::LENGTH)))
             }
-            (Value::Point(point), "velocity") => Some(Value::Vector(
+            (Value::Point(point), None) if member == "velocity" => Some(Value::Vector(
                 self.graph.vector_rate(point.position),
                 Some(Dimension::VELOCITY),
             )),
-            (Value::Point(_), _) => {
-                self.unknown_member(value, member, &["x", "y", "velocity"], span)
+            (Value::Point(_), None) => {
+                let known: Vec<&str> = axes.iter().copied().chain(["velocity"]).collect();
+                self.no_such_member(value, member, &known, span)
             }
-            (Value::Vector(v, dimension), "x" | "y") => {
-                Some(Value::Scalar(v[usize::from(member == "y")], *dimension))
-            }
-            (Value::Vector(..), _) => self.unknown_member(value, member, &["x", "y"], span),
-            (Value::Scalar(x, dimension), "rate") => match self.graph.node(*x) {
+            (Value::Vector(v, dimension), Some(axis)) => Some(Value::Scalar(v[axis], *dimension)),
+            (Value::Vector(..), None) => self.no_such_member(value, member, axes, span),
+            (Value::Scalar(x, dimension), _) if member == "rate" => match self.graph.node(*x) {
                 Node::Symbol(Symbol::LocalPosition(i)) => {
                     let rate = self.graph.symbol(Symbol::LocalVelocity(*i));
                     Some(Value::Scalar(
@@ -40,6 +41,7 @@ impl Resolver<'_> {
                 ),
             },
             (Value::Frame(owner), _) => self.frame_member(*owner, member, span),
+            (Value::Joint(joint), _) => self.joint_member(joint, member, span),
             (other, _) => self.fail(span, format!("{} has no `{member}`", other.describe())),
         }
     }
@@ -49,36 +51,45 @@ impl Resolver<'_> {
             return Some(Value::Point(point));
         }
         let frame = self.frame(owner);
-        match member {
-            "x" => Some(Value::Vector(frame.axis, Some(Dimension::NONE))),
-            "y" => Some(Value::Vector(
-                self.graph.perpendicular(frame.axis),
-                Some(Dimension::NONE),
-            )),
-            "rate" => Some(Value::Scalar(frame.rate, Some(Dimension::RATE))),
-            "velocity" => Some(Value::Vector(
+        // A slender bar has a direction only.
+        let axis = ["x", "y", "z"][..self.world.dimension()]
+            .iter()
+            .position(|axis| *axis == member)
+            .filter(|&axis| frame.axes[axis].iter().any(|&x| !self.graph.is_zero(x)));
+        if let Some(axis) = axis {
+            return Some(Value::Vector(frame.axes[axis], Some(Dimension::NONE)));
+        }
+        match (self.world, member) {
+            (World::Planar, "rate") => Some(Value::Scalar(frame.spin[2], Some(Dimension::RATE))),
+            (World::Spatial, "angular_velocity") => {
+                Some(Value::Vector(frame.spin, Some(Dimension::RATE)))
+            }
+            (_, "velocity") => Some(Value::Vector(
                 self.graph.vector_rate(frame.origin),
                 Some(Dimension::VELOCITY),
             )),
-            "angle" => {
+            (World::Planar, "angle") => {
                 let angle = match frame.angle {
                     Some(angle) => angle,
-                    None => self.graph.atan2(frame.axis[1], frame.axis[0]),
+                    None => self.graph.atan2(frame.axes[0][1], frame.axes[0][0]),
                 };
                 Some(Value::Scalar(angle, Some(Dimension::NONE)))
             }
-            "length" if self.bar_length(owner).is_some() => self
+            (_, "length") if self.bar_length(owner).is_some() => self
                 .bar_length(owner)
                 .map(|length| Value::Scalar(length, Some(Dimension::LENGTH))),
             _ => {
                 let mut known: Vec<&str> = self.point_names(owner).to_vec();
-                known.extend(["angle", "rate", "velocity", "x", "y"]);
-                self.unknown_member(&Value::Frame(owner), member, &known, span)
+                known.extend(match self.world {
+                    World::Planar => &["angle", "rate", "velocity", "x", "y"][..],
+                    World::Spatial => &["angular_velocity", "velocity", "x", "y", "z"],
+                });
+                self.no_such_member(&Value::Frame(owner), member, &known, span)
             }
         }
     }
 
-    fn unknown_member(
+    pub(in crate::model) fn no_such_member(
         &mut self,
         value: &Value,
         member: &str,
@@ -90,12 +101,13 @@ impl Resolver<'_> {
             other => other.describe(),
         };
         let hint = did_you_mean(member, known.iter().copied());
+        let known = match known {
+            [] => "none that can be named".to_owned(),
+            known => known.join(", "),
+        };
         self.fail(
             span,
-            format!(
-                "{what} has no `{member}`{hint} (it has: {})",
-                known.join(", ")
-            ),
+            format!("{what} has no `{member}`{hint} (it has: {known})"),
         )
     }
 
@@ -116,47 +128,103 @@ impl Resolver<'_> {
                 ),
             );
         };
-        if name == "point" {
-            let [x, y] = self.take(arguments.to_vec(), name, span)?;
-            let ((x, dx), (y, dy)) = (self.scalar(x)?, self.scalar(y)?);
-            for (dimension, argument) in [(dx, arguments[0]), (dy, arguments[1])] {
-                if dimension.is_some_and(|d| d != Dimension::LENGTH) {
-                    return self.fail(
-                        Place::of(argument),
-                        "the coordinates of a point are lengths (m)",
-                    );
-                }
+        match name {
+            "point" => self.own_point(owner, span, arguments).map(Value::Point),
+            "frame" => self.own_frame(owner, span, arguments),
+            _ => {
+                let [at] = self.take(arguments.to_vec(), name, span)?;
+                let (at, _) = self.vector(at)?;
+                let frame = self.frame(owner);
+                let arm = self.graph.vector_sub(at, frame.origin);
+                let swing = self.graph.cross(frame.spin, arm);
+                let velocity = self.graph.vector_rate(frame.origin);
+                Some(Value::Vector(
+                    self.graph.vector_add(velocity, swing),
+                    Some(Dimension::VELOCITY),
+                ))
             }
-            for (expr, argument) in [(x, arguments[0]), (y, arguments[1])] {
-                if self
-                    .graph
-                    .depends_on(expr, |symbol| !symbol.is_parameter_like())
-                {
-                    return self.fail(
-                        Place::of(argument),
-                        "a point is fixed in its part: its coordinates may use parameters only",
-                    );
-                }
-            }
-            let label = format!(
-                "{}.point({}, {})",
-                self.owner_name(owner),
-                self.graph.text(x),
-                self.graph.text(y)
-            );
-            return Some(Value::Point(self.point_of(owner, [x, y], label)));
         }
-        let [at] = self.take(arguments.to_vec(), name, span)?;
-        let (at, _) = self.vector(at)?;
-        let frame = self.frame(owner);
-        let arm = self.graph.vector_sub(at, frame.origin);
-        let turned = self.graph.perpendicular(arm);
-        let swing = self.graph.vector_scale(frame.rate, turned);
-        let velocity = self.graph.vector_rate(frame.origin);
-        Some(Value::Vector(
-            self.graph.vector_add(velocity, swing),
-            Some(Dimension::VELOCITY),
-        ))
+    }
+
+    /// `part.point(x, y)` or `part.point(x, y, z)`.
+    fn own_point(&mut self, owner: Owner, span: Span, arguments: &[&Syntax]) -> Option<Point> {
+        let mut local = self.graph.zero_vector();
+        let list: Vec<&Syntax> = match self.world {
+            World::Planar => self.take::<2>(arguments.to_vec(), "point", span)?.to_vec(),
+            World::Spatial => self.take::<3>(arguments.to_vec(), "point", span)?.to_vec(),
+        };
+        let mut found = Vec::new();
+        for argument in &list {
+            found.push(self.scalar(argument)?);
+        }
+        for ((slot, &(x, dimension)), argument) in local.iter_mut().zip(&found).zip(&list) {
+            if dimension.is_some_and(|d| d != Dimension::LENGTH) {
+                return self.fail(
+                    Place::of(argument),
+                    "the coordinates of a point are lengths (m)",
+                );
+            }
+            *slot = x;
+        }
+        for (&(x, _), argument) in found.iter().zip(&list) {
+            if self
+                .graph
+                .depends_on(x, |symbol| !symbol.is_parameter_like())
+            {
+                return self.fail(
+                    Place::of(argument),
+                    "a point is fixed in its part: its coordinates may use parameters only",
+                );
+            }
+        }
+        let slender = matches!(owner, Owner::Part(part) if self.world == World::Spatial
+            && self.parts[part].representation == Representation::Natural);
+        if slender && local[1..].iter().any(|&x| !self.graph.is_zero(x)) {
+            let name = self.owner_name(owner).to_owned();
+            return self.fail(
+                span,
+                format!("`{name}` is a slender bar: its points lie on it, at `point(x, 0.0, 0.0)`; give it `radius =` or `inertia =` for others"),
+            );
+        }
+        let texts: Vec<String> = found.iter().map(|&(x, _)| self.graph.text(x)).collect();
+        let label = format!("{}.point({})", self.owner_name(owner), texts.join(", "));
+        Some(self.point_of(owner, local, label))
+    }
+
+    /// `part.frame([x, y, z], axis)`: axes whose z is `axis`, given in those of the part.
+    fn own_frame(&mut self, owner: Owner, span: Span, arguments: &[&Syntax]) -> Option<Value> {
+        if self.world == World::Planar {
+            return self.fail(span, "a planar joint takes points; write `point(x, y)`");
+        }
+        let [place, axis] = self.take(arguments.to_vec(), "frame", span)?;
+        let (local, dimension) = self.vector(place)?;
+        if dimension.is_some_and(|d| d != Dimension::LENGTH) {
+            return self.fail(
+                Place::of(place),
+                "the coordinates of a point are lengths (m)",
+            );
+        }
+        let (direction, _) = self.vector(axis)?;
+        let moving = |symbol: Symbol| !symbol.is_parameter_like();
+        for (vector, syntax) in [(local, place), (direction, axis)] {
+            if vector.iter().any(|&x| self.graph.depends_on(x, moving)) {
+                return self.fail(
+                    Place::of(syntax),
+                    "a frame is fixed in its part: it may use parameters only",
+                );
+            }
+        }
+        if direction.iter().all(|&x| self.by_default(x) == 0.0) {
+            return self.fail(
+                Place::of(axis),
+                "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
+            );
+        }
+        let direction = self.graph.unit(direction);
+        let axes = self.axes_along(direction);
+        let label = format!("{}.frame", self.owner_name(owner));
+        let frame = self.attach(owner, local, axes, label);
+        Some(Value::Attachment(Box::new(frame)))
     }
 
     /// A point of a part or of the ground given by its local coordinates.
@@ -167,10 +235,8 @@ impl Resolver<'_> {
         label: String,
     ) -> Point {
         let frame = self.frame(owner);
-        let offset = self.graph.turn(frame.axis, local);
-        let position = self.graph.vector_add(frame.origin, offset);
         Point {
-            position,
+            position: self.graph.place(&frame, local),
             owner,
             local,
             free: None,

@@ -9,6 +9,7 @@ use super::resolve::Resolver;
 use super::value::Value;
 use super::{Dimension, Vector};
 use crate::diagnostics::Place;
+use crate::schema::World;
 use crate::symbolic::{Expr, Node, Symbol};
 use crate::syntax::{MAX_DEPTH, TOO_DEEP};
 use syn::spanned::Spanned;
@@ -86,7 +87,7 @@ impl Resolver<'_> {
             },
             Syntax::MethodCall(call) => {
                 let name = call.method.to_string();
-                if name == "point" || name == "velocity_at" {
+                if matches!(name.as_str(), "point" | "frame" | "velocity_at") {
                     let arguments: Vec<_> = call.args.iter().collect();
                     return self.frame_method(
                         &call.receiver,
@@ -139,8 +140,20 @@ impl Resolver<'_> {
             Value::Point(point) => Some((point.position, Some(Dimension::LENGTH))),
             other => self.fail(
                 Place::of(syntax),
-                format!("expected a vector [x, y], but this is {}", other.describe()),
+                format!(
+                    "expected a vector {}, but this is {}",
+                    self.vector_example(),
+                    other.describe()
+                ),
             ),
+        }
+    }
+
+    /// How a vector is written.
+    pub(in crate::model) fn vector_example(&self) -> &'static str {
+        match self.world {
+            World::Planar => "[x, y]",
+            World::Spatial => "[x, y, z]",
         }
     }
 

@@ -13,24 +13,51 @@ impl Resolver<'_> {
     pub(super) fn negate(&mut self, value: Value, place: Place) -> Option<Value> {
         match value {
             Value::Scalar(x, dimension) => Some(Value::Scalar(self.graph.neg(x), dimension)),
-            Value::Vector([x, y], dimension) => Some(Value::Vector(
-                [self.graph.neg(x), self.graph.neg(y)],
-                dimension,
-            )),
+            Value::Vector(v, dimension) => {
+                Some(Value::Vector(v.map(|x| self.graph.neg(x)), dimension))
+            }
             other => self.fail(place, format!("{} has no negative", other.describe())),
         }
     }
 
     pub(super) fn list(&mut self, items: Vec<Value>, place: Place) -> Option<Value> {
-        match items.as_slice() {
-            [Value::Scalar(x, a), Value::Scalar(y, b)] => match unify(*a, *b) {
-                Ok(dimension) => Some(Value::Vector([*x, *y], dimension)),
-                // A list of conditions may mix dimensions; a vector may not. The user of the value decides.
-                Err(()) => Some(Value::List(items)),
-            },
-            [] => self.fail(place, "this list is empty"),
-            _ => Some(Value::List(items)),
+        if items.is_empty() {
+            return self.fail(place, "this list is empty");
         }
+        // As many scalars of one dimension as space has are a vector; three vectors in space are the rows of a tensor.
+        // (A list of conditions may mix dimensions. The user of the value decides.)
+        if items.len() != self.world.dimension() {
+            return Some(Value::List(items));
+        }
+        let zero = self.graph.zero();
+        let mut vector = [zero; 3];
+        let mut rows = [[zero; 3]; 3];
+        let mut common: Option<Dimension> = None;
+        let (mut scalars, mut vectors) = (0, 0);
+        for (slot, item) in items.iter().enumerate() {
+            let dimension = match item {
+                Value::Scalar(x, dimension) => {
+                    vector[slot] = *x;
+                    scalars += 1;
+                    *dimension
+                }
+                Value::Vector(v, dimension) => {
+                    rows[slot] = *v;
+                    vectors += 1;
+                    *dimension
+                }
+                _ => return Some(Value::List(items)),
+            };
+            match unify(common, dimension) {
+                Ok(dimension) => common = dimension,
+                Err(()) => return Some(Value::List(items)),
+            }
+        }
+        Some(match (scalars == items.len(), vectors) {
+            (true, _) => Value::Vector(vector, common),
+            (_, 3) => Value::Tensor(rows, common),
+            _ => Value::List(items),
+        })
     }
 
     pub(super) fn combine(
@@ -78,6 +105,12 @@ impl Resolver<'_> {
             | (BinOp::Mul(_), Value::Vector(y, b), Value::Scalar(x, a)) => {
                 let dimension = self.product(&[*x], *a, y, *b, Dimension::times);
                 Some(Value::Vector(self.graph.vector_scale(*x, *y), dimension))
+            }
+            (BinOp::Mul(_), Value::Scalar(x, a), Value::Tensor(y, b))
+            | (BinOp::Mul(_), Value::Tensor(y, b), Value::Scalar(x, a)) => {
+                let dimension = self.product(&[*x], *a, y.as_flattened(), *b, Dimension::times);
+                let scaled = y.map(|row| self.graph.vector_scale(*x, row));
+                Some(Value::Tensor(scaled, dimension))
             }
             (BinOp::Div(_), _, Value::Scalar(y, _)) if self.graph.is_zero(*y) => {
                 self.fail(Place::of(syntax), "division by zero")

@@ -46,8 +46,8 @@ impl Alignment {
             }
             _ => {
                 let offset = graph.direction(self.angle);
-                let expected = graph.turn(self.parent.axis, offset);
-                graph.cross(expected, self.child.axis)
+                let expected = graph.turn(&self.parent.axes, offset);
+                graph.planar_cross(expected, self.child.axes[0])
             }
         };
         row("angle", expr, Dimension::NONE)

@@ -45,7 +45,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Force>> {
 
 impl Force for Torque {
     fn action(&self, graph: &mut Graph) -> Action {
-        let rate = graph.sub(self.frames[0].rate, self.frames[1].rate);
+        let rate = graph.sub(self.frames[0].spin[2], self.frames[1].spin[2]);
         Action {
             potential: None,
             loads: vec![Load {

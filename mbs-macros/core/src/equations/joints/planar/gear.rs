@@ -1,6 +1,6 @@
 //! The angles of two parts against the ground keep a ratio.
 
-use super::{Joint, JointEquations, row, torque};
+use super::{Joint, JointEquations, affine_relation, row, torque};
 use crate::model::{Arguments, Dimension, Owner};
 use crate::symbolic::{Expr, Graph};
 
@@ -63,17 +63,4 @@ impl Joint for Gear {
     fn owners(&self) -> Vec<Owner> {
         self.owners.to_vec()
     }
-}
-
-/// second − ratio · first − offset
-pub(super) fn affine_relation(
-    graph: &mut Graph,
-    first: Expr,
-    second: Expr,
-    ratio: Expr,
-    offset: Expr,
-) -> Expr {
-    let driven = graph.mul(ratio, first);
-    let difference = graph.sub(second, driven);
-    graph.sub(difference, offset)
 }

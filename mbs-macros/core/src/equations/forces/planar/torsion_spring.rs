@@ -44,7 +44,7 @@ impl Force for TorsionSpring {
         // Parts that turn against a spring have an angle: see `model::turning`.
         let zero = graph.zero();
         let angle = graph.sub(child.angle.unwrap_or(zero), parent.angle.unwrap_or(zero));
-        let rate = graph.sub(child.rate, parent.rate);
+        let rate = graph.sub(child.spin[2], parent.spin[2]);
         self.characteristic.action(graph, angle, rate)
     }
 

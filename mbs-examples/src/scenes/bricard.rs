@@ -1,0 +1,119 @@
+//! Bricard's mechanism: five rods and six revolutes of which one is superfluous, and which moves all the same.
+//!
+//! IFToMM benchmark A04. By Grübler's count it has no mobility: 30 velocities and 30 rows. One row follows from the others,
+//! so that one degree of freedom is left. The rods start at rest and swing through to the opposite pose in 2.5 s.
+//!
+//! The benchmark leaves open whether the rods are slender. Here they have a square section; the scene `bricard-slender`
+//! takes the limit of a width of 1 mm, whose inertia about the rod is 10⁻⁴ of that of the other.
+//!
+//! Reference: closed form of the closure, integrated in one coordinate with high precision.
+
+use crate::scene::{Reference, Scene};
+use mbs_runtime::{Mechanism, mechanism};
+
+mechanism!(Bricard {
+    doc: "Five rods in a ring with the ground, six revolutes about X, Y and Z: overconstrained and movable.",
+    world: Spatial(gravity = [0.0, -9.81_m_per_s2, 0.0]),
+
+    /// Length of each rod.
+    side: Param(1.0_m),
+    /// Mass of each rod.
+    mass: Param(1.0_kg),
+    /// Width of the square section.
+    width: Param(0.1_m),
+
+    p1: Point([0.0_m, 0.0, 0.0]),
+    p2: Point([side, 0.0, 0.0]),
+    p3: Point([side, -side, 0.0]),
+    p4: Point([side, -side, side]),
+    p5: Point([0.0, -side, side]),
+    p6: Point([0.0, 0.0, side]),
+
+    rod1: Bar(
+        mass = mass,
+        from = p1,
+        to = p2,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod2: Bar(
+        mass = mass,
+        from = p2,
+        to = p3,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod3: Bar(
+        mass = mass,
+        from = p3,
+        to = p4,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod4: Bar(
+        mass = mass,
+        from = p4,
+        to = p5,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod5: Bar(
+        mass = mass,
+        from = p5,
+        to = p6,
+        inertia = Cuboid(side, width, width)
+    ),
+
+    j1: Revolute(ground, rod1, at = p1, axis = Y),
+    j2: Revolute(rod1, rod2, at = p2, axis = Z),
+    j3: Revolute(rod2, rod3, at = p3, axis = X),
+    j4: Revolute(rod3, rod4, at = p4, axis = Y),
+    j5: Revolute(rod4, rod5, at = p5, axis = Z),
+    j6: Revolute(rod5, ground, at = p6, axis = X),
+
+    corner2: Output(rod1.b),
+    corner3: Output(rod2.b),
+    corner4: Output(rod3.b),
+    corner5: Output(rod4.b),
+});
+
+const COLUMNS: &[(&str, &str)] = &[
+    ("corner3.x", "p3x_m"),
+    ("corner3.y", "p3y_m"),
+    ("corner3.z", "p3z_m"),
+    ("corner2.x", "p2x_m"),
+    ("corner2.z", "p2z_m"),
+    ("corner5.y", "p5y_m"),
+];
+
+/// The scene with rods of square section.
+pub const SCENE: Scene = Scene {
+    name: "bricard",
+    title: "Bricard's mechanism, rods of square section",
+    source: "IFToMM benchmark A04",
+    model: Bricard::MODEL,
+    duration: 10.0,
+    step: 1e-2,
+    reference: Some(Reference {
+        file: "a04_bricard_square_rods.csv",
+        columns: COLUMNS,
+    }),
+    build: crate::build_scene!(Bricard),
+};
+
+/// Rods of 1 mm.
+const SLENDER: f64 = 1e-3;
+
+/// The scene with slender rods.
+pub const SLENDER_RODS: Scene = Scene {
+    name: "bricard-slender",
+    title: "Bricard's mechanism, slender rods",
+    reference: Some(Reference {
+        file: "a04_bricard_slender_rods.csv",
+        columns: COLUMNS,
+    }),
+    build: crate::build_scene!(
+        Bricard,
+        Bricard {
+            width: SLENDER,
+            ..Bricard::default()
+        }
+    ),
+    ..SCENE
+};

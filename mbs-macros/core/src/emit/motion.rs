@@ -1,0 +1,154 @@
+//! Motion along velocities: `advance`, `difference` and `free_flight`, which know where rotations are stored.
+
+use super::body::Body;
+use crate::dag::{Function, Program};
+use crate::symbolic::Graph;
+use std::fmt::Write;
+
+/// Name and signature of each.
+pub(super) const SIGNATURES: [(&str, &str); 3] = [
+    (
+        "advance",
+        "(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q]",
+    ),
+    (
+        "difference",
+        "(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N]",
+    ),
+    (
+        "free_flight",
+        "(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64)",
+    ),
+];
+
+/// Their bodies, in the same order.
+pub(super) fn bodies(graph: &Graph, program: &Program) -> [String; 3] {
+    if program.rotations.is_empty() && program.windings.is_empty() {
+        return [
+            "::mbs_runtime::generated::translated(q, v, h)".to_owned(),
+            "::mbs_runtime::generated::displacement(from, to)".to_owned(),
+            "*q = self.advance(q, v, h);".to_owned(),
+        ];
+    }
+    let advance = format!(
+        "let mut next = *q;\n{}{}{}next",
+        translations(program, |slot, i| format!(
+            "next[{slot}] = q[{slot}] + h * v[{i}];"
+        )),
+        rotations(program, |_, q, v| format!(
+            "[{}] = ::mbs_runtime::generated::turned([{}], [{}], h);",
+            elements("next", q, 4),
+            elements("q", q, 4),
+            elements("v", v, 3)
+        )),
+        count(graph, program, "next"),
+    );
+    let difference = format!(
+        "let mut v = [0.0; {}];\n{}{}v",
+        program.size,
+        translations(program, |slot, i| format!(
+            "v[{i}] = to[{slot}] - from[{slot}];"
+        )),
+        rotations(program, |_, q, v| format!(
+            "[{}] = ::mbs_runtime::generated::rotation_between([{}], [{}]);",
+            elements("v", v, 3),
+            elements("from", q, 4),
+            elements("to", q, 4)
+        )),
+    );
+    let flight = format!(
+        "{}{}{}",
+        translations(program, |slot, i| format!("q[{slot}] += h * v[{i}];")),
+        rotations(program, |index, q, v| format!(
+            "([{}], [{}]) = self.spins[{index}].flight([{}], [{}], h);",
+            elements("q", q, 4),
+            elements("v", v, 3),
+            elements("q", q, 4),
+            elements("v", v, 3)
+        )),
+        count(graph, program, "q"),
+    );
+    [advance, difference, flight]
+}
+
+/// One line for each velocity that is the rate of a coordinate: (coordinate, velocity).
+fn translations(program: &Program, line: impl Fn(usize, usize) -> String) -> String {
+    let turns = |i: usize| {
+        program
+            .rotations
+            .iter()
+            .any(|rotation| (rotation.velocity..rotation.velocity + 3).contains(&i))
+    };
+    (0..program.size)
+        .filter(|&i| !turns(i))
+        .fold(String::new(), |text, i| {
+            text + &line(program.slots[i], i) + "\n"
+        })
+}
+
+/// One line for each rotation: (index, first coordinate, first velocity).
+fn rotations(program: &Program, line: impl Fn(usize, usize, usize) -> String) -> String {
+    let list = program.rotations.iter().enumerate();
+    list.fold(String::new(), |text, (index, rotation)| {
+        text + &line(index, rotation.coordinate, rotation.velocity) + "\n"
+    })
+}
+
+/// Joint angles are counted on from what they were.
+fn count(graph: &Graph, program: &Program, q: &str) -> String {
+    let function = program
+        .functions
+        .iter()
+        .find(|function| function.name == "windings");
+    let (Some(function), false) = (function, program.windings.is_empty()) else {
+        return String::new();
+    };
+    let targets: Vec<String> = program
+        .windings
+        .iter()
+        .map(|slot| format!("{q}[{slot}]"))
+        .collect();
+    let renamed = Function {
+        name: "angles",
+        ..function.clone()
+    };
+    let body = Body::of_method(graph, &renamed);
+    let values = body.values();
+    format!(
+        "[{}] = {{ let q = &{q}; {} [{}] }};\n",
+        targets.join(", "),
+        body.statements(),
+        values.join(", ")
+    )
+}
+
+/// `q[3], q[4], …`.
+fn elements(array: &str, first: usize, count: usize) -> String {
+    let list: Vec<String> = (first..first + count)
+        .map(|i| format!("{array}[{i}]"))
+        .collect();
+    list.join(", ")
+}
+
+/// The lines of `prepare` that make the spins; inertias are entries of the mass matrix, in constants.
+pub(super) fn spins(program: &Program, operand: impl Fn(crate::dag::Operand) -> String) -> String {
+    let list: Vec<String> = program
+        .rotations
+        .iter()
+        .map(|rotation| {
+            let rows: Vec<String> = rotation
+                .inertia
+                .iter()
+                .map(|row| format!("[{}]", row.map(&operand).join(", ")))
+                .collect();
+            format!(
+                "::mbs_runtime::generated::Spin::new(&[{}], {:?})?",
+                rows.join(", "),
+                rotation.part
+            )
+        })
+        .collect();
+    let mut out = String::new();
+    let _ = writeln!(out, "let spins = [{}];", list.join(", "));
+    out
+}

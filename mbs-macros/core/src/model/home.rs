@@ -1,0 +1,188 @@
+//! The home pose: where the declaration puts spatial parts. The motion starts there, and joints are given there.
+
+use super::elements::JointElement;
+use super::geometry::{Axes, Owner, Point, Vector};
+use super::parts::{Home, Part, Representation};
+use super::placement::Guesses;
+use super::resolve::Resolver;
+use crate::symbolic::{Evaluator, Expr, Function, Graph, Symbol};
+
+impl Resolver<'_> {
+    /// Where the ground or a part is in the home pose, in parameters.
+    pub(super) fn home(&mut self, owner: Owner) -> Home {
+        let ground = Home {
+            origin: self.graph.zero_vector(),
+            axes: self.graph.ground_axes(),
+        };
+        match owner {
+            Owner::Ground => ground,
+            Owner::Part(part) => self.parts[part].home.unwrap_or(ground),
+        }
+    }
+
+    /// Where a point is in the home pose.
+    pub(super) fn home_of(&mut self, point: &Point) -> Vector {
+        let home = self.home(point.owner);
+        let offset = self.graph.turn(&home.axes, point.local);
+        self.graph.vector_add(home.origin, offset)
+    }
+
+    /// The value with the defaults of all parameters; NaN if it depends on anything else.
+    pub(super) fn by_default(&self, expr: Expr) -> f64 {
+        let symbols = |symbol| match symbol {
+            Symbol::Parameter(index) => self.parameters[index as usize].default,
+            _ => f64::NAN,
+        };
+        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+        Evaluator::new(&self.graph, &symbols, &laws).value(expr)
+    }
+}
+
+/// The home pose as initial guess. Velocities that were not declared are carried along the joints from the ground
+/// outwards; what stays unknown starts at rest, and assembly has the last word.
+pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guesses {
+    let mut guesses = Guesses::default();
+    let parts = resolver.parts.clone();
+    let speeds = origin_velocities(resolver, &parts, joints);
+    let zero = resolver.graph.zero();
+    for (part, speed) in parts.iter().zip(speeds) {
+        let Some(home) = part.home else {
+            let (value, rate) = (
+                part.guess.angle.unwrap_or(zero),
+                part.guess.rate.unwrap_or(zero),
+            );
+            if part.representation == Representation::Coordinate {
+                guesses.set(part.locals[0], value, rate);
+            }
+            continue;
+        };
+        let spin = part.guess.spin.unwrap_or([zero; 3]);
+        let graph = &mut resolver.graph;
+        let points: Vec<Vector> = match part.representation {
+            Representation::Natural => {
+                vec![[zero; 3], [part.length.unwrap_or(zero), zero, zero]]
+            }
+            Representation::FreePoint => vec![[zero; 3]],
+            Representation::Rigid => vec![part.center],
+            _ => Vec::new(),
+        };
+        for (slot, local) in points.into_iter().enumerate() {
+            let arm = graph.turn(&home.axes, local);
+            let position = graph.vector_add(home.origin, arm);
+            let swing = graph.cross(spin, arm);
+            let velocity = graph.vector_add(speed, swing);
+            for axis in 0..3 {
+                guesses.set(part.locals[3 * slot + axis], position[axis], velocity[axis]);
+            }
+        }
+        if let Some(first) = part.rotation() {
+            let quaternion = quaternion(resolver, &home.axes);
+            guesses.set_quaternion(first, quaternion);
+            let omega = resolver.graph.components(&home.axes, spin);
+            for (turn, rate) in (first..).zip(omega) {
+                guesses.set(turn, zero, rate);
+            }
+        }
+    }
+    guesses
+}
+
+/// The velocity of the origin of each part.
+fn origin_velocities(
+    resolver: &mut Resolver,
+    parts: &[Part],
+    joints: &[JointElement],
+) -> Vec<Vector> {
+    let zero = resolver.graph.zero_vector();
+    let mut speeds: Vec<Option<Vector>> = parts.iter().map(|part| part.guess.velocity).collect();
+    let spin = |owner: Owner| match owner {
+        Owner::Ground => zero,
+        Owner::Part(part) => parts[part].guess.spin.unwrap_or(zero),
+    };
+    let pairs: Vec<(&Point, &Point)> = joints
+        .iter()
+        .filter_map(|element| element.joint.coincident())
+        .collect();
+    let mut progress = true;
+    while progress {
+        progress = false;
+        for &(a, b) in pairs.iter() {
+            for (known, unknown) in [(a, b), (b, a)] {
+                let speed = match known.owner {
+                    Owner::Ground => Some(zero),
+                    Owner::Part(part) => speeds[part],
+                };
+                let (Some(speed), Owner::Part(part)) = (speed, unknown.owner) else {
+                    continue;
+                };
+                if speeds[part].is_some() {
+                    continue;
+                }
+                // v + ω × arm of the known part, less the same of the unknown one.
+                let mut velocity = speed;
+                for (point, sign) in [(known, 1.0), (unknown, -1.0)] {
+                    let home = resolver.home(point.owner);
+                    let arm = resolver.graph.turn(&home.axes, point.local);
+                    let swing = resolver.graph.cross(spin(point.owner), arm);
+                    let swing = swing.map(|x| resolver.graph.scale(sign, x));
+                    velocity = resolver.graph.vector_add(velocity, swing);
+                }
+                speeds[part] = Some(velocity);
+                progress = true;
+            }
+        }
+    }
+    speeds
+        .into_iter()
+        .map(|speed| speed.unwrap_or(zero))
+        .collect()
+}
+
+/// The unit quaternion (w, x, y, z) of axes in parameters.
+///
+/// Of the four usual formulas, each of which divides by twice one component, the one is taken whose component is largest
+/// with default parameters.
+fn quaternion(resolver: &mut Resolver, axes: &Axes) -> [Expr; 4] {
+    // m[row][column]
+    let m: [[Expr; 3]; 3] = std::array::from_fn(|row| std::array::from_fn(|k| axes[k][row]));
+    let trace = |signs: [f64; 3], graph: &mut Graph| {
+        let terms: Vec<_> = (0..3).map(|k| (m[k][k], signs[k])).collect();
+        graph.linear(1.0, &terms)
+    };
+    const SIGNS: [[f64; 3]; 4] = [
+        [1.0, 1.0, 1.0],
+        [1.0, -1.0, -1.0],
+        [-1.0, 1.0, -1.0],
+        [-1.0, -1.0, 1.0],
+    ];
+    // 4 × the square of each component.
+    let squares = SIGNS.map(|signs| trace(signs, &mut resolver.graph));
+    let sizes = squares.map(|square| resolver.by_default(square));
+    let largest = (0..4).fold(0, |best, k| if sizes[k] > sizes[best] { k } else { best });
+    let graph = &mut resolver.graph;
+    let root = graph.function(Function::Sqrt, squares[largest]);
+    let half = graph.constant(0.5);
+    let inverse = graph.div(half, root);
+    let mut off = |a: (usize, usize), sign: f64, b: (usize, usize)| {
+        let sum = graph.linear(0.0, &[(m[a.0][a.1], 1.0), (m[b.0][b.1], sign)]);
+        graph.mul(sum, inverse)
+    };
+    // 4 w x = m21 − m12 and so on, 4 x y = m10 + m01 and so on.
+    let (wx, wy, wz) = (
+        off((2, 1), -1.0, (1, 2)),
+        off((0, 2), -1.0, (2, 0)),
+        off((1, 0), -1.0, (0, 1)),
+    );
+    let (xy, yz, zx) = (
+        off((1, 0), 1.0, (0, 1)),
+        off((2, 1), 1.0, (1, 2)),
+        off((0, 2), 1.0, (2, 0)),
+    );
+    let own = graph.scale(0.5, root);
+    match largest {
+        0 => [own, wx, wy, wz],
+        1 => [wx, own, xy, zx],
+        2 => [wy, xy, own, yz],
+        _ => [wz, zx, yz, own],
+    }
+}

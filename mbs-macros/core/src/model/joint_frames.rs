@@ -1,0 +1,354 @@
+//! Where a spatial joint takes hold of its partners: two frames that coincide in the home pose, z along the joint's axis.
+
+use super::geometry::{Attachment, Axes, Owner, Point, Vector};
+use super::resolve::Resolver;
+use super::value::Value;
+use super::{Arguments, Dimension};
+use crate::diagnostics::Place;
+use crate::symbolic::{Expr, Function, Symbol};
+use crate::syntax::Entry;
+use proc_macro2::Span;
+
+/// The two frames of a joint.
+#[derive(Debug, Clone)]
+pub struct JointFrames {
+    /// The joint's name.
+    pub name: String,
+    /// Its kind.
+    pub kind: String,
+    /// On the first partner.
+    pub parent: Attachment,
+    /// On the second.
+    pub child: Attachment,
+    /// Names of the axes: those of the ground where they are such in the home pose, else `u`, `v`, `w`.
+    pub letters: [&'static str; 3],
+}
+
+/// A joint angle that is counted over full turns: `atan2` answers within one turn, and the coordinate that remembers the
+/// last angle says which.
+#[derive(Debug, Clone)]
+pub struct Winding {
+    /// The joint.
+    pub joint: String,
+    /// The counted angle, in local coordinates.
+    pub angle: Expr,
+}
+
+impl JointFrames {
+    /// Whether the joint has an angle about its axis.
+    pub fn turns(&self) -> bool {
+        matches!(
+            self.kind.as_str(),
+            "Revolute" | "Cylindrical" | "Screw" | "Planar"
+        )
+    }
+
+    /// Whether the joint has a stroke along its axis.
+    pub fn slides(&self) -> bool {
+        matches!(self.kind.as_str(), "Prismatic" | "Cylindrical" | "Screw")
+    }
+}
+
+impl Resolver<'_> {
+    pub(super) fn joint_frames(&mut self, entry: &Entry) -> Option<Value> {
+        let (parent, child) = Arguments::new(self, entry).attachments()?;
+        let home = self.home(parent.point.owner);
+        let axes = self.graph.compose(&home.axes, &parent.local);
+        let letters = std::array::from_fn(|k| {
+            let along = axes[k].map(|x| self.by_default(x).abs());
+            let ground = along.iter().position(|x| (x - 1.0).abs() < 1e-9);
+            ground.map_or(["u", "v", "w"][k], |axis| ["x", "y", "z"][axis])
+        });
+        Some(Value::Joint(Box::new(JointFrames {
+            name: entry.name.to_string(),
+            kind: entry.kind.to_string(),
+            parent,
+            child,
+            letters,
+        })))
+    }
+
+    /// The frame of a part at a place of its own, with axes of its own.
+    pub(super) fn attach(
+        &mut self,
+        owner: Owner,
+        local: Vector,
+        axes: Axes,
+        label: String,
+    ) -> Attachment {
+        let frame = self.frame(owner);
+        Attachment {
+            point: self.point_of(owner, local, label),
+            local: axes,
+            axes: self.graph.compose(&frame.axes, &axes),
+        }
+    }
+
+    /// How far the child has slid along the axis, m.
+    pub(super) fn stroke(&mut self, joint: &JointFrames) -> Expr {
+        let gap = self
+            .graph
+            .vector_sub(joint.child.point.position, joint.parent.point.position);
+        self.graph.dot(joint.parent.axes[2], gap)
+    }
+
+    /// The angle of the child against the parent about the axis, counted over full turns, rad.
+    pub(super) fn joint_angle(&mut self, joint: &JointFrames) -> Expr {
+        if let Some(known) = self.windings.iter().find(|known| known.joint == joint.name) {
+            return known.angle;
+        }
+        let [x, y, _] = joint.parent.axes;
+        let turned = joint.child.axes[0];
+        let (sin, cos) = (self.graph.dot(y, turned), self.graph.dot(x, turned));
+        let angle = self.graph.atan2(sin, cos);
+        let index = self.windings.len() as u32;
+        let symbol = Symbol::Winding(index);
+        self.graph.set_name(symbol, format!("{}.angle", joint.name));
+        // angle + 2π round((last − angle)/2π)
+        let last = self.graph.symbol(symbol);
+        let behind = self.graph.sub(last, angle);
+        let turns = self.graph.scale(0.5 / std::f64::consts::PI, behind);
+        let turns = self.graph.function(Function::Round, turns);
+        let counted = self
+            .graph
+            .linear(0.0, &[(angle, 1.0), (turns, 2.0 * std::f64::consts::PI)]);
+        self.windings.push(Winding {
+            joint: joint.name.clone(),
+            angle: counted,
+        });
+        counted
+    }
+
+    /// The angular velocity of the child against the parent about the axis.
+    pub(super) fn joint_rate(&mut self, joint: &JointFrames) -> Expr {
+        let spins =
+            [joint.child.point.owner, joint.parent.point.owner].map(|owner| self.frame(owner).spin);
+        let relative = self.graph.vector_sub(spins[0], spins[1]);
+        self.graph.dot(joint.parent.axes[2], relative)
+    }
+
+    /// `angle`, `rate`, `stroke`, `speed` of a joint.
+    pub(super) fn joint_member(
+        &mut self,
+        joint: &JointFrames,
+        member: &str,
+        span: Span,
+    ) -> Option<Value> {
+        let mut known = Vec::new();
+        if joint.turns() {
+            known.extend(["angle", "rate"]);
+        }
+        if joint.slides() {
+            known.extend(["stroke", "speed"]);
+        }
+        if !known.contains(&member) {
+            return self.no_such_member(
+                &Value::Joint(Box::new(joint.clone())),
+                member,
+                &known,
+                span,
+            );
+        }
+        Some(match member {
+            "angle" => Value::Scalar(self.joint_angle(joint), Some(Dimension::NONE)),
+            "rate" => Value::Scalar(self.joint_rate(joint), Some(Dimension::RATE)),
+            "stroke" => Value::Scalar(self.stroke(joint), Some(Dimension::LENGTH)),
+            _ => {
+                let stroke = self.stroke(joint);
+                Value::Scalar(self.graph.rate(stroke), Some(Dimension::VELOCITY))
+            }
+        })
+    }
+}
+
+/// A partner of a joint, as far as it was given.
+enum Hold {
+    Part(Owner),
+    Point(Owner, Vector, String),
+    Frame(Attachment),
+}
+
+impl Hold {
+    fn owner(&self) -> Owner {
+        match self {
+            Hold::Part(owner) | Hold::Point(owner, ..) => *owner,
+            Hold::Frame(frame) => frame.point.owner,
+        }
+    }
+}
+
+impl Arguments<'_, '_> {
+    /// The frames of `parent` and `child`: given as such, or as parts or points with `at =` and `axis =`.
+    fn attachments(&mut self) -> Option<(Attachment, Attachment)> {
+        let (parent, child) = (self.hold("parent"), self.hold("child"));
+        let (parent, child) = (parent?, child?);
+        if parent.owner() == child.owner() {
+            let owner = self.owner_name(parent.owner());
+            return self.fail(
+                "child",
+                format!("both sides belong to `{owner}`: a joint holds two different parts"),
+            );
+        }
+        let at = self.vector("at");
+        if at.is_none() && self.has("at") {
+            return None;
+        }
+        for (field, hold) in [("parent", &parent), ("child", &child)] {
+            let name = self.owner_name(hold.owner());
+            match (hold, at) {
+                (Hold::Part(_), None) => return self.fail(field, format!("where on `{name}` is this joint? Give its place in the home pose by `at =`, or name a point, such as `{name}.point(x, y, z)`")),
+                (Hold::Point(..) | Hold::Frame(_), Some(_)) => return self.fail("at", format!("`{field}` says already where the joint takes hold of `{name}`; keep one of them")),
+                _ => {}
+            }
+        }
+        let triad = self.triad(&[&parent, &child])?;
+        let name = self.entry_name();
+        let mut attach = |field: &str, hold: Hold| -> Option<Attachment> {
+            self.held_axes(field, hold.owner())?;
+            let resolver = self.resolver();
+            let home = resolver.home(hold.owner());
+            let axes = triad.map(|axis| resolver.graph.components(&home.axes, axis));
+            Some(match hold {
+                Hold::Frame(frame) => frame,
+                Hold::Point(owner, local, label) => resolver.attach(owner, local, axes, label),
+                Hold::Part(owner) => {
+                    let at = at?;
+                    let arm = resolver.graph.vector_sub(at, home.origin);
+                    let local = resolver.graph.components(&home.axes, arm);
+                    let label = format!("{} at {name}", resolver.owner_name(owner));
+                    resolver.attach(owner, local, axes, label)
+                }
+            })
+        };
+        let parent = attach("parent", parent);
+        let child = attach("child", child);
+        Some((parent?, child?))
+    }
+
+    /// The axes of the joint in the home pose, in the ground's axes: z along `axis =`, or those of the first frame.
+    fn triad(&mut self, holds: &[&Hold]) -> Option<Axes> {
+        let frame = holds.iter().find_map(|hold| match hold {
+            Hold::Frame(frame) => Some(frame.clone()),
+            _ => None,
+        });
+        match (frame, self.has("axis")) {
+            (Some(_), true) => self.fail(
+                "axis",
+                "the frame of a partner gives the axis already; keep one of them",
+            ),
+            (Some(frame), false) => {
+                let resolver = self.resolver();
+                let home = resolver.home(frame.point.owner);
+                Some(resolver.graph.compose(&home.axes, &frame.local))
+            }
+            (None, false) => Some(self.graph().ground_axes()),
+            (None, true) => {
+                let axis = self.direction("axis")?;
+                Some(self.resolver().axes_along(axis))
+            }
+        }
+    }
+
+    fn hold(&mut self, field: &str) -> Option<Hold> {
+        let syntax = self.syntax(field)?;
+        match self.evaluate(syntax)? {
+            Value::Frame(owner) => {
+                let names = self.resolver().point_names(owner);
+                if self.is_particle(owner) && names == ["origin"] && !self.has("at") {
+                    let point = self.resolver().named_point(owner, "origin")?;
+                    return Some(Hold::Point(owner, point.local, point.label));
+                }
+                Some(Hold::Part(owner))
+            }
+            Value::Point(point) => Some(Hold::Point(point.owner, point.local, point.label)),
+            Value::Attachment(frame) => Some(Hold::Frame(*frame)),
+            other => {
+                let what = other.describe();
+                self.fail_at(
+                    Place::of(syntax),
+                    format!("`{field}` is a part, a point or a frame, but this is {what}"),
+                )
+            }
+        }
+    }
+
+    /// Joints but `Spherical` hold the orientation of their partners.
+    fn held_axes(&mut self, field: &str, owner: Owner) -> Option<()> {
+        if self.kind_name() == "Spherical" {
+            return Some(());
+        }
+        let name = self.owner_name(owner);
+        if self.is_particle(owner) {
+            return self.fail(field, format!("`{name}` is a particle and has no orientation to hold; use `Spherical`, or a `Body`"));
+        }
+        if self.is_slender(owner) {
+            return self.fail(field, format!("`{name}` is a slender bar: it has no inertia about itself, so that its turning about itself would be undetermined; give it `radius =` or `inertia =`, or join it by `Spherical`"));
+        }
+        Some(())
+    }
+
+    /// A joint named by another entry.
+    pub fn joint(&mut self, field: &str) -> Option<JointFrames> {
+        let syntax = self.syntax(field)?;
+        match self.evaluate(syntax)? {
+            Value::Joint(joint) => Some(*joint),
+            other => {
+                let what = other.describe();
+                self.fail_at(
+                    Place::of(syntax),
+                    format!("`{field}` is a joint, but this is {what}"),
+                )
+            }
+        }
+    }
+
+    /// The frames of this entry itself; `None` where they were wrong, which is recorded already.
+    pub fn own_frames(&mut self) -> Option<JointFrames> {
+        match self.own_value()? {
+            Value::Joint(joint) => Some(*joint),
+            _ => None,
+        }
+    }
+
+    /// The points of this entry's partners, if both were given as such.
+    pub fn given_points(&mut self) -> Option<(Point, Point)> {
+        let mut points = ["parent", "child"].into_iter().map(|field| {
+            let syntax = self.syntax(field)?;
+            match self
+                .resolver()
+                .silently(|resolver| resolver.evaluate(syntax))?
+            {
+                Value::Point(point) => Some(point),
+                Value::Frame(owner) => self.resolver().named_point(owner, "origin"),
+                _ => None,
+            }
+        });
+        Some((points.next()??, points.next()??))
+    }
+
+    /// See [`Resolver::joint_angle`].
+    pub fn joint_angle(&mut self, joint: &JointFrames) -> Expr {
+        self.resolver().joint_angle(joint)
+    }
+
+    /// The angular velocity of the child against the parent about the axis, rad/s.
+    pub fn joint_rate(&mut self, joint: &JointFrames) -> Expr {
+        self.resolver().joint_rate(joint)
+    }
+
+    /// How far the child has slid along the axis, m.
+    pub fn stroke(&mut self, joint: &JointFrames) -> Expr {
+        self.resolver().stroke(joint)
+    }
+
+    /// Right-handed axes whose third is a direction in parameters.
+    pub fn axes_along(&mut self, direction: Vector) -> Axes {
+        self.resolver().axes_along(direction)
+    }
+
+    /// A direction of unit length in the ground's axes, in parameters.
+    pub fn direction(&mut self, field: &str) -> Option<Vector> {
+        let syntax = self.syntax(field)?;
+        self.direction_of(field, syntax)
+    }
+}

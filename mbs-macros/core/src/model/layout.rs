@@ -1,0 +1,180 @@
+//! The generalized coordinates as they are stored, and the velocities: where a rotation occurs, four of the former stand
+//! against three of the latter.
+
+use super::parts::Tensor;
+use super::placement::Guesses;
+use super::reduce::Reduction;
+use super::resolve::Resolver;
+use crate::symbolic::{Expr, Symbol, rotation_entry};
+
+/// Coordinates q and velocities v, with their guesses.
+#[derive(Debug, Default, Clone)]
+pub struct Layout {
+    /// q, in order.
+    pub coordinates: Vec<Stored>,
+    /// v, in order.
+    pub velocities: Vec<Stored>,
+    /// For each velocity the coordinate that it is the rate of; for one of a rotation, the first of its quaternion.
+    pub slots: Vec<usize>,
+    /// Rotations, in order.
+    pub rotations: Vec<Rotation>,
+    /// Counted joint angles: for each its coordinate and the angle, in local coordinates, that it remembers.
+    pub windings: Vec<(usize, Expr)>,
+}
+
+/// A coordinate or velocity.
+#[derive(Debug, Clone)]
+pub struct Stored {
+    /// For example `crank.b.x`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// Initial guess, in parameters.
+    pub guess: Expr,
+}
+
+/// A unit quaternion among the coordinates.
+#[derive(Debug, Clone)]
+pub struct Rotation {
+    /// The part that it turns.
+    pub part: String,
+    /// Index of its first velocity; its entries are [`Symbol::Rotation`] by this.
+    pub velocity: usize,
+    /// Index of the first component of its quaternion.
+    pub coordinate: usize,
+    /// The inertia of the part, in its axes.
+    pub inertia: Tensor,
+}
+
+impl Layout {
+    /// Where in q a coordinate is stored, or the first component of a rotation's quaternion.
+    pub fn slot(&self, symbol: Symbol) -> Option<usize> {
+        match symbol {
+            Symbol::Coordinate(velocity) | Symbol::Rotation(velocity, _) => {
+                self.slots.get(velocity as usize).copied()
+            }
+            Symbol::Winding(index) => self.windings.get(index as usize).map(|(slot, _)| *slot),
+            _ => None,
+        }
+    }
+
+    /// q moved by v over h; rotations by (1, h ω/2), normalised.
+    pub fn moved(&self, q: &[f64], v: &[f64], h: f64) -> Vec<f64> {
+        let mut next = q.to_vec();
+        for (i, &slot) in self.slots.iter().enumerate() {
+            if !self
+                .rotations
+                .iter()
+                .any(|rotation| rotation.coordinate == slot)
+            {
+                next[slot] += h * v[i];
+            }
+        }
+        for rotation in &self.rotations {
+            let (slot, first) = (rotation.coordinate, rotation.velocity);
+            let [w, x, y, z] = [0, 1, 2, 3].map(|k| q[slot + k]);
+            let [a, b, c] = [0, 1, 2].map(|k| 0.5 * h * v[first + k]);
+            let turned = [
+                w - x * a - y * b - z * c,
+                x + w * a + y * c - z * b,
+                y + w * b + z * a - x * c,
+                z + w * c + x * b - y * a,
+            ];
+            let length = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
+            for (k, x) in turned.into_iter().enumerate() {
+                next[slot + k] = x / length;
+            }
+        }
+        next
+    }
+
+    /// The value of a generalized position or orientation at q; `None` for other symbols.
+    pub fn value(&self, symbol: Symbol, q: &[f64]) -> Option<f64> {
+        let slot = self.slot(symbol)?;
+        match symbol {
+            Symbol::Rotation(_, entry) => {
+                let quaternion = q.get(slot..slot + 4)?.try_into().ok()?;
+                Some(rotation_entry(quaternion, entry))
+            }
+            _ => q.get(slot).copied(),
+        }
+    }
+}
+
+/// Lays out what the reduction has kept.
+pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &Guesses) -> Layout {
+    let mut layout = Layout::default();
+    let mut kept = reduction.kept().iter();
+    while let Some((local, name)) = kept.next() {
+        let slot = layout.coordinates.len();
+        let part = resolver
+            .parts
+            .iter()
+            .find(|part| part.rotation() == Some(*local));
+        if let Some(part) = part {
+            let (name, inertia) = (part.name.clone(), part.inertia);
+            let first = layout.velocities.len();
+            layout.rotations.push(Rotation {
+                part: name.clone(),
+                velocity: first,
+                coordinate: slot,
+                inertia,
+            });
+            let quaternion = guesses.quaternion(*local, &mut resolver.graph);
+            for (component, guess) in ["w", "x", "y", "z"].iter().zip(quaternion) {
+                layout.coordinates.push(Stored {
+                    name: format!("{name}.q{component}"),
+                    unit: String::new(),
+                    guess,
+                });
+            }
+            for (turn, axis) in (*local..).zip(["x", "y", "z"]) {
+                layout.velocities.push(Stored {
+                    name: format!("{name}.omega.{axis}"),
+                    unit: "rad/s".to_owned(),
+                    guess: guesses.velocity(turn, &mut resolver.graph),
+                });
+                layout.slots.push(slot);
+            }
+            kept.nth(1);
+            continue;
+        }
+        let unit = resolver.locals[*local as usize].unit.clone();
+        layout.velocities.push(Stored {
+            name: format!("{name}'"),
+            unit: rate_unit(&unit),
+            guess: guesses.velocity(*local, &mut resolver.graph),
+        });
+        layout.coordinates.push(Stored {
+            name: name.clone(),
+            unit,
+            guess: guesses.position(*local, &mut resolver.graph),
+        });
+        layout.slots.push(slot);
+    }
+    for winding in &resolver.windings {
+        let guess = resolver.graph.zero();
+        layout
+            .windings
+            .push((layout.coordinates.len(), winding.angle));
+        layout.coordinates.push(Stored {
+            name: format!("{}.angle", winding.joint),
+            unit: "rad".to_owned(),
+            guess,
+        });
+    }
+    for (slot, stored) in layout.coordinates.iter().enumerate() {
+        let symbol = Symbol::Stored(slot as u32);
+        resolver.graph.set_name(symbol, stored.name.clone());
+    }
+    layout
+}
+
+/// The unit of a rate.
+fn rate_unit(unit: &str) -> String {
+    match unit {
+        "" => "1/s".to_owned(),
+        unit if unit.contains('/') => format!("({unit})/s"),
+        unit => format!("{unit}/s"),
+    }
+}

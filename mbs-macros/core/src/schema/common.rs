@@ -1,0 +1,254 @@
+//! Kinds that the plane and space share.
+
+use super::Absent::{Assumed, Required};
+use super::Expects::{
+    Anything, Flag, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector, Part, Point, Unit,
+};
+use super::{Field, Group, Kind, field, positional};
+use crate::model::Dimension;
+
+pub(super) const PARENT: Field =
+    positional("parent", Point, Required, "point of the first partner");
+pub(super) const CHILD: Field = positional(
+    "child",
+    Point,
+    Required,
+    "point of the second partner; reactions are the forces on it",
+);
+pub(super) const FREE: Field = field(
+    "free",
+    Flag,
+    Assumed("false"),
+    "says that being connected to nothing is meant",
+);
+
+/// The kinds.
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        name: "Param",
+        group: Group::Value,
+        fields: &[
+            positional(
+                "value",
+                KnownAny,
+                Required,
+                "default value; its unit fixes the dimension",
+            ),
+            field(
+                "unit",
+                Unit,
+                Assumed("the unit of the value"),
+                "unit of a value written as a bare number",
+            ),
+        ],
+        doc: "A parameter: a public field of the generated struct.",
+    },
+    Kind {
+        name: "Input",
+        group: Group::Value,
+        fields: &[
+            positional(
+                "value",
+                KnownAny,
+                Assumed("0"),
+                "value before the program sets one",
+            ),
+            field(
+                "unit",
+                Unit,
+                Assumed("the unit of the value"),
+                "unit of the input",
+            ),
+        ],
+        doc: "A value that the program sets between steps.",
+    },
+    Kind {
+        name: "Let",
+        group: Group::Value,
+        fields: &[positional("value", Anything, Required, "the expression")],
+        doc: "A named expression.",
+    },
+    Kind {
+        name: "Output",
+        group: Group::Value,
+        fields: &[positional(
+            "value",
+            Anything,
+            Required,
+            "the expression; a point or vector gives `name.x` and `name.y`",
+        )],
+        doc: "A named expression that is sampled with the results.",
+    },
+    Kind {
+        name: "Event",
+        group: Group::Value,
+        fields: &[positional(
+            "value",
+            MovingAny,
+            Required,
+            "the expression whose sign change is the event",
+        )],
+        doc: "An instant that `run_to_event` can stop at.",
+    },
+    Kind {
+        name: "Point",
+        group: Group::Value,
+        fields: &[positional(
+            "position",
+            KnownVector(Dimension::LENGTH),
+            Required,
+            "position in the ground's axes",
+        )],
+        doc: "A named point of the ground.",
+    },
+    Kind {
+        name: "Coordinate",
+        group: Group::Part,
+        fields: &[
+            positional(
+                "value",
+                KnownAny,
+                Assumed("0"),
+                "initial value; its unit fixes the dimension (an angle by default)",
+            ),
+            field("rate", KnownAny, Assumed("0"), "initial rate"),
+            field(
+                "unit",
+                Unit,
+                Assumed("the unit of the value"),
+                "unit of a value written as a bare number",
+            ),
+        ],
+        doc: "A generalized coordinate chosen by hand; parts follow it by `frame =` or `position =`.",
+    },
+    Kind {
+        name: "Distance",
+        group: Group::Joint,
+        fields: &[
+            PARENT,
+            CHILD,
+            field(
+                "length",
+                Known(Dimension::LENGTH),
+                Required,
+                "the distance kept; not zero (use Revolute)",
+            ),
+        ],
+        doc: "Two points keep their distance, as if joined by a massless rod.",
+    },
+    Kind {
+        name: "Coupling",
+        group: Group::Constraint,
+        fields: &[
+            positional(
+                "first",
+                MovingAny,
+                Required,
+                "a scalar expression of the positions",
+            ),
+            positional(
+                "second",
+                MovingAny,
+                Required,
+                "the expression that follows: second = ratio · first + offset",
+            ),
+            field("ratio", KnownAny, Assumed("1"), "the ratio"),
+            field("offset", KnownAny, Assumed("0"), "the offset"),
+        ],
+        doc: "Two scalars keep a linear relation.",
+    },
+    Kind {
+        name: "Holonomic",
+        group: Group::Constraint,
+        fields: &[positional(
+            "value",
+            Anything,
+            Required,
+            "expression of positions and time, or a list of them",
+        )],
+        doc: "The expression is zero.",
+    },
+    Kind {
+        name: "Nonholonomic",
+        group: Group::Constraint,
+        fields: &[positional(
+            "value",
+            Anything,
+            Required,
+            "expression that is affine in the velocities, or a list of them",
+        )],
+        doc: "The expression is zero.",
+    },
+    Kind {
+        name: "Drive",
+        group: Group::Constraint,
+        fields: &[
+            positional(
+                "target",
+                MovingAny,
+                Required,
+                "an angle, length or other expression of the positions",
+            ),
+            field(
+                "value",
+                MovingAny,
+                Required,
+                "its value as a function of `t`",
+            ),
+        ],
+        doc: "Prescribes a position as a function of time.",
+    },
+    Kind {
+        name: "SpringDamper",
+        group: Group::Force,
+        fields: &[
+            PARENT,
+            CHILD,
+            field(
+                "stiffness",
+                Known(Dimension::STIFFNESS),
+                Assumed("0"),
+                "stiffness",
+            ),
+            field(
+                "damping",
+                Known(Dimension::DAMPING),
+                Assumed("0"),
+                "damping",
+            ),
+            field(
+                "length",
+                Known(Dimension::LENGTH),
+                Assumed("0"),
+                "length without force",
+            ),
+            field(
+                "law",
+                Law,
+                Assumed("none"),
+                "tension as a function of [length, rate]; instead of the other fields",
+            ),
+        ],
+        doc: "A spring and damper between two points.",
+    },
+    Kind {
+        name: "Force",
+        group: Group::Force,
+        fields: &[
+            positional("on", Point, Required, "where it acts"),
+            field(
+                "value",
+                MovingVector(Dimension::FORCE),
+                Required,
+                "its components",
+            ),
+            field(
+                "axes",
+                Part,
+                Assumed("ground"),
+                "the part in whose axes the components are given",
+            ),
+        ],
+        doc: "A force on a point.",
+    },
+];

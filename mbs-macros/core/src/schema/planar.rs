@@ -1,0 +1,279 @@
+//! The kinds of the plane.
+
+use super::Absent::{Assumed, Required};
+use super::Expects::{Axis, Frame, Known, KnownVector, Law, Moving, MovingVector, Part, Point};
+use super::common::{CHILD, FREE, PARENT};
+use super::{Field, Group, Kind, field, positional};
+use crate::model::Dimension;
+
+const AT_GUESS: Field = field(
+    "at",
+    KnownVector(Dimension::LENGTH),
+    Assumed("what the joints imply"),
+    "initial guess of the position of `origin`",
+);
+const VELOCITY_GUESS: Field = field(
+    "velocity",
+    KnownVector(Dimension::VELOCITY),
+    Assumed("what the joints imply"),
+    "initial guess of the velocity of `origin`",
+);
+const ANGLE_GUESS: Field = field(
+    "angle",
+    Known(Dimension::NONE),
+    Assumed("0, or what the joints imply"),
+    "initial guess of the angle against ground.x",
+);
+const RATE_GUESS: Field = field(
+    "rate",
+    Known(Dimension::RATE),
+    Assumed("0"),
+    "initial guess of the angular velocity",
+);
+const FRAME: Field = field(
+    "frame",
+    Frame,
+    Assumed("coordinates of its own"),
+    "position and angle as expressions of `Coordinate`s: minimal coordinates by hand",
+);
+
+/// The world.
+pub(super) const WORLD: Kind = Kind {
+    name: "Planar",
+    group: Group::Value,
+    fields: &[field(
+        "gravity",
+        KnownVector(Dimension::ACCELERATION),
+        Assumed("[0, 0]"),
+        "acceleration of gravity",
+    )],
+    doc: "Motion in the x–y plane; angles count counter-clockwise from ground.x.",
+};
+
+/// The kinds.
+pub(super) const KINDS: &[Kind] = &[
+    Kind {
+        name: "Bar",
+        group: Group::Part,
+        fields: &[
+            field(
+                "mass",
+                Known(Dimension::MASS),
+                Assumed("0, massless"),
+                "mass, uniformly distributed",
+            ),
+            field(
+                "length",
+                Known(Dimension::LENGTH),
+                Assumed("the distance from `from` to `to`"),
+                "distance of its end points `a` and `b`",
+            ),
+            field(
+                "from",
+                KnownVector(Dimension::LENGTH),
+                Assumed("what the joints imply"),
+                "initial guess of end `a`",
+            ),
+            field(
+                "to",
+                KnownVector(Dimension::LENGTH),
+                Assumed("what the joints imply"),
+                "initial guess of end `b`",
+            ),
+            ANGLE_GUESS,
+            RATE_GUESS,
+            FRAME,
+            FREE,
+        ],
+        doc: "A uniform slender rod with end points `a` and `b`.",
+    },
+    Kind {
+        name: "Body",
+        group: Group::Part,
+        fields: &[
+            field("mass", Known(Dimension::MASS), Required, "mass"),
+            field(
+                "inertia",
+                Known(Dimension::INERTIA),
+                Required,
+                "moment of inertia about the centre of mass",
+            ),
+            field(
+                "center_of_mass",
+                KnownVector(Dimension::LENGTH),
+                Assumed("[0, 0]"),
+                "centre of mass in the body's axes, from `origin`",
+            ),
+            AT_GUESS,
+            ANGLE_GUESS,
+            VELOCITY_GUESS,
+            RATE_GUESS,
+            FRAME,
+            FREE,
+        ],
+        doc: "A rigid body with a frame at `origin`; points by `body.point(x, y)`.",
+    },
+    Kind {
+        name: "Particle",
+        group: Group::Part,
+        fields: &[
+            field(
+                "mass",
+                Known(Dimension::MASS),
+                Assumed("0, massless"),
+                "mass",
+            ),
+            AT_GUESS,
+            VELOCITY_GUESS,
+            field(
+                "position",
+                MovingVector(Dimension::LENGTH),
+                Assumed("coordinates of its own"),
+                "position as an expression of `Coordinate`s",
+            ),
+            FREE,
+        ],
+        doc: "A point mass; its point is `origin`.",
+    },
+    Kind {
+        name: "Revolute",
+        group: Group::Joint,
+        fields: &[PARENT, CHILD],
+        doc: "The two points coincide. Between ends of bars, particles and the ground they are merged: no coordinate and no row.",
+    },
+    Kind {
+        name: "Prismatic",
+        group: Group::Joint,
+        fields: &[
+            PARENT,
+            CHILD,
+            field(
+                "axis",
+                Axis,
+                Assumed("X"),
+                "direction of sliding, in the parent's axes",
+            ),
+            field(
+                "angle",
+                Known(Dimension::NONE),
+                Assumed("0"),
+                "angle of the child's frame against the parent's",
+            ),
+        ],
+        doc: "The child slides along an axis of the parent and does not turn against it.",
+    },
+    Kind {
+        name: "Fixed",
+        group: Group::Joint,
+        fields: &[
+            PARENT,
+            CHILD,
+            field(
+                "angle",
+                Known(Dimension::NONE),
+                Assumed("0"),
+                "angle of the child's frame against the parent's",
+            ),
+        ],
+        doc: "The two points coincide and the frames keep their angle.",
+    },
+    Kind {
+        name: "PointOnLine",
+        group: Group::Joint,
+        fields: &[
+            positional(
+                "point",
+                Point,
+                Required,
+                "the point that slides; reactions are the forces on it",
+            ),
+            positional("line", Point, Required, "a point of the line"),
+            field(
+                "axis",
+                Axis,
+                Assumed("X"),
+                "direction of the line, in the axes of the line's part",
+            ),
+        ],
+        doc: "A point stays on a line that is fixed in another part.",
+    },
+    Kind {
+        name: "Gear",
+        group: Group::Joint,
+        fields: &[
+            positional("parent", Part, Required, "the driving part"),
+            positional(
+                "child",
+                Part,
+                Required,
+                "the driven part; the reaction is the torque on it",
+            ),
+            field(
+                "ratio",
+                Known(Dimension::NONE),
+                Required,
+                "angle of the child per angle of the parent (negative for external gears)",
+            ),
+            field(
+                "offset",
+                Known(Dimension::NONE),
+                Assumed("0"),
+                "angle of the child when the parent's is zero",
+            ),
+        ],
+        doc: "The angles of two parts against the ground keep a ratio.",
+    },
+    Kind {
+        name: "TorsionSpring",
+        group: Group::Force,
+        fields: &[
+            positional("parent", Part, Required, "the first partner"),
+            positional("child", Part, Required, "the second partner"),
+            field(
+                "stiffness",
+                Known(Dimension::TORQUE),
+                Assumed("0"),
+                "stiffness per radian",
+            ),
+            field(
+                "damping",
+                Known(Dimension::TORSION_DAMPING),
+                Assumed("0"),
+                "damping",
+            ),
+            field(
+                "angle",
+                Known(Dimension::NONE),
+                Assumed("0"),
+                "angle of the child against the parent without torque",
+            ),
+            field(
+                "law",
+                Law,
+                Assumed("none"),
+                "torque against turning as a function of [angle, rate]; instead of the other fields",
+            ),
+        ],
+        doc: "A rotational spring and damper between two parts.",
+    },
+    Kind {
+        name: "Torque",
+        group: Group::Force,
+        fields: &[
+            positional("on", Part, Required, "the part it acts on"),
+            field(
+                "value",
+                Moving(Dimension::TORQUE),
+                Required,
+                "its value, counter-clockwise",
+            ),
+            field(
+                "from",
+                Part,
+                Assumed("ground"),
+                "the part that feels the reaction",
+            ),
+        ],
+        doc: "A torque on a part.",
+    },
+];
