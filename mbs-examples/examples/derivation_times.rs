@@ -51,7 +51,7 @@ fn compile(declaration: &str) -> Option<Times> {
     let analyse = start.elapsed();
     let graph = analysis.derived.system.graph.clone();
     let start = Instant::now();
-    let program = dag::lower(analysis.derived);
+    let program = dag::lower(&analysis.derived);
     let lower = start.elapsed();
     let operations = program
         .functions

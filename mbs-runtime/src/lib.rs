@@ -76,8 +76,8 @@ pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
 pub use model::{
-    Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy, Row, RowKind,
-    Segment, Structure, World,
+    Candidate, Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy,
+    Row, RowKind, Segment, Structure, World,
 };
 pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;

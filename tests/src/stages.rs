@@ -24,7 +24,7 @@ pub fn texts(declaration: &str) -> [(&'static str, String); 5] {
         ("3-system", system(&derived.system)),
         ("4-derived", self::derived(derived)),
     ];
-    let program = dag::lower(analysis.derived);
+    let program = dag::lower(&analysis.derived);
     let [a, b, c, d] = stages;
     [a, b, c, d, ("5-program", program.text(&graph))]
 }

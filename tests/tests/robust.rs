@@ -22,7 +22,7 @@ fn answer(tokens: TokenStream) -> Answer {
         match (declaration, outcome) {
             (Some(declaration), Ok(analysis)) => {
                 let graph = analysis.derived.system.graph.clone();
-                let program = dag::lower(analysis.derived);
+                let program = dag::lower(&analysis.derived);
                 emit::mechanism(
                     &declaration,
                     &analysis.model,

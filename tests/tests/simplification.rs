@@ -374,7 +374,7 @@ mod program {
             layout: Default::default(),
             windings: Vec::new(),
         });
-        let program = dag::lower(derived);
+        let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {
             Symbol::Coordinate(i) | Symbol::Parameter(i) => variables[i as usize],
             other => panic!("{other:?}"),

@@ -68,10 +68,19 @@ pub fn derive(mut system: System) -> Derived {
     let graph = &mut system.graph;
     let size = system.size;
     let is_state = Symbol::is_configuration;
-    let constant_mass = !system
-        .mass
-        .values()
-        .any(|&entry| graph.depends_on(entry, is_state));
+    let turns = |i: usize| {
+        let rotations = system.layout.rotations.iter();
+        let mut firsts = rotations.map(|rotation| rotation.velocity);
+        firsts.find(|&first| (first..first + 3).contains(&i))
+    };
+    // A rotation whose momentum depends on other velocities, too, has no free flight of its own: for the integrator its M
+    // is like one that varies.
+    let coupled = system.mass.keys().any(|&(i, j)| turns(i) != turns(j));
+    let constant_mass = !coupled
+        && !system
+            .mass
+            .values()
+            .any(|&entry| graph.depends_on(entry, is_state));
     let (momentum, kinetic) = match system.kinetic {
         Some(kinetic) => (inertia::momentum_of(graph, size, kinetic), kinetic),
         None => {
