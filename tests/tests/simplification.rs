@@ -371,6 +371,7 @@ mod program {
             outputs: outputs.to_vec(),
             events: Vec::new(),
             points: Vec::new(),
+            kinetic: None,
             layout: Default::default(),
             windings: Vec::new(),
         });
