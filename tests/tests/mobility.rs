@@ -89,7 +89,7 @@ fn singular_starts_do_not_count() {
             .unwrap_or_else(|| panic!("{} does not assemble", scene.name));
         let redundant = match scene.name {
             // Overconstrained by nature: six revolutes in a ring, two universal joints between fixed bearings.
-            "bricard" | "bricard-slender" | "cardan-shaft" => 1,
+            "bricard" | "bricard-slender" | "bricard-reference" | "cardan-shaft" => 1,
             _ => 0,
         };
         assert_eq!(mobility.redundant.len(), redundant, "{}", scene.name);

@@ -132,7 +132,7 @@ pub fn derive(model: &mut Model) -> System {
         potential,
         loads: &loads,
         rows: &rows,
-        dimension: model.world.dimension(),
+        model,
     };
     let reactions = reactions::derive(&mut graph, &mut reduction, &joints, &model.merged, &balance);
 
@@ -178,6 +178,7 @@ pub fn derive(model: &mut Model) -> System {
         None => applied_forces(&mut graph, size, potential, &loads),
     };
     let power = power(&mut graph, &loads);
+    model.reduction = reduction;
     System {
         graph,
         size,

@@ -44,6 +44,7 @@ impl JointFrames {
             turns,
             slides: slides.to_vec(),
             free_rotation,
+            forwards: true,
         }
     }
 

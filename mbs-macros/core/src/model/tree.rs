@@ -31,6 +31,8 @@ pub struct Link {
     pub slides: Vec<usize>,
     /// The child keeps its own orientation.
     pub free_rotation: bool,
+    /// Whether the partners stand in the order of the declaration.
+    pub forwards: bool,
 }
 
 /// A joint of the tree.
@@ -189,6 +191,17 @@ impl Tree {
             .flat_map(|joint| joint.angle.iter().chain(&joint.strokes).copied())
     }
 
+    /// A part and all that it carries.
+    pub fn carried_by(&self, part: usize) -> Vec<usize> {
+        let mut found = vec![part];
+        for joint in &self.joints {
+            if joint.parent.is_some_and(|parent| found.contains(&parent)) {
+                found.push(joint.child);
+            }
+        }
+        found
+    }
+
     /// Whether a joint belongs to the tree.
     pub fn contains(&self, joint: &str) -> bool {
         self.joints.iter().any(|own| own.joint == joint)
@@ -209,6 +222,7 @@ impl Link {
             turns: false,
             slides: Vec::new(),
             free_rotation: true,
+            forwards: true,
         }
     }
 
@@ -217,6 +231,7 @@ impl Link {
         Link {
             parent: self.child.clone(),
             child: self.parent.clone(),
+            forwards: !self.forwards,
             ..self.clone()
         }
     }
