@@ -28,6 +28,28 @@ impl Resolver<'_> {
         self.graph.vector_add(home.origin, offset)
     }
 
+    /// Zero, where an expression of parameters is zero but for rounding, whatever their values.
+    fn settled(&mut self, expr: Expr) -> Expr {
+        let vanishes =
+            [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)]
+                .into_iter()
+                .all(|(factor, shift)| {
+                    let symbols = |symbol| match symbol {
+                        Symbol::Parameter(index) => {
+                            factor * self.parameters[index as usize].default + shift
+                        }
+                        _ => f64::NAN,
+                    };
+                    let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+                    let value = Evaluator::new(&self.graph, &symbols, &laws).value(expr);
+                    value.abs() < 1e-12
+                });
+        match vanishes {
+            true => self.graph.zero(),
+            false => expr,
+        }
+    }
+
     /// The value with the defaults of all parameters; NaN if it depends on anything else.
     pub(super) fn by_default(&self, expr: Expr) -> f64 {
         let symbols = |symbol| match symbol {
@@ -49,7 +71,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement], tree: &T
     for joint in &tree.joints {
         joint_guess(resolver, &parts, &speeds, joint, &mut guesses);
     }
-    for (part, speed) in parts.iter().zip(speeds) {
+    for (index, (part, &speed)) in parts.iter().zip(&speeds).enumerate() {
         let Some(home) = part.home else {
             let (value, rate) = (
                 part.guess.angle.unwrap_or(zero),
@@ -61,7 +83,6 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement], tree: &T
             continue;
         };
         let spin = part.guess.spin.unwrap_or([zero; 3]);
-        let graph = &mut resolver.graph;
         let points: Vec<Vector> = match part.representation {
             Representation::Natural => {
                 vec![[zero; 3], [part.length.unwrap_or(zero), zero, zero]]
@@ -71,10 +92,15 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement], tree: &T
             _ => Vec::new(),
         };
         for (slot, local) in points.into_iter().enumerate() {
+            let graph = &mut resolver.graph;
             let arm = graph.turn(&home.axes, local);
             let position = graph.vector_add(home.origin, arm);
             let swing = graph.cross(spin, arm);
-            let velocity = graph.vector_add(speed, swing);
+            let mut velocity = graph.vector_add(speed, swing);
+            if part.representation == Representation::Natural {
+                let point = (Owner::Part(index), local);
+                velocity = joined_velocity(resolver, point, &speeds, joints).unwrap_or(velocity);
+            }
             for axis in 0..3 {
                 guesses.set(part.locals[3 * slot + axis], position[axis], velocity[axis]);
             }
@@ -120,11 +146,6 @@ fn joint_guess(
     });
     let child = sides[1];
     let parent = &mut sides[0];
-    // What is zero but for rounding is zero.
-    let settle = |resolver: &mut Resolver, x: Expr| match resolver.by_default(x).abs() < 1e-12 {
-        true => resolver.graph.zero(),
-        false => x,
-    };
     if let Some(local) = joint.angle {
         let graph = &mut resolver.graph;
         let (sin, cos) = (
@@ -134,7 +155,7 @@ fn joint_guess(
         let angle = graph.atan2(sin, cos);
         let relative = graph.vector_sub(child.3, parent.3);
         let rate = graph.dot(parent.1[2], relative);
-        let angle = settle(resolver, angle);
+        let angle = resolver.settled(angle);
         guesses.set(local, angle, rate);
     }
     for (&axis, &local) in joint.link.slides.iter().zip(&joint.strokes) {
@@ -146,9 +167,37 @@ fn joint_guess(
         let relative = graph.vector_sub(child.2, parent.2);
         let relative = graph.vector_sub(relative, swing);
         let speed = graph.dot(parent.1[axis], relative);
-        let stroke = settle(resolver, stroke);
+        let stroke = resolver.settled(stroke);
         guesses.set(local, stroke, speed);
     }
+}
+
+/// The velocity of an end of a slender bar, which has no declared one: that of a part joined there that has.
+fn joined_velocity(
+    resolver: &mut Resolver,
+    (owner, local): (Owner, Vector),
+    speeds: &[Vector],
+    joints: &[JointElement],
+) -> Option<Vector> {
+    let pairs = joints
+        .iter()
+        .filter_map(|element| element.joint.coincident());
+    let others = pairs.flat_map(|(a, b)| [(a, b), (b, a)]);
+    for (_, other) in others.filter(|(own, _)| own.owner == owner && own.local == local) {
+        let Owner::Part(part) = other.owner else {
+            continue;
+        };
+        let guess = &resolver.parts[part].guess;
+        let (velocity, spin) = (guess.velocity, guess.spin);
+        if velocity.is_some() || spin.is_some() {
+            let spin = spin.unwrap_or(resolver.graph.zero_vector());
+            let home = resolver.home(other.owner);
+            let arm = resolver.graph.turn(&home.axes, other.local);
+            let swing = resolver.graph.cross(spin, arm);
+            return Some(resolver.graph.vector_add(speeds[part], swing));
+        }
+    }
+    None
 }
 
 /// The velocity of the origin of each part.
