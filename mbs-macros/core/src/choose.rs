@@ -50,6 +50,11 @@ pub(crate) fn choose(
             continue;
         };
         if same(&model, &best.model) {
+            // Where nothing is a point, natural coordinates are reference coordinates.
+            if formulation == Formulation::Reference {
+                best.model.formulation = formulation;
+                candidates[0].formulation = formulation;
+            }
             continue;
         }
         let cheapest = candidates.iter().filter_map(|other| other.operations).min();
