@@ -83,8 +83,8 @@ impl Passages {
     /// Takes note of the end of a step; time and σ_min of a singular pose that has just been passed.
     #[inline]
     fn note(&mut self, time: f64, now: Independence) -> Option<(f64, f64)> {
-        let mut sigma = now.sigma;
-        if now.lost != self.redundant || time <= self.instants[2].time {
+        let mut sigma = now.least;
+        if now.dependent != self.redundant || time <= self.instants[2].time {
             sigma = self.reconsider(time, now);
         }
         if self.falling && sigma > self.instants[2].sigma {
@@ -111,16 +111,16 @@ impl Passages {
         if self.pending.seen >= time {
             self.level = f64::INFINITY;
         }
-        if now.lost > self.redundant {
+        if now.dependent > self.redundant {
             return 0.0;
         }
-        if now.lost < self.redundant {
+        if now.dependent < self.redundant {
             // What was taken to be redundant was lost.
             let known = self.instants.iter_mut().filter(|i| i.time.is_finite());
             known.for_each(|instant| instant.sigma = 0.0);
-            self.redundant = now.lost;
+            self.redundant = now.dependent;
         }
-        now.sigma
+        now.least
     }
 
     /// The pose that was pending is a loss.
@@ -231,6 +231,8 @@ mod tests {
                     sigma: sigma(time),
                     weakest: sigma(time),
                     lost: 0,
+                    least: sigma(time),
+                    dependent: 0,
                 };
                 passages.note(time, now)
             })
