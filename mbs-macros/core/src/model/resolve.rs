@@ -6,7 +6,8 @@ use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
 use super::{
-    Arguments, Dimension, Law, Local, Model, Quantity, check, home, layout, placement, reduce,
+    Arguments, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home, layout,
+    placement, reduce,
 };
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Group, World};
@@ -19,8 +20,12 @@ use std::collections::{HashMap, HashSet};
 ///
 /// # Errors
 /// Everything that is wrong with it is recorded in `errors`; the model is then incomplete and must not be used.
-pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> {
-    let mut resolver = Resolver::new(declaration, errors);
+pub fn resolve(
+    declaration: &Declaration,
+    formulation: Formulation,
+    errors: &mut Errors,
+) -> Option<Model> {
+    let mut resolver = Resolver::new(declaration, formulation, errors);
     resolver.declare();
     let gravity = resolver.gravity();
     for index in 0..declaration.entries.len() {
@@ -34,12 +39,19 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     check::connected(&mut resolver, &joints, &forces);
     check::used(&mut resolver);
     check::home_poses(&mut resolver, &joints);
-    let mut reduction = reduce::reduce(&mut resolver, &joints)?;
+    let tree = match formulation {
+        Formulation::Joint => Tree::grow(&mut resolver, &joints),
+        _ => Tree::default(),
+    };
+    let mut reduction = reduce::reduce(&mut resolver, &joints, &tree)?;
     check::movable(&mut resolver, &joints, &mut reduction);
-    check::massive(&mut resolver, &reduction);
+    // A joint coordinate moves all that comes after it.
+    if tree.joints.is_empty() {
+        check::massive(&mut resolver, &reduction);
+    }
     let guesses = match resolver.world {
         World::Planar => placement::place(&mut resolver, &joints),
-        World::Spatial => home::guesses(&mut resolver, &joints),
+        World::Spatial => home::guesses(&mut resolver, &joints, &tree),
     };
     let layout = layout::layout(&mut resolver, &reduction, &guesses);
     let drawing = resolver.drawing(&joints, &forces);
@@ -81,6 +93,9 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         layout,
         reduction: reduction.substitution,
         merged: reduction.merged,
+        tree,
+        motions: reduction.motions,
+        formulation,
         reductions: reduction.sentences,
         drawing,
         laws,
@@ -98,6 +113,7 @@ pub struct Resolver<'d> {
     pub(super) declaration: &'d Declaration,
     pub(super) errors: &'d mut Errors,
     pub(super) world: World,
+    pub(super) formulation: Formulation,
     pub(super) graph: Graph,
     pub(super) parameters: Vec<Quantity>,
     pub(super) inputs: Vec<Quantity>,
@@ -118,11 +134,12 @@ pub struct Resolver<'d> {
 }
 
 impl<'d> Resolver<'d> {
-    fn new(declaration: &'d Declaration, errors: &'d mut Errors) -> Self {
+    fn new(declaration: &'d Declaration, formulation: Formulation, errors: &'d mut Errors) -> Self {
         Resolver {
             declaration,
             errors,
             world: declaration.world_kind(),
+            formulation,
             graph: Graph::default(),
             parameters: Vec::new(),
             inputs: Vec::new(),
