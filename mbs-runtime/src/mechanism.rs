@@ -155,6 +155,28 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
     );
+    /// p and F at once: generated where M varies, so that what they share is computed once.
+    #[inline(always)]
+    fn balance(&self, t: f64, q: &[f64; Q], v: &[f64; N], p: &mut [f64; N], f: &mut [f64; N]) {
+        self.momentum(q, v, p);
+        self.forces(t, q, v, f);
+    }
+    /// M, ∂F/∂q, ∂F/∂v and ∂p/∂q at once: generated where M varies.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn balance_tangents(
+        &self,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+        mass: &mut impl MatrixSink,
+        f_q: &mut impl MatrixSink,
+        f_v: &mut impl MatrixSink,
+        p_q: &mut impl MatrixSink,
+    ) {
+        self.mass_matrix(q, mass);
+        self.force_tangents(t, q, v, f_q, f_v, p_q);
+    }
     /// M⁻¹ f(q, t) of the applied forces, where M is constant and forces do not depend on velocities; zero elsewhere (it is not used there).
     fn acceleration(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N]);
 

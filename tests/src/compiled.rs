@@ -82,6 +82,15 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     sparse(&mut table, "force_tangents", "f_q", f_q);
     sparse(&mut table, "force_tangents", "f_v", f_v);
     sparse(&mut table, "force_tangents", "p_q", p_q);
+    let (mut p, mut f) = ([f64::NAN; N], [f64::NAN; N]);
+    system.balance(t, q, v, &mut p, &mut f);
+    table.vector("balance", "p", &p);
+    table.vector("balance", "f", &f);
+    let [mut mass, mut f_q, mut f_v, mut p_q] = [(); 4].map(|()| Entries::default());
+    system.balance_tangents(t, q, v, &mut mass, &mut f_q, &mut f_v, &mut p_q);
+    for (sink, entries) in [("mass", mass), ("f_q", f_q), ("f_v", f_v), ("p_q", p_q)] {
+        sparse(&mut table, "balance_tangents", sink, entries);
+    }
     let mut explicit = [0.0; N];
     system.acceleration(t, q, &mut explicit);
     table.vector("acceleration", "acceleration", &explicit);

@@ -190,6 +190,8 @@ fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
     vector("constraint_rates", "gamma", &derived.convective);
     vector("applied_forces", "f", &system.forces);
     vector("forces", "f", &derived.total_forces);
+    vector("balance", "p", &derived.momentum);
+    vector("balance", "f", &derived.total_forces);
     vector("outputs", "outputs", &system.outputs);
     vector("events", "events", &system.events);
     vector("kinetic_energy", "", &[derived.kinetic]);

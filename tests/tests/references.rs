@@ -3,7 +3,7 @@
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{self, scenes};
-use mbs_runtime::{AnySimulation, Mechanism, Settings, Simulation, State, System};
+use mbs_runtime::{Mechanism, Settings, Simulation, State, System};
 use mbs_tests::reference::{self, deviation};
 use mbs_tests::with_room;
 

@@ -168,8 +168,10 @@ fn step(program: &Program) -> usize {
     let motion = if explicit {
         cost("acceleration") + PASSES * (2 * n + FLIGHT * program.rotations.len())
     } else {
-        let newton = INNER_PASSES * (cost("momentum") + cost("forces"));
-        PASSES * newton + cost("force_tangents") + 2 * cost("mass_matrix")
+        let balance = of("balance").unwrap_or_else(|| cost("momentum") + cost("forces"));
+        let tangents =
+            of("balance_tangents").unwrap_or_else(|| cost("mass_matrix") + cost("force_tangents"));
+        PASSES * INNER_PASSES * balance + tangents + cost("mass_matrix")
     };
     rows + motion + linear_algebra(n, r, explicit)
 }

@@ -92,8 +92,7 @@ impl<const N: usize> Implicit<N> {
         q0: &[f64; Q],
         v: &[f64; N],
     ) {
-        system.momentum(q0, v, &mut self.momentum);
-        system.forces(t0, q0, v, &mut self.force);
+        system.balance(t0, q0, v, &mut self.momentum, &mut self.force);
         for i in 0..N {
             self.known[i] = self.momentum[i] + 0.5 * self.h * self.force[i];
         }
@@ -118,8 +117,7 @@ impl<const N: usize> Implicit<N> {
         q1: &[f64; Q],
         vb: &[f64; N],
     ) -> [f64; N] {
-        system.momentum(q1, vb, &mut self.momentum);
-        system.forces(self.t1, q1, vb, &mut self.force);
+        system.balance(self.t1, q1, vb, &mut self.momentum, &mut self.force);
         std::array::from_fn(|i| self.known[i] - self.momentum[i] + 0.5 * self.h * self.force[i])
     }
 
@@ -132,8 +130,8 @@ impl<const N: usize> Implicit<N> {
         vb: &[f64; N],
     ) -> Result<(), Fault> {
         let h = self.h;
-        system.mass_matrix(q1, &mut self.mass);
-        system.force_tangents(self.t1, q1, vb, &mut self.f_q, &mut self.f_v, &mut self.p_q);
+        let (f_q, f_v) = (&mut self.f_q, &mut self.f_v);
+        system.balance_tangents(self.t1, q1, vb, &mut self.mass, f_q, f_v, &mut self.p_q);
         for i in 0..N {
             for j in 0..N {
                 self.by_end[i][j] = self.p_q[i][j] - 0.5 * h * self.f_q[i][j];

@@ -55,6 +55,18 @@ pub fn lower(derived: &Derived) -> Program {
             matrix(f, "f_v", &derived.total_by_velocity);
             matrix(f, "p_q", &derived.momentum_by_position);
         });
+        if !structure.constant_mass {
+            make("balance", &mut |f| {
+                vector(f, "p", &derived.momentum);
+                vector(f, "f", &derived.total_forces);
+            });
+            make("balance_tangents", &mut |f| {
+                mass(f, &system.mass);
+                matrix(f, "f_q", &derived.total_by_position);
+                matrix(f, "f_v", &derived.total_by_velocity);
+                matrix(f, "p_q", &derived.momentum_by_position);
+            });
+        }
         make("acceleration", &mut |f| {
             vector(
                 f,

@@ -60,6 +60,16 @@ const METHODS: &[(&str, &str, Ending)] = &[
         Ending::Writes,
     ),
     (
+        "balance",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], p: &mut [f64; N], f: &mut [f64; N])",
+        Ending::Writes,
+    ),
+    (
+        "balance_tangents",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], mass: &mut impl ::mbs_runtime::MatrixSink, f_q: &mut impl ::mbs_runtime::MatrixSink, f_v: &mut impl ::mbs_runtime::MatrixSink, p_q: &mut impl ::mbs_runtime::MatrixSink)",
+        Ending::Writes,
+    ),
+    (
         "acceleration",
         "(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N])",
         Ending::Writes,
