@@ -74,6 +74,11 @@ pub struct Mobility {
     pub degrees_of_freedom: usize,
     /// Rows that follow from others; they are harmless, but their reactions are not unique.
     pub redundant: &'static [Redundancy],
+    /// Nonholonomic rows that are conditions on positions in disguise: together with the holonomic ones they can be
+    /// integrated (Frobenius), so that the mechanism stays on a surface that its start chooses.
+    pub integrable: &'static [&'static str],
+    /// All of this in a sentence.
+    pub summary: &'static str,
 }
 
 /// A row that follows from others.

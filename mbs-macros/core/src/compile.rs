@@ -2,11 +2,11 @@
 
 use crate::derivatives::{self, Derived};
 use crate::diagnostics::{Errors, Failure};
-use crate::mobility::{self, Mobility};
+use crate::mobility::{self, Mobility, Open};
 use crate::model::{self, Model};
-use crate::syntax::{self, Declaration};
+use crate::syntax::{self, Declaration, Entry};
 use crate::{dag, emit, equations};
-use proc_macro2::TokenStream;
+use proc_macro2::{Span, TokenStream};
 
 /// Compiles a declaration to Rust. Where it is wrong, what could be understood is emitted all the same (so that editors
 /// keep completing), with one `compile_error!` per mistake.
@@ -75,7 +75,17 @@ pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Fa
 
     let system = equations::derive(&mut model);
     let derived = derivatives::derive(system);
-    let mobility = mobility::analyse(&model, &derived);
+    let mut errors = Errors::new();
+    let mobility = mobility::analyse(&model, &derived).unwrap_or_else(|open| {
+        refuse_open(&declaration, &open, &mut errors);
+        None
+    });
+    if let (true, Some(mobility)) = (declaration.deny_redundant, &mobility) {
+        refuse_redundant(&declaration, mobility, &derived, &mut errors);
+    }
+    if let Err(failure) = errors.stop_if_any() {
+        return (Some(declaration), Err(failure));
+    }
     (
         Some(declaration),
         Ok(Analysis {
@@ -84,4 +94,33 @@ pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Fa
             mobility,
         }),
     )
+}
+
+/// Where the entry of this name is; its part or the mechanism, if it has none.
+fn place_of(declaration: &Declaration, name: &str) -> Span {
+    let entry = declaration.entries.iter().find(|entry| entry.name == name);
+    entry.map_or_else(|| declaration.name.span(), Entry::span)
+}
+
+fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut Errors) {
+    let gaps = open.gaps.join(", ");
+    errors.at(
+        place_of(declaration, &open.entry),
+        format!("this loop cannot close: with the defaults of all parameters, where everything comes closest to fitting, {gaps} is missing; check lengths, places and axes"),
+    );
+}
+
+fn refuse_redundant(
+    declaration: &Declaration,
+    mobility: &Mobility,
+    derived: &Derived,
+    errors: &mut Errors,
+) {
+    let redundancies = mobility::redundancies(mobility, &derived.system.rows);
+    for (entry, sentence) in &redundancies {
+        errors.at(
+            place_of(declaration, entry),
+            format!("{sentence}, which `deny: Redundant()` refuses; let this joint hold less"),
+        );
+    }
 }

@@ -3,7 +3,7 @@
 use super::body::number;
 use crate::dag::Program;
 use crate::equations::RowKind;
-use crate::mobility::Mobility;
+use crate::mobility::{self, Mobility};
 use crate::model::{Model, Quantity, Representation, Stored};
 use crate::schema::World;
 use std::fmt::Write;
@@ -167,6 +167,11 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
     let Some(mobility) = mobility else {
         return "::core::option::Option::None".to_owned();
     };
+    let integrable: Vec<&str> = mobility
+        .integrable
+        .iter()
+        .map(|&row| program.rows[row].name.as_str())
+        .collect();
     let redundant: Vec<String> = mobility
         .redundant
         .iter()
@@ -179,10 +184,11 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         })
         .collect();
     format!(
-        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}] }})",
+        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}], integrable: &{integrable:?}, summary: {:?} }})",
         mobility.rank,
         mobility.mobility,
-        redundant.join(", ")
+        redundant.join(", "),
+        mobility::summary(mobility, &program.rows, program.size)
     )
 }
 

@@ -30,7 +30,7 @@ pub fn mechanism(
     graph: &Graph,
     program: &Program,
 ) -> TokenStream {
-    let parameters = parameters::emit(declaration, model, mobility);
+    let parameters = parameters::emit(declaration, model, mobility, &program.rows);
     let mechanism = parameters::emit_mechanism(declaration, model, graph, program);
     let metadata = metadata::emit(model, mobility, program);
     let system = system::emit(declaration, model, graph, program, &metadata);

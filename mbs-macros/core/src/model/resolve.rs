@@ -33,7 +33,6 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     }
     check::connected(&mut resolver, &joints, &forces);
     check::used(&mut resolver);
-    check::home_poses(&mut resolver, &joints);
     let mut reduction = reduce::reduce(&mut resolver, &joints)?;
     check::movable(&mut resolver, &joints, &mut reduction);
     check::massive(&mut resolver, &reduction);
@@ -41,6 +40,7 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         World::Planar => placement::place(&mut resolver, &joints),
         World::Spatial => home::guesses(&mut resolver, &joints),
     };
+    check::home_poses(&mut resolver, &joints, &guesses);
     let layout = layout::layout(&mut resolver, &reduction, &guesses);
     let drawing = resolver.drawing(&joints, &forces);
     let up = resolver.up(gravity);
@@ -108,6 +108,8 @@ pub struct Resolver<'d> {
     pub(super) windings: Vec<Winding>,
     /// Names that some expression has asked for.
     pub(super) used: HashSet<String>,
+    /// Entries whose arguments are not those of their kind, which is an error already.
+    pub(super) misplaced: HashSet<String>,
     /// Bars that need an angle.
     pub(super) turning: HashSet<String>,
     names: HashMap<String, usize>,
@@ -131,6 +133,7 @@ impl<'d> Resolver<'d> {
             laws: Vec::new(),
             windings: Vec::new(),
             used: HashSet::new(),
+            misplaced: HashSet::new(),
             turning: turning(declaration),
             names: HashMap::new(),
             states: Vec::new(),
@@ -251,16 +254,24 @@ impl<'d> Resolver<'d> {
                     // Its own error is recorded already.
                     return None;
                 }
+                let advice = match self.is_planar_hinge(entry) {
+                    true => "; in the plane parts have angles, joints have not",
+                    false => "",
+                };
                 self.fail(
                     span,
                     format!(
-                        "`{name}` is declared as `{}`, which has no value that an expression could use",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use{advice}",
                         entry.kind
                     ),
                 )
             }
             State::Waiting | State::Working => None,
         }
+    }
+
+    fn is_planar_hinge(&self, entry: &Entry) -> bool {
+        self.world == World::Planar && (entry.kind == "Revolute" || entry.kind == "Prismatic")
     }
 
     /// The value of an entry.
@@ -276,6 +287,11 @@ impl<'d> Resolver<'d> {
     /// Evaluates an entry that has a value, once.
     fn force(&mut self, index: usize) {
         if !matches!(self.states[index], State::Waiting) {
+            return;
+        }
+        let hinged = has_frames(self.world, &self.entry(index).kind.to_string());
+        if hinged && self.misplaced.contains(&self.entry(index).name.to_string()) {
+            self.states[index] = State::Done(None);
             return;
         }
         self.states[index] = State::Working;
@@ -371,11 +387,12 @@ fn is_value(world: World, entry: &Entry) -> bool {
     ) || has_frames(world, &kind)
 }
 
-/// Whether a kind is a joint between two frames.
+/// Whether a kind takes hold of its two partners by frames: joints, and elastic ones.
 pub(super) fn has_frames(world: World, kind: &str) -> bool {
     world == World::Spatial
         && crate::schema::kind(world, kind).is_some_and(|kind| {
-            kind.group == Group::Joint && kind.fields.iter().any(|field| field.name == "at")
+            matches!(kind.group, Group::Joint | Group::Force)
+                && kind.fields.iter().any(|field| field.name == "at")
         })
 }
 

@@ -135,10 +135,7 @@ impl Arguments<'_, '_> {
         self.check_known(field, syntax, &vector)?;
         self.check_dimension(field, dimension, Dimension::NONE, Place::of(syntax))?;
         if vector.iter().all(|&x| self.by_default(x) == 0.0) {
-            return self.resolver.fail(
-                Place::of(syntax),
-                "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
-            );
+            return self.resolver.no_direction(syntax);
         }
         Some(self.resolver.graph.unit(vector))
     }

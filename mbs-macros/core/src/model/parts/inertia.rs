@@ -1,6 +1,6 @@
 //! Moments of inertia: numbers, tensors, shapes.
 
-use crate::diagnostics::Place;
+use crate::diagnostics::{Place, nearest};
 use crate::model::value::Value;
 use crate::model::{Arguments, Dimension};
 use crate::symbolic::Expr;
@@ -32,10 +32,28 @@ impl Arguments<'_, '_> {
             let shape = shape?;
             return Some((self.shape_inertia(shape, mass), Some(shape)));
         }
+        if let Syntax::Call(call) = syntax
+            && let Some(meant) = misspelt_shape(call)
+        {
+            let what = quote::ToTokens::to_token_stream(&call.func);
+            return self.fail_at(
+                Place::of(&call.func),
+                format!(
+                    "there is no shape `{what}`; did you mean `{meant}`? (shapes: {})",
+                    SHAPES.join(", ")
+                ),
+            );
+        }
         let value = self.evaluate(syntax)?;
         let (tensor, dimension) = match value {
             Value::Scalar(x, dimension) => (self.diagonal([x; 3]), dimension),
             Value::Tensor(tensor, dimension) => (tensor, dimension),
+            Value::Vector(..) => {
+                return self.fail(
+                    field,
+                    "for the three principal moments write `diag(a, b, c)`",
+                );
+            }
             other => {
                 let what = other.describe();
                 return self.fail(field, format!("`{field}` is a moment of inertia, `diag(a, b, c)`, three rows, or a shape such as `Cylinder(radius, length)`, but this is {what}"));
@@ -87,7 +105,11 @@ impl Arguments<'_, '_> {
             "Sphere" => ("Sphere(radius)", 1..=1),
             _ => return None,
         };
-        if !counts.contains(&call.args.len()) {
+        let named = call
+            .args
+            .iter()
+            .any(|argument| matches!(argument, Syntax::Assign(_)));
+        if named || !counts.contains(&call.args.len()) {
             return Some(self.fail_at(Place::of(call), format!("expected `{usage}`")));
         }
         let lengths = match name {
@@ -207,7 +229,7 @@ impl Arguments<'_, '_> {
         if !positive_definite(&value) {
             return self.fail(
                 field,
-                format!("this inertia is not positive definite: {found}"),
+                format!("this inertia is not positive definite ({found}): about some axis the body would have no inertia or a negative one; check signs, and that products of inertia are smaller than moments"),
             );
         }
         // J ↦ ½ tr(J) − J are the second moments of the mass, which no body has negative.
@@ -218,10 +240,28 @@ impl Arguments<'_, '_> {
             })
         });
         if !positive_semidefinite(&moments, trace) {
-            return self.fail(field, format!("no body has this inertia: one principal moment exceeds the sum of the other two ({found})"));
+            return self.fail(field, format!("no body has this inertia: one principal moment exceeds the sum of the other two ({found}); check the order of its entries, and that it is about the centre of mass"));
         }
         Some(())
     }
+}
+
+const SHAPES: [&str; 3] = [
+    "Cuboid(x, y, z)",
+    "Cylinder(radius, length)",
+    "Sphere(radius)",
+];
+
+/// The shape that a call may mean: those of functions begin with a small letter.
+fn misspelt_shape(call: &syn::ExprCall) -> Option<&'static str> {
+    let Syntax::Path(path) = &*call.func else {
+        return None;
+    };
+    let name = path.path.get_ident()?.to_string();
+    if !name.starts_with(char::is_uppercase) {
+        return None;
+    }
+    nearest(&name, ["Cuboid", "Cylinder", "Sphere"])
 }
 
 fn positive_definite(m: &[[f64; 3]; 3]) -> bool {

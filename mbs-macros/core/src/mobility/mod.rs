@@ -1,0 +1,114 @@
+//! Rank, mobility, and the redundant rows by name: what only numbers can tell, told at compile time.
+//!
+//! Between stages 4 and 5 the constraint Jacobian A is evaluated by the interpreter at a few poses near the declared
+//! guess, with default parameters. The guess is assembled, then moved at random along what its rows leave free, and
+//! assembled again: so the poses stay on the branch of the guess, and a guess that happens to be singular does not count
+//! for the mechanism. Rows are orthogonalised in their order: one that adds nothing to those
+//! before it is redundant, and the coefficients say on which of them it depends. (A parameter that tilts an axis can change
+//! the rank; assembly at run time repeats the check.)
+//!
+//! A guess that cannot be assembled is looked at again: see `closing`.
+
+mod closing;
+mod integrability;
+mod numbers;
+mod rows;
+mod words;
+
+use crate::derivatives::Derived;
+use crate::equations::Row;
+use crate::model::Model;
+use numbers::Numbers;
+
+pub use closing::Open;
+pub use words::{redundancies, summary};
+
+/// Poses to look at.
+const POSES: u64 = 3;
+/// A row whose remainder is below this fraction of its length adds nothing.
+const DEPENDENT: f64 = 1e-9;
+/// A row depends on those before it whose coefficient exceeds this.
+const INVOLVED: f64 = 1e-7;
+
+/// What the rows leave free.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mobility {
+    /// Rank of A at generic poses.
+    pub rank: usize,
+    /// Degrees of freedom: velocities less rank.
+    pub mobility: usize,
+    /// Rows that follow from others.
+    pub redundant: Vec<Redundancy>,
+    /// Nonholonomic rows that are conditions on positions in disguise (Frobenius): with the holonomic ones, and those
+    /// before them in this list, they are the differentials of functions.
+    pub integrable: Vec<usize>,
+}
+
+/// A row that follows from others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Redundancy {
+    /// The row.
+    pub row: usize,
+    /// Entries of the declaration whose rows it follows from.
+    pub follows_from: Vec<String>,
+}
+
+/// The mobility of a mechanism; `None` if no pose near the guess could be assembled.
+///
+/// # Errors
+/// The rows cannot be fulfilled together, whatever the pose.
+pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Open> {
+    let system = &derived.system;
+    if system.rows.is_empty() {
+        return Ok(Some(Mobility {
+            rank: 0,
+            mobility: system.size,
+            redundant: Vec::new(),
+            integrable: Vec::new(),
+        }));
+    }
+    let (numbers, guess) = Numbers::new(model, derived);
+    let home = match numbers.assemble(guess.clone()) {
+        Some(home) => home,
+        None => match closing::close(&numbers, guess)? {
+            Some(home) => home,
+            None => return Ok(None),
+        },
+    };
+    let moved = (0..POSES).filter_map(|seed| numbers.generic_pose(&home, seed));
+    let mut poses: Vec<Vec<f64>> = moved.collect();
+    // Along a branch rank is lost by accident only: the pose of the highest rank is the generic one. (A mechanism that
+    // cannot move has no other pose than its home.)
+    poses.push(home);
+    let rows = poses.iter().map(|pose| numbers.rows(pose, DEPENDENT));
+    let Some(rows) = rows.max_by_key(|rows| rows.basis.len()) else {
+        return Ok(None);
+    };
+    let rank = rows.basis.len();
+    let redundant = rows
+        .dependent
+        .iter()
+        .map(|(row, coefficients)| Redundancy {
+            row: *row,
+            follows_from: involved(&system.rows, &rows.independent, coefficients),
+        })
+        .collect();
+    Ok(Some(Mobility {
+        rank,
+        mobility: system.size.saturating_sub(rank),
+        redundant,
+        integrable: integrability::integrable(&numbers, &poses),
+    }))
+}
+
+/// The entries of the rows that count in a combination.
+fn involved(rows: &[Row], independent: &[usize], coefficients: &[f64]) -> Vec<String> {
+    let mut entries: Vec<String> = Vec::new();
+    for (&row, coefficient) in independent.iter().zip(coefficients) {
+        let entry = &rows[row].entry;
+        if coefficient.abs() > INVOLVED && !entries.contains(entry) {
+            entries.push(entry.clone());
+        }
+    }
+    entries
+}
