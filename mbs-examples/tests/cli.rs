@@ -24,6 +24,7 @@ const KEYS: &[&str] = &[
     "velocity_error",
     "rejected_steps",
     "placed_steps",
+    "events",
     "status",
     "final",
     "flow",
@@ -132,6 +133,22 @@ fn simulate_prints_one_object_with_all_keys() {
             assert!(value.is_f64(), "{name}: no {output} in {run:#}");
         }
     }
+}
+
+#[test]
+fn simulate_reports_singular_poses() {
+    let output = mbs(&["simulate", "slider-crank", "--time", "3.5", "--json"]);
+    let run: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
+    let events = run["events"].as_array().expect("an array");
+    assert_eq!(events.len(), 4);
+    let first = events[0]["time"].as_f64().expect("a time");
+    assert!((first - 0.3917).abs() < 1e-3, "{run:#}");
+    assert!(events[0]["sigma_min"].as_f64().expect("a number") < 0.02);
+    let joints = events[0]["joints"].as_array().expect("an array");
+    assert!(joints.contains(&"crank".into()) && joints.contains(&"rod".into()));
+    let text = stdout(&mbs(&["simulate", "slider-crank", "--time", "3.5"]));
+    assert!(text.contains("singular     t = 0.39") && text.contains("and 1 more"));
+    assert!(!stdout(&mbs(&["simulate", "pendulum"])).contains("singular"));
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! Simulations behind one object-safe face, for programs that choose the mechanism at run time.
 
 use crate::{
-    AssemblyVerdict, Energy, Flow, Model, Reactions, Report, Sample, Settings, Simulation,
-    SimulationError, System, UnknownName,
+    AssemblyVerdict, Energy, Flow, Model, RankLoss, Reactions, Report, Sample, Settings,
+    Simulation, SimulationError, System, UnknownName,
 };
 
 macro_rules! any_simulation {
@@ -61,6 +61,8 @@ any_simulation! {
     fn sample(&) -> Sample;
     /// Work done and errors met so far.
     fn report(&) -> Report;
+    /// The singular poses passed so far.
+    fn rank_losses(&) -> &[RankLoss];
     /// What assembly found.
     fn assembly(&) -> &AssemblyVerdict;
 }

@@ -54,6 +54,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// How much each row takes part in what is nearest to a loss of independence.
+    pub(crate) fn weakest_rows(&self) -> [f64; R] {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
+            Integrator::Paper(_) => [0.0; R],
+        }
+    }
+
     pub(crate) fn system(&self) -> &S {
         match self {
             Integrator::TwoLevel(stepper) => &stepper.core.system,

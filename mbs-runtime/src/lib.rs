@@ -79,7 +79,7 @@ pub use model::{
     Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy, Row, RowKind,
     Segment, Structure, World,
 };
-pub use report::{AssemblyVerdict, Energy, Reactions, Report, Sample};
+pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;
 pub use settings::{Flow, Method, PaperSettings, Settings};
 pub use simulation::Simulation;

@@ -64,6 +64,51 @@ pub struct Report {
     pub velocity_error: f64,
     /// Numerical rank of A at the start.
     pub rank: usize,
+    /// Singular poses passed; each is in [`Simulation::rank_losses`](crate::Simulation::rank_losses).
+    pub rank_losses: usize,
+}
+
+/// A singular pose on the way: rows that are independent in general lost their independence there, or nearly did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RankLoss {
+    /// When, s; from the steps around it.
+    pub time: f64,
+    /// The smallest singular value of the rows there, each of unit length in the metric of M; estimated like the time.
+    pub sigma_min: f64,
+    /// The entries whose rows depend on each other there, most involved first.
+    joints: [&'static str; RankLoss::MOST_JOINTS],
+    count: usize,
+}
+
+impl RankLoss {
+    /// Joints beyond these are left out.
+    const MOST_JOINTS: usize = 8;
+
+    /// With the entries in the order of their weights; the same entry may come more than once.
+    pub(crate) fn new(
+        time: f64,
+        sigma_min: f64,
+        entries: impl Iterator<Item = &'static str>,
+    ) -> Self {
+        let (mut joints, mut count) = ([""; Self::MOST_JOINTS], 0);
+        for entry in entries {
+            if count < Self::MOST_JOINTS && !joints[..count].contains(&entry) {
+                joints[count] = entry;
+                count += 1;
+            }
+        }
+        RankLoss {
+            time,
+            sigma_min,
+            joints,
+            count,
+        }
+    }
+
+    /// The entries of the declaration whose rows depend on each other there, most involved first.
+    pub fn joints(&self) -> &[&'static str] {
+        &self.joints[..self.count]
+    }
 }
 
 /// What assembly found.

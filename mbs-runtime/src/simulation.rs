@@ -1,15 +1,17 @@
 //! A mechanism in motion.
 
+mod passages;
 mod placement;
 mod run;
 
+use self::passages::Passages;
 use crate::alf3f::Passage;
 use crate::assembly::assemble;
 use crate::integrator::Integrator;
 use crate::linear::{Independence, largest};
 use crate::{
-    AssemblyVerdict, Energy, Flow, Mechanism, Model, Reactions, Report, Sample, Samples, Settings,
-    SimulationError, State, System, UnknownName,
+    AssemblyVerdict, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample, Samples,
+    Settings, SimulationError, State, System, UnknownName,
 };
 
 /// How often a step that does not converge is halved before it is given up.
@@ -32,6 +34,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     power: f64,
     /// How independent the rows are where it stands, if the last step found out; else the next one asks.
     independence: Option<Independence>,
+    /// Singular poses passed.
+    passages: Passages,
     /// Where a step that is tried began.
     before: Box<State<Q, N, R>>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
@@ -113,6 +117,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             report,
             power: 0.0,
             independence: None,
+            passages: Passages::new(),
             events: vec![0.0; S::MODEL.events.len()],
         };
         simulation.take_stock();
@@ -121,6 +126,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let ledger = &mut simulation.integrator.state_mut().ledger;
             ledger.initial = Some(energy.kinetic + energy.potential);
         }
+        simulation.independence = simulation.integrator.independence();
+        simulation.watch();
         Ok(simulation)
     }
 
@@ -176,11 +183,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
         let known = self.independence.take();
-        let independence = if self.settings.placement {
-            known.or_else(|| self.integrator.independence())
-        } else {
-            None
-        };
+        let independence = known.or_else(|| self.integrator.independence());
         let mut passage = Passage::new(self.power, independence);
         self.halving(h, HALVINGS, &mut passage)?;
         self.independence = passage.independence;
@@ -372,6 +375,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         &self.assembly
     }
 
+    /// The singular poses passed so far, in the order of time. Rows that are always redundant do not count.
+    pub fn rank_losses(&self) -> &[RankLoss] {
+        self.passages.losses()
+    }
+
     /// Work done and errors met so far.
     pub fn report(&self) -> Report {
         let counters = self.integrator.counters();
@@ -380,6 +388,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             iterations: counters.iterations,
             rejected_steps: self.report.rejected_steps + counters.rejected,
             regularised_solves: counters.regularised,
+            rank_losses: self.passages.losses().len(),
             ..self.report
         }
     }

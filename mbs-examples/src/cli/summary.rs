@@ -4,11 +4,14 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use mbs_runtime::{Method, Model};
+use mbs_runtime::{Method, Model, RankLoss};
 
 use super::results::FILES;
 use super::simulate::Run;
 use super::table::{Align, table};
+
+/// Singular poses that are printed one by one.
+const SHOWN: usize = 3;
 
 /// The one object of `--json`.
 pub fn json(run: &Run) -> String {
@@ -46,12 +49,23 @@ pub fn json(run: &Run) -> String {
         "velocity_error": report.velocity_error,
         "rejected_steps": report.rejected_steps,
         "placed_steps": report.placed_steps,
+        "events": events(run.simulation.rank_losses()),
         "status": if run.stopped.is_some() { "stopped" } else { "ok" },
         "message": run.stopped.as_ref().map(ToString::to_string),
         "final": last,
         "reference": reference,
     });
     format!("{object:#}\n")
+}
+
+/// Singular poses passed.
+fn events(losses: &[RankLoss]) -> Value {
+    losses
+        .iter()
+        .map(
+            |loss| json!({"time": loss.time, "sigma_min": loss.sigma_min, "joints": loss.joints()}),
+        )
+        .collect()
 }
 
 /// Outputs under the names of the declaration: a vector, whose components are `p1.x` and `p1.y`, is `p1: [x, y]`.
@@ -139,6 +153,7 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
             report.holonomic_error, report.velocity_error
         )?;
     }
+    write_events(out, run.simulation.rank_losses())?;
     for (index, (output, value)) in model
         .outputs
         .iter()
@@ -164,6 +179,24 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
         )?;
     }
     Ok(())
+}
+
+/// The first singular poses, and how many there were.
+fn write_events(out: &mut String, losses: &[RankLoss]) -> std::fmt::Result {
+    for (index, loss) in losses.iter().take(SHOWN).enumerate() {
+        writeln!(
+            out,
+            "  {:<11}  t = {:.6} s, σ_min {:.1e}: {}",
+            if index == 0 { "singular" } else { "" },
+            loss.time,
+            loss.sigma_min,
+            loss.joints().join(", ")
+        )?;
+    }
+    match losses.len().saturating_sub(SHOWN) {
+        0 => Ok(()),
+        more => writeln!(out, "               and {more} more"),
+    }
 }
 
 fn write_reference(out: &mut String, run: &Run) -> std::fmt::Result {

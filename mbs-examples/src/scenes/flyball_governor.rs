@@ -94,7 +94,11 @@ mechanism!(FlyballGovernor {
         length = free_length,
     ),
 
-    ball: Output(right.point(length, 0.0, 0.0)),
+    right_ball: Let(right.point(length, 0.0, 0.0)),
+    left_ball: Let(left.point(length, 0.0, 0.0)),
+
+    ball: Output(right_ball),
+    other_ball: Output(left_ball),
     height: Output(slider.origin.z),
     shaft_angle: Output(bearing.angle),
     shaft_rate: Output(bearing.rate),

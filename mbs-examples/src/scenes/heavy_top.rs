@@ -27,6 +27,7 @@ mechanism!(HeavyTop {
         inertia = diag(transverse, axial, transverse),
         center_of_mass = [0.0, height, 0.0],
         angular_velocity = [0.0, spin, precession],
+        shape = Cylinder(0.25 * height, 0.05 * height, Y),
     ),
     pivot: Spherical(ground.origin, top.origin),
 

@@ -41,6 +41,7 @@ mechanism!(Rattleback {
         at = [0.0, 0.0, height],
         velocity = cross([0.0, disturbance, spin], [0.0, 0.0, height]),
         angular_velocity = [0.0, disturbance, spin],
+        shape = Cuboid(1.6 * length, 1.4 * width, height),
     ),
 
     // the lowest point of the ellipsoid, along its own axes

@@ -32,6 +32,7 @@ mechanism!(RollingDisk {
         orientation = turn(X, lean),
         velocity = cross(omega, radius * upward),
         angular_velocity = omega,
+        shape = Cylinder(radius, 0.02 * radius, Y),
     ),
 
     down: Let(-unit(reject(ground.z, disk.y))),

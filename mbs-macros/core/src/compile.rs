@@ -106,7 +106,7 @@ fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut Errors) {
     let gaps = open.gaps.join(", ");
     errors.at(
         place_of(declaration, &open.entry),
-        format!("this loop cannot close: with the defaults of all parameters, where everything comes closest to fitting, {gaps} is missing; check lengths, places and axes"),
+        format!("this loop cannot close: with the defaults of all parameters, where everything comes closest to fitting, these are still off: {gaps}; check lengths, places and axes"),
     );
 }
 

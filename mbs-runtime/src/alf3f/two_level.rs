@@ -119,6 +119,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         (rows > 0).then(|| work.symmetric.independence(&start.gram, rows))
     }
 
+    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
+    pub(crate) fn weakest_rows(&self) -> [f64; R] {
+        let Core { start, work, .. } = &self.core;
+        let rows = S::STRUCTURE.holonomic_rows;
+        work.symmetric.combination(&start.gram, rows)
+    }
+
     /// A step in its stages. Each begins with its own multipliers of the last step: as forces they change smoothly from
     /// step to step, while from stage to stage time jumps back and forth.
     #[inline(never)]

@@ -118,6 +118,31 @@ impl<const K: usize> SymmetricDual<K> {
         }
     }
 
+    /// The combination of the first `rows` rows, each taken with unit length, that comes closest to none, as far as the
+    /// smallest pivot tells: a row and what it is made of. Asks for [`Self::independence`] of the same matrix before.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn combination(&self, matrix: &[[f64; K]; K], rows: usize) -> [f64; K] {
+        let relative = |k: usize| self.upper[k][k] / matrix[k][k];
+        let counts = |k: &usize| relative(*k) > SMALL_PIVOT;
+        let mut combination = [0.0; K];
+        let weakest = (0..rows)
+            .filter(counts)
+            .min_by(|&i, &j| relative(i).total_cmp(&relative(j)));
+        let Some(weakest) = weakest else {
+            return combination;
+        };
+        combination[weakest] = 1.0;
+        for i in (0..weakest).rev().filter(counts) {
+            let mut sum = 0.0;
+            for j in i + 1..=weakest {
+                sum += self.upper[i][j] * combination[j];
+            }
+            combination[i] = -sum / self.upper[i][i];
+        }
+        std::array::from_fn(|i| combination[i] * matrix[i][i].max(0.0).sqrt())
+    }
+
     /// x ← S⁻¹ x, or x ← S(S² + εI)⁻¹ x on rows of unit length.
     #[inline(always)]
     pub(crate) fn solve(&self, x: &mut [f64; K]) {

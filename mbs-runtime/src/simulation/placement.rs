@@ -20,6 +20,12 @@ const REMAINDER: f64 = 0.1;
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, of which `left` must not be exceeded, that keeps clear of singular poses; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+        let length = self.placed(h, left)?;
+        self.watch();
+        Ok(length)
+    }
+
+    fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let placed = self.settings.placement && h >= REMAINDER * self.settings.step;
         if !placed {
             self.advance(h)?;

@@ -136,6 +136,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.rewind(state, report)?;
             self.advance(high)?;
         }
+        self.watch();
         Ok(())
     }
 

@@ -19,7 +19,7 @@ const CLEARLY_OPEN: f64 = 1e-4;
 /// Rows are named if they are open by more than this fraction of the worst.
 const NAMED: f64 = 0.1;
 /// The unit of such rows.
-const AREA: &str = "m2";
+const AREA: &str = "m^2";
 /// Names in a message.
 const NAMES: usize = 4;
 

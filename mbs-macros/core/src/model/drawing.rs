@@ -84,6 +84,9 @@ impl Resolver<'_> {
                 }
             }
         }
+        for index in 0..self.parts.len() {
+            self.outline(index, &mut drawing);
+        }
         for element in forces {
             if let [from, to] = element.force.points()[..] {
                 let ends = (drawing.point(0, from), drawing.point(0, to));
@@ -101,5 +104,25 @@ impl Resolver<'_> {
             }
         }
         drawing
+    }
+
+    /// The wireframe of a part that has a shape, about its centre of mass.
+    fn outline(&mut self, index: usize, drawing: &mut Drawing) {
+        let part = &self.parts[index];
+        let Some(shape) = part.shape else {
+            return;
+        };
+        let (name, center, frame) = (part.name.clone(), part.center, part.frame.clone());
+        let (corners, edges) = shape.wireframe(&mut self.graph);
+        let first = drawing.points.len();
+        for corner in corners {
+            let local = self.graph.vector_add(center, corner);
+            let position = self.graph.place(&frame, local);
+            drawing.points.push((format!("{name}.outline"), position));
+        }
+        let edges = edges.into_iter();
+        drawing
+            .segments
+            .extend(edges.map(|(from, to)| (name.clone(), first + from, first + to)));
     }
 }

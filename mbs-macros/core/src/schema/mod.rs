@@ -126,6 +126,8 @@ pub enum Expects {
     Joint,
     /// `turn(axis, angle)`, or a list of them, each in the axes that the one before has turned.
     Orientation,
+    /// `Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`.
+    Shape,
     /// A moment of inertia, `diag(…)`, three rows, or a shape.
     Inertia,
     /// A stiffness or damping in six directions: a number of the first dimension (or three, or a matrix of 3 × 3).

@@ -3,7 +3,7 @@
 use super::Absent::{Assumed, Required};
 use super::Expects::{
     Attachment, Axis, Gains, Inertia, Joint, Known, KnownVector, Law, MovingVector, Orientation,
-    Part, Point,
+    Part, Point, Shape,
 };
 use super::common::FREE;
 use super::{Field, Group, Kind, field, positional};
@@ -156,6 +156,12 @@ pub(super) const KINDS: &[Kind] = &[
             ),
             VELOCITY,
             SPIN,
+            field(
+                "shape",
+                Shape,
+                Assumed("that of the inertia, if it is one"),
+                "what an animation draws about the centre of mass",
+            ),
             FREE,
         ],
         doc: "A rigid body with a frame at `origin`; points by `body.point(x, y, z)`, frames by `body.frame([x, y, z], axis)`.",

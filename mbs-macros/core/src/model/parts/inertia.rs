@@ -1,48 +1,21 @@
 //! Moments of inertia: numbers, tensors, shapes.
 
-use crate::diagnostics::{Place, nearest};
+use super::Shape;
+use crate::diagnostics::Place;
 use crate::model::value::Value;
 use crate::model::{Arguments, Dimension};
 use crate::symbolic::Expr;
-use syn::Expr as Syntax;
 
 /// A symmetric tensor, both triangles.
 pub type Tensor = [[Expr; 3]; 3];
-
-/// A shape, for pictures; all in parameters.
-#[derive(Debug, Clone, Copy)]
-pub enum Shape {
-    /// Edges along the axes.
-    Cuboid([Expr; 3]),
-    /// Radius, length, and the index of its axis.
-    Cylinder(Expr, Expr, usize),
-    /// Radius.
-    Sphere(Expr),
-}
 
 impl Arguments<'_, '_> {
     /// An inertia: a number, `diag(a, b, c)`, three rows, or a shape of the part's mass.
     pub fn inertia(&mut self, field: &str, mass: Expr) -> Option<(Tensor, Option<Shape>)> {
         let syntax = self.syntax(field)?;
-        if let Syntax::Call(call) = syntax
-            && let Syntax::Path(path) = &*call.func
-            && let Some(name) = path.path.get_ident()
-            && let Some(shape) = self.shape(&name.to_string(), call)
-        {
+        if let Some(shape) = self.shape(syntax) {
             let shape = shape?;
             return Some((self.shape_inertia(shape, mass), Some(shape)));
-        }
-        if let Syntax::Call(call) = syntax
-            && let Some(meant) = misspelt_shape(call)
-        {
-            let what = quote::ToTokens::to_token_stream(&call.func);
-            return self.fail_at(
-                Place::of(&call.func),
-                format!(
-                    "there is no shape `{what}`; did you mean `{meant}`? (shapes: {})",
-                    SHAPES.join(", ")
-                ),
-            );
         }
         let value = self.evaluate(syntax)?;
         let (tensor, dimension) = match value {
@@ -94,109 +67,6 @@ impl Arguments<'_, '_> {
         }
     }
 
-    /// The shape of this name, if it is one.
-    fn shape(&mut self, name: &str, call: &syn::ExprCall) -> Option<Option<Shape>> {
-        let (usage, counts) = match name {
-            "Cuboid" => ("Cuboid(x, y, z)", 3..=3),
-            "Cylinder" => (
-                "Cylinder(radius, length) or Cylinder(radius, length, axis)",
-                2..=3,
-            ),
-            "Sphere" => ("Sphere(radius)", 1..=1),
-            _ => return None,
-        };
-        let named = call
-            .args
-            .iter()
-            .any(|argument| matches!(argument, Syntax::Assign(_)));
-        if named || !counts.contains(&call.args.len()) {
-            return Some(self.fail_at(Place::of(call), format!("expected `{usage}`")));
-        }
-        let lengths = match name {
-            "Cylinder" => 2,
-            _ => call.args.len(),
-        };
-        let mut sizes = Vec::new();
-        for argument in call.args.iter().take(lengths) {
-            match self.positive_length(argument) {
-                Some(size) => sizes.push(size),
-                None => return Some(None),
-            }
-        }
-        Some(match (name, sizes.as_slice()) {
-            ("Cuboid", &[x, y, z]) => Some(Shape::Cuboid([x, y, z])),
-            ("Cylinder", &[radius, length]) => {
-                let axis = match call.args.get(2) {
-                    None => Some(2),
-                    Some(axis) => self.axis_index(axis),
-                };
-                axis.map(|axis| Shape::Cylinder(radius, length, axis))
-            }
-            (_, sizes) => sizes.first().map(|&radius| Shape::Sphere(radius)),
-        })
-    }
-
-    /// `X`, `Y` or `Z`.
-    fn axis_index(&mut self, syntax: &Syntax) -> Option<usize> {
-        let found = match syntax {
-            Syntax::Path(path) => ["X", "Y", "Z"]
-                .iter()
-                .position(|axis| path.path.is_ident(axis)),
-            _ => None,
-        };
-        match found {
-            Some(axis) => Some(axis),
-            None => self.fail_at(
-                Place::of(syntax),
-                "the axis of a cylinder is `X`, `Y` or `Z`",
-            ),
-        }
-    }
-
-    fn positive_length(&mut self, syntax: &Syntax) -> Option<Expr> {
-        let (expr, dimension) = match self.evaluate(syntax)? {
-            Value::Scalar(x, dimension) => (x, dimension),
-            other => {
-                let what = other.describe();
-                return self.fail_at(
-                    Place::of(syntax),
-                    format!("the size of a shape is a length, but this is {what}"),
-                );
-            }
-        };
-        self.check_dimension("size", dimension, Dimension::LENGTH, Place::of(syntax))?;
-        self.check_known("size", syntax, &[expr])?;
-        if self.by_default(expr) <= 0.0 {
-            return self.fail_at(Place::of(syntax), "the size of a shape is positive");
-        }
-        Some(expr)
-    }
-
-    fn shape_inertia(&mut self, shape: Shape, mass: Expr) -> Tensor {
-        let graph = self.graph();
-        let mut part = |factor: f64, squares: &[(Expr, f64)]| {
-            let terms: Vec<_> = squares
-                .iter()
-                .map(|&(x, weight)| (graph.square(x), weight))
-                .collect();
-            let sum = graph.linear(0.0, &terms);
-            let product = graph.mul(mass, sum);
-            graph.scale(factor, product)
-        };
-        let moments = match shape {
-            Shape::Cuboid([x, y, z]) => {
-                [[y, z], [z, x], [x, y]].map(|[a, b]| part(1.0 / 12.0, &[(a, 1.0), (b, 1.0)]))
-            }
-            Shape::Cylinder(radius, length, axis) => {
-                let along = part(0.5, &[(radius, 1.0)]);
-                let across = part(1.0 / 12.0, &[(radius, 3.0), (length, 1.0)]);
-                std::array::from_fn(|k| if k == axis { along } else { across })
-            }
-            Shape::Sphere(radius) => [part(0.4, &[(radius, 1.0)]); 3],
-        };
-        self.diagonal(moments)
-    }
-
     pub(in crate::model) fn diagonal(&mut self, moments: [Expr; 3]) -> Tensor {
         let zero = self.graph().zero();
         let mut tensor = [[zero; 3]; 3];
@@ -244,24 +114,6 @@ impl Arguments<'_, '_> {
         }
         Some(())
     }
-}
-
-const SHAPES: [&str; 3] = [
-    "Cuboid(x, y, z)",
-    "Cylinder(radius, length)",
-    "Sphere(radius)",
-];
-
-/// The shape that a call may mean: those of functions begin with a small letter.
-fn misspelt_shape(call: &syn::ExprCall) -> Option<&'static str> {
-    let Syntax::Path(path) = &*call.func else {
-        return None;
-    };
-    let name = path.path.get_ident()?.to_string();
-    if !name.starts_with(char::is_uppercase) {
-        return None;
-    }
-    nearest(&name, ["Cuboid", "Cylinder", "Sphere"])
 }
 
 fn positive_definite(m: &[[f64; 3]; 3]) -> bool {

@@ -12,6 +12,7 @@
 mod inertia;
 mod planar;
 mod point;
+mod shape;
 mod spatial;
 
 use super::geometry::{Axes, Frame, Owner, Vector};
@@ -20,7 +21,8 @@ use super::value::Value;
 use crate::symbolic::Expr;
 use proc_macro2::Span;
 
-pub use inertia::{Shape, Tensor};
+pub use inertia::Tensor;
+pub use shape::Shape;
 
 /// How a part is modelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

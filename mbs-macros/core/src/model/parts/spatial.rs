@@ -1,7 +1,6 @@
 //! Bars and bodies of space.
 
-use super::inertia::{Shape, Tensor};
-use super::{Guess, Home, Part, Representation};
+use super::{Guess, Home, Part, Representation, Shape, Tensor};
 use crate::model::Arguments;
 use crate::model::check::NEARLY_TOGETHER;
 use crate::model::geometry::{Axes, Frame, Vector};
@@ -131,6 +130,7 @@ impl Resolver<'_> {
         let axes = arguments.orientation("orientation")?;
         let mass = mass?;
         let (inertia, shape): (Tensor, Option<Shape>) = arguments.inertia("inertia", mass)?;
+        let shape = arguments.drawn_shape()?.or(shape);
         let name = entry.name.to_string();
         let zero = self.graph.zero();
         let center = center.unwrap_or([zero; 3]);

@@ -1,0 +1,226 @@
+//! Singular poses on the way, found from how independent the rows are at the ends of steps.
+
+use super::Simulation;
+use crate::linear::Independence;
+use crate::{RankLoss, System};
+
+/// σ_min below which a pose counts as singular.
+const SINGULAR: f64 = 0.02;
+/// σ_min above which a mechanism has left a singular pose, and the next one counts.
+const CLEAR: f64 = 2.0 * SINGULAR;
+/// Change of the slope of σ, relative to it, up to which it counts as straight.
+const STRAIGHT: f64 = 0.2;
+/// A row takes part in a loss with at least this part of the largest weight.
+const INVOLVED: f64 = 0.1;
+/// Losses that are kept without an allocation.
+const ROOM: usize = 64;
+
+/// The end of a step: time, and σ_min of the rows that are not always redundant.
+#[derive(Debug, Clone, Copy)]
+struct Instant {
+    time: f64,
+    sigma: f64,
+}
+
+/// Before any step.
+const NOWHERE: Instant = Instant {
+    time: f64::NEG_INFINITY,
+    sigma: f64::INFINITY,
+};
+
+/// The last instants, and what was found before.
+#[derive(Debug, Clone)]
+pub(super) struct Passages {
+    /// Latest last.
+    instants: [Instant; 3],
+    /// Whether σ_min fell in the last step.
+    falling: bool,
+    /// Rows without a direction of their own wherever the mechanism went.
+    redundant: usize,
+    /// Whether the last singular pose was left.
+    left: bool,
+    /// The instant that was reported last: steps may be taken again from there.
+    reported: f64,
+    losses: Vec<RankLoss>,
+}
+
+impl Passages {
+    pub(super) fn new() -> Self {
+        Passages {
+            instants: [NOWHERE; 3],
+            falling: true,
+            redundant: usize::MAX,
+            left: true,
+            reported: f64::NEG_INFINITY,
+            losses: Vec::with_capacity(ROOM),
+        }
+    }
+
+    pub(super) fn losses(&self) -> &[RankLoss] {
+        &self.losses
+    }
+
+    /// Takes note of the end of a step; time and σ_min of a singular pose that has just been passed.
+    #[inline]
+    fn note(&mut self, time: f64, now: Independence) -> Option<(f64, f64)> {
+        let mut sigma = now.sigma;
+        if now.lost != self.redundant || time <= self.instants[2].time {
+            sigma = self.reconsider(time, now);
+        }
+        let found = if self.falling && sigma > self.instants[2].sigma {
+            self.passed(Instant { time, sigma })
+        } else {
+            None
+        };
+        self.falling = sigma <= self.instants[2].sigma;
+        self.left |= sigma > CLEAR;
+        self.instants = [self.instants[1], self.instants[2], Instant { time, sigma }];
+        found
+    }
+
+    /// σ_min where it is not simply that of the rows: when rows were lost or came back, or a step was taken again.
+    #[cold]
+    fn reconsider(&mut self, time: f64, now: Independence) -> f64 {
+        while time <= self.instants[2].time {
+            self.instants = [NOWHERE, self.instants[0], self.instants[1]];
+            self.falling = self.instants[2].sigma <= self.instants[1].sigma;
+        }
+        if now.lost > self.redundant {
+            return 0.0;
+        }
+        if now.lost < self.redundant {
+            // What was taken to be redundant was lost.
+            let known = self.instants.iter_mut().filter(|i| i.time.is_finite());
+            known.for_each(|instant| instant.sigma = 0.0);
+            self.redundant = now.lost;
+        }
+        now.sigma
+    }
+
+    /// The minimum about the last instant, if it is that of a singular pose.
+    #[cold]
+    fn passed(&mut self, after: Instant) -> Option<(f64, f64)> {
+        let [_, before, middle] = self.instants;
+        let (mut time, mut square) = (middle.time, middle.sigma * middle.sigma);
+        if before.time.is_finite() {
+            // σ² is smooth, where σ has a corner: the parabola through three points.
+            let slope = |a: Instant, b: Instant| {
+                (b.sigma - a.sigma) * (b.sigma + a.sigma) / (b.time - a.time)
+            };
+            let (fall, rise) = (slope(before, middle), slope(middle, after));
+            let curvature = (rise - fall) / (after.time - before.time);
+            let slope = fall + curvature * (middle.time - before.time);
+            if curvature > 0.0 && curvature.is_finite() {
+                let way = (-0.5 * slope / curvature)
+                    .clamp(before.time - middle.time, after.time - middle.time);
+                time += way;
+                square = (square + way * (slope + curvature * way)).max(0.0);
+            }
+        }
+        if !(self.left && middle.time > self.reported) {
+            return None;
+        }
+        let found = if square < SINGULAR * SINGULAR {
+            (time, square.sqrt())
+        } else {
+            // Long steps.
+            (crossing(before, middle, after)?, 0.0)
+        };
+        (self.reported, self.left) = (middle.time, false);
+        Some(found)
+    }
+}
+
+/// Where σ passes zero, if it runs straight through it, with its sign changed behind.
+fn crossing(before: Instant, middle: Instant, after: Instant) -> Option<f64> {
+    let slope = |a: Instant, b: Instant| (b.sigma - a.sigma) / (b.time - a.time);
+    let behind = |instant: Instant| Instant {
+        sigma: -instant.sigma,
+        ..instant
+    };
+    let ways = [
+        [before, middle, behind(after)],
+        [before, behind(middle), behind(after)],
+    ];
+    ways.into_iter().enumerate().find_map(|(first, [a, b, c])| {
+        let (fall, rise) = (slope(a, b), slope(b, c));
+        let straight = (fall - rise).abs() < STRAIGHT * (fall + rise).abs();
+        let start = if first == 0 { b } else { a };
+        let rate = if first == 0 { rise } else { fall };
+        straight.then(|| start.time - start.sigma / rate)
+    })
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// Looks for a singular pose after each step.
+    #[inline]
+    pub(super) fn watch(&mut self) {
+        if let Some(now) = self.independence
+            && let Some((time, sigma)) = self.passages.note(self.time(), now)
+        {
+            self.record(time, sigma);
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn record(&mut self, time: f64, sigma: f64) {
+        let weights = self.integrator.weakest_rows().map(f64::abs);
+        let most = crate::linear::largest(&weights);
+        let mut order: [usize; R] = std::array::from_fn(|i| i);
+        order.sort_unstable_by(|&i, &j| weights[j].total_cmp(&weights[i]));
+        let involved = order
+            .into_iter()
+            .filter(|&i| weights[i] >= INVOLVED * most && most > 0.0)
+            .filter_map(|i| Some(S::MODEL.rows.get(i)?.entry));
+        let loss = RankLoss::new(time, sigma, involved);
+        self.passages.losses.push(loss);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn noted(passages: &mut Passages, step: f64, sigma: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+        (0..200)
+            .filter_map(|i| {
+                let time = f64::from(i) * step;
+                let now = Independence {
+                    sigma: sigma(time),
+                    weakest: sigma(time),
+                    lost: 0,
+                };
+                passages.note(time, now)
+            })
+            .collect()
+    }
+
+    #[test]
+    fn poses_between_steps_are_found() {
+        let found = noted(&mut Passages::new(), 0.05, |t| (t - 1.0 / 3.0).sin().abs());
+        let expected = [1.0, 2.0, 3.0].map(|turn| 1.0 / 3.0 + turn * std::f64::consts::PI);
+        assert_eq!(found.len(), 4, "{found:?}");
+        for (found, expected) in found[1..].iter().zip(expected) {
+            assert!(
+                (found.0 - expected).abs() < 1e-3 && found.1 < 1e-2,
+                "{found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn weak_poses_and_rest_are_no_passages() {
+        let weak = |t: f64| 0.05_f64.hypot((t - 0.3).sin());
+        assert!(noted(&mut Passages::new(), 0.05, weak).is_empty());
+        // At rest in a singular pose, with noise.
+        let rest = |t: f64| 1e-9 * (1.0 + (1e3 * t).sin());
+        assert_eq!(noted(&mut Passages::new(), 0.05, rest).len(), 1);
+    }
+
+    #[test]
+    fn a_start_in_a_singular_pose_counts() {
+        let found = noted(&mut Passages::new(), 0.01, |t| 0.2 * t);
+        assert_eq!(found, [(0.0, 0.0)]);
+    }
+}
