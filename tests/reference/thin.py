@@ -22,6 +22,13 @@ TABLES = {
         0.05,
         "beta_rad theta_rad gamma_rad phi_rad delta_rad omega_rad epsilon_rad fx_m fy_m",
     ),
+    "a04_bricard_slender_rods": (5, 10.0, "p3x_m p3y_m p3z_m p2x_m p2z_m p5y_m"),
+    "a04_bricard_square_rods": (5, 10.0, "p3x_m p3y_m p3z_m p2x_m p2z_m p5y_m"),
+    "a05_flyball_governor": (
+        5,
+        10.0,
+        "s_m ball1_x_m ball1_y_m ball1_z_m shaft_angle_rad shaft_omega_rad_per_s",
+    ),
     "chaplygin_sleigh": (
         5,
         10.0,
@@ -34,11 +41,27 @@ TABLES = {
         " ground_on_crank_fy_N crank_on_rod_fx_N crank_on_rod_fy_N rod_on_slider_fx_N rod_on_slider_fy_N"
         " guide_on_slider_fy_N",
     ),
+    "heavy_top": (
+        5,
+        2.0,
+        "x_m y_m z_m angular_momentum_z_kgm2_per_s pivot_force_on_top_x_N"
+        " pivot_force_on_top_y_N pivot_force_on_top_z_N",
+    ),
     "knife_edge_incline": (5, 10.0, "x_m y_m phi_rad forward_v_m_per_s lateral_force_N"),
     "knife_edge_incline_moving_start": (
         5,
         10.0,
         "x_m y_m phi_rad forward_v_m_per_s lateral_force_N",
+    ),
+    "rolling_disk": (
+        5,
+        10.0,
+        "cx_m cy_m cz_m contact_x_m contact_y_m contact_force_x_N contact_force_y_N contact_force_z_N",
+    ),
+    "rolling_disk_tilted": (
+        5,
+        2.0,
+        "cx_m cy_m cz_m contact_x_m contact_y_m contact_force_x_N contact_force_y_N contact_force_z_N",
     ),
     "slider_crank_singular_gravity": (
         5,

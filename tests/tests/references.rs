@@ -104,6 +104,48 @@ const CASES: &[Case] = &[
         order: Order::Second { finest: 4e-4 },
         energy: 1e-11,
     },
+    Case {
+        scene: "heavy-top",
+        step: 1e-3,
+        until: 0.2,
+        order: Order::Second { finest: 8e-6 },
+        energy: 1.2e-2,
+    },
+    Case {
+        scene: "bricard",
+        step: 2.5e-2,
+        until: 3.0,
+        order: Order::Second { finest: 5e-5 },
+        energy: 3e-3,
+    },
+    Case {
+        scene: "bricard-slender",
+        step: 2.5e-2,
+        until: 3.0,
+        order: Order::Second { finest: 5e-5 },
+        energy: 3e-3,
+    },
+    Case {
+        scene: "flyball-governor",
+        step: 1e-2,
+        until: 1.0,
+        order: Order::Second { finest: 2e-4 },
+        energy: 0.2,
+    },
+    Case {
+        scene: "rolling-disk",
+        step: 1e-2,
+        until: 3.0,
+        order: Order::Second { finest: 1e-4 },
+        energy: 2e-4,
+    },
+    Case {
+        scene: "rolling-disk-tilted",
+        step: 1e-3,
+        until: 0.3,
+        order: Order::Second { finest: 1.5e-4 },
+        energy: 5e-4,
+    },
 ];
 
 fn find(name: &str) -> &'static Scene {
@@ -216,6 +258,12 @@ cases! {
     chaplygin_sleigh: "chaplygin-sleigh";
     knife_edge: "knife-edge";
     knife_edge_moving: "knife-edge-moving";
+    heavy_top: "heavy-top";
+    bricard: "bricard";
+    bricard_slender: "bricard-slender";
+    flyball_governor: "flyball-governor";
+    rolling_disk: "rolling-disk";
+    rolling_disk_tilted: "rolling-disk-tilted";
 }
 
 #[test]
@@ -270,7 +318,7 @@ fn returns<M, S, const Q: usize, const N: usize, const R: usize>(
     assert!(worst <= 1e-9, "{}: {worst:e} from the start", S::MODEL.name);
 }
 
-/// All scenes but the driven one, whose drive does not turn round.
+/// All scenes but the driven one, whose drive does not turn round, and the governor, whose dampers do not.
 #[test]
 fn time_can_be_reversed() {
     with_room(|| {
@@ -291,5 +339,15 @@ fn time_can_be_reversed() {
             150,
         );
         returns(scenes::knife_edge::KnifeEdge::default(), 2e-2, 150);
+        returns(
+            scenes::spherical_pendulum::SphericalPendulum::default(),
+            1e-2,
+            100,
+        );
+        returns(scenes::heavy_top::HeavyTop::default(), 1e-3, 100);
+        returns(scenes::bricard::Bricard::default(), 1e-2, 50);
+        returns(scenes::cardan_shaft::CardanShaft::default(), 1e-2, 50);
+        returns(scenes::rolling_disk::RollingDisk::default(), 1e-2, 150);
+        returns(scenes::rattleback::Rattleback::default(), 1e-3, 500);
     });
 }

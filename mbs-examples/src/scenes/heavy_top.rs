@@ -46,7 +46,7 @@ pub const SCENE: Scene = Scene {
     source: "Géradin, Cardona 2001; Brüls, Cardona 2010",
     model: HeavyTop::MODEL,
     duration: 2.0,
-    step: 1e-4,
+    step: 2e-4,
     reference: Some(Reference {
         file: "heavy_top.csv",
         columns: &[

@@ -62,7 +62,7 @@ pub const SCENE: Scene = Scene {
     source: "Neimark, Fufaev: Dynamics of Nonholonomic Systems",
     model: RollingDisk::MODEL,
     duration: 10.0,
-    step: 1e-3,
+    step: 5e-4,
     reference: Some(Reference {
         file: "rolling_disk.csv",
         columns: COLUMNS,
@@ -75,7 +75,7 @@ pub const TILTED: Scene = Scene {
     name: "rolling-disk-tilted",
     title: "Rolling coin, almost flat",
     duration: 2.0,
-    step: 1e-4,
+    step: 5e-5,
     reference: Some(Reference {
         file: "rolling_disk_tilted.csv",
         columns: COLUMNS,
