@@ -184,10 +184,11 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         })
         .collect();
     format!(
-        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}], integrable: &{integrable:?}, summary: {:?} }})",
+        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}], undetermined: &{:?}, integrable: &{integrable:?}, summary: {:?} }})",
         mobility.rank,
         mobility.mobility,
         redundant.join(", "),
+        mobility.undetermined,
         mobility::summary(mobility, &program.rows, program.size)
     )
 }

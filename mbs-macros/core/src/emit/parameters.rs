@@ -90,7 +90,7 @@ fn documentation(model: &Model, mobility: Option<&Mobility>, rows: &[Row]) -> St
     if let Some(mobility) = mobility {
         let _ = writeln!(
             out,
-            "\nMobility: {}.",
+            "\n{}.",
             mobility::summary(mobility, rows, model.layout.velocities.len())
         );
     }

@@ -26,7 +26,7 @@ const NAMES: usize = 4;
 /// Rows that cannot be fulfilled together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Open {
-    /// The entry of the worst of them.
+    /// The entry to blame.
     pub entry: String,
     /// By how much they are open where they are closest to being fulfilled, in words, the worst first.
     pub gaps: Vec<String>,
@@ -183,9 +183,15 @@ fn describe(numbers: &Numbers, pose: &[f64]) -> Open {
         .collect();
     gaps.sort_by(|(a, ..), (b, ..)| b.total_cmp(a));
     let worst = gaps.first().map_or(0.0, |(gap, ..)| *gap);
-    let entry = gaps.first().map(|&(_, row, _)| rows[row].entry.clone());
     gaps.retain(|(gap, ..)| *gap > NAMED * worst);
     gaps.truncate(NAMES);
+    // The later of two that contradict each other is to blame, and a joint rather than a bar.
+    let parts = &numbers.model.parts;
+    let is_joint = |row: usize| parts.iter().all(|part| part.name != rows[row].entry);
+    let named = gaps.iter().map(|&(_, row, _)| row);
+    let blamed = named.clone().filter(|&row| is_joint(row)).max();
+    let blamed = blamed.or_else(|| named.clone().next());
+    let entry = blamed.map(|row| rows[row].entry.clone());
     let gaps = gaps.into_iter().map(|(gap, row, unit)| {
         let text = format!("`{}` by {gap:.3} {unit}", rows[row].name);
         text.trim_end().to_owned()

@@ -16,9 +16,12 @@ mod rows;
 mod words;
 
 use crate::derivatives::Derived;
-use crate::equations::Row;
+use crate::equations::{Row, System};
 use crate::model::Model;
+use crate::symbolic::Symbol;
 use numbers::Numbers;
+use rows::Rows;
+use std::collections::BTreeSet;
 
 pub use closing::Open;
 pub use words::{redundancies, summary};
@@ -39,6 +42,9 @@ pub struct Mobility {
     pub mobility: usize,
     /// Rows that follow from others.
     pub redundant: Vec<Redundancy>,
+    /// Joints whose reactions the redundancy leaves open: those that have a multiplier of a redundant row, or of one that
+    /// it follows from.
+    pub undetermined: Vec<String>,
     /// Nonholonomic rows that are conditions on positions in disguise (Frobenius): with the holonomic ones, and those
     /// before them in this list, they are the differentials of functions.
     pub integrable: Vec<usize>,
@@ -64,6 +70,7 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
             rank: 0,
             mobility: system.size,
             redundant: Vec::new(),
+            undetermined: Vec::new(),
             integrable: Vec::new(),
         }));
     }
@@ -97,8 +104,34 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
         rank,
         mobility: system.size.saturating_sub(rank),
         redundant,
+        undetermined: undetermined(system, &rows),
         integrable: integrability::integrable(&numbers, &poses),
     }))
+}
+
+/// The joints with multipliers that have a part in some dependence.
+fn undetermined(system: &System, rows: &Rows) -> Vec<String> {
+    let mut open: BTreeSet<u32> = BTreeSet::new();
+    for (row, coefficients) in &rows.dependent {
+        open.insert(*row as u32);
+        let involved = rows.independent.iter().zip(coefficients);
+        open.extend(
+            involved
+                .filter(|(_, coefficient)| coefficient.abs() > INVOLVED)
+                .map(|(row, _)| *row as u32),
+        );
+    }
+    let mut joints: Vec<String> = Vec::new();
+    for reaction in &system.reactions {
+        let symbols = system.graph.symbols([reaction.expr]);
+        let touched = symbols
+            .iter()
+            .any(|symbol| matches!(symbol, Symbol::Multiplier(row) if open.contains(row)));
+        if touched && !joints.contains(&reaction.joint) {
+            joints.push(reaction.joint.clone());
+        }
+    }
+    joints
 }
 
 /// The entries of the rows that count in a combination.

@@ -78,8 +78,12 @@ pub fn redundancies(mobility: &Mobility, rows: &[Row]) -> Vec<(String, String)> 
         } else {
             "follow"
         };
+        // Its other rows may well take part; that goes without saying.
+        let own = from.len();
+        from.retain(|other| other != entry);
         let from = match from.as_slice() {
-            [] => "nothing: it holds by itself".to_owned(),
+            [] if own > 0 => "its other rows".to_owned(),
+            [] => "nothing, as it holds by itself".to_owned(),
             from => list(from),
         };
         (
