@@ -179,24 +179,40 @@ fn every_kind_of_the_schema_is_used() {
     assert_eq!(missing, Vec::new());
 }
 
+/// Whether an error in a function is found in a mechanism.
+fn finds<M, S, const Q: usize, const N: usize, const R: usize>(wrong: &'static str) -> bool
+where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    let (system, states, mut random) = prepare(&M::default());
+    let tampered = Tampered::new(system, wrong);
+    states
+        .iter()
+        .any(|at| !differences::findings(&tampered, at, &mut random).is_empty())
+}
+
 /// What is slightly wrong is found: in some mechanism, for each function.
 #[test]
 fn an_error_in_any_function_is_found() {
-    let finds = |wrong: &'static str| {
-        fn finds<M, S, const Q: usize, const N: usize, const R: usize>(wrong: &'static str) -> bool
-        where
-            M: Mechanism<System = S>,
-            S: System<Q, N, R>,
-        {
-            let (system, states, mut random) = prepare(&M::default());
-            let tampered = Tampered::new(system, wrong);
-            states
-                .iter()
-                .any(|at| !differences::findings(&tampered, at, &mut random).is_empty())
-        }
+    let finds = |wrong| {
         finds::<fixtures::Truss, _, _, _, _>(wrong)
             || finds::<fixtures::Chain, _, _, _, _>(wrong)
             || finds::<scenes::pendulum::Pendulum, _, _, _, _>(wrong)
+    };
+    for &wrong in QUANTITIES {
+        assert!(finds(wrong), "an error in `{wrong}` is not found");
+    }
+    assert!(!finds("nothing"));
+}
+
+/// In space, too, where coordinates are not integrals of velocities.
+#[test]
+fn an_error_in_any_function_of_space_is_found() {
+    let finds = |wrong| {
+        finds::<scenes::heavy_top::HeavyTop, _, _, _, _>(wrong)
+            || finds::<scenes::rolling_disk::RollingDisk, _, _, _, _>(wrong)
+            || finds::<fixtures::Workshop, _, _, _, _>(wrong)
     };
     for &wrong in QUANTITIES {
         assert!(finds(wrong), "an error in `{wrong}` is not found");

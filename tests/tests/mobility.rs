@@ -166,11 +166,7 @@ fn gears_of_rates_are_holonomic() {
         skate: Body(mass = 1.0_kg, inertia = 0.1_kg_m2), edge: Nonholonomic(dot(skate.velocity, skate.y)),
         gear: Nonholonomic(a.rate + 2.0 * b.rate),";
     let rows = integrable("Planar()", wheels);
-    assert_eq!(
-        rows.len(),
-        1,
-        "the gear, and not the edge beside it: {rows:?}"
-    );
+    assert_eq!(rows, [5], "the gear, and not the edge beside it");
 }
 
 #[test]
@@ -367,4 +363,35 @@ fn a_bushing_alone_holds() {
     let amplitude = 0.1 / 157.91f64.sqrt();
     let x = simulation.output("x").expect("it is an output");
     assert!((x - amplitude).abs() < 1e-4 * amplitude, "{x}");
+}
+
+/// Which joints a redundant row depends on, and how many degrees of freedom are left where counting gives none.
+#[test]
+fn overconstrained_mechanisms_of_space_move() {
+    let scenes = mbs_examples::scenes::scenes();
+    let all = ["j1", "j2", "j3", "j4", "j5", "j6"];
+    let shafts = ["front", "cross1", "cross2", "rear"];
+    for (name, size, last, joints) in [
+        ("bricard", 30, "j6", &all[..]),
+        ("bricard-slender", 30, "j6", &all[..]),
+        ("cardan-shaft", 18, "rear", &shafts[..]),
+    ] {
+        let scene = scenes.iter().find(|scene| scene.name == name).expect(name);
+        let model = scene.model;
+        assert_eq!((model.velocities.len(), model.rows.len()), (size, size));
+        let mobility = model.mobility.expect(name);
+        assert_eq!((mobility.rank, mobility.degrees_of_freedom), (size - 1, 1));
+        let [redundancy] = mobility.redundant else {
+            panic!("{name}: {mobility:?}")
+        };
+        // Of dependent rows the last is named, and it closes the whole loop.
+        assert!(redundancy.row.starts_with(last), "{name}: {redundancy:?}");
+        assert_eq!(redundancy.follows_from, joints, "{name}");
+        let settings = Settings {
+            step: scene.step,
+            ..Settings::default()
+        };
+        let simulation = (scene.build)(&[], settings).expect(name);
+        assert_eq!(simulation.report().rank, size - 1, "{name}");
+    }
 }

@@ -51,6 +51,7 @@ fn along_a_run<M, S, const Q: usize, const N: usize, const R: usize>(
     let table = reference::table(file);
     let mut simulation = simulation(mechanism, step);
     let mut compared = 0;
+    let mut worst: f64 = 0.0;
     for (row, time) in table
         .times()
         .into_iter()
@@ -65,6 +66,7 @@ fn along_a_run<M, S, const Q: usize, const N: usize, const R: usize>(
             let values = table.column(column);
             let size = values.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
             let found = reaction(&simulation, joint, component);
+            worst = worst.max((found - values[row]).abs() / size);
             // At the start the state is exact, and so are the reactions.
             let tolerance = size * if row == 0 { 1e-11 } else { tolerance };
             assert!(
@@ -75,6 +77,7 @@ fn along_a_run<M, S, const Q: usize, const N: usize, const R: usize>(
             compared += 1;
         }
     }
+    println!("{file}: {worst:.1e} of the largest");
     assert!(
         compared > 10 * pairs.len(),
         "only {compared} values were compared"
@@ -193,6 +196,67 @@ fn chaplygin_sleigh() {
         4.0,
         &[("edge", "lambda", "lateral_force_N")],
         1e-4,
+        |_, _| false,
+    );
+}
+
+/// The force of the pivot on the top, of some 5 kN.
+#[test]
+fn heavy_top() {
+    along_a_run(
+        scenes::heavy_top::HeavyTop::default(),
+        "heavy_top.csv",
+        2e-4,
+        0.5,
+        &[
+            ("pivot", "fx", "pivot_force_on_top_x_N"),
+            ("pivot", "fy", "pivot_force_on_top_y_N"),
+            ("pivot", "fz", "pivot_force_on_top_z_N"),
+        ],
+        5e-5,
+        |_, _| false,
+    );
+}
+
+/// The force of the plane on the disk: the multipliers of the rows.
+#[test]
+fn rolling_disk() {
+    along_a_run(
+        scenes::rolling_disk::RollingDisk::default(),
+        "rolling_disk.csv",
+        2e-3,
+        3.0,
+        &[
+            ("no_slip", "lambda[0]", "contact_force_x_N"),
+            ("no_slip", "lambda[1]", "contact_force_y_N"),
+            ("touch", "lambda", "contact_force_z_N"),
+        ],
+        2e-4,
+        |_, _| false,
+    );
+}
+
+/// The coin, whose force on the plane varies by more than its weight.
+#[test]
+fn rolling_coin() {
+    let coin = scenes::rolling_disk::RollingDisk {
+        mass: 0.4,
+        radius: 0.0375,
+        lean: 1.2,
+        turning: 18.0,
+        rolling: -14.0,
+    };
+    along_a_run(
+        coin,
+        "rolling_disk_tilted.csv",
+        1e-4,
+        0.3,
+        &[
+            ("no_slip", "lambda[0]", "contact_force_x_N"),
+            ("no_slip", "lambda[1]", "contact_force_y_N"),
+            ("touch", "lambda", "contact_force_z_N"),
+        ],
+        1e-3,
         |_, _| false,
     );
 }

@@ -1,4 +1,4 @@
-//! Three small declarations after every stage of the compiler. `cargo insta review` shows what a change does to them.
+//! Small declarations after every stage of the compiler. `cargo insta review` shows what a change does to them.
 
 use mbs_tests::stages;
 
@@ -65,10 +65,30 @@ const SLEIGH: &str = r#"Sleigh {
     sideways: Event(sleigh.angle.cos()),
 }"#;
 
-const FIXTURES: [(&str, &str); 3] = [
+const FLAP: &str = r#"Flap {
+    doc: "A body on a hinge with a spring, in space.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+
+    mass: Param(2.0_kg),
+    arm: Param(0.3_m),
+    stiffness: Param(4.0_Nm),
+
+    plate: Body(
+        mass = mass,
+        inertia = diag(0.01, 0.02, 0.03),
+        center_of_mass = [arm, 0.0, 0.0],
+    ),
+    hinge: Revolute(ground.origin, plate.origin, axis = Y),
+    spring: TorsionSpring(hinge, stiffness = stiffness, angle = 0.2),
+
+    tip: Output(plate.point(2.0 * arm, 0.0, 0.0).z),
+}"#;
+
+const FIXTURES: [(&str, &str); 4] = [
     ("pendulum", PENDULUM),
     ("slider-crank", SLIDER_CRANK),
     ("sleigh", SLEIGH),
+    ("flap", FLAP),
 ];
 
 /// Stage 6, formatted.

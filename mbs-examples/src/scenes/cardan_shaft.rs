@@ -1,7 +1,7 @@
 //! A cardan shaft: two universal joints between parallel shafts, their yokes in phase, so that the output turns exactly as
 //! the input does while the shaft between them runs ahead and behind.
 //!
-//! Closed form: with the input at θ the middle shaft turns by tan θ₂ = tan θ / cos β, and with the kinetic energy kept,
+//! Closed form: with the input at θ the middle shaft turns by tan θ₂ = cos β tan θ, and with the kinetic energy kept,
 //! ω² (J₁ + J₃ + J₂ (dθ₂/dθ)²) is constant.
 
 use crate::scene::Scene;
@@ -34,7 +34,13 @@ mechanism!(CardanShaft {
         radius = radius,
         angular_velocity = [rate, 0.0, 0.0],
     ),
-    middle: Bar(mass = mass, from = first, to = second, radius = radius),
+    middle: Bar(
+        mass = mass,
+        from = first,
+        to = second,
+        radius = radius,
+        angular_velocity = rate * cos(bend) * [cos(bend), sin(bend), 0.0],
+    ),
     output: Bar(
         mass = mass,
         from = second,

@@ -123,7 +123,7 @@ pub fn lower(derived: Derived) -> Program {
         reactions: system
             .reactions
             .iter()
-            .map(|r| (r.joint.clone(), r.component, r.unit.clone()))
+            .map(|r| (r.joint.clone(), r.component.clone(), r.unit.clone()))
             .collect(),
         structure,
     }

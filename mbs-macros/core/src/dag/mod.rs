@@ -44,7 +44,7 @@ pub struct Program {
     /// R.
     pub rows: Vec<crate::equations::Row>,
     /// Reactions: joint, component, unit.
-    pub reactions: Vec<(String, &'static str, String)>,
+    pub reactions: Vec<(String, String, String)>,
     /// What the integrator may rely on.
     pub structure: Structure,
 }

@@ -85,8 +85,8 @@ impl RowKind {
 pub struct Reaction {
     /// The joint.
     pub joint: String,
-    /// `fx`, `fy`, `torque`, ….
-    pub component: &'static str,
+    /// `fx`, `fy`, `torque`, `lambda[1]`, ….
+    pub component: String,
     /// SI unit.
     pub unit: String,
     /// In terms of q, v, v̇ and λ.

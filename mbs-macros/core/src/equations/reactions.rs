@@ -77,7 +77,7 @@ pub(super) fn derive(
             let expr = graph.substitute(signed, reduction);
             reactions.push(Reaction {
                 joint: joint.joint.clone(),
-                component,
+                component: component.to_owned(),
                 unit: Dimension::FORCE.unit(),
                 expr,
             });
@@ -85,7 +85,15 @@ pub(super) fn derive(
     }
     let indices = row_indices(joints);
     for (joint, (name, equations)) in joints.iter().enumerate() {
-        for component in &equations.reactions {
+        let several = |name: &str| {
+            equations
+                .reactions
+                .iter()
+                .filter(|c| c.name == name)
+                .count()
+                > 1
+        };
+        for (slot, component) in equations.reactions.iter().enumerate() {
             let terms: Vec<Expr> = component
                 .terms
                 .iter()
@@ -99,7 +107,11 @@ pub(super) fn derive(
             let unit = component.dimension.unit();
             reactions.push(Reaction {
                 joint: name.clone(),
-                component: component.name,
+                // As the rows of the same entry.
+                component: match several(component.name) {
+                    true => format!("{}[{slot}]", component.name),
+                    false => component.name.to_owned(),
+                },
                 unit,
                 expr,
             });

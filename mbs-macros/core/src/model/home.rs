@@ -73,7 +73,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guess
     let parts = resolver.parts.clone();
     let speeds = origin_velocities(resolver, &parts, joints);
     let zero = resolver.graph.zero();
-    for (part, speed) in parts.iter().zip(speeds) {
+    for (index, (part, &speed)) in parts.iter().zip(&speeds).enumerate() {
         let Some(home) = part.home else {
             let (value, rate) = (
                 part.guess.angle.unwrap_or(zero),
@@ -85,7 +85,6 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guess
             continue;
         };
         let spin = part.guess.spin.unwrap_or([zero; 3]);
-        let graph = &mut resolver.graph;
         let points: Vec<Vector> = match part.representation {
             Representation::Natural => {
                 vec![[zero; 3], [part.length.unwrap_or(zero), zero, zero]]
@@ -95,10 +94,15 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guess
             _ => Vec::new(),
         };
         for (slot, local) in points.into_iter().enumerate() {
+            let graph = &mut resolver.graph;
             let arm = graph.turn(&home.axes, local);
             let position = graph.vector_add(home.origin, arm);
             let swing = graph.cross(spin, arm);
-            let velocity = graph.vector_add(speed, swing);
+            let mut velocity = graph.vector_add(speed, swing);
+            if part.representation == Representation::Natural {
+                let point = (Owner::Part(index), local);
+                velocity = joined_velocity(resolver, point, &speeds, joints).unwrap_or(velocity);
+            }
             for axis in 0..3 {
                 guesses.set(part.locals[3 * slot + axis], position[axis], velocity[axis]);
             }
@@ -113,6 +117,34 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guess
         }
     }
     guesses
+}
+
+/// The velocity of an end of a slender bar, which has no declared one: that of a part joined there that has.
+fn joined_velocity(
+    resolver: &mut Resolver,
+    (owner, local): (Owner, Vector),
+    speeds: &[Vector],
+    joints: &[JointElement],
+) -> Option<Vector> {
+    let pairs = joints
+        .iter()
+        .filter_map(|element| element.joint.coincident());
+    let others = pairs.flat_map(|(a, b)| [(a, b), (b, a)]);
+    for (_, other) in others.filter(|(own, _)| own.owner == owner && own.local == local) {
+        let Owner::Part(part) = other.owner else {
+            continue;
+        };
+        let guess = &resolver.parts[part].guess;
+        let (velocity, spin) = (guess.velocity, guess.spin);
+        if velocity.is_some() || spin.is_some() {
+            let spin = spin.unwrap_or(resolver.graph.zero_vector());
+            let home = resolver.home(other.owner);
+            let arm = resolver.graph.turn(&home.axes, other.local);
+            let swing = resolver.graph.cross(spin, arm);
+            return Some(resolver.graph.vector_add(speeds[part], swing));
+        }
+    }
+    None
 }
 
 /// The velocity of the origin of each part.

@@ -1,0 +1,227 @@
+//! Scenes of space without a table: closed forms, and what motion leaves as it is.
+
+use mbs_examples::scenes::cardan_shaft::CardanShaft;
+use mbs_examples::scenes::heavy_top::HeavyTop;
+use mbs_examples::scenes::rattleback::Rattleback;
+use mbs_examples::scenes::spherical_pendulum::SphericalPendulum;
+use mbs_runtime::{Mechanism, Settings, Simulation, System};
+use mbs_tests::with_room;
+
+const GRAVITY: f64 = 9.81;
+
+fn simulation<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    step: f64,
+) -> Simulation<S, Q, N, R>
+where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    Simulation::with_settings(mechanism, settings).expect("it assembles")
+}
+
+/// The errors with a step and half of it fall by a factor of four, to `finest` at least.
+fn of_second_order(what: &str, errors: [f64; 2], finest: f64) {
+    let slope = (errors[0] / errors[1]).log2();
+    println!("{what}: {errors:?}, slope {slope}");
+    assert!(
+        (1.8..=2.2).contains(&slope),
+        "{what}: slope {slope} of {errors:?}"
+    );
+    assert!(errors[1] <= finest, "{what}: {errors:?}");
+}
+
+/// dθ₂/dθ of tan θ₂ = cos β tan θ.
+fn ratio(bend: f64, angle: f64) -> f64 {
+    bend.cos() / (angle.cos().powi(2) + (bend.cos() * angle.sin()).powi(2))
+}
+
+/// ω(θ) of the kinetic energy ½ J ω² (2 + (dθ₂/dθ)²), which stays.
+fn cardan_rate(shaft: &CardanShaft, angle: f64) -> f64 {
+    let inertia = |angle: f64| 2.0 + ratio(shaft.bend, angle).powi(2);
+    shaft.rate * (inertia(0.0) / inertia(angle)).sqrt()
+}
+
+/// When the input has turned by `angle`: ∫ dθ/ω, whose smooth and periodic integrand Simpson's rule likes.
+fn cardan_time(shaft: &CardanShaft, angle: f64) -> f64 {
+    let intervals = 4000;
+    let width = angle / f64::from(intervals);
+    let sum: f64 = (0..=intervals)
+        .map(|i| {
+            let weight = match i {
+                0 => 1.0,
+                i if i == intervals => 1.0,
+                i if i % 2 == 1 => 4.0,
+                _ => 2.0,
+            };
+            weight / cardan_rate(shaft, width * f64::from(i))
+        })
+        .sum();
+    sum * width / 3.0
+}
+
+#[test]
+fn the_second_joint_of_a_cardan_shaft_undoes_what_the_first_does() {
+    let errors = [2e-3, 1e-3].map(|step| {
+        let shaft = CardanShaft::default();
+        let mut simulation = simulation(shaft, step);
+        let mut worst: f64 = 0.0;
+        for instant in 0..=20 {
+            simulation
+                .run_until(0.05 * f64::from(instant))
+                .expect("it turns");
+            let [input, output, rate, middle] =
+                ["input_angle", "output_angle", "input_rate", "middle_rate"]
+                    .map(|name| simulation.output(name).expect("declared"));
+            assert!((output - input).abs() <= 1e-11, "{output} after {input}");
+            let expected = ratio(shaft.bend, input) * rate;
+            assert!(
+                (middle - expected).abs() <= 1e-10,
+                "{middle} rad/s instead of {expected} at {input} rad"
+            );
+            let late = cardan_time(&shaft, input) - simulation.time();
+            worst = worst
+                .max((rate - cardan_rate(&shaft, input)).abs())
+                .max((late * rate).abs());
+        }
+        let turned = simulation.output("input_angle").expect("declared");
+        assert!(turned > std::f64::consts::TAU, "{turned}");
+        worst
+    });
+    of_second_order("cardan shaft", errors, 3e-6);
+}
+
+/// The complete elliptic integral K(k), by the arithmetic and the geometric mean.
+fn elliptic(k: f64) -> f64 {
+    let (mut a, mut b) = (1.0, (1.0 - k * k).sqrt());
+    for _ in 0..10 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    std::f64::consts::FRAC_PI_2 / a
+}
+
+/// ż² = 2g (z − low)(high − z)(third − z) on a rod of one metre, from a horizontal rod: high = 0.
+#[test]
+fn a_spherical_pendulum_runs_between_two_roots() {
+    let pendulum = SphericalPendulum::default();
+    assert_eq!(pendulum.length, 1.0);
+    let squared = pendulum.speed.powi(2);
+    // g z² − (v²/2) z − g = 0
+    let root = (squared * squared / 16.0 + GRAVITY * GRAVITY).sqrt();
+    let (low, third) = (
+        (0.25 * squared - root) / GRAVITY,
+        (0.25 * squared + root) / GRAVITY,
+    );
+    let k = (-low / (third - low)).sqrt();
+    let period = 4.0 / (2.0 * GRAVITY * (third - low)).sqrt() * elliptic(k);
+    // z = low − low sn², and sn² of half of K is 1/(1 + k').
+    let between = low - low / (1.0 + (1.0 - k * k).sqrt());
+    let momentum = pendulum.mass * pendulum.length * pendulum.speed;
+    let runs = [2e-3, 1e-3].map(|step| {
+        let mut simulation = simulation(pendulum, step);
+        let (mut worst, mut lowest, mut highest): (f64, f64, f64) = (0.0, 0.0, -1.0);
+        for half in 1..=12 {
+            // A grid of its own for each half period: none of its instants is a multiple of the step.
+            for part in 1..=20 {
+                simulation
+                    .run_until(0.5 * period * (f64::from(half - 1) + f64::from(part) / 20.0))
+                    .expect("it swings");
+                let kept = simulation.output("momentum_z").expect("declared");
+                assert!((kept - momentum).abs() <= 1e-12, "{kept} of {momentum}");
+                let z = simulation.output("bob_position.z").expect("declared");
+                if part == 10 {
+                    worst = worst.max((z - between).abs());
+                }
+                lowest = lowest.min(z);
+                highest = highest.max(z);
+            }
+            let [x, y, z] = ["x", "y", "z"].map(|axis| {
+                simulation
+                    .output(&format!("bob_position.{axis}"))
+                    .expect("declared")
+            });
+            assert!((x.hypot(y).hypot(z) - 1.0).abs() <= 1e-11);
+            let turning = if half % 2 == 1 { low } else { 0.0 };
+            worst = worst.max((z - turning).abs());
+        }
+        assert!(
+            lowest > low - 1e-4 && highest < 1e-4,
+            "{lowest} to {highest}"
+        );
+        [worst, simulation.report().energy_error]
+    });
+    of_second_order("spherical pendulum", runs.map(|run| run[0]), 1e-4);
+    of_second_order("its energy", runs.map(|run| run[1]), 1e-4);
+}
+
+#[test]
+fn a_heavy_top_keeps_its_spin_and_its_momentum_about_the_vertical() {
+    for step in [1e-3, 5e-4] {
+        let top = HeavyTop::default();
+        let momentum =
+            top.precession * top.transverse + top.mass * top.height.powi(2) * top.precession;
+        let mut simulation = simulation(top, step);
+        let spin = HeavyTop::MODEL
+            .velocities
+            .iter()
+            .position(|velocity| velocity.name == "top.omega.y")
+            .expect("the spin is a velocity");
+        for _ in 0..1000 {
+            simulation.step().expect("it spins");
+            let kept = simulation.output("momentum_z").expect("declared");
+            assert!((kept - momentum).abs() <= 1e-10, "{kept} of {momentum}");
+            let kept = simulation.velocities()[spin];
+            assert!((kept - top.spin).abs() <= 1e-10, "{kept} of {}", top.spin);
+        }
+    }
+}
+
+/// When the spin about the vertical changes its sign for the first time.
+fn reversal(step: f64) -> f64 {
+    let mut simulation = simulation(Rattleback::default(), step);
+    let mut before = simulation.output("spin_rate").expect("declared");
+    assert!(before < 0.0);
+    while simulation.time() < 10.0 {
+        simulation.step().expect("it rattles");
+        let after = simulation.output("spin_rate").expect("declared");
+        if after > 0.0 {
+            return simulation.time() - step * after / (after - before);
+        }
+        before = after;
+    }
+    panic!("the spin never turned round")
+}
+
+#[test]
+fn a_rattleback_turns_round() {
+    let times = [1e-3, 5e-4, 2.5e-4].map(reversal);
+    println!("rattleback: {times:?}");
+    of_second_order(
+        "rattleback",
+        [times[0] - times[1], times[1] - times[2]].map(f64::abs),
+        1e-2,
+    );
+    let errors = [1e-3, 5e-4].map(|step| {
+        let mut simulation = simulation(Rattleback::default(), step);
+        simulation.run_until(times[2]).expect("it rattles");
+        simulation.report().energy_error
+    });
+    of_second_order("energy of the rattleback", errors, 3e-5);
+}
+
+#[test]
+fn spinning_the_right_way_a_rattleback_goes_on() {
+    with_room(|| {
+        let stone = Rattleback {
+            spin: 5.0,
+            ..Rattleback::default()
+        };
+        let mut simulation = simulation(stone, 1e-3);
+        simulation.run_until(3.0).expect("it turns");
+        assert!(simulation.output("spin_rate").expect("declared") > 0.0);
+    });
+}
