@@ -180,7 +180,7 @@ pub(super) fn home_poses(resolver: &mut Resolver, joints: &[JointElement], guess
     let mut size = 0.0f64;
     for element in joints {
         let entry = resolver.declaration.entries.iter();
-        let mut entry = entry.filter(|entry| element.name == entry.name.to_string());
+        let mut entry = entry.filter(|entry| entry.name == element.name);
         let Some(kind) = entry.next().map(|entry| entry.kind.to_string()) else {
             continue;
         };
