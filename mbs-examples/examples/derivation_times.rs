@@ -49,9 +49,8 @@ fn compile(declaration: &str) -> Option<Times> {
     let (declaration, analysis) = analyse(tokens);
     let (declaration, analysis) = (declaration?, analysis.ok()?);
     let analyse = start.elapsed();
-    let graph = analysis.derived.system.graph.clone();
     let start = Instant::now();
-    let program = dag::lower(analysis.derived);
+    let program = dag::lower(&analysis.derived);
     let lower = start.elapsed();
     let operations = program
         .functions
@@ -59,14 +58,7 @@ fn compile(declaration: &str) -> Option<Times> {
         .map(|function| function.cost().total())
         .sum();
     let start = Instant::now();
-    let text = emit::mechanism(
-        &declaration,
-        &analysis.model,
-        analysis.mobility.as_ref(),
-        &graph,
-        &program,
-    )
-    .to_string();
+    let text = emit::mechanism(&declaration, &analysis, &program).to_string();
     let emit = start.elapsed();
     (!text.is_empty()).then_some(Times {
         analyse,

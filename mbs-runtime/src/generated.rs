@@ -149,6 +149,8 @@ pub const UNFINISHED: &Model = &Model {
         rotations: 0,
     },
     mobility: None,
+    formulation: "Natural",
+    candidates: &[],
 };
 
 impl System<0, 0, 0> for Unfinished {

@@ -1,6 +1,6 @@
 //! Multibody mechanisms declared in Rust, simulated with ALF-3F.
 //!
-//! A mechanism with generalized coordinates q, velocities v = q̇, mass matrix M and constraint rows φ obeys
+//! A mechanism with generalized coordinates q, velocities v (q̇ = v but for rotations), mass matrix M and constraint rows φ obeys
 //!
 //! ```text
 //! d(M v)/dt − ∂T/∂q = f(q, v, t) + Aᵀλ        φ(q, t) = 0,  A v + b = 0,  A = ∂φ/∂q,  b = ∂φ/∂t
@@ -25,7 +25,7 @@
 //! simulation.run_until(1.0)?;
 //! assert!(simulation.output("height")? < 0.0);
 //! assert!(simulation.energy().error.abs() < 1e-4);
-//! assert_eq!(Pendulum::MODEL.rows.len(), 1);
+//! assert_eq!(Pendulum::MODEL.velocities.len(), 1);
 //! # Ok(())
 //! # }
 //! ```
@@ -76,8 +76,8 @@ pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
 pub use model::{
-    Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy, Row, RowKind,
-    Segment, Structure, World,
+    Candidate, Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy,
+    Row, RowKind, Segment, Structure, World,
 };
 pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;

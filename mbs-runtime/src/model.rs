@@ -46,6 +46,10 @@ pub struct Model {
     /// Rank and redundant rows at generic poses near the guess, with default parameters; `None` if no pose could be
     /// assembled there at compile time.
     pub mobility: Option<Mobility>,
+    /// The coordinates in use: `Natural`, `Reference` or `Joint`.
+    pub formulation: &'static str,
+    /// The choices that were compared; empty where the declaration asks for one.
+    pub candidates: &'static [Candidate],
 }
 
 impl Model {
@@ -69,6 +73,24 @@ pub enum World {
     Planar,
     /// x, y and z.
     Spatial,
+}
+
+/// A choice of coordinates that was compared with others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Candidate {
+    /// `Natural`, `Reference` or `Joint`.
+    pub formulation: &'static str,
+    /// Q.
+    pub coordinates: usize,
+    /// N.
+    pub velocities: usize,
+    /// R.
+    pub rows: usize,
+    /// Rank of the rows at generic poses near the guess.
+    pub rank: Option<usize>,
+    /// Operations of a step of second order, estimated: functions evaluated, factorisations and solutions. `None` where
+    /// the factorisations alone exceed a whole step of another choice.
+    pub operations: Option<usize>,
 }
 
 /// What the rows leave free, determined at compile time. (Assembly repeats the check for the actual parameters:

@@ -44,7 +44,7 @@ impl Interpreted {
         let graph = analysis.derived.system.graph.clone();
         let layout = analysis.derived.system.layout.clone();
         let expressions = expressions(&analysis.derived);
-        let program = dag::lower(analysis.derived);
+        let program = dag::lower(&analysis.derived);
         let parameters: Vec<f64> = <M as Mechanism>::MODEL
             .parameters
             .iter()

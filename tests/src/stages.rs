@@ -2,10 +2,9 @@
 
 use mbs_macros_core::derivatives::{Derived, Matrix};
 use mbs_macros_core::diagnostics::Errors;
-use mbs_macros_core::model::Model;
 use mbs_macros_core::symbolic::{Expr, Graph};
 use mbs_macros_core::syntax::Declaration;
-use mbs_macros_core::{dag, equations::System};
+use mbs_macros_core::{Analysis, dag, equations::System};
 use quote::ToTokens;
 use std::fmt::Write;
 
@@ -20,11 +19,11 @@ pub fn texts(declaration: &str) -> [(&'static str, String); 5] {
     let graph = derived.system.graph.clone();
     let stages = [
         ("1-tree", syntax(&tree)),
-        ("2-model", self::model(model, &graph, &derived.system)),
+        ("2-model", self::model(&analysis)),
         ("3-system", system(&derived.system)),
         ("4-derived", self::derived(derived)),
     ];
-    let program = dag::lower(analysis.derived);
+    let program = dag::lower(&analysis.derived);
     let [a, b, c, d] = stages;
     [a, b, c, d, ("5-program", program.text(&graph))]
 }
@@ -56,7 +55,9 @@ fn syntax(tree: &Declaration) -> String {
     out
 }
 
-fn model(model: &Model, graph: &Graph, system: &System) -> String {
+fn model(analysis: &Analysis) -> String {
+    let (model, system) = (&analysis.model, &analysis.derived.system);
+    let (graph, candidates) = (&system.graph, &analysis.candidates);
     let mut out = String::new();
     for parameter in &model.parameters {
         let _ = writeln!(
@@ -90,6 +91,18 @@ fn model(model: &Model, graph: &Graph, system: &System) -> String {
             let (name, unit, guess) = (&stored.name, &stored.unit, graph.text(stored.guess));
             let _ = writeln!(out, "{kind} {name} [{unit}] from {guess}");
         }
+    }
+    for candidate in candidates {
+        let taken = candidate.formulation == model.formulation;
+        let _ = writeln!(
+            out,
+            "choice {}: {} velocities, {} rows, {:?} operations{}",
+            candidate.formulation.name(),
+            candidate.velocities,
+            candidate.rows,
+            candidate.operations,
+            if taken { ", taken" } else { "" }
+        );
     }
     for sentence in &model.reductions {
         let _ = writeln!(out, "reduction: {sentence}");

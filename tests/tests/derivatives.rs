@@ -128,6 +128,7 @@ mechanisms! {
     spherical_pendulum: scenes::spherical_pendulum::SphericalPendulum;
     heavy_top: scenes::heavy_top::HeavyTop;
     bricard: scenes::bricard::Bricard;
+    bricard_reference: scenes::bricard::BricardReference;
     flyball_governor: scenes::flyball_governor::FlyballGovernor;
     cardan_shaft: scenes::cardan_shaft::CardanShaft;
     rolling_disk: scenes::rolling_disk::RollingDisk;

@@ -2,8 +2,11 @@
 //! every body, with masses and tensors written here and accelerations by differences along the motion. And power is dE/dt.
 
 use mbs_examples::scenes;
+use mbs_macros_core::Analysis;
+use mbs_macros_core::symbolic::{Evaluator, Symbol};
 use mbs_runtime::{Mechanism, System, TensorSink};
 use mbs_tests::fixtures;
+use mbs_tests::interpreted::analysis;
 use mbs_tests::random::{Arguments, Random};
 use mbs_tests::tampered::Tampered;
 
@@ -70,20 +73,8 @@ fn round(mass: f64, length: f64, radius: f64) -> Tensor {
     diag(0.5 * mass * radius * radius, across, across)
 }
 
-/// The rotation of a unit quaternion, by rows; the product of its columns' rates with them is the angular velocity.
-fn rotation([w, x, y, z]: [f64; 4]) -> [f64; 9] {
-    [
-        1.0 - 2.0 * (y * y + z * z),
-        2.0 * (x * y - w * z),
-        2.0 * (x * z + w * y),
-        2.0 * (x * y + w * z),
-        1.0 - 2.0 * (x * x + z * z),
-        2.0 * (y * z - w * x),
-        2.0 * (x * z - w * y),
-        2.0 * (y * z + w * x),
-        1.0 - 2.0 * (x * x + y * y),
-    ]
-}
+/// Axes that never turn, by rows.
+const UNTURNED: [f64; 9] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
 
 /// The vector of the skew part of Rᵀ B: ω in body axes for B = Ṙ, ω̇ for B = R̈.
 fn turning(r: &[f64; 9], b: &[f64; 9]) -> Vector {
@@ -94,28 +85,46 @@ fn turning(r: &[f64; 9], b: &[f64; 9]) -> Vector {
     })
 }
 
-/// Coordinates by name.
+/// Coordinates of the parts on their own, by name, whatever the mechanism's coordinates are.
 struct Named<'a> {
-    names: &'a [&'a str],
-    values: &'a [f64],
+    analysis: &'a Analysis,
+    q: &'a [f64],
 }
 
 impl<'a> Named<'a> {
-    fn new(names: &'a [&'a str], values: &'a [f64]) -> Self {
-        Named { names, values }
+    fn new(analysis: &'a Analysis, q: &'a [f64]) -> Self {
+        Named { analysis, q }
+    }
+
+    fn local(&self, name: &str) -> u32 {
+        let locals = &self.analysis.model.locals;
+        let index = locals.iter().position(|local| local.name == name);
+        index.unwrap_or_else(|| panic!("no coordinate `{name}` in {locals:?}")) as u32
+    }
+
+    fn value(&self, symbol: Symbol) -> f64 {
+        let Analysis { model, derived, .. } = self.analysis;
+        let expr = model.reduction.get(symbol).expect("every part is placed");
+        let symbols = |symbol: Symbol| match symbol {
+            Symbol::Parameter(i) => model.parameters[i as usize].default,
+            other => model.layout.value(other, self.q).expect("a position"),
+        };
+        let laws = |_: u32, _: &[f64]| unreachable!("no law places a part");
+        Evaluator::new(&derived.system.graph, &symbols, &laws).value(expr)
     }
 
     fn get(&self, name: &str) -> f64 {
-        let index = self.names.iter().position(|other| *other == name);
-        self.values[index.unwrap_or_else(|| panic!("no coordinate `{name}` in {:?}", self.names))]
+        // A coordinate declared by hand is a local of its own.
+        self.value(Symbol::LocalPosition(self.local(name)))
     }
 
     fn point(&self, name: &str) -> Vector {
         ["x", "y", "z"].map(|axis| self.get(&format!("{name}.{axis}")))
     }
 
-    fn quaternion(&self, name: &str) -> [f64; 4] {
-        ["qw", "qx", "qy", "qz"].map(|part| self.get(&format!("{name}.{part}")))
+    fn axes(&self, name: &str) -> [f64; 9] {
+        let first = self.local(&format!("{name}.rotation.x"));
+        std::array::from_fn(|entry| self.value(Symbol::LocalRotation(first, entry as u8)))
     }
 }
 
@@ -142,14 +151,14 @@ impl Matter {
             mass,
             tensor: diag(0.0, 0.0, 0.0),
             place,
-            axes: Box::new(|_| rotation([1.0, 0.0, 0.0, 0.0])),
+            axes: Box::new(|_| UNTURNED),
         };
         match *self {
             Matter::Rigid(name, mass, tensor) => vec![Piece {
                 mass,
                 tensor,
                 place: Box::new(move |q| q.point(name)),
-                axes: Box::new(move |q| rotation(q.quaternion(name))),
+                axes: Box::new(move |q| q.axes(name)),
             }],
             Matter::Point(mass, place) => vec![point(mass, Box::new(place))],
             // Half the mass at each of Gauss' two points: exact for what is quadratic along the bar.
@@ -221,13 +230,13 @@ fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         }
     };
 
-    let names: Vec<&str> = S::MODEL.coordinates.iter().map(|c| c.name).collect();
+    let analysis = analysis(S::MODEL.declaration);
     let (mut inertial, mut energy) = ([0.0; N], 0.0);
     for piece in matter.iter().flat_map(Matter::pieces) {
         let along = |v: &[f64; N], acceleration: &[f64; N]| {
             let moved = |s: f64| motion(system, q, v, acceleration, s);
-            let place = jet(|s| (piece.place)(&Named::new(&names, &moved(s))));
-            let axes = jet(|s| (piece.axes)(&Named::new(&names, &moved(s))));
+            let place = jet(|s| (piece.place)(&Named::new(&analysis, &moved(s))));
+            let axes = jet(|s| (piece.axes)(&Named::new(&analysis, &moved(s))));
             let spin = turning(&axes[0], &axes[1]);
             (place, spin, turning(&axes[0], &axes[2]))
         };

@@ -115,11 +115,18 @@ const CASES: &[Case] = &[
         scene: "bricard",
         step: 2.5e-2,
         until: 3.0,
-        order: Order::Second { finest: 5e-5 },
-        energy: 3e-3,
+        order: Order::Second { finest: 8e-5 },
+        energy: 4e-3,
     },
     Case {
         scene: "bricard-slender",
+        step: 2.5e-2,
+        until: 3.0,
+        order: Order::Second { finest: 8e-5 },
+        energy: 4e-3,
+    },
+    Case {
+        scene: "bricard-reference",
         step: 2.5e-2,
         until: 3.0,
         order: Order::Second { finest: 5e-5 },
@@ -261,6 +268,7 @@ cases! {
     heavy_top: "heavy-top";
     bricard: "bricard";
     bricard_slender: "bricard-slender";
+    bricard_reference: "bricard-reference";
     flyball_governor: "flyball-governor";
     rolling_disk: "rolling-disk";
     rolling_disk_tilted: "rolling-disk-tilted";

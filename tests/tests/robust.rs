@@ -21,15 +21,8 @@ fn answer(tokens: TokenStream) -> Answer {
         let (declaration, outcome) = analyse(tokens);
         match (declaration, outcome) {
             (Some(declaration), Ok(analysis)) => {
-                let graph = analysis.derived.system.graph.clone();
-                let program = dag::lower(analysis.derived);
-                emit::mechanism(
-                    &declaration,
-                    &analysis.model,
-                    analysis.mobility.as_ref(),
-                    &graph,
-                    &program,
-                );
+                let program = dag::lower(&analysis.derived);
+                emit::mechanism(&declaration, &analysis, &program);
                 Answer::Accepted
             }
             (declaration, Err(failure)) => {

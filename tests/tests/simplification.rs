@@ -371,10 +371,11 @@ mod program {
             outputs: outputs.to_vec(),
             events: Vec::new(),
             points: Vec::new(),
+            kinetic: None,
             layout: Default::default(),
             windings: Vec::new(),
         });
-        let program = dag::lower(derived);
+        let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {
             Symbol::Coordinate(i) | Symbol::Parameter(i) => variables[i as usize],
             other => panic!("{other:?}"),

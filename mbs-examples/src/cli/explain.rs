@@ -37,6 +37,38 @@ impl Explain {
     }
 }
 
+/// The descriptions that were compared.
+fn candidates(out: &mut String, model: &Model) {
+    let rows = model.candidates.iter().map(|candidate| {
+        let chosen = candidate.formulation == model.formulation;
+        [
+            candidate.formulation.to_owned(),
+            candidate.velocities.to_string(),
+            candidate.rows.to_string(),
+            candidate
+                .rank
+                .map_or_else(String::new, |rank| rank.to_string()),
+            candidate
+                .operations
+                .map_or_else(|| "more".to_owned(), |operations| operations.to_string()),
+            if chosen { "taken" } else { "" }.to_owned(),
+        ]
+    });
+    section(
+        out,
+        "Coordinates considered, with the estimated operations of a step",
+        [
+            ("choice", Left),
+            ("velocities", Right),
+            ("rows", Right),
+            ("rank", Right),
+            ("operations", Right),
+            ("", Left),
+        ],
+        rows,
+    );
+}
+
 /// The equations of motion in LaTeX.
 fn latex(model: &Model) -> Result<String, String> {
     mbs_macros_core::explain::latex(model.declaration)
@@ -50,6 +82,7 @@ fn explain(out: &mut String, scene: &Scene) -> fmt::Result {
             writeln!(out, "{line}")?;
         }
     }
+    candidates(out, model);
     section(
         out,
         "Parts",

@@ -77,6 +77,71 @@ mechanism!(Bricard {
     corner5: Output(rod4.b),
 });
 
+mechanism!(BricardReference {
+    doc: "Bricard's mechanism with all of its rows: 30 velocities and 30 rows, one of which follows from the others.",
+    world: Spatial(
+        gravity = [0.0, -9.81_m_per_s2, 0.0],
+        coordinates = Reference
+    ),
+
+    /// Length of each rod.
+    side: Param(1.0_m),
+    /// Mass of each rod.
+    mass: Param(1.0_kg),
+    /// Width of the square section.
+    width: Param(0.1_m),
+
+    p1: Point([0.0_m, 0.0, 0.0]),
+    p2: Point([side, 0.0, 0.0]),
+    p3: Point([side, -side, 0.0]),
+    p4: Point([side, -side, side]),
+    p5: Point([0.0, -side, side]),
+    p6: Point([0.0, 0.0, side]),
+
+    rod1: Bar(
+        mass = mass,
+        from = p1,
+        to = p2,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod2: Bar(
+        mass = mass,
+        from = p2,
+        to = p3,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod3: Bar(
+        mass = mass,
+        from = p3,
+        to = p4,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod4: Bar(
+        mass = mass,
+        from = p4,
+        to = p5,
+        inertia = Cuboid(side, width, width)
+    ),
+    rod5: Bar(
+        mass = mass,
+        from = p5,
+        to = p6,
+        inertia = Cuboid(side, width, width)
+    ),
+
+    j1: Revolute(ground, rod1, at = p1, axis = Y),
+    j2: Revolute(rod1, rod2, at = p2, axis = Z),
+    j3: Revolute(rod2, rod3, at = p3, axis = X),
+    j4: Revolute(rod3, rod4, at = p4, axis = Y),
+    j5: Revolute(rod4, rod5, at = p5, axis = Z),
+    j6: Revolute(rod5, ground, at = p6, axis = X),
+
+    corner2: Output(rod1.b),
+    corner3: Output(rod2.b),
+    corner4: Output(rod3.b),
+    corner5: Output(rod4.b),
+});
+
 const COLUMNS: &[(&str, &str)] = &[
     ("corner3.x", "p3x_m"),
     ("corner3.y", "p3y_m"),
@@ -119,5 +184,14 @@ pub const SLENDER_RODS: Scene = Scene {
             ..Bricard::default()
         }
     ),
+    ..SCENE
+};
+
+/// The scene with six coordinates for each rod, and all rows.
+pub const REFERENCE: Scene = Scene {
+    name: "bricard-reference",
+    title: "Bricard's mechanism, every joint as rows",
+    model: BricardReference::MODEL,
+    build: crate::build_scene!(BricardReference),
     ..SCENE
 };

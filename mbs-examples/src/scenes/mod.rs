@@ -41,6 +41,7 @@ const SCENES: &[Scene] = &[
     heavy_top::SCENE,
     bricard::SCENE,
     bricard::SLENDER_RODS,
+    bricard::REFERENCE,
     flyball_governor::SCENE,
     cardan_shaft::SCENE,
     rolling_disk::SCENE,

@@ -65,6 +65,8 @@ const MODEL: Model = Model {
         rotations: 0,
     },
     mobility: None,
+    formulation: "Natural",
+    candidates: &[],
 };
 
 fn frame(time: f64, x: f64, kinetic: f64, error: f64) -> Frame {

@@ -1,12 +1,13 @@
 //! The pipeline, one line per stage.
 
-use crate::derivatives::{self, Derived};
+use crate::choose::{Candidate, choose};
+use crate::derivatives::Derived;
 use crate::diagnostics::{Errors, Failure};
-use crate::mobility::{self, Mobility, Open};
+use crate::mobility::Mobility;
 use crate::model::{self, Model};
-use crate::syntax::{self, Declaration, Entry};
-use crate::{dag, emit, equations};
-use proc_macro2::{Span, TokenStream};
+use crate::syntax::{self, Declaration};
+use crate::{dag, emit};
+use proc_macro2::TokenStream;
 
 /// Compiles a declaration to Rust. Where it is wrong, what could be understood is emitted all the same (so that editors
 /// keep completing), with one `compile_error!` per mistake.
@@ -22,15 +23,8 @@ fn compile_checked(tokens: TokenStream) -> TokenStream {
     let (declaration, outcome) = analyse(tokens);
     match (declaration, outcome) {
         (Some(declaration), Ok(analysis)) => {
-            let graph = analysis.derived.system.graph.clone();
-            let program = dag::lower(analysis.derived);
-            emit::mechanism(
-                &declaration,
-                &analysis.model,
-                analysis.mobility.as_ref(),
-                &graph,
-                &program,
-            )
+            let program = dag::lower(&analysis.derived);
+            emit::mechanism(&declaration, &analysis, &program)
         }
         (Some(declaration), Err(failure)) => {
             let errors = failure.to_compile_errors();
@@ -51,6 +45,8 @@ pub struct Analysis {
     pub derived: Derived,
     /// Rank and redundant rows near the guess, where a pose could be assembled there.
     pub mobility: Option<Mobility>,
+    /// The descriptions that were considered; empty where one was asked for.
+    pub candidates: Vec<Candidate>,
 }
 
 /// Stages 1 to 4.
@@ -65,62 +61,11 @@ pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Fa
     };
 
     let mut errors = Errors::new();
-    let model = model::resolve(&declaration, &mut errors);
+    let requested = model::requested(&declaration, &mut errors);
+    let analysis = choose(&declaration, requested, &mut errors);
     if let Err(failure) = errors.stop_if_any() {
         return (Some(declaration), Err(failure));
     }
-    let Some(mut model) = model else {
-        return (Some(declaration), Err(Failure::unexplained()));
-    };
-
-    let system = equations::derive(&mut model);
-    let derived = derivatives::derive(system);
-    let mut errors = Errors::new();
-    let mobility = mobility::analyse(&model, &derived).unwrap_or_else(|open| {
-        refuse_open(&declaration, &open, &mut errors);
-        None
-    });
-    if let (true, Some(mobility)) = (declaration.deny_redundant, &mobility) {
-        refuse_redundant(&declaration, mobility, &derived, &mut errors);
-    }
-    if let Err(failure) = errors.stop_if_any() {
-        return (Some(declaration), Err(failure));
-    }
-    (
-        Some(declaration),
-        Ok(Analysis {
-            model,
-            derived,
-            mobility,
-        }),
-    )
-}
-
-/// Where the entry of this name is; its part or the mechanism, if it has none.
-fn place_of(declaration: &Declaration, name: &str) -> Span {
-    let entry = declaration.entries.iter().find(|entry| entry.name == name);
-    entry.map_or_else(|| declaration.name.span(), Entry::span)
-}
-
-fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut Errors) {
-    let gaps = open.gaps.join(", ");
-    errors.at(
-        place_of(declaration, &open.entry),
-        format!("this loop cannot close: with the defaults of all parameters, where everything comes closest to fitting, these are still off: {gaps}; check lengths, places and axes"),
-    );
-}
-
-fn refuse_redundant(
-    declaration: &Declaration,
-    mobility: &Mobility,
-    derived: &Derived,
-    errors: &mut Errors,
-) {
-    let redundancies = mobility::redundancies(mobility, &derived.system.rows);
-    for (entry, sentence) in &redundancies {
-        errors.at(
-            place_of(declaration, entry),
-            format!("{sentence}, which `deny: Redundant()` refuses; let this joint hold less"),
-        );
-    }
+    let outcome = analysis.ok_or_else(Failure::unexplained);
+    (Some(declaration), outcome)
 }

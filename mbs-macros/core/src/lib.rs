@@ -7,11 +7,13 @@
 //! User errors occur in stages 1 and 2 only; they are collected within a stage and stop the compiler between stages.
 //! Stages 3 to 5 see no tokens, and nothing outside stage 6 writes Rust.
 
+pub mod choose;
 pub mod compile;
 pub mod diagnostics;
 pub mod explain;
 pub mod mobility;
 pub mod reference;
+mod refusals;
 pub mod schema;
 pub mod symbolic;
 

@@ -106,6 +106,7 @@ fn takes(expects: Expects) -> String {
         Expects::Attachment => "a part with `at =`, a point, or a frame".to_owned(),
         Expects::Joint => "a joint".to_owned(),
         Expects::Orientation => "`turn(axis, angle)`, or a list of them".to_owned(),
+        Expects::Formulation => "`Auto`, `Natural`, `Reference` or `Joint`".to_owned(),
         Expects::Shape => "`Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`".to_owned(),
         Expects::Inertia => {
             "moment of inertia (kg m²), `diag(a, b, c)`, three rows, `Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`".to_owned()

@@ -209,6 +209,8 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q
         operations: &[],
         structure: T::STRUCTURE,
         mobility: None,
+        formulation: "Natural",
+        candidates: &[],
     };
     const STRUCTURE: Structure = T::STRUCTURE;
     const ROTATIONS: &'static [usize] = T::ROTATIONS;

@@ -8,11 +8,11 @@ use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Lowers everything that a mechanism computes.
-pub fn lower(derived: Derived) -> Program {
-    let Derived { system, .. } = &derived;
+pub fn lower(derived: &Derived) -> Program {
+    let Derived { system, .. } = derived;
     let mut graph = system.graph.clone();
     let mut hoisted = Hoisted::new(system.layout.clone());
-    let structure = structure(&derived);
+    let structure = structure(derived);
     let mut functions = Vec::new();
     {
         let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
@@ -90,7 +90,7 @@ pub fn lower(derived: Derived) -> Program {
             .collect();
         make("reactions", &mut |f| vector(f, "reactions", &reactions));
     }
-    functions.extend(kernels(&mut graph, &mut hoisted, &derived));
+    functions.extend(kernels(&mut graph, &mut hoisted, derived));
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
@@ -105,7 +105,7 @@ pub fn lower(derived: Derived) -> Program {
     let rotations = layout
         .rotations
         .iter()
-        .map(|rotation| turning(&mut graph, &mut hoisted, rotation))
+        .map(|rotation| turning(&mut graph, &mut hoisted, derived, rotation))
         .collect();
     let (constants, preparation) = constants(&mut graph, &mut hoisted);
     Program {
@@ -182,11 +182,26 @@ fn constant_mass(
         .collect()
 }
 
-/// A rotation, with its inertia in constants.
-fn turning(graph: &mut Graph, hoisted: &mut Hoisted, rotation: &Rotation) -> Turning {
+/// A rotation, with the inertia of its free flight in constants: the block of M, where M is constant. (A body on a ball
+/// joint turns about the joint; where M varies, no flight is free, and the part's own inertia stands in.)
+fn turning(
+    graph: &mut Graph,
+    hoisted: &mut Hoisted,
+    derived: &Derived,
+    rotation: &Rotation,
+) -> Turning {
+    let zero = graph.zero();
+    let entry = |i: usize, j: usize| {
+        let (row, column) = (rotation.velocity + i.min(j), rotation.velocity + i.max(j));
+        match derived.constant_mass {
+            true => derived.system.mass.get(&(row, column)).copied(),
+            false => Some(rotation.inertia[i][j]),
+        }
+    };
     let mut lowering = Lowering::new(graph, hoisted);
-    for (i, &entry) in rotation.inertia.as_flattened().iter().enumerate() {
-        lowering.output("inertia", Place::Element(i), entry);
+    for i in 0..9 {
+        let value = entry(i / 3, i % 3).unwrap_or(zero);
+        lowering.output("inertia", Place::Element(i), value);
     }
     let values = lowering.finish("inertia").outputs;
     Turning {

@@ -17,7 +17,7 @@ mod constraints;
 mod inverse_mass;
 mod tangents;
 
-use crate::equations::System;
+use crate::equations::{System, inertia};
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
@@ -68,12 +68,27 @@ pub fn derive(mut system: System) -> Derived {
     let graph = &mut system.graph;
     let size = system.size;
     let is_state = Symbol::is_configuration;
-    let constant_mass = !system
-        .mass
-        .values()
-        .any(|&entry| graph.depends_on(entry, is_state));
-    let momentum = affinities::momentum(graph, size, &system.mass);
-    let kinetic = affinities::kinetic(graph, &momentum);
+    let turns = |i: usize| {
+        let rotations = system.layout.rotations.iter();
+        let mut firsts = rotations.map(|rotation| rotation.velocity);
+        firsts.find(|&first| (first..first + 3).contains(&i))
+    };
+    // A rotation whose momentum depends on other velocities, too, has no free flight of its own: for the integrator its M
+    // is like one that varies.
+    let coupled = system.mass.keys().any(|&(i, j)| turns(i) != turns(j));
+    let constant_mass = !coupled
+        && !system
+            .mass
+            .values()
+            .any(|&entry| graph.depends_on(entry, is_state));
+    let (momentum, kinetic) = match system.kinetic {
+        Some(kinetic) => (inertia::momentum_of(graph, size, kinetic), kinetic),
+        None => {
+            let momentum = affinities::momentum(graph, size, &system.mass);
+            let kinetic = affinities::kinetic(graph, &momentum);
+            (momentum, kinetic)
+        }
+    };
     let mut affinities = affinities::christoffel(graph, size, &system.mass);
     affinities::gyroscopic(
         graph,
@@ -81,9 +96,21 @@ pub fn derive(mut system: System) -> Derived {
         &system.mass,
         &mut affinities,
     );
-    let mut inertial: Vec<Expr> = (0..size as u32)
-        .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
-        .collect();
+    let mut inertial: Vec<Expr> = vec![graph.zero(); size];
+    match system.kinetic {
+        Some(_) => {
+            for (symbol, slope) in graph.gradient(kinetic) {
+                if let Symbol::Coordinate(j) = symbol {
+                    inertial[j as usize] = slope;
+                }
+            }
+        }
+        None => {
+            for (j, slope) in inertial.iter_mut().enumerate() {
+                *slope = graph.derivative(kinetic, Symbol::Coordinate(j as u32));
+            }
+        }
+    }
     affinities::turning_momentum(graph, &system.layout.rotations, &momentum, &mut inertial);
     let total_forces: Vec<Expr> = system
         .forces

@@ -1,15 +1,18 @@
 //! The constant `MODEL`.
 
 use super::body::number;
+use crate::choose::Candidate;
+use crate::compile::Analysis;
 use crate::dag::Program;
 use crate::equations::RowKind;
 use crate::mobility::{self, Mobility};
-use crate::model::{Model, Quantity, Representation, Stored};
+use crate::model::{Quantity, Representation, Stored};
 use crate::schema::World;
 use std::fmt::Write;
 
 /// The initialiser of `MODEL`, as text.
-pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program) -> String {
+pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
+    let (model, mobility) = (&analysis.model, analysis.mobility.as_ref());
     let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
     let stored = |items: &[Stored]| {
         let texts = items.iter().map(|item| {
@@ -145,6 +148,10 @@ pub(super) fn emit(model: &Model, mobility: Option<&Mobility>, program: &Program
     field("operations", list(operations));
     field("structure", structure(program));
     field("mobility", mobility_text(mobility, program));
+    let candidates = analysis.candidates.iter();
+    let chosen = model.formulation;
+    field("formulation", format!("{:?}", chosen.name()));
+    field("candidates", list(candidates.map(candidate_text).collect()));
     out.push('}');
     out
 }
@@ -191,6 +198,25 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         mobility.undetermined,
         mobility::summary(mobility, &program.rows, program.size)
     )
+}
+
+fn candidate_text(candidate: &Candidate) -> String {
+    format!(
+        "::mbs_runtime::Candidate {{ formulation: {:?}, coordinates: {}, velocities: {}, rows: {}, rank: {}, operations: {} }}",
+        candidate.formulation.name(),
+        candidate.coordinates,
+        candidate.velocities,
+        candidate.rows,
+        option_text(candidate.rank),
+        option_text(candidate.operations)
+    )
+}
+
+fn option_text(number: Option<usize>) -> String {
+    match number {
+        Some(number) => format!("::core::option::Option::Some({number})"),
+        None => "::core::option::Option::None".to_owned(),
+    }
 }
 
 fn quantity_text(quantity: &Quantity) -> String {

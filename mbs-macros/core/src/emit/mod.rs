@@ -12,10 +12,8 @@ mod names;
 mod parameters;
 mod system;
 
+use crate::compile::Analysis;
 use crate::dag::Program;
-use crate::mobility::Mobility;
-use crate::model::Model;
-use crate::symbolic::Graph;
 use crate::syntax::Declaration;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -23,16 +21,12 @@ use quote::quote;
 pub use fallback::fallback;
 
 /// All generated items.
-pub fn mechanism(
-    declaration: &Declaration,
-    model: &Model,
-    mobility: Option<&Mobility>,
-    graph: &Graph,
-    program: &Program,
-) -> TokenStream {
+pub fn mechanism(declaration: &Declaration, analysis: &Analysis, program: &Program) -> TokenStream {
+    let (model, mobility) = (&analysis.model, analysis.mobility.as_ref());
+    let graph = &analysis.derived.system.graph;
     let parameters = parameters::emit(declaration, model, mobility, &program.rows);
     let mechanism = parameters::emit_mechanism(declaration, model, graph, program);
-    let metadata = metadata::emit(model, mobility, program);
+    let metadata = metadata::emit(analysis, program);
     let system = system::emit(declaration, model, graph, program, &metadata);
     quote! {
         #parameters

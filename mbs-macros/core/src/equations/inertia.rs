@@ -1,8 +1,8 @@
 //! Mass matrices: of each part in its own coordinates, and of the mechanism.
 
-use crate::model::{Part, Representation, Vector};
+use crate::model::{Model, Part, Representation, Vector};
 use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Entries of the parts' own mass matrices (both triangles), summed over parts.
 pub(super) type LocalMass = BTreeMap<(u32, u32), Expr>;
@@ -154,4 +154,69 @@ pub(super) fn global_mass(
         .into_iter()
         .filter(|&(_, value)| !graph.is_zero(value))
         .collect()
+}
+
+/// T, where a tree carries parts: ½ (m v·v + ω·Jω) of each, and ½ ṡ·M ṡ of the parts beside it.
+pub(super) fn kinetic(
+    graph: &mut Graph,
+    reduction: &mut Substitution,
+    model: &Model,
+    local: &LocalMass,
+) -> Option<Expr> {
+    if model.motions.is_empty() {
+        return None;
+    }
+    let mut terms = Vec::new();
+    let mut carried: BTreeSet<u32> = BTreeSet::new();
+    for motion in &model.motions {
+        let part = &model.parts[motion.part];
+        carried.extend(&part.locals);
+        let square = graph.dot(motion.velocity, motion.velocity);
+        terms.push(graph.mul(part.mass, square));
+        let spin = part.inertia.map(|row| graph.dot(row, motion.omega));
+        terms.push(graph.dot(motion.omega, spin));
+    }
+    for (&(i, k), &mass) in local {
+        if carried.contains(&i) {
+            continue;
+        }
+        let rates = [i, k].map(|local| {
+            let rate = graph.symbol(Symbol::LocalVelocity(local));
+            graph.substitute(rate, reduction)
+        });
+        let mass = graph.substitute(mass, reduction);
+        let rates = graph.mul(rates[0], rates[1]);
+        terms.push(graph.mul(mass, rates));
+    }
+    let sum = graph.sum(terms);
+    Some(graph.scale(0.5, sum))
+}
+
+/// p = ∂T/∂v.
+pub(crate) fn momentum_of(graph: &mut Graph, size: usize, kinetic: Expr) -> Vec<Expr> {
+    let mut momentum = vec![graph.zero(); size];
+    for (symbol, slope) in graph.gradient(kinetic) {
+        if let Symbol::Velocity(i) = symbol {
+            momentum[i as usize] = slope;
+        }
+    }
+    momentum
+}
+
+/// The upper triangle of M = ∂²T/∂v².
+pub(super) fn mass_of(
+    graph: &mut Graph,
+    size: usize,
+    kinetic: Expr,
+) -> BTreeMap<(usize, usize), Expr> {
+    let mut mass = BTreeMap::new();
+    for (i, p) in momentum_of(graph, size, kinetic).into_iter().enumerate() {
+        for j in i..size {
+            let entry = graph.derivative(p, Symbol::Velocity(j as u32));
+            if !graph.is_zero(entry) {
+                mass.insert((i, j), entry);
+            }
+        }
+    }
+    mass
 }

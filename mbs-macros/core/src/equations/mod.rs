@@ -4,7 +4,7 @@
 //! velocities v, time, parameters and inputs. There are no parts, points or tokens any more.
 
 pub mod forces;
-mod inertia;
+pub(crate) mod inertia;
 pub mod joints;
 mod reactions;
 
@@ -21,6 +21,8 @@ pub struct System {
     pub graph: Graph,
     /// Number of velocities N.
     pub size: usize,
+    /// T of joint coordinates, body by body; elsewhere M says it all.
+    pub kinetic: Option<Expr>,
     /// Upper triangle of M, structurally nonzero entries only.
     pub mass: BTreeMap<(usize, usize), Expr>,
     /// Potential energy V.
@@ -130,7 +132,7 @@ pub fn derive(model: &mut Model) -> System {
         potential,
         loads: &loads,
         rows: &rows,
-        dimension: model.world.dimension(),
+        model,
     };
     let reactions = reactions::derive(&mut graph, &mut reduction, &joints, &model.merged, &balance);
 
@@ -166,12 +168,21 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
-    let mass = inertia::global_mass(&mut graph, &mut reduction, &inertia);
-    let forces = applied_forces(&mut graph, size, potential, &loads);
+    let kinetic = inertia::kinetic(&mut graph, &mut reduction, model, &inertia);
+    let mass = match kinetic {
+        Some(kinetic) => inertia::mass_of(&mut graph, size, kinetic),
+        None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
+    };
+    let forces = match kinetic {
+        Some(_) => backward_forces(&mut graph, size, potential, &loads),
+        None => applied_forces(&mut graph, size, potential, &loads),
+    };
     let power = power(&mut graph, &loads);
+    model.reduction = reduction;
     System {
         graph,
         size,
+        kinetic,
         mass,
         potential,
         forces,
@@ -212,6 +223,24 @@ fn applied_forces(graph: &mut Graph, size: usize, potential: Expr, loads: &[Load
             graph.sum(terms)
         })
         .collect()
+}
+
+/// The same by gradients, whose cost does not grow with the number of coordinates.
+fn backward_forces(graph: &mut Graph, size: usize, potential: Expr, loads: &[Load]) -> Vec<Expr> {
+    let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); size];
+    for (symbol, slope) in graph.gradient(potential) {
+        if let Symbol::Coordinate(j) = symbol {
+            terms[j as usize].push(graph.neg(slope));
+        }
+    }
+    for load in loads {
+        for (symbol, lever) in graph.gradient(load.rate) {
+            if let Symbol::Velocity(j) = symbol {
+                terms[j as usize].push(graph.mul(load.force, lever));
+            }
+        }
+    }
+    terms.into_iter().map(|terms| graph.sum(terms)).collect()
 }
 
 fn power(graph: &mut Graph, loads: &[Load]) -> Expr {

@@ -5,10 +5,10 @@
 //! on them, taken in the parts' own coordinates, where the ends are still apart.
 
 use super::forces::Load;
-use super::inertia::LocalMass;
+use super::inertia::{LocalMass, center_of};
 use super::joints::JointEquations;
 use super::{Reaction, Row, row_indices};
-use crate::model::{Dimension, MergedJoint};
+use crate::model::{Dimension, MergedJoint, Model, Part, Representation, TreeJoint, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 
 /// Everything that acts on the parts, in their own coordinates.
@@ -17,8 +17,7 @@ pub(super) struct Balance<'a> {
     pub potential: Expr,
     pub loads: &'a [Load],
     pub rows: &'a [Row],
-    /// Components of a point.
-    pub dimension: usize,
+    pub model: &'a Model,
 }
 
 impl Balance<'_> {
@@ -49,6 +48,71 @@ impl Balance<'_> {
         }
         graph.sum(terms)
     }
+
+    /// Force and torque about a point that a part needs from joints, in the ground's axes.
+    fn wrench(&self, graph: &mut Graph, part: &Part, about: Vector) -> [Vector; 2] {
+        let zero = graph.zero();
+        let mut force = graph.zero_vector();
+        for (k, &local) in part.locals[..self.model.world.dimension()]
+            .iter()
+            .enumerate()
+        {
+            force[k] = self.needed(graph, local);
+        }
+        let torque = match (part.rotation(), part.representation) {
+            (Some(first), _) => {
+                let own = [0, 1, 2].map(|k| self.needed(graph, first + k));
+                // … and ω × J ω, because the axes turn.
+                let omega = [0, 1, 2].map(|k| graph.symbol(Symbol::LocalVelocity(first + k)));
+                let spin = part.inertia.map(|row| graph.dot(row, omega));
+                let turning = graph.cross(omega, spin);
+                let own = graph.vector_add(own, turning);
+                graph.turn(&part.frame.axes, own)
+            }
+            (None, Representation::Reference) => [zero, zero, self.needed(graph, part.locals[2])],
+            _ => [zero; 3],
+        };
+        let offset = graph.turn(&part.frame.axes, part.center);
+        let center = center_of(graph, part, offset);
+        let arm = graph.vector_sub(center, about);
+        let lever = graph.cross(arm, force);
+        [force, graph.vector_add(torque, lever)]
+    }
+}
+
+/// What a joint of the tree transmits: what all parts that it carries need from others.
+fn tree_reactions(
+    graph: &mut Graph,
+    reduction: &mut Substitution,
+    balance: &Balance,
+    joint: &TreeJoint,
+) -> Vec<Reaction> {
+    let model = balance.model;
+    let about = joint.link.child.point.position;
+    let sign = if joint.link.forwards { 1.0 } else { -1.0 };
+    let mut sums = [[graph.zero(); 3]; 2];
+    for part in model.tree.carried_by(joint.child) {
+        let wrench = balance.wrench(graph, &model.parts[part], about);
+        for (sum, part) in sums.iter_mut().zip(wrench) {
+            *sum = graph.vector_add(*sum, part);
+        }
+    }
+    let names = [["fx", "fy", "fz"], ["tx", "ty", "tz"]];
+    let dimensions = [Dimension::FORCE, Dimension::TORQUE];
+    let kinds = if joint.link.free_rotation { 1 } else { 2 };
+    let mut reactions = Vec::new();
+    for kind in 0..kinds {
+        for k in 0..model.world.dimension() {
+            let signed = graph.scale(sign, sums[kind][k]);
+            reactions.push(Reaction {
+                joint: joint.joint.clone(),
+                component: names[kind][k].to_owned(),
+                unit: dimensions[kind].unit(),
+                expr: graph.substitute(signed, reduction),
+            });
+        }
+    }
+    reactions
 }
 
 pub(super) fn derive(
@@ -58,7 +122,7 @@ pub(super) fn derive(
     merged: &[MergedJoint],
     balance: &Balance,
 ) -> Vec<Reaction> {
-    let dimension = balance.dimension;
+    let dimension = balance.model.world.dimension();
     let mut reactions = Vec::new();
     for joint in merged {
         // The child's side, or the parent's side with the opposite sign where the child is held by the ground.
@@ -82,6 +146,9 @@ pub(super) fn derive(
                 expr,
             });
         }
+    }
+    for joint in &balance.model.tree.joints {
+        reactions.extend(tree_reactions(graph, reduction, balance, joint));
     }
     let indices = row_indices(joints);
     for (joint, (name, equations)) in joints.iter().enumerate() {

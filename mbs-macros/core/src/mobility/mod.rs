@@ -57,6 +57,8 @@ pub struct Redundancy {
     pub row: usize,
     /// Entries of the declaration whose rows it follows from.
     pub follows_from: Vec<String>,
+    /// Joints on its loop that have become coordinates and left no rows.
+    pub along: Vec<String>,
 }
 
 /// The mobility of a mechanism; `None` if no pose near the guess could be assembled.
@@ -98,6 +100,11 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
         .map(|(row, coefficients)| Redundancy {
             row: *row,
             follows_from: involved(&system.rows, &rows.independent, coefficients),
+            along: along(
+                model,
+                derived,
+                &combined(*row, &rows.independent, coefficients),
+            ),
         })
         .collect();
     Ok(Some(Mobility {
@@ -113,13 +120,8 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
 fn undetermined(system: &System, rows: &Rows) -> Vec<String> {
     let mut open: BTreeSet<u32> = BTreeSet::new();
     for (row, coefficients) in &rows.dependent {
-        open.insert(*row as u32);
-        let involved = rows.independent.iter().zip(coefficients);
-        open.extend(
-            involved
-                .filter(|(_, coefficient)| coefficient.abs() > INVOLVED)
-                .map(|(row, _)| *row as u32),
-        );
+        let rows = combined(*row, &rows.independent, coefficients);
+        open.extend(rows.into_iter().map(|row| row as u32));
     }
     let mut joints: Vec<String> = Vec::new();
     for reaction in &system.reactions {
@@ -131,6 +133,29 @@ fn undetermined(system: &System, rows: &Rows) -> Vec<String> {
             joints.push(reaction.joint.clone());
         }
     }
+    joints
+}
+
+/// A dependent row and those that count in the combination it is.
+fn combined(row: usize, independent: &[usize], coefficients: &[f64]) -> Vec<usize> {
+    let others = independent.iter().zip(coefficients);
+    let others = others.filter(|(_, coefficient)| coefficient.abs() > INVOLVED);
+    others.map(|(&other, _)| other).chain([row]).collect()
+}
+
+/// The joints on whose coordinates rows depend.
+fn along(model: &Model, derived: &Derived, rows: &[usize]) -> Vec<String> {
+    let mut joints: Vec<String> = Vec::new();
+    let columns = derived.jacobian.keys().filter(|(i, _)| rows.contains(i));
+    for &(_, column) in columns {
+        let name = &derived.system.layout.velocities[column].name;
+        let owner = name.split('.').next().unwrap_or_default();
+        let is_part = model.parts.iter().any(|part| part.name == owner);
+        if !is_part && !joints.iter().any(|joint| joint == owner) {
+            joints.push(owner.to_owned());
+        }
+    }
+    joints.sort();
     joints
 }
 

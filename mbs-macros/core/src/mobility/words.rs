@@ -81,7 +81,22 @@ pub fn redundancies(mobility: &Mobility, rows: &[Row]) -> Vec<(String, String)> 
         // Its other rows may well take part; that goes without saying.
         let own = from.len();
         from.retain(|other| other != entry);
+        let mut along: Vec<&str> = Vec::new();
+        for redundancy in mobility.redundant.iter() {
+            if rows[redundancy.row].entry == *entry {
+                let new = redundancy.along.iter().map(String::as_str);
+                along.extend(new.filter(|joint| *joint != entry.as_str()));
+            }
+        }
+        along.sort_unstable();
+        along.dedup();
         let from = match from.as_slice() {
+            [] if own > 0 && !along.is_empty() => {
+                format!(
+                    "its other rows and the joints that are coordinates, {}",
+                    list(&along)
+                )
+            }
             [] if own > 0 => "its other rows".to_owned(),
             [] => "nothing, as it holds by itself".to_owned(),
             from => list(from),

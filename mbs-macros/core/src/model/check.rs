@@ -173,9 +173,6 @@ pub(super) fn used(resolver: &mut Resolver) {
 /// In space, the frames that a joint holds together are together in the home pose, with the defaults of all parameters.
 /// (Differences within the rounding of a written number are left to assembly.)
 pub(super) fn home_poses(resolver: &mut Resolver, joints: &[JointElement], guesses: &Guesses) {
-    if resolver.world == World::Planar {
-        return;
-    }
     let mut found: Vec<Disagreement> = Vec::new();
     let mut size = 0.0f64;
     for element in joints {

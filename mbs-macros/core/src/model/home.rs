@@ -5,6 +5,7 @@ use super::geometry::{Axes, Owner, Point, Vector};
 use super::parts::{Home, Part, Representation};
 use super::placement::Guesses;
 use super::resolve::Resolver;
+use super::tree::{Tree, TreeJoint};
 use crate::symbolic::{Evaluator, Expr, Function, Graph, Symbol};
 use std::collections::HashMap;
 
@@ -26,6 +27,28 @@ impl Resolver<'_> {
         let home = self.home(point.owner);
         let offset = self.graph.turn(&home.axes, point.local);
         self.graph.vector_add(home.origin, offset)
+    }
+
+    /// Zero, where an expression of parameters is zero but for rounding, whatever their values.
+    fn settled(&mut self, expr: Expr) -> Expr {
+        let vanishes =
+            [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)]
+                .into_iter()
+                .all(|(factor, shift)| {
+                    let symbols = |symbol| match symbol {
+                        Symbol::Parameter(index) => {
+                            factor * self.parameters[index as usize].default + shift
+                        }
+                        _ => f64::NAN,
+                    };
+                    let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+                    let value = Evaluator::new(&self.graph, &symbols, &laws).value(expr);
+                    value.abs() < 1e-12
+                });
+        match vanishes {
+            true => self.graph.zero(),
+            false => expr,
+        }
     }
 
     /// The value with the defaults of all parameters; NaN if it depends on anything else.
@@ -68,11 +91,14 @@ impl Resolver<'_> {
 
 /// The home pose as initial guess. Velocities that were not declared are carried along the joints from the ground
 /// outwards; what stays unknown starts at rest, and assembly has the last word.
-pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guesses {
+pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement], tree: &Tree) -> Guesses {
     let mut guesses = Guesses::default();
     let parts = resolver.parts.clone();
     let speeds = origin_velocities(resolver, &parts, joints);
     let zero = resolver.graph.zero();
+    for joint in &tree.joints {
+        joint_guess(resolver, &parts, &speeds, joint, &mut guesses);
+    }
     for (index, (part, &speed)) in parts.iter().zip(&speeds).enumerate() {
         let Some(home) = part.home else {
             let (value, rate) = (
@@ -117,6 +143,61 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointElement]) -> Guess
         }
     }
     guesses
+}
+
+/// The coordinates and rates of a joint of the tree in the home pose.
+fn joint_guess(
+    resolver: &mut Resolver,
+    parts: &[Part],
+    speeds: &[Vector],
+    joint: &TreeJoint,
+    guesses: &mut Guesses,
+) {
+    let zero = resolver.graph.zero_vector();
+    // Frame, velocity of its origin, and angular velocity, in the ground's axes.
+    let mut sides = [&joint.link.parent, &joint.link.child].map(|side| {
+        let owner = side.point.owner;
+        let home = resolver.home(owner);
+        let (speed, spin) = match owner {
+            Owner::Ground => (zero, zero),
+            Owner::Part(part) => (speeds[part], parts[part].guess.spin.unwrap_or(zero)),
+        };
+        let graph = &mut resolver.graph;
+        let arm = graph.turn(&home.axes, side.point.local);
+        let swing = graph.cross(spin, arm);
+        (
+            graph.vector_add(home.origin, arm),
+            graph.compose(&home.axes, &side.local),
+            graph.vector_add(speed, swing),
+            spin,
+        )
+    });
+    let child = sides[1];
+    let parent = &mut sides[0];
+    if let Some(local) = joint.angle {
+        let graph = &mut resolver.graph;
+        let (sin, cos) = (
+            graph.dot(parent.1[1], child.1[0]),
+            graph.dot(parent.1[0], child.1[0]),
+        );
+        let angle = graph.atan2(sin, cos);
+        let relative = graph.vector_sub(child.3, parent.3);
+        let rate = graph.dot(parent.1[2], relative);
+        let angle = resolver.settled(angle);
+        guesses.set(local, angle, rate);
+    }
+    for (&axis, &local) in joint.link.slides.iter().zip(&joint.strokes) {
+        let graph = &mut resolver.graph;
+        let gap = graph.vector_sub(child.0, parent.0);
+        let stroke = graph.dot(parent.1[axis], gap);
+        // The axis turns with the parent.
+        let swing = graph.cross(parent.3, gap);
+        let relative = graph.vector_sub(child.2, parent.2);
+        let relative = graph.vector_sub(relative, swing);
+        let speed = graph.dot(parent.1[axis], relative);
+        let stroke = resolver.settled(stroke);
+        guesses.set(local, stroke, speed);
+    }
 }
 
 /// The velocity of an end of a slender bar, which has no declared one: that of a part joined there that has.

@@ -2,6 +2,7 @@
 
 use super::geometry::{Attachment, Axes, Owner, Point, Vector};
 use super::resolve::Resolver;
+use super::tree::Link;
 use super::value::Value;
 use super::{Arguments, Dimension};
 use crate::diagnostics::Place;
@@ -35,6 +36,18 @@ pub struct Winding {
 }
 
 impl JointFrames {
+    /// What the joint leaves free: see [`Link`].
+    pub fn link(&self, turns: bool, slides: &[usize], free_rotation: bool) -> Link {
+        Link {
+            parent: self.parent.clone(),
+            child: self.child.clone(),
+            turns,
+            slides: slides.to_vec(),
+            free_rotation,
+            forwards: true,
+        }
+    }
+
     /// Whether the joint has an angle about its axis.
     pub fn turns(&self) -> bool {
         matches!(

@@ -10,15 +10,18 @@ mod dimension;
 mod drawing;
 mod elements;
 mod expression;
+mod formulation;
 mod frames;
 mod geometry;
 mod home;
 mod joint_frames;
+mod kinematics;
 mod layout;
 mod parts;
 mod placement;
 mod reduce;
 mod resolve;
+mod tree;
 mod turning;
 mod value;
 
@@ -29,12 +32,14 @@ use crate::symbolic::{Expr, Graph, Substitution};
 pub use arguments::Arguments;
 pub use dimension::{Dimension, UNITS, unit};
 pub use drawing::Drawing;
+pub use formulation::{Formulation, requested};
 pub use geometry::{Attachment, Axes, Frame, Owner, Point, Vector};
 pub use joint_frames::{JointFrames, Winding};
 pub use layout::{Layout, Rotation, Stored};
 pub use parts::{Part, Representation, Shape, Tensor};
 pub use reduce::MergedJoint;
 pub use resolve::resolve;
+pub use tree::{Link, Motion, Tree, TreeJoint};
 
 /// A mechanism with all names resolved.
 #[derive(Debug)]
@@ -75,6 +80,12 @@ pub struct Model {
     pub reduction: Substitution,
     /// Joints that the reduction dissolved.
     pub merged: Vec<MergedJoint>,
+    /// Joints that became coordinates.
+    pub tree: Tree,
+    /// Velocities of the parts that the tree carries.
+    pub motions: Vec<Motion>,
+    /// The choice of coordinates.
+    pub formulation: Formulation,
     /// What the reduction did, in sentences.
     pub reductions: Vec<String>,
     /// What an animation draws.

@@ -2,7 +2,9 @@
 
 use super::elements::JointElement;
 use super::geometry::{Owner, Point, Vector};
+use super::kinematics::Walk;
 use super::resolve::Resolver;
+use super::tree::{Motion, Tree};
 use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
 use std::collections::BTreeMap;
 
@@ -23,6 +25,10 @@ pub(super) struct Reduction {
     pub substitution: Substitution,
     pub merged: Vec<MergedJoint>,
     pub sentences: Vec<String>,
+    /// Velocities of the parts that the tree carries.
+    pub motions: Vec<Motion>,
+    /// Joints of the tree: they left no rows.
+    solved: Vec<String>,
     /// Local coordinates that stay, in order: (local, name).
     kept: Vec<(u32, String)>,
 }
@@ -36,7 +42,11 @@ struct Cluster {
 }
 
 /// Merges what revolutes between free points join.
-pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option<Reduction> {
+pub(super) fn reduce(
+    resolver: &mut Resolver,
+    joints: &[JointElement],
+    tree: &Tree,
+) -> Option<Reduction> {
     let mut clusters = Clusters::default();
     for (index, element) in joints.iter().enumerate() {
         let Some((parent, child)) = element.joint.merges() else {
@@ -63,6 +73,12 @@ pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option
         substitution: Substitution::default(),
         merged: Vec::new(),
         sentences: Vec::new(),
+        motions: Vec::new(),
+        solved: tree
+            .joints
+            .iter()
+            .map(|joint| joint.joint.clone())
+            .collect(),
         kept: Vec::new(),
     };
     let mut leaders: BTreeMap<u32, u32> = BTreeMap::new();
@@ -83,12 +99,12 @@ pub(super) fn reduce(resolver: &mut Resolver, joints: &[JointElement]) -> Option
             reduction.merged.push(sides(cluster, joint, joints));
         }
     }
-    substitute(resolver, &leaders, &fixed, &mut reduction);
+    substitute(resolver, &leaders, &fixed, tree, &mut reduction);
     Some(reduction)
 }
 
 /// A point that is a pair of coordinates, or a place of the ground.
-fn mergeable(point: &Point) -> bool {
+pub(super) fn mergeable(point: &Point) -> bool {
     point.free.is_some() || point.owner == Owner::Ground
 }
 
@@ -236,14 +252,19 @@ fn substitute(
     resolver: &mut Resolver,
     leaders: &BTreeMap<u32, u32>,
     fixed: &BTreeMap<u32, Vector>,
+    tree: &Tree,
     reduction: &mut Reduction,
 ) {
     let graph = &mut resolver.graph;
     let zero = graph.zero();
     let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
-    for part in &resolver.parts {
+    for (part_index, part) in resolver.parts.iter().enumerate() {
         let rotation = part.rotation();
+        let dropped = tree.dropped(part_index, part);
         for (slot, &local) in part.locals.iter().enumerate() {
+            if dropped.contains(&local) {
+                continue;
+            }
             let component = match part.representation.is_points() {
                 true => slot % resolver.world.dimension(),
                 false => 0,
@@ -261,17 +282,10 @@ fn substitute(
             let leader = leaders
                 .get(&first)
                 .map_or(local, |leader| leader + component as u32);
-            let index = *index_of.entry(leader).or_insert_with(|| {
-                let index = reduction.kept.len() as u32;
-                reduction
-                    .kept
-                    .push((leader, resolver.locals[leader as usize].name.clone()));
-                index
-            });
-            let name = resolver.locals[leader as usize].name.clone();
-            graph.set_name(Symbol::Coordinate(index), name.clone());
-            graph.set_name(Symbol::Velocity(index), format!("{name}'"));
-            graph.set_name(Symbol::Acceleration(index), format!("{name}''"));
+            let name = &resolver.locals[leader as usize].name;
+            let index = *index_of
+                .entry(leader)
+                .or_insert_with(|| keep(graph, leader, name, &mut reduction.kept));
             if rotation == Some(local) {
                 rotate(graph, local, index, &mut reduction.substitution);
             }
@@ -284,6 +298,39 @@ fn substitute(
             set(&mut reduction.substitution, values);
         }
     }
+    for local in tree.locals() {
+        let name = &resolver.locals[local as usize].name;
+        let index = keep(graph, local, name, &mut reduction.kept);
+        let pairs = [
+            (Symbol::LocalPosition(local), Symbol::Coordinate(index)),
+            (Symbol::LocalVelocity(local), Symbol::Velocity(index)),
+            (
+                Symbol::LocalAcceleration(local),
+                Symbol::Acceleration(index),
+            ),
+        ];
+        for (from, to) in pairs {
+            let value = graph.symbol(to);
+            reduction.substitution.insert(from, value);
+        }
+    }
+    reduction.motions = Walk {
+        graph,
+        world: resolver.world,
+        parts: &resolver.parts,
+        substitution: &mut reduction.substitution,
+    }
+    .run(tree);
+}
+
+/// A local that stays becomes the next generalized coordinate.
+fn keep(graph: &mut Graph, local: u32, name: &str, kept: &mut Vec<(u32, String)>) -> u32 {
+    let index = kept.len() as u32;
+    kept.push((local, name.to_owned()));
+    graph.set_name(Symbol::Coordinate(index), name);
+    graph.set_name(Symbol::Velocity(index), format!("{name}'"));
+    graph.set_name(Symbol::Acceleration(index), format!("{name}''"));
+    index
 }
 
 /// The entries of a part's rotation matrix become those of a generalized rotation.
@@ -301,6 +348,7 @@ impl Reduction {
     /// Whether a joint left no row.
     pub(super) fn dissolved(&self, joint: &str) -> bool {
         self.merged.iter().any(|merged| merged.joint == joint)
+            || self.solved.iter().any(|solved| solved == joint)
     }
 
     /// The generalized coordinate that a local one has become; `None` if it is held.

@@ -6,7 +6,8 @@ use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
 use super::{
-    Arguments, Dimension, Law, Local, Model, Quantity, check, home, layout, placement, reduce,
+    Arguments, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home, layout,
+    placement, reduce,
 };
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Group, World};
@@ -19,8 +20,12 @@ use std::collections::{HashMap, HashSet};
 ///
 /// # Errors
 /// Everything that is wrong with it is recorded in `errors`; the model is then incomplete and must not be used.
-pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> {
-    let mut resolver = Resolver::new(declaration, errors);
+pub fn resolve(
+    declaration: &Declaration,
+    formulation: Formulation,
+    errors: &mut Errors,
+) -> Option<Model> {
+    let mut resolver = Resolver::new(declaration, formulation, errors);
     resolver.declare();
     let gravity = resolver.gravity();
     for index in 0..declaration.entries.len() {
@@ -33,14 +38,24 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
     }
     check::connected(&mut resolver, &joints, &forces);
     check::used(&mut resolver);
-    let mut reduction = reduce::reduce(&mut resolver, &joints)?;
+    if resolver.world == World::Spatial {
+        let home = home::guesses(&mut resolver, &joints, &Tree::default());
+        check::home_poses(&mut resolver, &joints, &home);
+    }
+    let tree = match formulation {
+        Formulation::Joint => Tree::grow(&mut resolver, &joints),
+        _ => Tree::default(),
+    };
+    let mut reduction = reduce::reduce(&mut resolver, &joints, &tree)?;
     check::movable(&mut resolver, &joints, &mut reduction);
-    check::massive(&mut resolver, &reduction);
+    // A joint coordinate moves all that comes after it.
+    if tree.joints.is_empty() {
+        check::massive(&mut resolver, &reduction);
+    }
     let guesses = match resolver.world {
         World::Planar => placement::place(&mut resolver, &joints),
-        World::Spatial => home::guesses(&mut resolver, &joints),
+        World::Spatial => home::guesses(&mut resolver, &joints, &tree),
     };
-    check::home_poses(&mut resolver, &joints, &guesses);
     let layout = layout::layout(&mut resolver, &reduction, &guesses);
     let drawing = resolver.drawing(&joints, &forces);
     let up = resolver.up(gravity);
@@ -81,6 +96,9 @@ pub fn resolve(declaration: &Declaration, errors: &mut Errors) -> Option<Model> 
         layout,
         reduction: reduction.substitution,
         merged: reduction.merged,
+        tree,
+        motions: reduction.motions,
+        formulation,
         reductions: reduction.sentences,
         drawing,
         laws,
@@ -98,6 +116,7 @@ pub struct Resolver<'d> {
     pub(super) declaration: &'d Declaration,
     pub(super) errors: &'d mut Errors,
     pub(super) world: World,
+    pub(super) formulation: Formulation,
     pub(super) graph: Graph,
     pub(super) parameters: Vec<Quantity>,
     pub(super) inputs: Vec<Quantity>,
@@ -120,11 +139,12 @@ pub struct Resolver<'d> {
 }
 
 impl<'d> Resolver<'d> {
-    fn new(declaration: &'d Declaration, errors: &'d mut Errors) -> Self {
+    fn new(declaration: &'d Declaration, formulation: Formulation, errors: &'d mut Errors) -> Self {
         Resolver {
             declaration,
             errors,
             world: declaration.world_kind(),
+            formulation,
             graph: Graph::default(),
             parameters: Vec::new(),
             inputs: Vec::new(),

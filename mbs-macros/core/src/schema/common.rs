@@ -2,7 +2,8 @@
 
 use super::Absent::{Assumed, Required};
 use super::Expects::{
-    Anything, Flag, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector, Part, Point, Unit,
+    Anything, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector, Part,
+    Point, Unit,
 };
 use super::{Field, Group, Kind, field, positional};
 use crate::model::Dimension;
@@ -14,6 +15,12 @@ pub(super) const CHILD: Field = positional(
     Point,
     Required,
     "point of the second partner; reactions are the forces on it",
+);
+pub(super) const COORDINATES: Field = field(
+    "coordinates",
+    Formulation,
+    Assumed("Auto"),
+    "which coordinates describe the mechanism",
 );
 pub(super) const FREE: Field = field(
     "free",

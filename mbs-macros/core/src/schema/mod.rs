@@ -126,6 +126,8 @@ pub enum Expects {
     Joint,
     /// `turn(axis, angle)`, or a list of them, each in the axes that the one before has turned.
     Orientation,
+    /// `Auto`, `Natural`, `Reference` or `Joint`.
+    Formulation,
     /// `Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`.
     Shape,
     /// A moment of inertia, `diag(…)`, three rows, or a shape.

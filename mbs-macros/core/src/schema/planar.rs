@@ -2,7 +2,7 @@
 
 use super::Absent::{Assumed, Required};
 use super::Expects::{Axis, Frame, Known, KnownVector, Law, Moving, MovingVector, Part, Point};
-use super::common::{CHILD, FREE, PARENT};
+use super::common::{CHILD, COORDINATES, FREE, PARENT};
 use super::{Field, Group, Kind, field, positional};
 use crate::model::Dimension;
 
@@ -41,12 +41,15 @@ const FRAME: Field = field(
 pub(super) const WORLD: Kind = Kind {
     name: "Planar",
     group: Group::Value,
-    fields: &[field(
-        "gravity",
-        KnownVector(Dimension::ACCELERATION),
-        Assumed("[0, 0]"),
-        "acceleration of gravity",
-    )],
+    fields: &[
+        field(
+            "gravity",
+            KnownVector(Dimension::ACCELERATION),
+            Assumed("[0, 0]"),
+            "acceleration of gravity",
+        ),
+        COORDINATES,
+    ],
     doc: "Motion in the x–y plane; angles count counter-clockwise from ground.x.",
 };
 

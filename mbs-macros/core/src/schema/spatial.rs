@@ -5,7 +5,7 @@ use super::Expects::{
     Attachment, Axis, Gains, Inertia, Joint, Known, KnownVector, Law, MovingVector, Orientation,
     Part, Point, Shape,
 };
-use super::common::FREE;
+use super::common::{COORDINATES, FREE};
 use super::{Field, Group, Kind, field, positional};
 use crate::model::Dimension;
 
@@ -63,12 +63,15 @@ const DAMPING: Field = field(
 pub(super) const WORLD: Kind = Kind {
     name: "Spatial",
     group: Group::Value,
-    fields: &[field(
-        "gravity",
-        KnownVector(Dimension::ACCELERATION),
-        Assumed("[0, 0, 0]"),
-        "acceleration of gravity",
-    )],
+    fields: &[
+        field(
+            "gravity",
+            KnownVector(Dimension::ACCELERATION),
+            Assumed("[0, 0, 0]"),
+            "acceleration of gravity",
+        ),
+        COORDINATES,
+    ],
     doc: "Motion in space. The pose in which parts are declared, by `at`, `orientation`, `from` and `to`, is the home pose: there joints are given by `at` and `axis`, and there the motion starts.",
 };
 

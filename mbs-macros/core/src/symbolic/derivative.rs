@@ -117,7 +117,13 @@ impl Graph {
     }
 
     /// The derivative of `value` = function(x), where that of x is `inner`.
-    fn chain_rule(&mut self, function: Function, value: Expr, x: Expr, inner: Expr) -> Expr {
+    pub(super) fn chain_rule(
+        &mut self,
+        function: Function,
+        value: Expr,
+        x: Expr,
+        inner: Expr,
+    ) -> Expr {
         let one = self.one();
         let outer = match function {
             Function::Sin => self.function(Function::Cos, x),

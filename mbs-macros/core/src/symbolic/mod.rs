@@ -7,6 +7,7 @@
 mod build;
 mod derivative;
 mod evaluate;
+mod gradient;
 mod latex;
 mod map;
 mod number;

@@ -11,7 +11,7 @@ mod nonholonomic;
 mod planar;
 mod spatial;
 
-use crate::model::{Arguments, Dimension, Owner, Point};
+use crate::model::{Arguments, Dimension, Link, Owner, Point};
 use crate::schema::World;
 use crate::symbolic::{Expr, Graph};
 use std::fmt::Debug;
@@ -35,6 +35,11 @@ pub trait Joint: Debug {
 
     /// Two points that coincide (guesses are carried along such pairs).
     fn coincident(&self) -> Option<(&Point, &Point)> {
+        None
+    }
+
+    /// What it leaves free between its partners, if joint coordinates can take its place.
+    fn link(&self) -> Option<Link> {
         None
     }
 

@@ -1,10 +1,10 @@
 //! Bars and bodies of the plane.
 
 use super::{Guess, Part, Representation, Tensor};
-use crate::model::Arguments;
 use crate::model::geometry::{Frame, Vector};
 use crate::model::resolve::Resolver;
 use crate::model::value::Value;
+use crate::model::{Arguments, Formulation};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 
@@ -60,7 +60,7 @@ impl Resolver<'_> {
                 Vec::new(),
                 self.prescribed(&name, origin, angle),
             ),
-            None if needs_angle => {
+            None if needs_angle || self.formulation != Formulation::Natural => {
                 let (locals, frame) = self.reference(&name, center);
                 (Representation::Reference, locals, frame)
             }

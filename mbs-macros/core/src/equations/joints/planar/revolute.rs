@@ -1,7 +1,7 @@
 //! Two points coincide.
 
 use super::{Joint, JointEquations, coincidence};
-use crate::model::{Arguments, Point};
+use crate::model::{Arguments, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -26,6 +26,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
 impl Joint for Revolute {
     fn equations(&self, graph: &mut Graph) -> JointEquations {
         coincidence(graph, &self.parent, &self.child)
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(Link::of_points(&self.parent, &self.child))
     }
 
     fn points(&self) -> Vec<&Point> {

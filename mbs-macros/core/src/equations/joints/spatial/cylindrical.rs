@@ -1,7 +1,7 @@
 //! The child slides along the axis and turns about it.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, JointFrames, Point};
+use crate::model::{Arguments, JointFrames, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -22,6 +22,10 @@ impl Joint for Cylindrical {
             .on_plane(1)
             .parallel()
             .finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.frames.link(true, &[2], false))
     }
 
     fn points(&self) -> Vec<&Point> {

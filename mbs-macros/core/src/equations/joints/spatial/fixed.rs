@@ -1,7 +1,7 @@
 //! The child neither moves nor turns against the parent.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, JointFrames, Point};
+use crate::model::{Arguments, JointFrames, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -22,6 +22,10 @@ impl Joint for Fixed {
             .parallel()
             .square(0, 1)
             .finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.frames.link(false, &[], false))
     }
 
     fn points(&self) -> Vec<&Point> {

@@ -1,7 +1,7 @@
 //! The child slides in the plane across the axis and turns about the axis.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, JointFrames, Point};
+use crate::model::{Arguments, JointFrames, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -21,6 +21,10 @@ impl Joint for Planar {
             .on_plane(2)
             .parallel()
             .finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.frames.link(true, &[0, 1], false))
     }
 
     fn points(&self) -> Vec<&Point> {

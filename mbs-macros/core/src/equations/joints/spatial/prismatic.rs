@@ -1,7 +1,7 @@
 //! The child slides along the axis and does not turn.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, JointFrames, Point};
+use crate::model::{Arguments, JointFrames, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -23,6 +23,10 @@ impl Joint for Prismatic {
             .parallel()
             .square(0, 1)
             .finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.frames.link(false, &[2], false))
     }
 
     fn points(&self) -> Vec<&Point> {

@@ -1,7 +1,7 @@
 //! Two points coincide, and the partners turn about one axis.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, JointFrames, Point};
+use crate::model::{Arguments, JointFrames, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -21,6 +21,10 @@ impl Joint for Revolute {
             .coincide()
             .parallel()
             .finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.frames.link(true, &[], false))
     }
 
     fn points(&self) -> Vec<&Point> {

@@ -1,7 +1,7 @@
 //! Two points coincide.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, JointFrames, Point};
+use crate::model::{Arguments, JointFrames, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -24,6 +24,10 @@ impl Joint for Spherical {
     /// d = 0.
     fn equations(&self, graph: &mut Graph) -> JointEquations {
         Builder::new(graph, &self.frames).coincide().finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.frames.link(false, &[], true))
     }
 
     fn points(&self) -> Vec<&Point> {

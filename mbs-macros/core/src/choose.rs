@@ -1,0 +1,195 @@
+//! The choice of coordinates: each description that applies is derived and its step counted, and the cheapest is taken.
+
+use crate::compile::Analysis;
+use crate::dag::{self, Program};
+use crate::derivatives;
+use crate::diagnostics::Errors;
+use crate::equations;
+use crate::mobility::{self, Open};
+use crate::model::{self, Formulation, Model};
+use crate::refusals;
+use crate::syntax::Declaration;
+
+/// A description that was considered.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Candidate {
+    /// Which.
+    pub formulation: Formulation,
+    /// Q.
+    pub coordinates: usize,
+    /// N.
+    pub velocities: usize,
+    /// R.
+    pub rows: usize,
+    /// Rank of the rows near the guess, where a pose could be assembled there.
+    pub rank: Option<usize>,
+    /// Operations of a step; `None` where the linear algebra alone costs more than a whole step of another.
+    pub operations: Option<usize>,
+}
+
+/// Derives what is asked for, or the cheapest.
+pub(crate) fn choose(
+    declaration: &Declaration,
+    requested: Option<Formulation>,
+    errors: &mut Errors,
+) -> Option<Analysis> {
+    let first = requested.unwrap_or(Formulation::Natural);
+    let model = model::resolve(declaration, first, errors);
+    if !errors.is_empty() {
+        return None;
+    }
+    let mut best = match derive(model?) {
+        Ok(best) => best,
+        Err(open) => {
+            refusals::refuse_open(declaration, &open, errors);
+            return None;
+        }
+    };
+    if let (true, Some(mobility)) = (declaration.deny_redundant, &best.mobility) {
+        refusals::refuse_redundant(declaration, mobility, &best.derived, errors);
+    }
+    if requested.is_some() {
+        return Some(best);
+    }
+    let mut candidates = vec![candidate(&best)];
+    for formulation in [Formulation::Reference, Formulation::Joint] {
+        // What is wrong with a declaration was found already; a description that does not apply is passed over.
+        let mut passed_over = Errors::new();
+        let model = model::resolve(declaration, formulation, &mut passed_over);
+        let (Some(model), true) = (model, passed_over.is_empty()) else {
+            continue;
+        };
+        if same(&model, &best.model) {
+            // Where nothing is a point, natural coordinates are reference coordinates.
+            if formulation == Formulation::Reference {
+                best.model.formulation = formulation;
+                candidates[0].formulation = formulation;
+            }
+            continue;
+        }
+        let cheapest = candidates.iter().filter_map(|other| other.operations).min();
+        let size = model.layout.velocities.len();
+        let rows = count_rows(&model);
+        if cheapest.is_some_and(|cheapest| linear_algebra(size, rows, false) > cheapest) {
+            candidates.push(Candidate {
+                formulation,
+                coordinates: model.layout.coordinates.len(),
+                velocities: size,
+                rows,
+                rank: None,
+                operations: None,
+            });
+            continue;
+        }
+        let Ok(other) = derive(model) else { continue };
+        let own = candidate(&other);
+        // Of two that cost the same the one tried first stays.
+        if own.operations < cheapest {
+            best = other;
+        }
+        candidates.push(own);
+    }
+    best.candidates = candidates;
+    Some(best)
+}
+
+fn derive(mut model: Model) -> Result<Analysis, Open> {
+    let system = equations::derive(&mut model);
+    let derived = derivatives::derive(system);
+    let mobility = mobility::analyse(&model, &derived)?;
+    Ok(Analysis {
+        model,
+        derived,
+        mobility,
+        candidates: Vec::new(),
+    })
+}
+
+/// Whether two descriptions have the same coordinates and the same joints left as rows.
+fn same(a: &Model, b: &Model) -> bool {
+    let names = |model: &Model| -> Vec<String> {
+        let coordinates = model.layout.coordinates.iter();
+        let joints = model.joints.iter().map(|(name, _)| name.clone());
+        coordinates
+            .map(|stored| stored.name.clone())
+            .chain(joints)
+            .collect()
+    };
+    names(a) == names(b)
+}
+
+fn count_rows(model: &Model) -> usize {
+    let mut graph = model.graph.clone();
+    model
+        .joints
+        .iter()
+        .map(|(_, joint)| joint.equations(&mut graph).rows.len())
+        .sum()
+}
+
+fn candidate(analysis: &Analysis) -> Candidate {
+    let program = dag::lower(&analysis.derived);
+    Candidate {
+        formulation: analysis.model.formulation,
+        coordinates: program.coordinates,
+        velocities: program.size,
+        rows: program.rows.len(),
+        rank: analysis.mobility.as_ref().map(|mobility| mobility.rank),
+        operations: Some(step(&program)),
+    }
+}
+
+/// Passes of the iteration on the multipliers in a step that begins with those of the last.
+const PASSES: usize = 2;
+/// Passes of Newton's method in each, where the flow is implicit.
+const INNER_PASSES: usize = 2;
+/// What a division and an elementary function cost, in additions.
+const DIVISION: usize = 5;
+const CALL: usize = 20;
+/// A free flight of a rotation.
+const FLIGHT: usize = 120;
+
+/// Operations of a step of second order: the functions it evaluates and the linear algebra between.
+fn step(program: &Program) -> usize {
+    let of = |name: &str| {
+        let function = program
+            .functions
+            .iter()
+            .find(|function| function.name == name);
+        function.map(|function| {
+            let cost = function.cost();
+            cost.additions + cost.multiplications + DIVISION * cost.divisions + CALL * cost.calls
+        })
+    };
+    let cost = |name: &str| of(name).unwrap_or(0);
+    let (n, r) = (program.size, program.rows.len());
+    let structure = program.structure;
+    let explicit = structure.constant_mass && !structure.velocity_forces;
+    let gram = of("gram").unwrap_or(2 * n * r * r);
+    let metric = of("metric").unwrap_or_else(|| {
+        let rows = of("solve_mass_rows").unwrap_or(2 * n * n * r);
+        rows + gram
+    });
+    let rows = cost("constraints")
+        + metric
+        + gram
+        + PASSES * (cost("holonomic") + 2 * n * r)
+        + cost("row_rates");
+    let motion = if explicit {
+        cost("acceleration") + PASSES * (2 * n + FLIGHT * program.rotations.len())
+    } else {
+        let newton = INNER_PASSES * (cost("momentum") + cost("forces"));
+        PASSES * newton + cost("force_tangents") + 2 * cost("mass_matrix")
+    };
+    rows + motion + linear_algebra(n, r, explicit)
+}
+
+/// Factorisations and their solutions: S and B of the rows, and J of an implicit flow.
+fn linear_algebra(n: usize, r: usize, explicit: bool) -> usize {
+    let rows = r * r * r + (2 + 2 * PASSES) * r * r;
+    let flow = match explicit {
+        true => 0,
+        false => n * n * n + PASSES * INNER_PASSES * 2 * n * n + 4 * n * n * r,
+    };
+    rows + flow
+}

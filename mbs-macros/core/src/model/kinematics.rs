@@ -1,0 +1,355 @@
+//! Poses and velocities along the tree, from each part to those that it carries.
+
+use super::geometry::{Axes, Owner, Vector};
+use super::parts::{Part, Representation};
+use super::tree::{Motion, Tree, TreeJoint};
+use crate::schema::World;
+use crate::symbolic::{Expr, Function, Graph, Substitution, Symbol};
+use std::collections::BTreeMap;
+
+/// A part in generalized coordinates and velocities.
+#[derive(Clone, Copy)]
+struct State {
+    /// Centre of mass.
+    place: Vector,
+    axes: Axes,
+    /// Velocity of the centre of mass: in body axes in space, in the ground's axes in the plane.
+    velocity: Vector,
+    /// Angular velocity in body axes.
+    omega: Vector,
+    /// Acceleration of the centre of mass, in the axes of the velocity.
+    acceleration: Vector,
+    /// Angular acceleration in body axes.
+    alpha: Vector,
+}
+
+/// A velocity and an acceleration.
+type Rates = [Vector; 2];
+
+/// Walks along the tree.
+pub(super) struct Walk<'a> {
+    pub graph: &'a mut Graph,
+    pub world: World,
+    pub parts: &'a [Part],
+    pub substitution: &'a mut Substitution,
+}
+
+impl Walk<'_> {
+    /// Replaces the locals of all parts that the tree carries, and answers their velocities. What the tree leaves to parts
+    /// themselves (roots, own rotations, joint coordinates) has to be replaced already.
+    pub(super) fn run(&mut self, tree: &Tree) -> Vec<Motion> {
+        let mut states: BTreeMap<usize, State> = BTreeMap::new();
+        let mut motions = Vec::new();
+        for joint in &tree.joints {
+            let parent = match joint.parent {
+                None => self.ground(),
+                Some(part) => match states.get(&part) {
+                    Some(state) => *state,
+                    None => {
+                        let root = self.root(part);
+                        states.insert(part, root);
+                        root
+                    }
+                },
+            };
+            let state = match self.world {
+                World::Planar => self.planar(joint, &parent),
+                World::Spatial => self.spatial(joint, &parent),
+            };
+            self.store(joint.child, &state);
+            motions.push(Motion {
+                part: joint.child,
+                velocity: state.velocity,
+                omega: state.omega,
+            });
+            states.insert(joint.child, state);
+        }
+        motions
+    }
+
+    fn ground(&mut self) -> State {
+        let zero = self.graph.zero_vector();
+        State {
+            place: zero,
+            axes: self.graph.ground_axes(),
+            velocity: zero,
+            omega: zero,
+            acceleration: zero,
+            alpha: zero,
+        }
+    }
+
+    fn generalized(&mut self, vector: Vector) -> Vector {
+        vector.map(|x| self.graph.substitute(x, self.substitution))
+    }
+
+    fn symbol(&mut self, symbol: Symbol) -> Expr {
+        let local = self.graph.symbol(symbol);
+        self.graph.substitute(local, self.substitution)
+    }
+
+    /// The place of a part's centre with its velocity and acceleration, from its own locals.
+    fn own_place(&mut self, part: &Part) -> (Vector, Rates) {
+        let zero = self.graph.zero_vector();
+        let (mut place, mut rates) = (zero, [zero; 2]);
+        for (k, &local) in part.locals[..self.world.dimension()].iter().enumerate() {
+            place[k] = self.symbol(Symbol::LocalPosition(local));
+            rates[0][k] = self.symbol(Symbol::LocalVelocity(local));
+            rates[1][k] = self.symbol(Symbol::LocalAcceleration(local));
+        }
+        (place, rates)
+    }
+
+    /// The orientation of a part with its angular velocity and acceleration in body axes, from its own locals.
+    fn own_rotation(&mut self, part: &Part) -> (Axes, Rates) {
+        let axes = part.frame.axes.map(|axis| self.generalized(axis));
+        let zero = self.graph.zero();
+        let turns: [fn(u32) -> Symbol; 2] = [Symbol::LocalVelocity, Symbol::LocalAcceleration];
+        let rates = turns.map(|symbol| match part.rotation() {
+            Some(first) => [0, 1, 2].map(|k| self.symbol(symbol(first + k))),
+            None => [zero, zero, self.symbol(symbol(part.locals[2]))],
+        });
+        (axes, rates)
+    }
+
+    /// Velocity and acceleration of a point at `arm` from one that has `rates`, on a body that turns.
+    fn carry(&mut self, rates: Rates, turn: Rates, arm: Vector) -> Rates {
+        let graph = &mut *self.graph;
+        let [velocity, acceleration] = rates;
+        let swing = graph.cross(turn[0], arm);
+        let inward = graph.cross(turn[0], swing);
+        let push = graph.cross(turn[1], arm);
+        let push = graph.vector_add(push, inward);
+        [
+            graph.vector_add(velocity, swing),
+            graph.vector_add(acceleration, push),
+        ]
+    }
+
+    fn root(&mut self, index: usize) -> State {
+        let part = &self.parts[index];
+        let (place, rates) = self.own_place(part);
+        let (axes, [omega, alpha]) = self.own_rotation(part);
+        let [velocity, acceleration] = match self.world {
+            World::Planar => rates,
+            World::Spatial => rates.map(|rate| self.graph.components(&axes, rate)),
+        };
+        State {
+            place,
+            axes,
+            velocity,
+            omega,
+            acceleration,
+            alpha,
+        }
+    }
+
+    /// A point of a part's own frame, seen from its centre of mass.
+    fn from_center(&mut self, owner: Owner, local: Vector) -> Vector {
+        match owner {
+            Owner::Ground => local,
+            Owner::Part(part) => self.graph.vector_sub(local, self.parts[part].center),
+        }
+    }
+
+    fn spatial(&mut self, joint: &TreeJoint, parent: &State) -> State {
+        let link = &joint.link;
+        let part = &self.parts[joint.child];
+        let (p, c) = (&link.parent, &link.child);
+        let mut arm = self.from_center(p.point.owner, p.point.local);
+        let back = self.from_center(c.point.owner, c.point.local);
+        // The joint's place, velocity and acceleration on the parent, in the parent's axes.
+        let mut slide = [self.graph.zero_vector(); 2];
+        for (&axis, &local) in link.slides.iter().zip(&joint.strokes) {
+            let direction = p.local[axis];
+            let stroke = self.symbol(Symbol::LocalPosition(local));
+            let along = self.graph.vector_scale(stroke, direction);
+            arm = self.graph.vector_add(arm, along);
+            let rates = [
+                Symbol::LocalVelocity(local),
+                Symbol::LocalAcceleration(local),
+            ];
+            for (slide, symbol) in slide.iter_mut().zip(rates) {
+                let rate = self.symbol(symbol);
+                let along = self.graph.vector_scale(rate, direction);
+                *slide = self.graph.vector_add(*slide, along);
+            }
+        }
+        let turn = [parent.omega, parent.alpha];
+        let mut rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
+        if !link.slides.is_empty() {
+            // … with the acceleration of Coriolis, 2 ω × ṡ.
+            let twice = slide[0].map(|x| self.graph.scale(2.0, x));
+            let deflection = self.graph.cross(parent.omega, twice);
+            slide[1] = self.graph.vector_add(slide[1], deflection);
+            rates = [0, 1].map(|k| self.graph.vector_add(rates[k], slide[k]));
+        }
+        let reach = self.graph.turn(&parent.axes, arm);
+        let hinge = self.graph.vector_add(parent.place, reach);
+        if part.representation == Representation::FreePoint {
+            return State {
+                place: hinge,
+                velocity: rates[0],
+                acceleration: rates[1],
+                ..*parent
+            };
+        }
+        let (axes, turn, rates) = if link.free_rotation {
+            let (axes, turn) = self.own_rotation(part);
+            let rates = rates.map(|rate| {
+                let outside = self.graph.turn(&parent.axes, rate);
+                self.graph.components(&axes, outside)
+            });
+            (axes, turn, rates)
+        } else {
+            self.carried(joint, parent, rates)
+        };
+        let arm = self.graph.turn(&axes, back);
+        let place = self.graph.vector_sub(hinge, arm);
+        let back = back.map(|x| self.graph.neg(x));
+        let [velocity, acceleration] = self.carry(rates, turn, back);
+        State {
+            place,
+            axes,
+            velocity,
+            omega: turn[0],
+            acceleration,
+            alpha: turn[1],
+        }
+    }
+
+    /// The axes of the child, which turns about z at most, its angular velocity and acceleration, and the joint's velocity
+    /// and acceleration in its axes.
+    fn carried(&mut self, joint: &TreeJoint, parent: &State, rates: Rates) -> (Axes, Rates, Rates) {
+        let (outer, inner) = (joint.link.parent.local, joint.link.child.local);
+        let mut axes = self.graph.compose(&parent.axes, &outer);
+        let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
+        let mut vectors = vectors.map(|v| self.graph.components(&outer, v));
+        if let Some(local) = joint.angle {
+            (axes, vectors) = self.turned(joint, local, axes, vectors);
+        }
+        // The child's axes are those whose composition with its attachment gives the joint's.
+        let axes = std::array::from_fn(|k| {
+            let components = [inner[0][k], inner[1][k], inner[2][k]];
+            self.graph.turn(&axes, components)
+        });
+        let [mut omega, mut alpha, velocity, acceleration] =
+            vectors.map(|v| self.graph.turn(&inner, v));
+        if let Some(local) = joint.angle {
+            let [rate, second] = [
+                self.symbol(Symbol::LocalVelocity(local)),
+                self.symbol(Symbol::LocalAcceleration(local)),
+            ];
+            let graph = &mut *self.graph;
+            let (own, push) = (
+                graph.vector_scale(rate, inner[2]),
+                graph.vector_scale(second, inner[2]),
+            );
+            // α = α_p + θ̈ z + ω × θ̇ z
+            let deflection = graph.cross(omega, own);
+            omega = graph.vector_add(omega, own);
+            alpha = graph.vector_add(alpha, push);
+            alpha = graph.vector_add(alpha, deflection);
+        }
+        (axes, [omega, alpha], [velocity, acceleration])
+    }
+
+    /// Axes turned about their z by the angle of a joint, and vectors of the former in components of the latter.
+    fn turned(
+        &mut self,
+        joint: &TreeJoint,
+        local: u32,
+        [x, y, z]: Axes,
+        vectors: [Vector; 4],
+    ) -> (Axes, [Vector; 4]) {
+        let angle = self.symbol(Symbol::LocalPosition(local));
+        let graph = &mut *self.graph;
+        let (cos, sin) = (
+            graph.function(Function::Cos, angle),
+            graph.function(Function::Sin, angle),
+        );
+        graph.suggest_name(cos, format!("cos_{}", joint.joint));
+        graph.suggest_name(sin, format!("sin_{}", joint.joint));
+        let mut mixed = |a: Expr, b: Expr| {
+            let (first, second) = (graph.mul(cos, a), graph.mul(sin, b));
+            let sum = graph.add(first, second);
+            let (first, second) = (graph.mul(cos, b), graph.mul(sin, a));
+            (sum, graph.sub(first, second))
+        };
+        let pairs: [(Expr, Expr); 3] = std::array::from_fn(|k| mixed(x[k], y[k]));
+        let axes = [pairs.map(|pair| pair.0), pairs.map(|pair| pair.1), z];
+        let vectors = vectors.map(|[x, y, z]| {
+            let (along, across) = mixed(x, y);
+            [along, across, z]
+        });
+        (axes, vectors)
+    }
+
+    fn planar(&mut self, joint: &TreeJoint, parent: &State) -> State {
+        let link = &joint.link;
+        let part = &self.parts[joint.child];
+        let arm = self.from_center(link.parent.point.owner, link.parent.point.local);
+        let arm = self.graph.turn(&parent.axes, arm);
+        let turn = [parent.omega, parent.alpha];
+        let rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
+        let place = self.graph.vector_add(parent.place, arm);
+        if part.representation == Representation::FreePoint {
+            return State {
+                place,
+                velocity: rates[0],
+                acceleration: rates[1],
+                ..*parent
+            };
+        }
+        let (axes, turn) = self.own_rotation(part);
+        let back = self.from_center(link.child.point.owner, link.child.point.local);
+        let back = self.graph.turn(&axes, back);
+        let place = self.graph.vector_sub(place, back);
+        let back = back.map(|x| self.graph.neg(x));
+        let [velocity, acceleration] = self.carry(rates, turn, back);
+        State {
+            place,
+            axes,
+            velocity,
+            omega: turn[0],
+            acceleration,
+            alpha: turn[1],
+        }
+    }
+
+    fn store(&mut self, index: usize, state: &State) {
+        let part = &self.parts[index];
+        let [velocity, acceleration] = match self.world {
+            World::Planar => [state.velocity, state.acceleration],
+            World::Spatial => {
+                [state.velocity, state.acceleration].map(|rate| self.graph.turn(&state.axes, rate))
+            }
+        };
+        for (k, &local) in part.locals[..self.world.dimension()].iter().enumerate() {
+            let values = [
+                (Symbol::LocalPosition(local), state.place[k]),
+                (Symbol::LocalVelocity(local), velocity[k]),
+                (Symbol::LocalAcceleration(local), acceleration[k]),
+            ];
+            for (symbol, value) in values {
+                self.substitution.insert(symbol, value);
+            }
+        }
+        let Some(first) = part.rotation() else {
+            return;
+        };
+        for entry in 0..9u8 {
+            let value = state.axes[usize::from(entry % 3)][usize::from(entry / 3)];
+            self.substitution
+                .insert(Symbol::LocalRotation(first, entry), value);
+        }
+        for k in 0..3 {
+            let local = first + k;
+            let (omega, alpha) = (state.omega[k as usize], state.alpha[k as usize]);
+            self.substitution
+                .insert(Symbol::LocalVelocity(local), omega);
+            self.substitution
+                .insert(Symbol::LocalAcceleration(local), alpha);
+        }
+    }
+}

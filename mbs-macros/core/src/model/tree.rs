@@ -1,0 +1,262 @@
+//! Joint coordinates: a tree of joints from the ground, each of which brings the motions that it allows. The pose and the
+//! velocity of a part follow from those of the part before it, body by body; nothing is expanded.
+//!
+//! | joint | coordinates of the child | kept of its own |
+//! |---|---|---|
+//! | revolute, prismatic, fixed | angle; stroke; none | nothing |
+//! | cylindrical, planar | angle and stroke; angle and two strokes | nothing |
+//! | spherical | none | its rotation |
+//! | planar revolute | none | its angle |
+//!
+//! A joint that closes a loop stays a set of rows.
+
+use super::elements::JointElement;
+use super::geometry::{Attachment, Owner, Point, Vector};
+use super::parts::{Part, Representation};
+use super::reduce::mergeable;
+use super::resolve::Resolver;
+use crate::schema::World;
+use std::collections::BTreeMap;
+
+/// What a joint leaves free between two frames.
+#[derive(Debug, Clone)]
+pub struct Link {
+    /// On the parent.
+    pub parent: Attachment,
+    /// On the child.
+    pub child: Attachment,
+    /// Rotation about z.
+    pub turns: bool,
+    /// Sliding along these axes of the parent's frame.
+    pub slides: Vec<usize>,
+    /// The child keeps its own orientation.
+    pub free_rotation: bool,
+    /// Whether the partners stand in the order of the declaration.
+    pub forwards: bool,
+}
+
+/// A joint of the tree.
+#[derive(Debug, Clone)]
+pub struct TreeJoint {
+    /// The joint's name.
+    pub joint: String,
+    /// The part before, `None` for the ground.
+    pub parent: Option<usize>,
+    /// The part that it carries.
+    pub child: usize,
+    /// The joint, seen from the parent to the child.
+    pub link: Link,
+    /// Local coordinate of the angle.
+    pub angle: Option<u32>,
+    /// Local coordinates of the strokes.
+    pub strokes: Vec<u32>,
+}
+
+/// A spanning tree of the mechanism.
+#[derive(Debug, Clone, Default)]
+pub struct Tree {
+    /// Its joints, parents before children.
+    pub joints: Vec<TreeJoint>,
+}
+
+/// The velocity of a part, for its kinetic energy.
+#[derive(Debug, Clone, Copy)]
+pub struct Motion {
+    /// The part.
+    pub part: usize,
+    /// Velocity of the centre of mass, in axes of the part's own choice.
+    pub velocity: Vector,
+    /// Angular velocity in body axes.
+    pub omega: Vector,
+}
+
+impl Tree {
+    /// A tree of joints that can be solved for their child: each part is reached as early as possible, and of the joints
+    /// that reach it the one that would cost most rows.
+    pub(super) fn grow(resolver: &mut Resolver, joints: &[JointElement]) -> Tree {
+        let mut tree = Tree::default();
+        // Points that joints merge are reached already.
+        let merged: Vec<Owner> = joints
+            .iter()
+            .filter_map(|element| element.joint.merges())
+            .filter(|(parent, child)| mergeable(parent) && mergeable(child))
+            .flat_map(|(parent, child)| [parent.owner, child.owner])
+            .collect();
+        let mut reached: Vec<bool> = (0..resolver.parts.len())
+            .map(|part| merged.contains(&Owner::Part(part)))
+            .collect();
+        let mut links: Vec<(usize, Link, usize)> = Vec::new();
+        for (index, element) in joints.iter().enumerate() {
+            if let Some(link) = element.joint.link() {
+                let rows = element.joint.equations(&mut resolver.graph).rows.len();
+                links.push((index, link, rows));
+            }
+        }
+        let mut front = vec![Owner::Ground];
+        loop {
+            let mut next: BTreeMap<usize, (usize, TreeJoint)> = BTreeMap::new();
+            for (index, link, rows) in &links {
+                for forwards in [true, false] {
+                    let link = match forwards {
+                        true => link.clone(),
+                        false => link.reversed(),
+                    };
+                    let (parent, child) = (link.parent.point.owner, link.child.point.owner);
+                    let Owner::Part(child) = child else { continue };
+                    if !front.contains(&parent) || reached[child] || !resolver.carried(child, &link)
+                    {
+                        continue;
+                    }
+                    if next.get(&child).is_some_and(|(best, _)| best >= rows) {
+                        continue;
+                    }
+                    let parent = match parent {
+                        Owner::Ground => None,
+                        Owner::Part(part) => Some(part),
+                    };
+                    let joint = TreeJoint {
+                        joint: joints[*index].name.clone(),
+                        parent,
+                        child,
+                        link,
+                        angle: None,
+                        strokes: Vec::new(),
+                    };
+                    next.insert(child, (*rows, joint));
+                }
+            }
+            // What follows coordinates declared by hand can carry parts, too.
+            if next.is_empty() {
+                let grounded = |index: &usize| {
+                    !reached[*index]
+                        && !front.contains(&Owner::Part(*index))
+                        && resolver.parts[*index].representation != Representation::Coordinate
+                };
+                let free: Option<usize> = (0..resolver.parts.len()).find(grounded);
+                let Some(free) = free else { break };
+                // Nothing carries it: it is free, and a root of its own.
+                reached[free] = true;
+                front = vec![Owner::Part(free)];
+                continue;
+            }
+            front = next.keys().map(|&child| Owner::Part(child)).collect();
+            for (_, (_, joint)) in next {
+                reached[joint.child] = true;
+                tree.joints.push(joint);
+            }
+        }
+        for joint in &mut tree.joints {
+            let name = &joint.joint;
+            let planar = resolver.world == World::Planar;
+            joint.angle = (joint.link.turns && !planar)
+                .then(|| resolver.local(format!("{name}.angle"), "rad"));
+            joint.strokes = joint
+                .link
+                .slides
+                .iter()
+                .map(|axis| {
+                    let suffix = match joint.link.slides.len() {
+                        1 => "stroke".to_owned(),
+                        _ => format!("stroke_{}", ["x", "y", "z"][*axis]),
+                    };
+                    resolver.local(format!("{name}.{suffix}"), "m")
+                })
+                .collect();
+        }
+        tree
+    }
+
+    /// The joint that carries a part.
+    pub fn carrier(&self, part: usize) -> Option<&TreeJoint> {
+        self.joints.iter().find(|joint| joint.child == part)
+    }
+
+    /// The locals of a part that follow from the part before it.
+    pub(super) fn dropped(&self, index: usize, part: &Part) -> Vec<u32> {
+        let Some(joint) = self.carrier(index) else {
+            return Vec::new();
+        };
+        let count = match part.representation {
+            Representation::Reference if joint.link.free_rotation => 2,
+            Representation::Rigid if joint.link.free_rotation => 3,
+            _ => part.locals.len(),
+        };
+        part.locals[..count].to_vec()
+    }
+
+    /// The locals that joints bring.
+    pub(super) fn locals(&self) -> impl Iterator<Item = u32> {
+        self.joints
+            .iter()
+            .flat_map(|joint| joint.angle.iter().chain(&joint.strokes).copied())
+    }
+
+    /// A part and all that it carries.
+    pub fn carried_by(&self, part: usize) -> Vec<usize> {
+        let mut found = vec![part];
+        for joint in &self.joints {
+            if joint.parent.is_some_and(|parent| found.contains(&parent)) {
+                found.push(joint.child);
+            }
+        }
+        found
+    }
+
+    /// Whether a joint belongs to the tree.
+    pub fn contains(&self, joint: &str) -> bool {
+        self.joints.iter().any(|own| own.joint == joint)
+    }
+}
+
+impl Link {
+    /// Two points of the plane that coincide, while the child keeps its own angle.
+    pub fn of_points(parent: &Point, child: &Point) -> Link {
+        let attached = |point: &Point| Attachment {
+            axes: [point.position; 3],
+            local: [point.local; 3],
+            point: point.clone(),
+        };
+        Link {
+            parent: attached(parent),
+            child: attached(child),
+            turns: false,
+            slides: Vec::new(),
+            free_rotation: true,
+            forwards: true,
+        }
+    }
+
+    /// The same joint with the partners exchanged: its coordinates change sign.
+    fn reversed(&self) -> Link {
+        Link {
+            parent: self.child.clone(),
+            child: self.parent.clone(),
+            forwards: !self.forwards,
+            ..self.clone()
+        }
+    }
+}
+
+impl Resolver<'_> {
+    /// Whether a joint can carry a part: a body that it holds, or a particle whose place is all there is to it.
+    fn carried(&self, part: usize, link: &Link) -> bool {
+        let parent = match link.parent.point.owner {
+            Owner::Ground => true,
+            Owner::Part(part) => has_frame(&self.parts[part]),
+        };
+        let child = &self.parts[part];
+        parent
+            && match child.representation {
+                Representation::Rigid | Representation::Reference => true,
+                Representation::FreePoint => link.free_rotation,
+                _ => false,
+            }
+    }
+}
+
+fn has_frame(part: &Part) -> bool {
+    matches!(
+        part.representation,
+        Representation::Rigid | Representation::Reference
+    )
+}

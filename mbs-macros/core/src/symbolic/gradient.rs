@@ -1,0 +1,109 @@
+//! Gradients by the reverse mode: all derivatives of a scalar for the price of a few times itself, however many there are.
+//!
+//! Forward derivatives cost as much as the expression, once for each symbol. Where one scalar is differentiated along all
+//! coordinates (∂T/∂q of a chain of n bodies), going backwards keeps the cost linear in n.
+
+use super::{Expr, Graph, Map, Node, Symbol};
+use std::collections::BTreeMap;
+
+impl Graph {
+    /// ∂expr/∂symbol for all directions along which it changes (see [`Graph::directions`]): absent ones are zero.
+    pub fn gradient(&mut self, expr: Expr) -> BTreeMap<Symbol, Expr> {
+        let order = self.inside(expr);
+        let mut adjoints: Map<Expr, Vec<Expr>> = Map::default();
+        let one = self.one();
+        adjoints.insert(expr, vec![one]);
+        let mut slopes: BTreeMap<Symbol, Vec<Expr>> = BTreeMap::new();
+        for &node in order.iter().rev() {
+            let Some(terms) = adjoints.remove(&node) else {
+                continue;
+            };
+            let adjoint = self.sum(terms);
+            if self.is_zero(adjoint) {
+                continue;
+            }
+            if let Node::Symbol(symbol) = *self.node(node) {
+                for direction in symbol.directions() {
+                    let slope = self.derivative(node, direction);
+                    let term = self.mul(adjoint, slope);
+                    slopes.entry(direction).or_default().push(term);
+                }
+                continue;
+            }
+            for (operand, partial) in self.partials(node) {
+                let term = self.mul(adjoint, partial);
+                adjoints.entry(operand).or_default().push(term);
+            }
+        }
+        slopes
+            .into_iter()
+            .map(|(symbol, terms)| (symbol, self.sum(terms)))
+            .collect()
+    }
+
+    /// The nodes of an expression, operands first.
+    fn inside(&self, expr: Expr) -> Vec<Expr> {
+        // Operands are made before what is made of them, so that the order of indices will do.
+        let mut found = Vec::new();
+        let mut seen: Map<Expr, ()> = Map::default();
+        let mut stack = vec![expr];
+        while let Some(next) = stack.pop() {
+            if seen.insert(next, ()).is_none() {
+                found.push(next);
+                self.for_each_operand(next, |operand| stack.push(operand));
+            }
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// The operands of a node with the derivatives of the node by each.
+    fn partials(&mut self, expr: Expr) -> Vec<(Expr, Expr)> {
+        match self.node(expr).clone() {
+            Node::Constant(_) | Node::Symbol(_) => Vec::new(),
+            Node::Sum { terms, .. } => terms
+                .iter()
+                .map(|&(term, coefficient)| (term, self.constant(coefficient.value())))
+                .collect(),
+            Node::Product(factors) => (0..factors.len())
+                .map(|slot| {
+                    let (factor, power) = factors[slot];
+                    let mut rest = factors.to_vec();
+                    rest[slot].1 -= 1;
+                    let rest = self.product(&rest);
+                    (factor, self.scale(f64::from(power), rest))
+                })
+                .collect(),
+            Node::Function(function, x) => {
+                let one = self.one();
+                vec![(x, self.chain_rule(function, expr, x, one))]
+            }
+            Node::Power(x, exponent) => {
+                let outer = self.power(x, exponent.value() - 1.0);
+                vec![(x, self.scale(exponent.value(), outer))]
+            }
+            Node::Atan2(y, x) => {
+                let (xx, yy) = (self.square(x), self.square(y));
+                let square = self.add(xx, yy);
+                let (by_y, by_x) = (self.div(x, square), self.div(y, square));
+                vec![(y, by_y), (x, self.neg(by_x))]
+            }
+            Node::Law {
+                law,
+                partial,
+                arguments,
+            } => (0..arguments.len())
+                // Laws supply first partials only.
+                .filter(|_| partial.is_none())
+                .map(|slot| {
+                    let node = Node::Law {
+                        law,
+                        partial: Some(slot as u32),
+                        arguments: arguments.clone(),
+                    };
+                    (arguments[slot], self.intern(node))
+                })
+                .collect(),
+        }
+    }
+}
