@@ -3,6 +3,9 @@
 /// Weight of landings so close to a singular pose that the solve there is the proximal one.
 const LOST: f64 = 0.01;
 
+/// σ before a landing of which too little is left to tell of a singular pose, when it passes the mark of the lost.
+const FALLS_FROM: f64 = 3e-3;
+
 /// A cheap estimate of the smallest singular value of the rows, each of unit length, from the pivots of S.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Independence {
@@ -10,8 +13,12 @@ pub(crate) struct Independence {
     pub(crate) sigma: f64,
     /// √ of the smallest relative pivot of all rows.
     pub(crate) weakest: f64,
-    /// How many rows have no direction of their own.
+    /// How many rows call for the proximal solve.
     pub(crate) lost: usize,
+    /// The same as `sigma` and `lost`, where only round-off counts as lost: bodies with little inertia about an axis make
+    /// rows weak that are independent.
+    pub(crate) least: f64,
+    pub(crate) dependent: usize,
 }
 
 impl Independence {
@@ -24,7 +31,10 @@ impl Independence {
             return f64::INFINITY;
         }
         let fraction = |sigma: f64| sigma / (sigma + before.sigma);
-        if self.lost <= before.lost {
+        if self.lost < before.lost || (self.lost > before.lost && before.sigma < FALLS_FROM) {
+            // A row that is always weak has passed the mark.
+            0.5
+        } else if self.lost == before.lost {
             fraction(self.sigma)
         } else if before.lost == 0 {
             LOST * fraction(self.weakest)

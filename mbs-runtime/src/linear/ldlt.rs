@@ -15,6 +15,11 @@ pub(crate) struct SymmetricDual<const K: usize> {
     pub(crate) weak: bool,
 }
 
+/// A relative pivot that is round-off, after the `least` one so far, by which errors were divided.
+fn round_off(least: f64) -> f64 {
+    (16.0 * f64::EPSILON / least).max(1e-11)
+}
+
 impl<const K: usize> SymmetricDual<K> {
     pub(crate) fn new() -> Self {
         SymmetricDual {
@@ -84,6 +89,8 @@ impl<const K: usize> SymmetricDual<K> {
             sigma,
             weakest: sigma,
             lost: 0,
+            least: sigma,
+            dependent: 0,
         }
     }
 
@@ -93,14 +100,20 @@ impl<const K: usize> SymmetricDual<K> {
     fn dependence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> Independence {
         let upper = &mut self.upper;
         **upper = *matrix;
-        let (mut least, mut weakest, mut lost) = (f64::INFINITY, f64::INFINITY, 0);
+        let (mut least, mut weakest) = (f64::INFINITY, f64::INFINITY);
+        let (mut lost, mut dependent, mut sigma) = (0, 0, f64::INFINITY);
         for k in 0..rows {
             let pivot_row = upper[k];
             let pivot = pivot_row[k];
             let relative = pivot / matrix[k][k];
             weakest = weakest.min(relative.max(0.0));
-            if !(relative > SMALL_PIVOT) {
+            if relative > SMALL_PIVOT {
+                sigma = sigma.min(relative);
+            } else {
                 lost += 1;
+            }
+            if !(relative > round_off(least)) {
+                dependent += 1;
                 continue;
             }
             least = least.min(relative);
@@ -112,9 +125,11 @@ impl<const K: usize> SymmetricDual<K> {
             }
         }
         Independence {
-            sigma: least.sqrt(),
+            sigma: sigma.sqrt(),
             weakest: weakest.sqrt(),
             lost,
+            least: least.sqrt(),
+            dependent,
         }
     }
 
@@ -123,17 +138,21 @@ impl<const K: usize> SymmetricDual<K> {
     #[cold]
     #[inline(never)]
     pub(crate) fn combination(&self, matrix: &[[f64; K]; K], rows: usize) -> [f64; K] {
-        let relative = |k: usize| self.upper[k][k] / matrix[k][k];
-        let counts = |k: &usize| relative(*k) > SMALL_PIVOT;
         let mut combination = [0.0; K];
-        let weakest = (0..rows)
-            .filter(counts)
-            .min_by(|&i, &j| relative(i).total_cmp(&relative(j)));
+        let (mut weakest, mut least) = (None, f64::INFINITY);
+        let counts: [bool; K] = std::array::from_fn(|k| {
+            let relative = self.upper[k][k] / matrix[k][k];
+            let counts = k < rows && relative > round_off(least);
+            if counts && relative < least {
+                (weakest, least) = (Some(k), relative);
+            }
+            counts
+        });
         let Some(weakest) = weakest else {
             return combination;
         };
         combination[weakest] = 1.0;
-        for i in (0..weakest).rev().filter(counts) {
+        for i in (0..weakest).rev().filter(|&i| counts[i]) {
             let mut sum = 0.0;
             for j in i + 1..=weakest {
                 sum += self.upper[i][j] * combination[j];

@@ -6,8 +6,10 @@ use crate::{RankLoss, System};
 
 /// σ_min below which a pose counts as singular.
 const SINGULAR: f64 = 0.02;
-/// σ_min above which a mechanism has left a singular pose, and the next one counts.
-const CLEAR: f64 = 2.0 * SINGULAR;
+/// By how much σ_min has to be larger before and after: some mechanisms are never far from 0.
+const PROMINENT: f64 = 10.0;
+/// σ_min above which noise is not taken for motion.
+const NOISE: f64 = 1e-3;
 /// Change of the slope of σ, relative to it, up to which it counts as straight.
 const STRAIGHT: f64 = 0.2;
 /// A row takes part in a loss with at least this part of the largest weight.
@@ -28,6 +30,15 @@ const NOWHERE: Instant = Instant {
     sigma: f64::INFINITY,
 };
 
+/// A pose with a small σ_min.
+#[derive(Debug, Clone, Copy)]
+struct Found {
+    time: f64,
+    sigma: f64,
+    /// The end of the step that it was seen from.
+    seen: f64,
+}
+
 /// The last instants, and what was found before.
 #[derive(Debug, Clone)]
 pub(super) struct Passages {
@@ -37,9 +48,12 @@ pub(super) struct Passages {
     falling: bool,
     /// Rows without a direction of their own wherever the mechanism went.
     redundant: usize,
-    /// Whether the last singular pose was left.
-    left: bool,
-    /// The instant that was reported last: steps may be taken again from there.
+    /// The largest σ_min since the last loss.
+    peak: f64,
+    /// A pose that will be a loss when σ_min has risen above `level`; infinite when there is none.
+    level: f64,
+    pending: Found,
+    /// When the last loss was reported: steps may be taken again from before.
     reported: f64,
     losses: Vec<RankLoss>,
 }
@@ -50,7 +64,13 @@ impl Passages {
             instants: [NOWHERE; 3],
             falling: true,
             redundant: usize::MAX,
-            left: true,
+            peak: f64::INFINITY,
+            level: f64::INFINITY,
+            pending: Found {
+                time: f64::NEG_INFINITY,
+                sigma: f64::INFINITY,
+                seen: f64::NEG_INFINITY,
+            },
             reported: f64::NEG_INFINITY,
             losses: Vec::with_capacity(ROOM),
         }
@@ -63,17 +83,20 @@ impl Passages {
     /// Takes note of the end of a step; time and σ_min of a singular pose that has just been passed.
     #[inline]
     fn note(&mut self, time: f64, now: Independence) -> Option<(f64, f64)> {
-        let mut sigma = now.sigma;
-        if now.lost != self.redundant || time <= self.instants[2].time {
+        let mut sigma = now.least;
+        if now.dependent != self.redundant || time <= self.instants[2].time {
             sigma = self.reconsider(time, now);
         }
-        let found = if self.falling && sigma > self.instants[2].sigma {
-            self.passed(Instant { time, sigma })
+        if self.falling && sigma > self.instants[2].sigma {
+            self.turned(Instant { time, sigma });
+        }
+        let found = if sigma > self.level {
+            self.leave(Instant { time, sigma })
         } else {
             None
         };
         self.falling = sigma <= self.instants[2].sigma;
-        self.left |= sigma > CLEAR;
+        self.peak = self.peak.max(sigma);
         self.instants = [self.instants[1], self.instants[2], Instant { time, sigma }];
         found
     }
@@ -85,21 +108,45 @@ impl Passages {
             self.instants = [NOWHERE, self.instants[0], self.instants[1]];
             self.falling = self.instants[2].sigma <= self.instants[1].sigma;
         }
-        if now.lost > self.redundant {
+        if self.pending.seen >= time {
+            self.level = f64::INFINITY;
+        }
+        if now.dependent > self.redundant {
             return 0.0;
         }
-        if now.lost < self.redundant {
+        if now.dependent < self.redundant {
             // What was taken to be redundant was lost.
             let known = self.instants.iter_mut().filter(|i| i.time.is_finite());
             known.for_each(|instant| instant.sigma = 0.0);
-            self.redundant = now.lost;
+            self.redundant = now.dependent;
         }
-        now.sigma
+        now.least
     }
 
-    /// The minimum about the last instant, if it is that of a singular pose.
+    /// The pose that was pending is a loss.
     #[cold]
-    fn passed(&mut self, after: Instant) -> Option<(f64, f64)> {
+    fn leave(&mut self, now: Instant) -> Option<(f64, f64)> {
+        (self.peak, self.level) = (now.sigma, f64::INFINITY);
+        self.reported = now.time;
+        Some((self.pending.time, self.pending.sigma))
+    }
+
+    /// Keeps the minimum about the last instant, if it is small.
+    #[cold]
+    fn turned(&mut self, after: Instant) {
+        let seen = self.instants[2].time;
+        let Some((time, sigma)) = self.minimum(after) else {
+            return;
+        };
+        let lower = self.level == f64::INFINITY || sigma < self.pending.sigma;
+        if self.peak > PROMINENT * sigma && seen > self.reported && lower {
+            self.pending = Found { time, sigma, seen };
+            self.level = (PROMINENT * sigma).max(NOISE);
+        }
+    }
+
+    /// The minimum about the last instant.
+    fn minimum(&self, after: Instant) -> Option<(f64, f64)> {
         let [_, before, middle] = self.instants;
         let (mut time, mut square) = (middle.time, middle.sigma * middle.sigma);
         if before.time.is_finite() {
@@ -117,17 +164,11 @@ impl Passages {
                 square = (square + way * (slope + curvature * way)).max(0.0);
             }
         }
-        if !(self.left && middle.time > self.reported) {
-            return None;
+        if square < SINGULAR * SINGULAR {
+            return Some((time, square.sqrt()));
         }
-        let found = if square < SINGULAR * SINGULAR {
-            (time, square.sqrt())
-        } else {
-            // Long steps.
-            (crossing(before, middle, after)?, 0.0)
-        };
-        (self.reported, self.left) = (middle.time, false);
-        Some(found)
+        // Long steps.
+        crossing(before, middle, after).map(|time| (time, 0.0))
     }
 }
 
@@ -190,6 +231,8 @@ mod tests {
                     sigma: sigma(time),
                     weakest: sigma(time),
                     lost: 0,
+                    least: sigma(time),
+                    dependent: 0,
                 };
                 passages.note(time, now)
             })
@@ -215,7 +258,10 @@ mod tests {
         assert!(noted(&mut Passages::new(), 0.05, weak).is_empty());
         // At rest in a singular pose, with noise.
         let rest = |t: f64| 1e-9 * (1.0 + (1e3 * t).sin());
-        assert_eq!(noted(&mut Passages::new(), 0.05, rest).len(), 1);
+        assert!(noted(&mut Passages::new(), 0.05, rest).is_empty());
+        // Never far from one, and never nearer.
+        let small = |t: f64| 4e-3 + 2e-3 * t.sin();
+        assert!(noted(&mut Passages::new(), 0.05, small).is_empty());
     }
 
     #[test]

@@ -6,6 +6,7 @@ use mbs_runtime::generated::Spin;
 use mbs_runtime::{Row, RowKind::Holonomic, Structure};
 
 const G: f64 = 9.81;
+/// About the axis of a rod, and across.
 const MOMENTS: Vector = [1.67e-3, 1.0 / 12.0, 1.0 / 12.0];
 /// Rod i goes from point i to point i + 1.
 const POINTS: [Vector; 6] = [
@@ -29,11 +30,23 @@ const AXES: [Vector; 6] = [
 #[derive(Clone)]
 pub struct Bricard {
     home: [(Vector, Rotation); 5],
+    moments: Vector,
+}
+
+impl Bricard {
+    /// Rods of 1 mm: 10⁻⁶ of the inertia across is left about their axes.
+    pub fn slender() -> Self {
+        Bricard {
+            moments: [1.67e-7, 1.0 / 12.0, 1.0 / 12.0],
+            ..Bricard::default()
+        }
+    }
 }
 
 impl Default for Bricard {
     fn default() -> Self {
         Bricard {
+            moments: MOMENTS,
             home: std::array::from_fn(|i| {
                 let x = sum(POINTS[i + 1], scaled(-1.0, POINTS[i]));
                 let other = match x[2].abs() < 0.5 {
@@ -134,7 +147,13 @@ impl Scene<35, 30, 30> for Bricard {
         (q, [0.0; 30])
     }
     fn mass(&self, _: &[f64; 35]) -> [[f64; 30]; 30] {
-        let diagonal = |i: usize| if i % 6 < 3 { 1.0 } else { MOMENTS[i % 6 - 3] };
+        let diagonal = |i: usize| {
+            if i % 6 < 3 {
+                1.0
+            } else {
+                self.moments[i % 6 - 3]
+            }
+        };
         std::array::from_fn(|i| std::array::from_fn(|j| if i == j { diagonal(i) } else { 0.0 }))
     }
     fn force(&self, _: f64, _: &[f64; 35], _: &[f64; 30]) -> [f64; 30] {
@@ -144,12 +163,12 @@ impl Scene<35, 30, 30> for Bricard {
         let mut f = [0.0; 30];
         for (f, v) in f.chunks_exact_mut(6).zip(v.chunks_exact(6)) {
             let w = [v[3], v[4], v[5]];
-            f[3..].copy_from_slice(&cross(std::array::from_fn(|i| MOMENTS[i] * w[i]), w));
+            f[3..].copy_from_slice(&cross(std::array::from_fn(|i| self.moments[i] * w[i]), w));
         }
         f
     }
     fn spins(&self) -> Vec<Spin> {
-        let [x, y, z] = MOMENTS;
+        let [x, y, z] = self.moments;
         let spin = Spin::new(&[[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]], "rod").unwrap();
         vec![spin; 5]
     }
