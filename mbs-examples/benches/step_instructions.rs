@@ -1,4 +1,4 @@
-//! Instructions of a step of the double four-bar, hand-written and generated, counted by valgrind's callgrind: exact and
+//! Instructions of a step of the double four-bar, hand-written and generated, and of every scene, counted by valgrind's callgrind: exact and
 //! repeatable, whatever else the machine is doing.
 //!
 //! `cargo bench -p mbs-examples --bench step_instructions` (needs valgrind on the path)
@@ -6,13 +6,16 @@
 #[allow(clippy::needless_range_loop)]
 mod handwritten;
 
-use mbs_examples::scenes::double_four_bar::DoubleFourBar;
+use mbs_examples::scene::Scene;
+use mbs_examples::scenes::{double_four_bar::DoubleFourBar, scenes};
 use mbs_runtime::{Mechanism, Settings, Simulation, TwoLevelStepper};
 use std::hint::black_box;
 use std::process::Command;
 
 /// The count is the difference between runs of these lengths, so that start-up cancels.
 const STEPS: [u64; 2] = [2_000, 12_000];
+/// The same for the table of all scenes.
+const SHORT: [u64; 2] = [20, 220];
 
 fn main() {
     let arguments: Vec<String> = std::env::args().collect();
@@ -38,7 +41,10 @@ fn main() {
         "h, s", "hand-written", "generated", "ratio"
     );
     for step in [1e-3, 1e-2] {
-        match (count("hand-written", step), count("generated", step)) {
+        match (
+            count("hand-written", step, STEPS),
+            count("generated", step, STEPS),
+        ) {
             (Some(hand), Some(generated)) => println!(
                 "{step:>8} {hand:>14.1} {generated:>12.1} {:>8.3}",
                 generated / hand
@@ -49,6 +55,50 @@ fn main() {
             }
         }
     }
+    every_scene();
+}
+
+/// Instructions of a step of every scene at its own step size, beside what the compiler expects.
+fn every_scene() {
+    println!();
+    println!(
+        "{:<22} {:>9} {:>10} {:>5} {:>13} {:>11}",
+        "scene", "h, s", "velocities", "rows", "instructions", "estimated"
+    );
+    for scene in scenes() {
+        let Some(instructions) = count(scene.name, scene.step, SHORT) else {
+            continue;
+        };
+        let candidates = scene.model.candidates.iter();
+        let taken = candidates
+            .filter(|candidate| candidate.formulation == scene.model.formulation)
+            .find_map(|candidate| candidate.operations);
+        println!(
+            "{:<22} {:>9} {:>10} {:>5} {instructions:>13.0} {:>11}",
+            scene.name,
+            scene.step,
+            scene.model.velocities.len(),
+            scene.model.rows.len(),
+            taken.map_or_else(String::new, |operations| operations.to_string())
+        );
+    }
+}
+
+fn run_scene(scene: &Scene, step: f64, steps: u64) {
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    let Ok(mut simulation) = (scene.build)(&[], settings) else {
+        return;
+    };
+    for _ in 0..steps {
+        if let Err(error) = simulation.step() {
+            println!("{error}");
+            return;
+        }
+    }
+    println!("{:?}", simulation.outputs());
 }
 
 /// The largest difference of the two mechanisms' coordinates: they have to be the same mechanism.
@@ -88,6 +138,9 @@ fn run(name: &str, step: f64, steps: u64) {
         println!("{}", mechanism.energy());
         return;
     }
+    if let Some(scene) = scenes().iter().find(|scene| scene.name == name) {
+        return run_scene(scene, step, steps);
+    }
     let Some(mut stepper) = stepper(step) else {
         return;
     };
@@ -100,9 +153,9 @@ fn run(name: &str, step: f64, steps: u64) {
     println!("{:?}", stepper.state().positions);
 }
 
-fn count(name: &str, step: f64) -> Option<f64> {
-    let totals = STEPS.map(|steps| callgrind(name, step, steps));
-    Some((totals[1]? - totals[0]?) / (STEPS[1] - STEPS[0]) as f64)
+fn count(name: &str, step: f64, steps: [u64; 2]) -> Option<f64> {
+    let totals = steps.map(|steps| callgrind(name, step, steps));
+    Some((totals[1]? - totals[0]?) / (steps[1] - steps[0]) as f64)
 }
 
 fn callgrind(name: &str, step: f64, steps: u64) -> Option<f64> {

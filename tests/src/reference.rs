@@ -1,5 +1,7 @@
 //! The thinned reference tables in `tests/reference/`.
 
+use mbs_examples::scene::Scene;
+use mbs_runtime::AnySimulation;
 use std::path::Path;
 
 /// A table of trusted values.
@@ -46,4 +48,40 @@ impl Table {
     pub fn times(&self) -> Vec<f64> {
         self.column("time_s")
     }
+}
+
+/// The largest deviation of any compared output at any instant up to `until`.
+pub fn deviation(
+    simulation: &mut dyn AnySimulation,
+    scene: &Scene,
+    table: &Table,
+    until: f64,
+) -> f64 {
+    let reference = scene.reference.as_ref().expect("checked by the caller");
+    let columns: Vec<(usize, Vec<f64>)> = reference
+        .columns
+        .iter()
+        .map(|(output, column)| {
+            let index = scene
+                .model
+                .outputs
+                .iter()
+                .position(|other| other.name == *output);
+            (index.expect("an output of the scene"), table.column(column))
+        })
+        .collect();
+    let mut largest: f64 = 0.0;
+    for (row, time) in table.times().into_iter().enumerate() {
+        if time > until * (1.0 + 1e-12) {
+            break;
+        }
+        simulation.run_until(time).expect(scene.name);
+        let outputs = simulation.outputs();
+        for (index, values) in &columns {
+            let error = (outputs[*index] - values[row]).abs();
+            assert!(error.is_finite(), "{}", scene.name);
+            largest = largest.max(error);
+        }
+    }
+    largest
 }

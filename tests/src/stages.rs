@@ -15,7 +15,7 @@ pub fn texts(declaration: &str) -> [(&'static str, String); 5] {
     errors.stop_if_any().expect("the fixture is right");
     let tree = tree.expect("the fixture is right");
     let analysis = crate::interpreted::analysis(declaration);
-    let (model, derived) = (&analysis.model, &analysis.derived);
+    let derived = &analysis.derived;
     let graph = derived.system.graph.clone();
     let stages = [
         ("1-tree", syntax(&tree)),

@@ -4,7 +4,7 @@
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{self, scenes};
 use mbs_runtime::{AnySimulation, Mechanism, Settings, Simulation, State, System};
-use mbs_tests::reference::{self, Table};
+use mbs_tests::reference::{self, deviation};
 use mbs_tests::with_room;
 
 /// What is asked of a scene.
@@ -160,37 +160,6 @@ fn find(name: &str) -> &'static Scene {
         .iter()
         .find(|scene| scene.name == name)
         .unwrap_or_else(|| panic!("no scene `{name}`"))
-}
-
-/// The largest deviation of any compared output at any instant up to `until`.
-fn deviation(simulation: &mut dyn AnySimulation, scene: &Scene, table: &Table, until: f64) -> f64 {
-    let reference = scene.reference.as_ref().expect("checked by the caller");
-    let columns: Vec<(usize, Vec<f64>)> = reference
-        .columns
-        .iter()
-        .map(|(output, column)| {
-            let index = scene
-                .model
-                .outputs
-                .iter()
-                .position(|other| other.name == *output);
-            (index.expect("an output of the scene"), table.column(column))
-        })
-        .collect();
-    let mut largest: f64 = 0.0;
-    for (row, time) in table.times().into_iter().enumerate() {
-        if time > until * (1.0 + 1e-12) {
-            break;
-        }
-        simulation.run_until(time).expect(scene.name);
-        let outputs = simulation.outputs();
-        for (index, values) in &columns {
-            let error = (outputs[*index] - values[row]).abs();
-            assert!(error.is_finite(), "{}", scene.name);
-            largest = largest.max(error);
-        }
-    }
-    largest
 }
 
 fn check(case: &Case) {

@@ -70,7 +70,7 @@ pub(crate) fn choose(
         let cheapest = candidates.iter().filter_map(|other| other.operations).min();
         let size = model.layout.velocities.len();
         let rows = count_rows(&model);
-        if cheapest.is_some_and(|cheapest| linear_algebra(size, rows, false) > cheapest) {
+        if cheapest.is_some_and(|cheapest| least(size, rows) > cheapest) {
             candidates.push(Candidate {
                 formulation,
                 coordinates: model.layout.coordinates.len(),
@@ -182,6 +182,12 @@ fn step(program: &Program) -> usize {
         PASSES * newton + cost("force_tangents") + 2 * cost("mass_matrix")
     };
     rows + motion + linear_algebra(n, r, explicit)
+}
+
+/// What a step with a mass matrix that varies costs at least. (Small systems have zeros that loops cannot know.)
+fn least(n: usize, r: usize) -> usize {
+    let weighted = if n > 20 { 2 * n * r * r } else { 0 };
+    linear_algebra(n, r, false) + weighted
 }
 
 /// Factorisations and their solutions: S and B of the rows, and J of an implicit flow.

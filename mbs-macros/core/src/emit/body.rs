@@ -204,7 +204,7 @@ impl<'a> Body<'a> {
             Operation::Atan2(y, x) => {
                 let x = self.operand(*x, Precedence::Sum);
                 (
-                    format!("{}.atan2({x})", self.operand(*y, Precedence::Atom)),
+                    format!("f64::atan2({}, {x})", self.operand(*y, Precedence::Sum)),
                     Precedence::Atom,
                 )
             }
