@@ -57,6 +57,13 @@ impl Model {
     pub const fn holonomic_rows(&self) -> usize {
         self.structure.holonomic_rows
     }
+
+    /// Whether the reaction of a joint is determined at generic poses. Where redundant rows touch it, the value is the
+    /// minimum-norm one of many.
+    pub fn is_determined(&self, joint: &str) -> bool {
+        self.mobility
+            .is_none_or(|mobility| !mobility.undetermined.contains(&joint))
+    }
 }
 
 /// The world a mechanism moves in.
@@ -96,6 +103,13 @@ pub struct Mobility {
     pub degrees_of_freedom: usize,
     /// Rows that follow from others; they are harmless, but their reactions are not unique.
     pub redundant: &'static [Redundancy],
+    /// Joints whose reactions are not determined, as redundant rows share them out.
+    pub undetermined: &'static [&'static str],
+    /// Nonholonomic rows that are conditions on positions in disguise: together with the holonomic ones they can be
+    /// integrated (Frobenius), so that the mechanism stays on a surface that its start chooses.
+    pub integrable: &'static [&'static str],
+    /// All of this in a sentence.
+    pub summary: &'static str,
 }
 
 /// A row that follows from others.

@@ -34,6 +34,7 @@ pub struct Sample {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reactions {
     /// False where rows are redundant, or nearly so: the values are then the minimum-norm ones, not unique.
+    /// ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
     pub unique: bool,
     /// In the order of [`Model::reactions`](crate::Model::reactions).
     pub values: Vec<f64>,

@@ -1,5 +1,5 @@
 //! Mechanisms that between them use every kind and every function of the language. They need not be sensible machines,
-//! and they need not be assembled: derivatives hold everywhere.
+//! and they need not be assembled: derivatives hold everywhere. (But what can be assembled nowhere is refused.)
 
 use crate::laws;
 use mbs_runtime::mechanism;
@@ -100,6 +100,7 @@ mechanism!(Truss {
     strut: Bar(length = 0.7_m, angle = -60.0_deg),
     weight: Particle(mass = 0.5_kg),
     bead: Particle(mass = 0.2_kg, at = [0.4_m, 0.9_m]),
+    ballast: Particle(mass = 0.1_kg, at = [0.3_m, 0.2_m]),
 
     left: Revolute(ground.origin, crank.a),
     right: Revolute(ground.point(2.0_m, 0.0_m), rocker.a),
@@ -111,10 +112,10 @@ mechanism!(Truss {
     level: Coupling(crank.b.y, bead.origin.x, ratio = 0.7, offset = 0.05_m),
     motor: Drive(crank.angle, value = 0.6 + 1.5_rad_per_s * t),
     lift: Drive(
-        bead.origin.y - 0.2 * weight.origin.x,
+        bead.origin.y - 0.2 * weight.origin.x + 0.1 * ballast.origin.y,
         value = 0.3_m + 0.1_m_per_s * t
     ),
-    ramp: Holonomic(cross(coupler.x, rocker.x) - 0.1 * (1.0_per_s * t).sin()),
+    ramp: Holonomic(cross(coupler.x, strut.x) - 0.1 * (1.0_per_s * t).sin()),
 
     cord: SpringDamper(weight.origin, bead.origin, law = laws::stiffening),
     drag: Force(

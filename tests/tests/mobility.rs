@@ -1,5 +1,7 @@
 //! Rank, degrees of freedom and redundant rows, told at compile time by the names of the declaration.
 
+use mbs_macros_core::analyse;
+use mbs_macros_core::mobility::Mobility;
 use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
 
 // Three parallel cranks carry one coupler: the third holds nothing that the other two do not hold already, as long as all
@@ -96,6 +98,281 @@ fn singular_starts_do_not_count() {
         let rank = scene.model.rows.len() - redundant;
         assert_eq!(mobility.rank, rank, "{}", scene.name);
     }
+}
+
+/// What the compiler says of a declaration without the name and world.
+fn mobility(world: &str, entries: &str) -> Mobility {
+    let text = format!("Tried {{ world: {world}, {entries} }}");
+    let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+    let analysis = outcome.unwrap_or_else(|failure| panic!("{:?}\n{text}", failure.messages()));
+    analysis.mobility.expect("a pose is found")
+}
+
+/// The rows that are integrable.
+fn integrable(world: &str, entries: &str) -> Vec<usize> {
+    mobility(world, entries).integrable
+}
+
+const SPACE: &str = "Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2])";
+const DISK: &str =
+    "disk: Body(mass = 2.0_kg, inertia = Cylinder(0.3_m, 0.02_m, Y), at = [0.0, 0.0, 0.3]),
+    down: Let(-unit(reject(ground.z, disk.y))), contact: Let(disk.origin + 0.3_m * down),
+    slip: Let(disk.velocity_at(contact)), touch: Holonomic(dot(contact, ground.z)),
+    no_slip: Nonholonomic([dot(slip, ground.x), dot(slip, ground.y)]),";
+const SKATE: &str = "skate: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, center_of_mass = [0.1, 0.0]),
+    edge: Nonholonomic(dot(skate.velocity, skate.y)),";
+const TOP: &str =
+    "top: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, orientation = turn([1.0, 2.0, 0.5], 0.7)),";
+
+#[test]
+fn rolling_and_skating_are_nonholonomic() {
+    assert!(integrable(SPACE, DISK).is_empty());
+    assert!(integrable("Planar()", SKATE).is_empty());
+    for scene in mbs_examples::scenes::scenes() {
+        let mobility = scene.model.mobility.expect("it assembles");
+        assert!(mobility.integrable.is_empty(), "{}", scene.name);
+    }
+}
+
+#[test]
+fn rolling_in_a_straight_line_is_holonomic() {
+    let upright = "upright: Holonomic(dot(disk.y, ground.z)),";
+    let ahead = "ahead: Holonomic(dot(disk.y, ground.x)),";
+    // Upright it still turns about the vertical.
+    assert!(integrable(SPACE, &format!("{DISK} {upright}")).is_empty());
+    let straight = format!("{DISK} {upright} {ahead}");
+    assert_eq!(integrable(SPACE, &straight), [3, 4]);
+    // The heading may be held by its rate, too: then it counts as one that integrates.
+    let steered = "steered: Nonholonomic(dot(disk.angular_velocity, ground.z)),";
+    let rows = integrable(SPACE, &format!("{DISK} {upright} {steered}"));
+    assert_eq!(rows.len(), 3);
+}
+
+#[test]
+fn skates_with_a_heading_are_holonomic() {
+    let held = format!("{SKATE} held: Holonomic(skate.angle - 0.3),");
+    assert_eq!(integrable("Planar()", &held), [1]);
+    let steered = format!("{SKATE} steered: Nonholonomic(skate.rate),");
+    assert_eq!(integrable("Planar()", &steered).len(), 2);
+    // A heading that turns as time passes lets it go anywhere.
+    let turning = format!("{SKATE} turning: Drive(skate.angle, value = 0.3 + 1.0_rad_per_s * t),");
+    assert!(integrable("Planar()", &turning).is_empty());
+}
+
+#[test]
+fn gears_of_rates_are_holonomic() {
+    let wheels = "a: Body(mass = 1.0_kg, inertia = 0.1_kg_m2), b: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [1.0, 0.0]),
+        p: Revolute(ground.origin, a.origin), q: Revolute(ground.point(1.0, 0.0), b.origin),
+        skate: Body(mass = 1.0_kg, inertia = 0.1_kg_m2), edge: Nonholonomic(dot(skate.velocity, skate.y)),
+        gear: Nonholonomic(a.rate + 2.0 * b.rate),";
+    let rows = integrable("Planar(coordinates = Reference)", wheels);
+    assert_eq!(rows, [5], "the gear, and not the edge beside it");
+}
+
+#[test]
+fn quasi_velocities_have_brackets() {
+    // Rates of functions of the orientation integrate to them; angular velocities about one axis do not integrate.
+    for (condition, expected) in [
+        ("rate(dot(top.y, ground.x))", 1),
+        ("rate(dot(top.y, ground.x) * top.origin.z)", 1),
+        ("dot(top.angular_velocity, top.x)", 0),
+        ("dot(top.angular_velocity, ground.x)", 0),
+        // All about two axes in space, or all three, leave a group to turn in.
+        (
+            "[dot(top.angular_velocity, ground.x), dot(top.angular_velocity, ground.y)]",
+            2,
+        ),
+        (
+            "[dot(top.angular_velocity, top.x), dot(top.angular_velocity, top.z)]",
+            2,
+        ),
+        (
+            "[dot(top.angular_velocity, top.x), dot(top.angular_velocity, ground.z)]",
+            2,
+        ),
+        ("top.angular_velocity", 3),
+        ("[dot(top.angular_velocity, top.x), top.velocity.z]", 1),
+    ] {
+        let rows = integrable(SPACE, &format!("{TOP} still: Nonholonomic({condition}),"));
+        assert_eq!(rows.len(), expected, "{condition}: {rows:?}");
+    }
+}
+
+#[test]
+fn conditions_may_integrate_with_time() {
+    let ball = "ball: Particle(mass = 1.0_kg, free = true),";
+    for (condition, expected) in [
+        ("ball.velocity.x - 2.0_m_per_s * cos(3.0_per_s * t)", 1),
+        (
+            "ball.velocity.x - 1.0_per_s * ball.origin.x * cos(3.0_per_s * t)",
+            1,
+        ),
+        ("ball.velocity.x - 1.0_per_s * ball.origin.y", 0),
+        ("ball.velocity.x - (2.0_per_s * t) * ball.velocity.y", 0),
+    ] {
+        let entries = format!("{ball} belt: Nonholonomic({condition}),");
+        assert_eq!(
+            integrable("Planar()", &entries).len(),
+            expected,
+            "{condition}"
+        );
+    }
+}
+
+#[test]
+fn mobility_in_words() {
+    let words = |name: &str| {
+        let scenes = mbs_examples::scenes::scenes();
+        let mut scene = scenes.iter().filter(|scene| scene.name == name);
+        scene
+            .next()
+            .and_then(|scene| scene.model.mobility)
+            .expect("it assembles")
+            .summary
+    };
+    let bricard = words("bricard-reference");
+    assert!(
+        bricard.starts_with("30 rows, rank 29: one row of `j6` (rotation about "),
+        "{bricard}"
+    );
+    assert!(
+        bricard.ends_with(") follows from j1…j5; mobility 1; Grübler counts 0"),
+        "{bricard}"
+    );
+    // With joints as coordinates the last of the ring has rows, and the others their part in them.
+    let joints = words("bricard");
+    assert!(
+        joints.starts_with("5 rows, rank 4: one row of `j4` ("),
+        "{joints}"
+    );
+    assert!(
+        joints.contains("the joints that are coordinates, j1…j3, j5, j6; mobility 1"),
+        "{joints}"
+    );
+    assert_eq!(words("slider-crank"), "3 rows, rank 3; mobility 1");
+    assert_eq!(
+        ThreeCranks::MODEL.mobility.expect("it assembles").summary,
+        "4 rows, rank 3: the row of `third` follows from left, right; mobility 1; Grübler counts 0"
+    );
+}
+
+#[test]
+fn redundant_rows_leave_reactions_open() {
+    // The third crank holds the coupler, so that all that carries it shares the load with it.
+    let model = ThreeCranks::MODEL;
+    for joint in ["third", "bearing_left", "bearing_right"] {
+        assert!(!model.is_determined(joint), "{joint}");
+    }
+    for scene in mbs_examples::scenes::scenes() {
+        let open = scene
+            .model
+            .reactions
+            .iter()
+            .any(|reaction| !scene.model.is_determined(reaction.joint));
+        let redundant = scene
+            .model
+            .mobility
+            .is_some_and(|mobility| !mobility.redundant.is_empty());
+        assert_eq!(open, redundant, "{}", scene.name);
+    }
+    // A ring beside a plain pendulum: only the ring is open.
+    let beside = mobility(SPACE, "a: Body(mass = 1.0_kg, inertia = 0.1_kg_m2), b: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+        once: Revolute(ground, a, at = [0.0, 0.0, 0.0], axis = X), twice: Revolute(ground, a, at = [1.0, 0.0, 0.0], axis = X),
+        plain: Revolute(ground, b, at = [0.0, 0.0, 0.0], axis = Y),");
+    assert_eq!(beside.undetermined, ["once", "twice"]);
+}
+
+#[test]
+fn denied_redundancy_is_an_error() {
+    let hinges = "a: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+        once: Revolute(ground, a, at = [0.0, 0.0, 0.0], axis = X),
+        twice: Cylindrical(ground, a, at = [1.0, 0.0, 0.0], axis = X),";
+    let tried = |deny: &str, entries: &str| {
+        let text = format!("Tried {{ {deny} world: {SPACE}, {entries} }}");
+        let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+        outcome.map(|_| ()).map_err(|failure| failure.messages())
+    };
+    assert!(tried("", hinges).is_ok());
+    let messages = tried("deny: Redundant(),", hinges).expect_err("it is denied");
+    let [(message, _)] = messages.as_slice() else {
+        panic!("{messages:?}")
+    };
+    assert!(
+        message.starts_with("4 rows of `twice` (") && message.contains("follow from once"),
+        "{message}"
+    );
+    let plain = hinges.lines().take(2).collect::<String>();
+    assert!(tried("deny: Redundant(),", &plain).is_ok());
+}
+
+#[test]
+fn loops_that_cannot_close_are_found_for_certain_only() {
+    let tried = |distance: f64| {
+        let text = format!(
+            "Tried {{ world: Planar(), a: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.4),
+            b: Bar(mass = 1.0_kg, length = 1.0_m), c: Bar(mass = 1.0_kg, length = 1.0_m),
+            p: Revolute(ground.origin, a.a), q: Revolute(a.b, b.a), r: Revolute(b.b, c.a),
+            s: Revolute(c.b, ground.point({distance:?}, 0.0)) }}"
+        );
+        let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+        outcome
+            .map(|analysis| analysis.mobility)
+            .map_err(|failure| failure.messages())
+    };
+    for distance in [0.5, 2.0, 2.9, 2.99] {
+        assert!(tried(distance).is_ok(), "{distance} m can be bridged");
+    }
+    for distance in [3.01, 4.0, 30.0] {
+        let messages = tried(distance).expect_err("three bars of 1 m are too short");
+        let [(message, _)] = messages.as_slice() else {
+            panic!("{messages:?}")
+        };
+        // Each of the three would have to be longer by as much.
+        let missing = format!("`a.length` by {:.3} m", distance / 3.0 - 1.0);
+        assert!(
+            message.contains("cannot close") && message.contains(&missing),
+            "{message}"
+        );
+    }
+    // Two ropes between the same points contradict each other; half of each is the best compromise.
+    let text = format!("Tried {{ world: {SPACE}, a: Particle(mass = 1.0_kg, at = [1.0, 0.0, 0.0]),
+        long: Distance(ground.origin, a.origin, length = 2.0_m), short: Distance(ground.origin, a.origin, length = 1.0_m) }}");
+    let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+    let messages = outcome
+        .map(|_| ())
+        .expect_err("it has two lengths")
+        .messages();
+    assert!(
+        messages.len() == 1
+            && messages[0].0.contains("`long` by")
+            && messages[0].0.contains("`short` by"),
+        "{messages:?}"
+    );
+}
+
+#[test]
+fn a_bushing_alone_holds() {
+    // Its spring is felt: 2 Hz in all directions.
+    mechanism!(Mounted {
+        world: Spatial(),
+        block: Body(
+            mass = 1.0_kg,
+            inertia = 0.1_kg_m2,
+            velocity = [0.1_m_per_s, 0.0, 0.0]
+        ),
+        mount: Bushing(
+            ground,
+            block,
+            at = [0.0, 0.0, 0.0],
+            stiffness = 157.91_N_per_m
+        ),
+        x: Output(block.origin.x),
+    });
+    let mut simulation = Simulation::new(Mounted::default()).expect("it assembles");
+    simulation.run_until(0.125).expect("it runs");
+    let amplitude = 0.1 / 157.91f64.sqrt();
+    let x = simulation.output("x").expect("it is an output");
+    assert!((x - amplitude).abs() < 1e-4 * amplitude, "{x}");
 }
 
 /// Which joints a redundant row depends on, and how many degrees of freedom are left where counting gives none.

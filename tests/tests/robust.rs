@@ -114,6 +114,25 @@ fn strangers() -> Vec<TokenTree> {
         "Fixed",
         "Prismatic",
         "powi",
+        "Spatial",
+        "Planar",
+        "Body",
+        "Bar",
+        "Spherical",
+        "Universal",
+        "Bushing",
+        "Y",
+        "at",
+        "axis",
+        "orientation",
+        "turn",
+        "diag",
+        "Cylinder",
+        "frame",
+        "stroke",
+        "angular_velocity",
+        "deny",
+        "Redundant",
     ]
     .map(|name| Ident::new(name, Span::call_site()).into())
     .into();
@@ -137,6 +156,8 @@ fn strangers() -> Vec<TokenTree> {
             .map(|sign| Punct::new(sign, Spacing::Alone).into()),
     );
     list.push(Group::new(Delimiter::Bracket, TokenStream::new()).into());
+    let vectors = "[0.0, 0.0, 0.0] [0.0, 1.0] [1.0, 0.0, 0.0] (Z, 1.0)";
+    list.extend(vectors.parse::<TokenStream>().expect("groups"));
     list.push(Literal::f64_unsuffixed(2.0).into());
     list
 }
@@ -203,10 +224,62 @@ fn mutants() -> usize {
     wanted.unwrap_or(60_000)
 }
 
+/// Small mechanisms that between them have every joint and force of space.
+const IN_SPACE: [&str; 6] = [
+    "Hinged { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]), size: Param(0.3_m),
+        arm: Body(mass = 1.0_kg, inertia = Cuboid(size, 0.2_m, 0.1_m), at = [0.0, 0.0, size],
+            orientation = [turn(Z, 0.3), turn([1.0, 2.0, 0.5], 10.0_deg)], angular_velocity = [0.1, 0.0, 0.0]),
+        nut: Body(mass = 1.0_kg, inertia = diag(0.1_kg, 0.1, 0.1) * size.powi(2), at = [0.0, 0.0, size]),
+        hinge: Revolute(ground, arm, at = [0.0, 0.0, 0.0], axis = X),
+        thread: Screw(arm, nut, at = [0.0, 0.0, size], axis = Z, pitch = 0.01_m),
+        motor: Torque(hinge, value = 0.1_Nm * sin(1.0_per_s * t)),
+        coil: TorsionSpring(hinge, stiffness = 2.0_Nm, damping = 0.1_Nm_s),
+        out: Output(hinge.angle + thread.angle) }",
+    "Yokes { deny: Redundant(), world: Spatial(),
+        first: Bar(mass = 1.0_kg, from = [0.0, 0.0, 0.0], to = [1.0, 0.0, 0.0], radius = 0.1_m),
+        second: Bar(mass = 1.0_kg, from = [1.0, 0.0, 0.0], to = [2.0, 0.0, 0.0], radius = 0.1_m),
+        bearing: Cylindrical(ground, first, at = [0.0, 0.0, 0.0], axis = X),
+        cross: Universal(first, second, at = [1.0, 0.0, 0.0], axis = Y, second_axis = Z),
+        other: ConstantVelocity(second.b, ground.point(2.0, 0.0, 0.0), axis = X) }",
+    "Table { world: Spatial(), plate: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+        slider: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [0.0, 0.0, 1.0]),
+        floor: Planar(ground, plate, at = [0.0, 0.0, 0.0], axis = Z),
+        slide: Prismatic(plate.frame([0.0, 0.0, 1.0], X), slider.frame([0.0, 0.0, 0.0], X)),
+        rack: RackPinion(floor, slide, radius = 0.1_m), out: Output(slide.stroke),
+        push: Force(slider.origin, value = [1.0_N, 0.0, 0.0], axes = plate) }",
+    "Rods { world: Spatial(gravity = [0.0, 0.0, -9.81]),
+        rod: Bar(mass = 1.0_kg, to = [1.0, 0.0, 0.0]), bob: Particle(mass = 1.0_kg, at = [1.0, 0.0, 0.0]),
+        ball: Spherical(ground.origin, rod.a), knot: Spherical(rod.b, bob),
+        ledge: PointOnPlane(bob, ground.origin, normal = Y) }",
+    "Mounted { world: Spatial(), block: Body(mass = 1.0_kg, inertia = Sphere(0.1_m), center_of_mass = [0.1, 0.0, 0.0]),
+        tool: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+        mount: Bushing(ground, block, at = [0.0, 0.0, 0.0], stiffness = [1.0_N_per_m, 2.0, 3.0], torsion_stiffness = 1.0_Nm),
+        weld: Fixed(block, tool, at = [0.0, 0.0, 0.0]), wire: PointOnLine(tool.origin, ground.origin, axis = Y), stir: Wrench(tool.origin, force = [1.0_N, 0.0, 0.0]) }",
+    "Disk { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+        disk: Body(mass = 2.0_kg, inertia = Cylinder(0.3_m, 0.01_m, Y), at = [0.0, 0.0, 0.3]),
+        down: Let(-unit(reject(ground.z, disk.y))), contact: Let(disk.origin + 0.3_m * down),
+        slip: Let(disk.velocity_at(contact)), touch: Holonomic(dot(contact, ground.z)),
+        no_slip: Nonholonomic([dot(slip, ground.x), dot(slip, ground.y)]) }",
+];
+
+#[test]
+fn mechanisms_of_space_are_accepted() {
+    for text in IN_SPACE {
+        let tokens = text.parse().expect("these are tokens");
+        let answer = answer(tokens);
+        assert!(matches!(answer, Answer::Accepted), "{answer:?}\n{text}");
+    }
+}
+
 #[test]
 fn mutants_are_answered() {
     let (mut accepted, mut refused) = (0, 0);
-    for (name, tokens) in declarations() {
+    let in_space = IN_SPACE.map(|text| {
+        let tokens: TokenStream = text.parse().expect("these are tokens");
+        let name = text.split(' ').next().unwrap_or_default();
+        (name.to_owned(), tokens)
+    });
+    for (name, tokens) in declarations().into_iter().chain(in_space) {
         // Large mechanisms take long to derive and say no more than small ones.
         let mutants = mutants() / count(&tokens);
         let mut random = Random(0x9e37_79b9_7f4a_7c15);

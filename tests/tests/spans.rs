@@ -11,12 +11,28 @@ pivot: Revolute(ground.origin, bar.a),
 /// With these two lines (an entry, and marks under it) the only message contains `message` and is about the marked
 /// tokens.
 fn points_at(lines: &str, message: &str) {
+    points_at_after(BEFORE, lines, message);
+}
+
+/// What the lines stand after in space.
+const IN_SPACE: &str = "world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+arm: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+hinge: Revolute(ground, arm, at = [0.0, 0.0, 0.0], axis = X),
+rod: Bar(mass = 1.0_kg, to = [1.0, 0.0, 0.0]),
+ball: Spherical(ground.origin, rod.a),
+";
+
+fn points_at_in_space(lines: &str, message: &str) {
+    points_at_after(IN_SPACE, lines, message);
+}
+
+fn points_at_after(before: &str, lines: &str, message: &str) {
     let mut lines = lines.lines().filter(|line| !line.trim().is_empty());
     let (line, marks) = (
         lines.next().expect("an entry"),
         lines.next().expect("marks"),
     );
-    let text = format!("Marked {{\n{BEFORE}{line}\n}}");
+    let text = format!("Marked {{\n{before}{line}\n}}");
     let (_, outcome) = analyse(text.parse().expect("these are tokens"));
     let failure = outcome.err().unwrap_or_else(|| panic!("accepted: {line}"));
     let messages = failure.messages();
@@ -25,7 +41,7 @@ fn points_at(lines: &str, message: &str) {
     };
     assert_eq!(
         span.start.line,
-        BEFORE.lines().count() + 2,
+        before.lines().count() + 2,
         "another line: {found}"
     );
     let columns = span.start.column..span.end.column;
@@ -277,5 +293,136 @@ fn syntax() {
         doc: concat!(\"two\", \"texts\"),
              ~~~~~~~~~~~~~~~~~~~~~~~",
         "`doc:` takes a text in quotes",
+    );
+}
+
+#[test]
+fn joints_of_space() {
+    points_at_in_space(
+        "
+        out: Output(ball.angle),
+                         ~~~~~
+        ",
+        "a `Spherical` leaves no single motion to name",
+    );
+    points_at_in_space(
+        "
+        out: Output(hinge.stroke),
+                          ~~~~~~
+        ",
+        "a `Revolute` does not slide (it has: angle, rate)",
+    );
+    points_at_in_space(
+        "
+        pin: Revolute(ground.origin, rod.a, axis = X),
+                                     ~~~~~
+        ",
+        "`rod` is a slender bar",
+    );
+    points_at_in_space(
+        "
+        pin: Universal(ground.origin, arm.origin, axis = X, second_axis = [1.0, 1.0, 0.0]),
+                                                                          ~~~~~~~~~~~~~~~
+        ",
+        "cross at right angles, but these at 45.000°",
+    );
+    points_at_in_space(
+        "
+        pin: Revolute(arm.frame([0.0, 0.0, 0.0], 0.0 * X), ground.origin),
+                                                 ~~~~~~~
+        ",
+        "this axis has no length; give it a direction, such as X or [1.0, 1.0, 0.0]",
+    );
+    points_at_in_space(
+        "
+        pin: Prismatic(arm.origin, ground.point(0.0, 0.5, 0.0), axis = X),
+        ~~~
+        ",
+        "0.500 m apart in directions that this `Prismatic` holds",
+    );
+    points_at_in_space(
+        "
+        coil: TorsionSpring(ground, arm, stiffness = 1.0_Nm),
+                                    ~~~
+        ",
+        "`TorsionSpring` takes one positional argument",
+    );
+    points_at_in_space(
+        "
+        mount: Bushing(arm, rod, at = [0.0, 0.0, 0.0], stiffness = 1.0_N_per_m),
+                            ~~~
+        ",
+        "`rod` is a slender bar",
+    );
+    points_at_in_space(
+        "
+        rope: Distance(arm.origin, rod.b, length = 0.0_m),
+                                                   ~~~~~
+        ",
+        "to hold two points together use `Spherical`",
+    );
+}
+
+#[test]
+fn parts_of_space() {
+    points_at_in_space(
+        "
+        out: Output(rod.y),
+                        ~
+        ",
+        "a slender bar has no axes across it",
+    );
+    points_at_in_space(
+        "
+        out: Output(arm.rate),
+                        ~~~~
+        ",
+        "in space parts have `angular_velocity`",
+    );
+    points_at_in_space(
+        "
+        lump: Body(mass = 1.0_kg, inertia = Ball(0.1_m), free = true),
+                                            ~~~~
+        ",
+        "there is no function `Ball`",
+    );
+    points_at_in_space(
+        "
+        lump: Body(mass = 1.0_kg, inertia = Spere(0.1_m), free = true),
+                                            ~~~~~
+        ",
+        "there is no shape `Spere`; did you mean `Sphere`?",
+    );
+    points_at_in_space(
+        "
+        beam: Bar(mass = 1.0_kg, from = [1.0, 0.0, 0.0], to = [1.0, 0.0, 0.0], free = true),
+                                                              ~~~~~~~~~~~~~~~
+        ",
+        "a bar has a positive length",
+    );
+    points_at_in_space(
+        "
+        out: Output(arm.velocity_at(2.0 * arm.x)),
+                                    ~~~~~~~~~~~
+        ",
+        "`velocity_at` takes a point",
+    );
+}
+
+#[test]
+fn what_only_numbers_tell() {
+    points_at_in_space(
+        "
+        rope: Distance(ground.point(0.0, 0.0, 9.0), rod.b, length = 1.0_m),
+        ~~~~
+        ",
+        "this loop cannot close",
+    );
+    points_at(
+        "
+        rope: Distance(ground.point(9.0, 0.0), bar.b, length = 1.0_m),
+        ~~~~
+        ",
+        "this loop cannot close",
     );
 }

@@ -4,12 +4,11 @@ use std::fmt::{self, Write as _};
 
 use clap::Args;
 use mbs_examples::scene::Scene;
-use mbs_runtime::{AnySimulation, Model, Quantity, RowKind, Settings};
+use mbs_runtime::{AnySimulation, Coordinate, Model, Quantity, RowKind, Settings};
 
 use super::failure::Failure;
 use super::find;
 use super::print::print;
-use super::summary::count;
 use super::table::{Align, table};
 
 use Align::{Left, Right};
@@ -90,12 +89,13 @@ fn explain(out: &mut String, scene: &Scene) -> fmt::Result {
         [("part", Left), ("kind", Left), ("modelled as", Left)],
         model.parts.iter().map(|p| [p.name, p.kind, p.modelled_as]),
     );
-    section(
-        out,
-        "Coordinates",
-        [("coordinate", Left), ("unit", Left)],
-        model.coordinates.iter().map(|c| [c.name, c.unit]),
-    );
+    let heading = [
+        ("coordinates", Left),
+        ("unit", Left),
+        ("velocities", Left),
+        ("unit", Left),
+    ];
+    section(out, "Coordinates", heading, state(model).into_iter());
     let heading = [
         ("row", Left),
         ("kind", Left),
@@ -115,6 +115,7 @@ fn explain(out: &mut String, scene: &Scene) -> fmt::Result {
         }
     }
     structure(out, scene)?;
+    reactions(out, model);
     operations(out, model);
     quantities(out, "Parameters", model.parameters);
     quantities(out, "Inputs", model.inputs);
@@ -170,23 +171,9 @@ fn structure(out: &mut String, scene: &Scene) -> fmt::Result {
         step: scene.step,
         ..Settings::default()
     };
-    if let Some(mobility) = &scene.model.mobility {
-        writeln!(out, "  rank         {} of {rows} rows", mobility.rank)?;
-        for redundancy in mobility.redundant {
-            let from = redundancy.follows_from.join(", ");
-            writeln!(
-                out,
-                "  redundant    `{}` follows from {from}",
-                redundancy.row
-            )?;
-        }
-        let velocities = scene.model.velocities.len();
-        let freedom = count(mobility.degrees_of_freedom, "degree");
-        let counted = velocities as i64 - rows as i64;
-        writeln!(
-            out,
-            "  mobility     {freedom} of freedom (velocities less rows: {counted})"
-        )?;
+    match &scene.model.mobility {
+        Some(mobility) => writeln!(out, "  mobility     {}", mobility.summary)?,
+        None => writeln!(out, "  mobility     no pose was found at compile time")?,
     }
     match (scene.build)(&[], settings) {
         Ok(simulation) => assembled(out, simulation.as_ref()),
@@ -202,6 +189,77 @@ fn assembled(out: &mut String, simulation: &dyn AnySimulation) -> fmt::Result {
         writeln!(out, "               {rows} redundant there")?;
     }
     writeln!(out, "  flow         {}", simulation.flow().name())
+}
+
+/// Coordinates beside the velocities that move them; the components of a point or rotation share a line.
+fn state(model: &Model) -> Vec<[String; 4]> {
+    let (coordinates, velocities) = (grouped(model.coordinates), grouped(model.velocities));
+    let lines = coordinates.len().max(velocities.len());
+    let cell = |groups: &[[String; 2]], line: usize| match groups.get(line) {
+        Some(group) => group.clone(),
+        None => [String::new(), String::new()],
+    };
+    let lines = (0..lines).map(|line| {
+        let ([q, q_unit], [v, v_unit]) = (cell(&coordinates, line), cell(&velocities, line));
+        [q, q_unit, v, v_unit]
+    });
+    lines.collect()
+}
+
+/// `crank.b.x, y` with its unit.
+fn grouped(list: &[Coordinate]) -> Vec<[String; 2]> {
+    let mut groups: Vec<([String; 2], &str)> = Vec::new();
+    for item in list {
+        let (stem, component) = item.name.rsplit_once('.').unwrap_or(("", item.name));
+        match groups.last_mut() {
+            Some(([text, unit], last))
+                if *last == stem && unit == item.unit && !stem.is_empty() =>
+            {
+                *text += &format!(", {component}");
+            }
+            _ => groups.push(([item.name.to_owned(), item.unit.to_owned()], stem)),
+        }
+    }
+    groups.into_iter().map(|(group, _)| group).collect()
+}
+
+/// What each joint can tell, and whether it is determined.
+fn reactions(out: &mut String, model: &Model) {
+    let mut joints: Vec<[String; 3]> = Vec::new();
+    let mut unit = "";
+    for reaction in model.reactions {
+        match joints.last_mut() {
+            Some([joint, components, _]) if joint == reaction.joint => {
+                *components += &match unit == reaction.unit {
+                    true => format!(", {}", reaction.component),
+                    false => format!(" {unit}; {}", reaction.component),
+                };
+            }
+            _ => {
+                finish(&mut joints, unit);
+                let mark = match model.is_determined(reaction.joint) {
+                    true => "",
+                    false => "minimum-norm, not unique",
+                };
+                joints.push([reaction.joint, reaction.component, mark].map(str::to_owned));
+            }
+        }
+        unit = reaction.unit;
+    }
+    finish(&mut joints, unit);
+    section(
+        out,
+        "Reactions on the second partner, in the ground's axes",
+        [("joint", Left), ("components", Left), ("", Left)],
+        joints.into_iter(),
+    );
+}
+
+/// The unit of the last components.
+fn finish(joints: &mut [[String; 3]], unit: &str) {
+    if let Some([_, components, _]) = joints.last_mut() {
+        *components += &format!(" {unit}");
+    }
 }
 
 fn operations(out: &mut String, model: &Model) {

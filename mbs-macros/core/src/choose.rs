@@ -5,8 +5,9 @@ use crate::dag::{self, Program};
 use crate::derivatives;
 use crate::diagnostics::Errors;
 use crate::equations;
-use crate::mobility;
+use crate::mobility::{self, Open};
 use crate::model::{self, Formulation, Model};
+use crate::refusals;
 use crate::syntax::Declaration;
 
 /// A description that was considered.
@@ -37,7 +38,16 @@ pub(crate) fn choose(
     if !errors.is_empty() {
         return None;
     }
-    let mut best = derive(model?);
+    let mut best = match derive(model?) {
+        Ok(best) => best,
+        Err(open) => {
+            refusals::refuse_open(declaration, &open, errors);
+            return None;
+        }
+    };
+    if let (true, Some(mobility)) = (declaration.deny_redundant, &best.mobility) {
+        refusals::refuse_redundant(declaration, mobility, &best.derived, errors);
+    }
     if requested.is_some() {
         return Some(best);
     }
@@ -71,7 +81,7 @@ pub(crate) fn choose(
             });
             continue;
         }
-        let other = derive(model);
+        let Ok(other) = derive(model) else { continue };
         let own = candidate(&other);
         // Of two that cost the same the one tried first stays.
         if own.operations < cheapest {
@@ -83,16 +93,16 @@ pub(crate) fn choose(
     Some(best)
 }
 
-fn derive(mut model: Model) -> Analysis {
+fn derive(mut model: Model) -> Result<Analysis, Open> {
     let system = equations::derive(&mut model);
     let derived = derivatives::derive(system);
-    let mobility = mobility::analyse(&model, &derived);
-    Analysis {
+    let mobility = mobility::analyse(&model, &derived)?;
+    Ok(Analysis {
         model,
         derived,
         mobility,
         candidates: Vec::new(),
-    }
+    })
 }
 
 /// Whether two descriptions have the same coordinates and the same joints left as rows.

@@ -13,6 +13,7 @@ pub mod diagnostics;
 pub mod explain;
 pub mod mobility;
 pub mod reference;
+mod refusals;
 pub mod schema;
 pub mod symbolic;
 

@@ -58,6 +58,9 @@ the plane also `angle` and `rate`, in space `angular_velocity` and `frame([x, y,
 Points have components and `velocity`; a coordinate has `rate`. Joints of space have what their kind says below: `angle`
 (counted over full turns), `rate`, `stroke`, `speed`.
 
+Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
+would be a mistake, `deny: Redundant()` makes each an error at its joint.
+
 This page is written by the compiler's own table of kinds, and tested to be up to date.
 ";
 

@@ -5,7 +5,7 @@ use crate::choose::Candidate;
 use crate::compile::Analysis;
 use crate::dag::Program;
 use crate::equations::RowKind;
-use crate::mobility::Mobility;
+use crate::mobility::{self, Mobility};
 use crate::model::{Quantity, Representation, Stored};
 use crate::schema::World;
 use std::fmt::Write;
@@ -174,6 +174,11 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
     let Some(mobility) = mobility else {
         return "::core::option::Option::None".to_owned();
     };
+    let integrable: Vec<&str> = mobility
+        .integrable
+        .iter()
+        .map(|&row| program.rows[row].name.as_str())
+        .collect();
     let redundant: Vec<String> = mobility
         .redundant
         .iter()
@@ -186,10 +191,12 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         })
         .collect();
     format!(
-        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}] }})",
+        "::core::option::Option::Some(::mbs_runtime::Mobility {{ rank: {}, degrees_of_freedom: {}, redundant: &[{}], undetermined: &{:?}, integrable: &{integrable:?}, summary: {:?} }})",
         mobility.rank,
         mobility.mobility,
-        redundant.join(", ")
+        redundant.join(", "),
+        mobility.undetermined,
+        mobility::summary(mobility, &program.rows, program.size)
     )
 }
 

@@ -3,7 +3,8 @@
 use super::body::{Body, number};
 use super::{doc, motion, system, tokens};
 use crate::dag::{Operand, Program};
-use crate::mobility::Mobility;
+use crate::equations::Row;
+use crate::mobility::{self, Mobility};
 use crate::model::Model;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
@@ -16,13 +17,14 @@ pub(super) fn emit(
     declaration: &Declaration,
     model: &Model,
     mobility: Option<&Mobility>,
+    rows: &[Row],
 ) -> TokenStream {
     let visibility = declaration
         .visibility
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
     let name = &declaration.name;
-    let documentation = doc(&documentation(model, mobility));
+    let documentation = doc(&documentation(model, mobility, rows));
     let fields: Vec<Ident> = model
         .parameters
         .iter()
@@ -68,7 +70,7 @@ fn field(declaration: &Declaration, name: &str) -> Ident {
     entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
 }
 
-fn documentation(model: &Model, mobility: Option<&Mobility>) -> String {
+fn documentation(model: &Model, mobility: Option<&Mobility>, rows: &[Row]) -> String {
     let mut out = String::new();
     if !model.doc.is_empty() {
         let _ = writeln!(out, "{}\n", model.doc);
@@ -88,8 +90,8 @@ fn documentation(model: &Model, mobility: Option<&Mobility>) -> String {
     if let Some(mobility) = mobility {
         let _ = writeln!(
             out,
-            "\nRows of rank {}, degrees of freedom: {}.",
-            mobility.rank, mobility.mobility
+            "\n{}.",
+            mobility::summary(mobility, rows, model.layout.velocities.len())
         );
     }
     for sentence in &model.reductions {

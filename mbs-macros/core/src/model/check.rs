@@ -1,12 +1,15 @@
 //! Checks of whole entries and of the whole model: known arguments, connected parts, used names, conditions that
 //! something can fulfil, coordinates with mass.
 
+use super::Dimension;
 use super::Representation;
+use super::advice;
 use super::elements::{ForceElement, JointElement};
-use super::geometry::Owner;
+use super::geometry::{Owner, Point};
 use super::parts::Part;
+use super::placement::Guesses;
 use super::reduce::Reduction;
-use super::resolve::Resolver;
+use super::resolve::{Resolver, has_frames};
 use crate::diagnostics::{Place, did_you_mean};
 use crate::schema::{self, Absent, Kind, World};
 use crate::symbolic::{Graph, Symbol};
@@ -15,7 +18,7 @@ use proc_macro2::Span;
 use std::collections::BTreeSet;
 
 /// How far apart points may be in the home pose, relative to the size of the mechanism: assembly closes such gaps.
-const NEARLY_TOGETHER: f64 = 1e-2;
+pub(super) const NEARLY_TOGETHER: f64 = 1e-2;
 
 /// Every argument is one that its kind has, and no required one is missing.
 pub(super) fn arguments(resolver: &mut Resolver) {
@@ -31,9 +34,10 @@ pub(super) fn arguments(resolver: &mut Resolver) {
             entry_arguments(resolver, entry, kind);
         } else if let Some(kind) = schema::any_kind(&name) {
             let (world, kind) = (resolver.world.describe(), kind.name);
+            let advice = advice::kind(resolver.world, kind);
             resolver.fail::<()>(
                 entry.kind.span(),
-                format!("there is no `{kind}` in {world}"),
+                format!("there is no `{kind}` in {world}; {advice}"),
             );
         }
     }
@@ -67,7 +71,10 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         let name = argument.name.to_string();
         if !kind.fields.iter().any(|field| field.name == name) {
             let known = kind.fields.iter().map(|field| field.name);
-            let hint = did_you_mean(&name, known.clone());
+            let hint = match advice::argument(resolver.world, kind.name, &name) {
+                Some(advice) => format!("; {advice}"),
+                None => did_you_mean(&name, known.clone()),
+            };
             let known: Vec<_> = known.collect();
             resolver.fail::<()>(
                 argument.name.span(),
@@ -90,7 +97,8 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         }
     }
     if misplaced {
-        // What seems to be missing may be what stands in the wrong place.
+        // What seems to be missing may be what stands in the wrong place, and what is wrong besides may follow from it.
+        resolver.misplaced.insert(entry.name.to_string());
         return;
     }
     for (slot, field) in kind
@@ -101,6 +109,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
     {
         let by_position = field.positional && slot < entry.positional.len();
         if !by_position && entry.named(field.name).is_none() {
+            resolver.misplaced.insert(entry.name.to_string());
             resolver.fail::<()>(
                 entry.kind.span(),
                 format!("`{}` needs `{}`: {}", kind.name, field.name, field.doc),
@@ -161,40 +170,88 @@ pub(super) fn used(resolver: &mut Resolver) {
     }
 }
 
-/// In space, points that a joint holds together are together in the home pose, with the defaults of all parameters.
+/// In space, the frames that a joint holds together are together in the home pose, with the defaults of all parameters.
 /// (Differences within the rounding of a written number are left to assembly.)
-pub(super) fn home_poses(resolver: &mut Resolver, joints: &[JointElement]) {
-    if resolver.world == World::Planar {
-        return;
-    }
-    let mut places: Vec<(Span, [String; 2], [[f64; 3]; 2])> = Vec::new();
+pub(super) fn home_poses(resolver: &mut Resolver, joints: &[JointElement], guesses: &Guesses) {
+    let mut found: Vec<Disagreement> = Vec::new();
+    let mut size = 0.0f64;
     for element in joints {
-        let Some((parent, child)) = element.joint.coincident() else {
+        let entry = resolver.declaration.entries.iter();
+        let mut entry = entry.filter(|entry| entry.name == element.name);
+        let Some(kind) = entry.next().map(|entry| entry.kind.to_string()) else {
             continue;
         };
-        let labels = [parent.label.clone(), child.label.clone()];
-        let homes = [parent, child].map(|point| {
+        let points = element.joint.points();
+        if let (true, [parent, child]) = (has_frames(resolver.world, &kind), points.as_slice()) {
+            let disagreement = Disagreement::new(resolver, element, kind, [parent, child], guesses);
+            let homes = disagreement.homes.as_flattened().iter();
+            size = homes.fold(size, |size, x| size.max(x.abs()));
+            found.push(disagreement);
+        }
+    }
+    for disagreement in found {
+        if let Some(message) = disagreement.message(size) {
+            resolver.fail::<()>(disagreement.span, message);
+        }
+    }
+}
+
+/// How far the partners of a joint are from where it holds them.
+struct Disagreement {
+    span: Span,
+    kind: String,
+    labels: [String; 2],
+    homes: [[f64; 3]; 2],
+    /// In the directions that the joint holds.
+    gap: f64,
+    /// Radians; about the directions that the joint holds.
+    angle: f64,
+    /// Whether it holds all directions.
+    coincident: bool,
+}
+
+impl Disagreement {
+    fn new(
+        resolver: &mut Resolver,
+        element: &JointElement,
+        kind: String,
+        points: [&Point; 2],
+        guesses: &Guesses,
+    ) -> Self {
+        let homes = points.map(|point| {
             let home = resolver.home_of(point);
             home.map(|x| resolver.by_default(x))
         });
-        places.push((element.span, labels, homes));
-    }
-    let size = places
-        .iter()
-        .flat_map(|(_, _, homes)| homes.as_flattened())
-        .fold(0.0f64, |size, x| size.max(x.abs()));
-    for (span, labels, [parent, child]) in places {
-        let gap = (0..3)
-            .map(|k| (child[k] - parent[k]).powi(2))
-            .sum::<f64>()
-            .sqrt();
-        if gap > NEARLY_TOGETHER * size {
-            let [first, second] = labels;
-            resolver.fail::<()>(
-                span,
-                format!("in the home pose `{first}` is at {parent:?} m and `{second}` at {child:?} m, {gap:.3} m apart, but this joint holds them together; move one of the parts by its `at`, `from` or `orientation`"),
-            );
+        let rows = element.joint.equations(&mut resolver.graph).rows;
+        let size_of = |resolver: &mut Resolver, dimension: Dimension| {
+            let rows = rows.iter().filter(|row| row.dimension == Some(dimension));
+            let squares = rows.map(|row| resolver.at_home(row.expr, guesses).powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        Disagreement {
+            span: element.span,
+            kind,
+            labels: points.map(|point| point.label.clone()),
+            homes,
+            gap: size_of(resolver, Dimension::LENGTH),
+            angle: size_of(resolver, Dimension::NONE).min(1.0).asin(),
+            coincident: element.joint.coincident().is_some(),
         }
+    }
+
+    fn message(&self, size: f64) -> Option<String> {
+        let ([first, second], [parent, child]) = (&self.labels, &self.homes);
+        let (kind, gap, angle) = (&self.kind, self.gap, self.angle.to_degrees());
+        let held = match self.coincident {
+            true => format!("{gap:.3} m apart, but this joint holds them together"),
+            false => format!("{gap:.3} m apart in directions that this `{kind}` holds"),
+        };
+        if gap > NEARLY_TOGETHER * size {
+            return Some(format!(
+                "in the home pose `{first}` is at {parent:?} m and `{second}` at {child:?} m, {held}; move one of the parts by its `at`, `from` or `orientation`"
+            ));
+        }
+        (self.angle > NEARLY_TOGETHER).then(|| format!("in the home pose the axes at `{first}` and at `{second}` are {angle:.1}° off those that this `{kind}` holds together; turn one of the frames or parts, or give the axis once by `axis =`"))
     }
 }
 

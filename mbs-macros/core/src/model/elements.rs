@@ -80,6 +80,14 @@ impl Resolver<'_> {
                 continue;
             };
             let name = entry.name.to_string();
+            if self.misplaced.contains(&name) {
+                continue;
+            }
+            let element = matches!(kind.group, Group::Joint | Group::Constraint | Group::Force);
+            let (known, count) = (
+                self.errors.is_empty(),
+                found_joints.len() + found_forces.len(),
+            );
             match kind.group {
                 Group::Joint | Group::Constraint => {
                     if let Some(joint) = joints::read(kind.name, &mut Arguments::new(self, entry)) {
@@ -96,6 +104,13 @@ impl Resolver<'_> {
                     }
                 }
                 Group::Value | Group::Part => {}
+            }
+            let read = found_joints.len() + found_forces.len() > count;
+            if element && known && !read && self.errors.is_empty() {
+                self.fail::<()>(
+                    entry.kind.span(),
+                    "the compiler dropped this without saying why; please report this declaration",
+                );
             }
         }
         // The length of a bar in natural coordinates is a row of its own.

@@ -7,6 +7,7 @@ use super::placement::Guesses;
 use super::resolve::Resolver;
 use super::tree::{Tree, TreeJoint};
 use crate::symbolic::{Evaluator, Expr, Function, Graph, Symbol};
+use std::collections::HashMap;
 
 impl Resolver<'_> {
     /// Where the ground or a part is in the home pose, in parameters.
@@ -56,6 +57,33 @@ impl Resolver<'_> {
             Symbol::Parameter(index) => self.parameters[index as usize].default,
             _ => f64::NAN,
         };
+        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+        Evaluator::new(&self.graph, &symbols, &laws).value(expr)
+    }
+
+    /// The value of an expression in local coordinates in the home pose, with the defaults of all parameters, at t = 0.
+    pub(super) fn at_home(&mut self, expr: Expr, guesses: &Guesses) -> f64 {
+        let mut values: HashMap<Symbol, f64> = HashMap::new();
+        for symbol in self.graph.symbols([expr]) {
+            let known = match symbol {
+                Symbol::LocalPosition(local) => guesses.position(local, &mut self.graph),
+                Symbol::LocalRotation(first, entry) => {
+                    let part = self
+                        .parts
+                        .iter()
+                        .find(|part| part.rotation() == Some(first));
+                    let (row, column) = (usize::from(entry / 3), usize::from(entry % 3));
+                    match part.and_then(|part| part.home) {
+                        Some(home) => home.axes[column][row],
+                        None => continue,
+                    }
+                }
+                Symbol::Parameter(_) => self.graph.symbol(symbol),
+                _ => self.graph.zero(),
+            };
+            values.insert(symbol, self.by_default(known));
+        }
+        let symbols = |symbol| values.get(&symbol).copied().unwrap_or(f64::NAN);
         let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
         Evaluator::new(&self.graph, &symbols, &laws).value(expr)
     }

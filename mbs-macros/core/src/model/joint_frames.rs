@@ -155,10 +155,21 @@ impl Resolver<'_> {
             known.extend(["stroke", "speed"]);
         }
         if !known.contains(&member) {
+            let advice = match (member, known.is_empty()) {
+                (_, true) => format!("a `{}` leaves no single motion to name", joint.kind),
+                ("angle" | "rate", _) if !joint.turns() => {
+                    format!("a `{}` does not turn", joint.kind)
+                }
+                ("stroke" | "speed", _) if !joint.slides() => {
+                    format!("a `{}` does not slide", joint.kind)
+                }
+                _ => String::new(),
+            };
             return self.no_such_member(
                 &Value::Joint(Box::new(joint.clone())),
                 member,
                 &known,
+                &advice,
                 span,
             );
         }

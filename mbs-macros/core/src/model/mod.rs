@@ -3,6 +3,7 @@
 //! AFTER THIS STAGE: every name is resolved, every dimension checked, every expression symbolic (in the *local*
 //! coordinates of the parts), every point merged that a joint merges, and no user error is left to find.
 
+mod advice;
 mod arguments;
 mod check;
 mod dimension;

@@ -38,7 +38,10 @@ pub fn resolve(
     }
     check::connected(&mut resolver, &joints, &forces);
     check::used(&mut resolver);
-    check::home_poses(&mut resolver, &joints);
+    if resolver.world == World::Spatial {
+        let home = home::guesses(&mut resolver, &joints, &Tree::default());
+        check::home_poses(&mut resolver, &joints, &home);
+    }
     let tree = match formulation {
         Formulation::Joint => Tree::grow(&mut resolver, &joints),
         _ => Tree::default(),
@@ -124,6 +127,8 @@ pub struct Resolver<'d> {
     pub(super) windings: Vec<Winding>,
     /// Names that some expression has asked for.
     pub(super) used: HashSet<String>,
+    /// Entries whose arguments are not those of their kind, which is an error already.
+    pub(super) misplaced: HashSet<String>,
     /// Bars that need an angle.
     pub(super) turning: HashSet<String>,
     names: HashMap<String, usize>,
@@ -148,6 +153,7 @@ impl<'d> Resolver<'d> {
             laws: Vec::new(),
             windings: Vec::new(),
             used: HashSet::new(),
+            misplaced: HashSet::new(),
             turning: turning(declaration),
             names: HashMap::new(),
             states: Vec::new(),
@@ -268,16 +274,24 @@ impl<'d> Resolver<'d> {
                     // Its own error is recorded already.
                     return None;
                 }
+                let advice = match self.is_planar_hinge(entry) {
+                    true => "; in the plane parts have angles, joints have not",
+                    false => "",
+                };
                 self.fail(
                     span,
                     format!(
-                        "`{name}` is declared as `{}`, which has no value that an expression could use",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use{advice}",
                         entry.kind
                     ),
                 )
             }
             State::Waiting | State::Working => None,
         }
+    }
+
+    fn is_planar_hinge(&self, entry: &Entry) -> bool {
+        self.world == World::Planar && (entry.kind == "Revolute" || entry.kind == "Prismatic")
     }
 
     /// The value of an entry.
@@ -293,6 +307,11 @@ impl<'d> Resolver<'d> {
     /// Evaluates an entry that has a value, once.
     fn force(&mut self, index: usize) {
         if !matches!(self.states[index], State::Waiting) {
+            return;
+        }
+        let hinged = has_frames(self.world, &self.entry(index).kind.to_string());
+        if hinged && self.misplaced.contains(&self.entry(index).name.to_string()) {
+            self.states[index] = State::Done(None);
             return;
         }
         self.states[index] = State::Working;
@@ -388,11 +407,12 @@ fn is_value(world: World, entry: &Entry) -> bool {
     ) || has_frames(world, &kind)
 }
 
-/// Whether a kind is a joint between two frames.
+/// Whether a kind takes hold of its two partners by frames: joints, and elastic ones.
 pub(super) fn has_frames(world: World, kind: &str) -> bool {
     world == World::Spatial
         && crate::schema::kind(world, kind).is_some_and(|kind| {
-            kind.group == Group::Joint && kind.fields.iter().any(|field| field.name == "at")
+            matches!(kind.group, Group::Joint | Group::Force)
+                && kind.fields.iter().any(|field| field.name == "at")
         })
 }
 

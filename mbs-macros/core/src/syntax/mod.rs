@@ -29,6 +29,8 @@ pub struct Declaration {
     pub doc: String,
     /// `world: Planar(…)`.
     pub world: Option<Entry>,
+    /// `deny: Redundant()`: rows that follow from others are errors.
+    pub deny_redundant: bool,
     /// All other entries, in order.
     pub entries: Vec<Entry>,
     /// Names of entries that could not be read but seem to be parameters: the user's program knows their fields.
@@ -68,6 +70,7 @@ impl Declaration {
             name,
             doc: String::new(),
             world: None,
+            deny_redundant: false,
             entries: Vec::new(),
             lost: Vec::new(),
             text: String::new(),

@@ -1,7 +1,7 @@
 //! The parser: entries are split at commas first, so that one broken entry does not hide the others.
 
 use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
-use crate::diagnostics::{Errors, did_you_mean, nearest};
+use crate::diagnostics::{Errors, Place, did_you_mean, nearest};
 use crate::schema;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -76,6 +76,20 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
             format!("`{}` is reserved; choose another name", entry.name),
         );
         return false;
+    }
+    if entry.name == "deny" {
+        let given = entry.positional.iter();
+        let given = given.chain(entry.named.iter().map(|argument| &argument.value));
+        if entry.kind != "Redundant" {
+            errors.at(
+                entry.kind.span(),
+                "`deny:` takes `Redundant()`: rows that follow from others become errors; an entry needs another name",
+            );
+        } else if let Some(argument) = given.into_iter().next() {
+            errors.at(Place::of(argument), "`Redundant()` takes no arguments");
+        }
+        declaration.deny_redundant = true;
+        return true;
     }
     if entry.name == "world" {
         if declaration.world.is_some() {

@@ -17,10 +17,10 @@ const charts = [
 // Outputs and the sizes of reactions: those of one unit share a diagram.
 const choices = data.outputs.map(([name, unit, column]) => ({ name, unit, values: series(column) }));
 for (const r of arrows) {
-  choices.push({ name: `|F| ${r.joint}`, reaction: true, unit: "N", values: data.time.map((_, f) => { const force = forceAt(r, f); return force && size(force); }) });
+  choices.push({ name: `|F| ${r.joint}${r.note}`, reaction: true, unit: "N", values: data.time.map((_, f) => { const force = forceAt(r, f); return force && size(force); }) });
 }
 for (const r of reactions) for (const [joint, component, unit, , column] of r.rows) {
-  if (!/^f[xyz]$/.test(component)) choices.push({ name: `${component} ${joint}`, reaction: true, unit, values: series(column) });
+  if (!/^f[xyz]$/.test(component)) choices.push({ name: `${component} ${joint}${r.note}`, reaction: true, unit, values: series(column) });
 }
 if (choices.length) {
   const first = choices.filter((choice) => choice.unit === choices[0].unit && choice.reaction === choices[0].reaction);

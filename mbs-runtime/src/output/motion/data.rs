@@ -79,7 +79,8 @@ pub(super) fn write(
             [reaction.joint, reaction.component, reaction.unit].map(json::string);
         let at = reaction.at.map_or("null".to_owned(), |at| at.to_string());
         let values = column(&frames, |f| f.reactions[i], significant);
-        format!("[{joint},{component},{unit},{at},{values}]")
+        let determined = model.is_determined(reaction.joint);
+        format!("[{joint},{component},{unit},{at},{values},{determined}]")
     });
     writeln!(out, "\"reactions\":{},", lines(reactions))?;
     let mut series = |name: &str, value: fn(&Frame) -> f64| {

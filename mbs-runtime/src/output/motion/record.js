@@ -103,7 +103,9 @@ const reactions = [...new Set(data.reactions.map((r) => r[0]))].map((joint) => {
   const force = ["fx", "fy", "fz"].map(component);
   const acts = rows.some((r) => /^f[xyz]$/.test(r[1]));
   const point = rows[0][3];
-  return { joint, acts: acts && point !== null, track: point === null ? null : data.track[point], force, rows };
+  // Redundant rows share such a reaction out: what is shown is the smallest of many.
+  const note = rows[0][5] === false ? " (minimum-norm, not unique)" : "";
+  return { joint, note, acts: acts && point !== null, track: point === null ? null : data.track[point], force, rows };
 });
 const arrows = reactions.filter((r) => r.acts);
 const forceAt = (reaction, frame) => {

@@ -2,6 +2,7 @@
 
 use super::{Joint, JointEquations, ReactionComponent, row};
 use crate::model::{Arguments, Dimension, Point, Vector};
+use crate::schema::World;
 use crate::symbolic::{Expr, Graph};
 
 #[derive(Debug)]
@@ -20,7 +21,14 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     arguments.refuse_no_length(
         "length",
         length,
-        "the distance must be positive; to hold two points together use `Revolute`",
+        match arguments.world() {
+            World::Planar => {
+                "the distance must be positive; to hold two points together use `Revolute`"
+            }
+            World::Spatial => {
+                "the distance must be positive; to hold two points together use `Spherical`"
+            }
+        },
     )?;
     if parent.owner == child.owner {
         let owner = arguments.owner_name(parent.owner);

@@ -135,10 +135,7 @@ impl Arguments<'_, '_> {
         self.check_known(field, syntax, &vector)?;
         self.check_dimension(field, dimension, Dimension::NONE, Place::of(syntax))?;
         if vector.iter().all(|&x| self.by_default(x) == 0.0) {
-            return self.resolver.fail(
-                Place::of(syntax),
-                "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
-            );
+            return self.resolver.no_direction(syntax);
         }
         Some(self.resolver.graph.unit(vector))
     }
@@ -270,6 +267,19 @@ impl Arguments<'_, '_> {
             self.check_dimension(field, dimension, expected, Place::of(syntax))?;
         }
         self.check_known(field, syntax, tensor.as_flattened())?;
+        let value = tensor.map(|row| row.map(|x| self.by_default(x)));
+        let skew = [(0, 1), (0, 2), (1, 2)]
+            .into_iter()
+            .find(|&(i, j)| value[i][j] != value[j][i]);
+        if let (Some((i, j)), "stiffness" | "torsion_stiffness") = (skew, field) {
+            return self.fail(
+                field,
+                format!(
+                    "a stiffness is symmetric, as it has a potential, but entry [{i}][{j}] is {} and [{j}][{i}] is {}",
+                    value[i][j], value[j][i]
+                ),
+            );
+        }
         Some(tensor)
     }
 }

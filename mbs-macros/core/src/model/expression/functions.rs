@@ -119,10 +119,24 @@ impl Resolver<'_> {
             }
             "law" => self.law_call(arguments, span),
             _ => {
+                let hint = match (self.world, name) {
+                    (_, "turn") => "; `turn(axis, angle)` stands in `orientation =` only",
+                    (World::Spatial, "Cuboid" | "Cylinder" | "Sphere") => {
+                        "; a shape stands alone, in `inertia =`"
+                    }
+                    (World::Planar, "diag" | "Cuboid" | "Cylinder" | "Sphere") => {
+                        "; in the plane an inertia is one number"
+                    }
+                    _ => "",
+                };
+                if !hint.is_empty() {
+                    return self.fail(span, format!("there is no function `{name}`{hint}"));
+                }
                 let known = FUNCTIONS
                     .iter()
                     .map(|(name, ..)| *name)
-                    .chain(OTHER_FUNCTIONS.iter().copied());
+                    .chain(OTHER_FUNCTIONS.iter().copied())
+                    .filter(|name| *name != "diag" || self.world == World::Spatial);
                 let hint = did_you_mean(name, known.clone());
                 self.fail(
                     span,

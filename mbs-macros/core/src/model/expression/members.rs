@@ -23,10 +23,10 @@ impl Resolver<'_> {
             )),
             (Value::Point(_), None) => {
                 let known: Vec<&str> = axes.iter().copied().chain(["velocity"]).collect();
-                self.no_such_member(value, member, &known, span)
+                self.no_such_member(value, member, &known, "", span)
             }
             (Value::Vector(v, dimension), Some(axis)) => Some(Value::Scalar(v[axis], *dimension)),
-            (Value::Vector(..), None) => self.no_such_member(value, member, axes, span),
+            (Value::Vector(..), None) => self.no_such_member(value, member, axes, "", span),
             (Value::Scalar(x, dimension), _) if member == "rate" => match self.graph.node(*x) {
                 Node::Symbol(Symbol::LocalPosition(i)) => {
                     let rate = self.graph.symbol(Symbol::LocalVelocity(*i));
@@ -80,35 +80,49 @@ impl Resolver<'_> {
                 .map(|length| Value::Scalar(length, Some(Dimension::LENGTH))),
             _ => {
                 let mut known: Vec<&str> = self.point_names(owner).to_vec();
+                let slender = frame.axes[2].iter().all(|&x| self.graph.is_zero(x));
                 known.extend(match self.world {
                     World::Planar => &["angle", "rate", "velocity", "x", "y"][..],
+                    World::Spatial if slender => &["angular_velocity", "velocity", "x"],
                     World::Spatial => &["angular_velocity", "velocity", "x", "y", "z"],
                 });
-                self.no_such_member(&Value::Frame(owner), member, &known, span)
+                let advice = match (self.world, member) {
+                    (World::Spatial, "y" | "z") => {
+                        "a slender bar has no axes across it; give it `radius =` or `inertia =`"
+                    }
+                    (World::Spatial, "angle") => "in space joints have angles",
+                    (World::Spatial, "rate") => "in space parts have `angular_velocity`",
+                    (World::Planar, "angular_velocity") => "in the plane it is the number `rate`",
+                    (World::Planar, "z") => "there is no axis Z in the plane",
+                    _ => "",
+                };
+                self.no_such_member(&Value::Frame(owner), member, &known, advice, span)
             }
         }
     }
 
+    /// `advice` stands instead of a guess at what was meant.
     pub(in crate::model) fn no_such_member(
         &mut self,
         value: &Value,
         member: &str,
         known: &[&str],
+        advice: &str,
         span: Span,
     ) -> Option<Value> {
         let what = match value {
             Value::Frame(owner) => format!("`{}`", self.owner_name(*owner)),
             other => other.describe(),
         };
-        let hint = did_you_mean(member, known.iter().copied());
-        let known = match known {
-            [] => "none that can be named".to_owned(),
-            known => known.join(", "),
+        let hint = match advice {
+            "" => did_you_mean(member, known.iter().copied()),
+            advice => format!("; {advice}"),
         };
-        self.fail(
-            span,
-            format!("{what} has no `{member}`{hint} (it has: {known})"),
-        )
+        let known = match known {
+            [] => String::new(),
+            known => format!(" (it has: {})", known.join(", ")),
+        };
+        self.fail(span, format!("{what} has no `{member}`{hint}{known}"))
     }
 
     pub(super) fn frame_method(
@@ -132,8 +146,14 @@ impl Resolver<'_> {
             "point" => self.own_point(owner, span, arguments).map(Value::Point),
             "frame" => self.own_frame(owner, span, arguments),
             _ => {
-                let [at] = self.take(arguments.to_vec(), name, span)?;
-                let (at, _) = self.vector(at)?;
+                let [place] = self.take(arguments.to_vec(), name, span)?;
+                let (at, dimension) = self.vector(place)?;
+                if dimension.is_some_and(|d| d != Dimension::LENGTH) {
+                    return self.fail(
+                        Place::of(place),
+                        "`velocity_at` takes a point, or its position (m)",
+                    );
+                }
                 let frame = self.frame(owner);
                 let arm = self.graph.vector_sub(at, frame.origin);
                 let swing = self.graph.cross(frame.spin, arm);
@@ -215,10 +235,7 @@ impl Resolver<'_> {
             }
         }
         if direction.iter().all(|&x| self.by_default(x) == 0.0) {
-            return self.fail(
-                Place::of(axis),
-                "this axis has no length; give it a direction, such as X or [1.0, 1.0]",
-            );
+            return self.no_direction(axis);
         }
         let direction = self.graph.unit(direction);
         let axes = self.axes_along(direction);

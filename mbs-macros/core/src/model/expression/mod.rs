@@ -149,6 +149,18 @@ impl Resolver<'_> {
         }
     }
 
+    /// Refuses an axis of zero length.
+    pub(in crate::model) fn no_direction<T>(&mut self, syntax: &Syntax) -> Option<T> {
+        let example = match self.world {
+            World::Planar => "[1.0, 1.0]",
+            World::Spatial => "[1.0, 1.0, 0.0]",
+        };
+        self.fail(
+            Place::of(syntax),
+            format!("this axis has no length; give it a direction, such as X or {example}"),
+        )
+    }
+
     /// How a vector is written.
     pub(in crate::model) fn vector_example(&self) -> &'static str {
         match self.world {

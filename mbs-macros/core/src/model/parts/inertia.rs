@@ -21,6 +21,12 @@ impl Arguments<'_, '_> {
         let (tensor, dimension) = match value {
             Value::Scalar(x, dimension) => (self.diagonal([x; 3]), dimension),
             Value::Tensor(tensor, dimension) => (tensor, dimension),
+            Value::Vector(..) => {
+                return self.fail(
+                    field,
+                    "for the three principal moments write `diag(a, b, c)`",
+                );
+            }
             other => {
                 let what = other.describe();
                 return self.fail(field, format!("`{field}` is a moment of inertia, `diag(a, b, c)`, three rows, or a shape such as `Cylinder(radius, length)`, but this is {what}"));
@@ -93,7 +99,7 @@ impl Arguments<'_, '_> {
         if !positive_definite(&value) {
             return self.fail(
                 field,
-                format!("this inertia is not positive definite: {found}"),
+                format!("this inertia is not positive definite ({found}): about some axis the body would have no inertia or a negative one; check signs, and that products of inertia are smaller than moments"),
             );
         }
         // J ↦ ½ tr(J) − J are the second moments of the mass, which no body has negative.
@@ -104,7 +110,7 @@ impl Arguments<'_, '_> {
             })
         });
         if !positive_semidefinite(&moments, trace) {
-            return self.fail(field, format!("no body has this inertia: one principal moment exceeds the sum of the other two ({found})"));
+            return self.fail(field, format!("no body has this inertia: one principal moment exceeds the sum of the other two ({found}); check the order of its entries, and that it is about the centre of mass"));
         }
         Some(())
     }

@@ -1,7 +1,7 @@
 //! Shapes: an inertia for a mass, and what an animation draws.
 
 use super::Tensor;
-use crate::diagnostics::Place;
+use crate::diagnostics::{Place, nearest};
 use crate::model::value::Value;
 use crate::model::{Arguments, Dimension, Vector};
 use crate::symbolic::{Expr, Graph};
@@ -118,9 +118,21 @@ impl Arguments<'_, '_> {
                 2..=3,
             ),
             "Sphere" => ("Sphere(radius)", 1..=1),
+            // Functions begin with a small letter.
+            _ if name.starts_with(char::is_uppercase) => {
+                let meant = nearest(name, ["Cuboid", "Cylinder", "Sphere"])?;
+                return Some(self.fail_at(
+                    Place::of(path),
+                    format!("there is no shape `{name}`; did you mean `{meant}`? (shapes: Cuboid(x, y, z), Cylinder(radius, length), Sphere(radius))"),
+                ));
+            }
             _ => return None,
         };
-        if !counts.contains(&call.args.len()) {
+        let named = call
+            .args
+            .iter()
+            .any(|argument| matches!(argument, Syntax::Assign(_)));
+        if named || !counts.contains(&call.args.len()) {
             return Some(self.fail_at(Place::of(call), format!("expected `{usage}`")));
         }
         let lengths = match name {

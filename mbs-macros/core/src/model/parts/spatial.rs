@@ -2,6 +2,7 @@
 
 use super::{Guess, Home, Part, Representation, Shape, Tensor};
 use crate::model::Arguments;
+use crate::model::check::NEARLY_TOGETHER;
 use crate::model::geometry::{Axes, Frame, Vector};
 use crate::model::resolve::Resolver;
 use crate::model::value::Value;
@@ -34,11 +35,26 @@ impl Resolver<'_> {
                 ),
             ),
         }?;
+        let field = match arguments.has("length") {
+            true => "length",
+            false => "to",
+        };
         arguments.refuse_no_length(
-            "length",
+            field,
             length,
             "a bar has a positive length; for a point mass use `Particle`",
         )?;
+        if let (true, Some(to)) = (arguments.has("length"), to) {
+            let difference = arguments.graph().vector_sub(to, from);
+            let span = arguments.graph().norm(difference);
+            let (span, length) = (arguments.by_default(span), arguments.by_default(length));
+            if span == 0.0 {
+                return arguments.fail("to", "`from` and `to` are the same point, which gives the bar no direction; move one of them, or leave `to` out");
+            }
+            if (span - length).abs() > NEARLY_TOGETHER * length {
+                return arguments.fail("length", format!("`from` and `to` are {span:.4} m apart, but `length` is {length} m; keep one of `length` and `to`, or make them agree"));
+            }
+        }
         let direction = match to {
             Some(to) => {
                 let graph = arguments.graph();

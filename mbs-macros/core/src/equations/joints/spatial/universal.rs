@@ -24,7 +24,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
         return arguments.fail(
             "second_axis",
             format!(
-                "the pins of a universal joint cross at right angles, but these at {angle:.3}°"
+                "the pins of a universal joint cross at right angles, but these at {angle:.3}°; turn one of them, such as `axis = X, second_axis = Y`"
             ),
         );
     }

@@ -1,0 +1,172 @@
+//! Rank, mobility, and the redundant rows by name: what only numbers can tell, told at compile time.
+//!
+//! Between stages 4 and 5 the constraint Jacobian A is evaluated by the interpreter at a few poses near the declared
+//! guess, with default parameters. The guess is assembled, then moved at random along what its rows leave free, and
+//! assembled again: so the poses stay on the branch of the guess, and a guess that happens to be singular does not count
+//! for the mechanism. Rows are orthogonalised in their order: one that adds nothing to those
+//! before it is redundant, and the coefficients say on which of them it depends. (A parameter that tilts an axis can change
+//! the rank; assembly at run time repeats the check.)
+//!
+//! A guess that cannot be assembled is looked at again: see `closing`.
+
+mod closing;
+mod integrability;
+mod numbers;
+mod rows;
+mod words;
+
+use crate::derivatives::Derived;
+use crate::equations::{Row, System};
+use crate::model::Model;
+use crate::symbolic::Symbol;
+use numbers::Numbers;
+use rows::Rows;
+use std::collections::BTreeSet;
+
+pub use closing::Open;
+pub use words::{redundancies, summary};
+
+/// Poses to look at.
+const POSES: u64 = 3;
+/// A row whose remainder is below this fraction of its length adds nothing.
+const DEPENDENT: f64 = 1e-9;
+/// A row depends on those before it whose coefficient exceeds this.
+const INVOLVED: f64 = 1e-7;
+
+/// What the rows leave free.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mobility {
+    /// Rank of A at generic poses.
+    pub rank: usize,
+    /// Degrees of freedom: velocities less rank.
+    pub mobility: usize,
+    /// Rows that follow from others.
+    pub redundant: Vec<Redundancy>,
+    /// Joints whose reactions the redundancy leaves open: those that have a multiplier of a redundant row, or of one that
+    /// it follows from.
+    pub undetermined: Vec<String>,
+    /// Nonholonomic rows that are conditions on positions in disguise (Frobenius): with the holonomic ones, and those
+    /// before them in this list, they are the differentials of functions.
+    pub integrable: Vec<usize>,
+}
+
+/// A row that follows from others.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Redundancy {
+    /// The row.
+    pub row: usize,
+    /// Entries of the declaration whose rows it follows from.
+    pub follows_from: Vec<String>,
+    /// Joints on its loop that have become coordinates and left no rows.
+    pub along: Vec<String>,
+}
+
+/// The mobility of a mechanism; `None` if no pose near the guess could be assembled.
+///
+/// # Errors
+/// The rows cannot be fulfilled together, whatever the pose.
+pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Open> {
+    let system = &derived.system;
+    if system.rows.is_empty() {
+        return Ok(Some(Mobility {
+            rank: 0,
+            mobility: system.size,
+            redundant: Vec::new(),
+            undetermined: Vec::new(),
+            integrable: Vec::new(),
+        }));
+    }
+    let (numbers, guess) = Numbers::new(model, derived);
+    let home = match numbers.assemble(guess.clone()) {
+        Some(home) => home,
+        None => match closing::close(&numbers, guess)? {
+            Some(home) => home,
+            None => return Ok(None),
+        },
+    };
+    let moved = (0..POSES).filter_map(|seed| numbers.generic_pose(&home, seed));
+    let mut poses: Vec<Vec<f64>> = moved.collect();
+    // Along a branch rank is lost by accident only: the pose of the highest rank is the generic one. (A mechanism that
+    // cannot move has no other pose than its home.)
+    poses.push(home);
+    let rows = poses.iter().map(|pose| numbers.rows(pose, DEPENDENT));
+    let Some(rows) = rows.max_by_key(|rows| rows.basis.len()) else {
+        return Ok(None);
+    };
+    let rank = rows.basis.len();
+    let redundant = rows
+        .dependent
+        .iter()
+        .map(|(row, coefficients)| Redundancy {
+            row: *row,
+            follows_from: involved(&system.rows, &rows.independent, coefficients),
+            along: along(
+                model,
+                derived,
+                &combined(*row, &rows.independent, coefficients),
+            ),
+        })
+        .collect();
+    Ok(Some(Mobility {
+        rank,
+        mobility: system.size.saturating_sub(rank),
+        redundant,
+        undetermined: undetermined(system, &rows),
+        integrable: integrability::integrable(&numbers, &poses),
+    }))
+}
+
+/// The joints with multipliers that have a part in some dependence.
+fn undetermined(system: &System, rows: &Rows) -> Vec<String> {
+    let mut open: BTreeSet<u32> = BTreeSet::new();
+    for (row, coefficients) in &rows.dependent {
+        let rows = combined(*row, &rows.independent, coefficients);
+        open.extend(rows.into_iter().map(|row| row as u32));
+    }
+    let mut joints: Vec<String> = Vec::new();
+    for reaction in &system.reactions {
+        let symbols = system.graph.symbols([reaction.expr]);
+        let touched = symbols
+            .iter()
+            .any(|symbol| matches!(symbol, Symbol::Multiplier(row) if open.contains(row)));
+        if touched && !joints.contains(&reaction.joint) {
+            joints.push(reaction.joint.clone());
+        }
+    }
+    joints
+}
+
+/// A dependent row and those that count in the combination it is.
+fn combined(row: usize, independent: &[usize], coefficients: &[f64]) -> Vec<usize> {
+    let others = independent.iter().zip(coefficients);
+    let others = others.filter(|(_, coefficient)| coefficient.abs() > INVOLVED);
+    others.map(|(&other, _)| other).chain([row]).collect()
+}
+
+/// The joints on whose coordinates rows depend.
+fn along(model: &Model, derived: &Derived, rows: &[usize]) -> Vec<String> {
+    let mut joints: Vec<String> = Vec::new();
+    let columns = derived.jacobian.keys().filter(|(i, _)| rows.contains(i));
+    for &(_, column) in columns {
+        let name = &derived.system.layout.velocities[column].name;
+        let owner = name.split('.').next().unwrap_or_default();
+        let is_part = model.parts.iter().any(|part| part.name == owner);
+        if !is_part && !joints.iter().any(|joint| joint == owner) {
+            joints.push(owner.to_owned());
+        }
+    }
+    joints.sort();
+    joints
+}
+
+/// The entries of the rows that count in a combination.
+fn involved(rows: &[Row], independent: &[usize], coefficients: &[f64]) -> Vec<String> {
+    let mut entries: Vec<String> = Vec::new();
+    for (&row, coefficient) in independent.iter().zip(coefficients) {
+        let entry = &rows[row].entry;
+        if coefficient.abs() > INVOLVED && !entries.contains(entry) {
+            entries.push(entry.clone());
+        }
+    }
+    entries
+}

@@ -1,0 +1,174 @@
+//! The equations as numbers, and poses that fulfil them.
+
+use super::rows::{Rows, norm};
+use crate::derivatives::{Derived, Matrix};
+use crate::model::Model;
+use crate::symbolic::{Evaluator, Expr, Symbol};
+
+/// How far poses are moved, in units of the largest coordinate, from bold to timid: the first that arrives counts.
+const MOVES: [f64; 3] = [0.1, 0.02, 0.002];
+/// A row whose remainder is below this fraction of its length adds nothing while a pose is assembled: off the solution,
+/// redundant rows differ a little from those they follow from, and must not be forced.
+const NEARLY_DEPENDENT: f64 = 1e-3;
+/// Assembly of a pose: residual to reach, and iterations to reach it in.
+pub(super) const ASSEMBLED: f64 = 1e-11;
+const ITERATIONS: usize = 40;
+
+/// The equations as numbers, with default parameters and inputs.
+#[derive(Clone, Copy)]
+pub(super) struct Numbers<'a> {
+    pub model: &'a Model,
+    pub derived: &'a Derived,
+    pub time: f64,
+    /// The largest coordinate of the guess, or 1.
+    pub size: f64,
+}
+
+impl<'a> Numbers<'a> {
+    /// Those at t = 0, and the guess.
+    pub fn new(model: &'a Model, derived: &'a Derived) -> (Self, Vec<f64>) {
+        let mut numbers = Numbers {
+            model,
+            derived,
+            time: 0.0,
+            size: 1.0,
+        };
+        let coordinates = &derived.system.layout.coordinates;
+        let guess = numbers.values(&[], coordinates.iter().map(|stored| stored.guess));
+        let size = guess.iter().fold(0.0f64, |size, q| size.max(q.abs()));
+        if size > 0.0 {
+            numbers.size = size;
+        }
+        (numbers, guess)
+    }
+
+    /// At a pose, at rest.
+    pub fn values(&self, q: &[f64], exprs: impl Iterator<Item = Expr>) -> Vec<f64> {
+        self.values_moving(q, &[], exprs)
+    }
+
+    /// At a pose with velocities.
+    pub fn values_moving(
+        &self,
+        q: &[f64],
+        v: &[f64],
+        exprs: impl Iterator<Item = Expr>,
+    ) -> Vec<f64> {
+        let layout = &self.derived.system.layout;
+        let symbols = |symbol: Symbol| match symbol {
+            Symbol::Parameter(i) => self.model.parameters[i as usize].default,
+            Symbol::Input(i) => self.model.inputs[i as usize].default,
+            Symbol::Time => self.time,
+            Symbol::Velocity(i) => v.get(i as usize).copied().unwrap_or(0.0),
+            other => layout.value(other, q).unwrap_or(0.0),
+        };
+        // Laws are refused in rows.
+        let laws = |_: u32, _: &[f64]| (0.0, Vec::new());
+        let mut evaluator = Evaluator::new(&self.derived.system.graph, &symbols, &laws);
+        exprs.map(|expr| evaluator.value(expr)).collect()
+    }
+
+    /// The rows of A at q, orthogonalised: those of parts first (a bar keeps its length by itself), then those of joints
+    /// and conditions as declared, so that the later of two that say the same is the one called redundant.
+    pub fn rows(&self, q: &[f64], dependent: f64) -> Rows {
+        let list = &self.derived.system.rows;
+        let matrix = self.matrix(&self.derived.jacobian, q, &[]);
+        let is_part = |row: &usize| {
+            self.model
+                .parts
+                .iter()
+                .any(|part| part.name == list[*row].entry)
+        };
+        let (mut order, joints): (Vec<usize>, Vec<usize>) = (0..list.len()).partition(is_part);
+        order.extend(joints);
+        Rows::new(order.into_iter().map(|row| (row, &matrix[row])), dependent)
+    }
+
+    /// A matrix of as many rows as A.
+    pub fn matrix(&self, matrix: &Matrix, q: &[f64], v: &[f64]) -> Vec<Vec<f64>> {
+        let system = &self.derived.system;
+        let mut dense = vec![vec![0.0; system.size]; system.rows.len()];
+        let values = self.values_moving(q, v, matrix.values().copied());
+        for (&(i, j), value) in matrix.keys().zip(values) {
+            dense[i][j] = value;
+        }
+        dense
+    }
+
+    /// φ of the holonomic rows.
+    pub fn residual(&self, q: &[f64]) -> Vec<f64> {
+        let rows = &self.derived.system.rows[..self.derived.system.holonomic_rows()];
+        self.values(q, rows.iter().map(|row| row.expr))
+    }
+
+    /// Whether a residual counts as zero.
+    pub fn assembled(&self, phi: &[f64]) -> bool {
+        largest(phi) <= ASSEMBLED * self.size.max(1e-3)
+    }
+
+    /// A pose on the branch of `home`: moved at random along what the rows leave free, and assembled again.
+    pub fn generic_pose(&self, home: &[f64], seed: u64) -> Option<Vec<f64>> {
+        let mut random = Random(seed + 1);
+        let count = self.derived.system.size;
+        let mut direction: Vec<f64> = (0..count).map(|_| random.next()).collect();
+        self.rows(home, NEARLY_DEPENDENT)
+            .remove_from(&mut direction);
+        let length = norm(&direction);
+        if length < 1e-6 {
+            return None;
+        }
+        MOVES.iter().find_map(|distance| {
+            let step = distance * self.size / length;
+            let layout = &self.derived.system.layout;
+            let moved = layout.moved(home, &direction, step);
+            let arrived = self.assemble(moved.clone())?;
+            let strayed: Vec<f64> = arrived.iter().zip(&moved).map(|(a, b)| a - b).collect();
+            (norm(&strayed) < 0.5 * distance * self.size).then_some(arrived)
+        })
+    }
+
+    /// Gauss–Newton steps of least change onto φ = 0.
+    pub fn assemble(&self, mut q: Vec<f64>) -> Option<Vec<f64>> {
+        let system = &self.derived.system;
+        for _ in 0..ITERATIONS {
+            let phi = self.residual(&q);
+            if !largest(&phi).is_finite() || self.is_far(&q) {
+                return None;
+            }
+            if self.assembled(&phi) {
+                return Some(q);
+            }
+            let change = self
+                .rows(&q, NEARLY_DEPENDENT)
+                .correction(system.size, &phi);
+            q = system.layout.moved(&q, &change, 1.0);
+        }
+        None
+    }
+
+    /// Whether a pose has left the neighbourhood of the mechanism.
+    pub fn is_far(&self, q: &[f64]) -> bool {
+        q.iter().any(|q| q.abs() > 1e3 * self.size)
+    }
+}
+
+/// max |x|; NaN if one of them is.
+pub(super) fn largest(x: &[f64]) -> f64 {
+    match x.iter().any(|x| x.is_nan()) {
+        true => f64::NAN,
+        false => x.iter().fold(0.0, |worst, x| worst.max(x.abs())),
+    }
+}
+
+/// Numbers between −1 and 1, the same at every compilation (SplitMix64).
+pub(super) struct Random(pub u64);
+
+impl Random {
+    pub fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+}

@@ -1,0 +1,55 @@
+//! What to write instead of what belongs to the other world.
+
+use crate::schema::World;
+
+/// An argument that the kind does not have in this world.
+pub(super) fn argument(world: World, kind: &str, argument: &str) -> Option<&'static str> {
+    Some(match (world, kind, argument) {
+        (World::Spatial, "Body", "angle") => {
+            "in space an orientation is `orientation = turn(axis, angle)`"
+        }
+        (World::Spatial, "Body" | "Bar", "rate") => {
+            "in space it is the vector `angular_velocity = [x, y, z]`"
+        }
+        (World::Spatial, "Bar", "angle") => {
+            "in space a bar is placed by its ends, `from =` and `to =`"
+        }
+        (World::Spatial, "Bar" | "Body", "frame") => {
+            "in space only particles follow coordinates, by `position =`"
+        }
+        (World::Planar, "Body", "orientation") => "in the plane it is the number `angle =`",
+        (World::Planar, "Body" | "Bar", "angular_velocity") => {
+            "in the plane it is the number `rate =`"
+        }
+        (World::Planar, "Bar", "radius" | "inertia") => {
+            "in the plane bars are slender; use a `Body` for others"
+        }
+        (World::Planar, "Revolute" | "Fixed", "at" | "axis") => {
+            "in the plane a joint is given by a point of each partner, such as `crank.b`"
+        }
+        (World::Planar, "Prismatic", "at") => {
+            "in the plane a joint is given by a point of each partner, such as `crank.b`"
+        }
+        _ => return None,
+    })
+}
+
+/// A kind that this world does not have.
+pub(super) fn kind(world: World, kind: &str) -> &'static str {
+    match (world, kind) {
+        (World::Planar, "Spherical" | "Universal" | "ConstantVelocity") => {
+            "use `Revolute`, or write `world: Spatial(…)`"
+        }
+        (World::Planar, "Cylindrical" | "Screw") => {
+            "use `Prismatic` or `Revolute`, or write `world: Spatial(…)`"
+        }
+        (World::Planar, "PointOnPlane") => "use `PointOnLine`, or write `world: Spatial(…)`",
+        (World::Planar, "RackPinion") => "use `Coupling`, or write `world: Spatial(…)`",
+        (World::Planar, "Wrench") => "use `Force` and `Torque`, or write `world: Spatial(…)`",
+        (World::Planar, "Bushing") => {
+            "use `SpringDamper` and `TorsionSpring`, or write `world: Spatial(…)`"
+        }
+        (World::Planar, _) => "write `world: Spatial(…)` for it",
+        (World::Spatial, _) => "write `world: Planar(…)` for it",
+    }
+}

@@ -1,0 +1,38 @@
+//! Errors that only numbers tell: loops that cannot close, redundancy where it is denied.
+
+use crate::derivatives::Derived;
+use crate::diagnostics::Errors;
+use crate::mobility::{self, Mobility, Open};
+use crate::syntax::{Declaration, Entry};
+use proc_macro2::Span;
+
+/// Where the entry of this name is; its part or the mechanism, if it has none.
+fn place_of(declaration: &Declaration, name: &str) -> Span {
+    let entry = declaration.entries.iter().find(|entry| entry.name == name);
+    entry.map_or_else(|| declaration.name.span(), Entry::span)
+}
+
+/// The rows contradict each other.
+pub(crate) fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut Errors) {
+    let gaps = open.gaps.join(", ");
+    errors.at(
+        place_of(declaration, &open.entry),
+        format!("this loop cannot close: with the defaults of all parameters, where everything comes closest to fitting, these are still off: {gaps}; check lengths, places and axes"),
+    );
+}
+
+/// `deny: Redundant()`.
+pub(crate) fn refuse_redundant(
+    declaration: &Declaration,
+    mobility: &Mobility,
+    derived: &Derived,
+    errors: &mut Errors,
+) {
+    let redundancies = mobility::redundancies(mobility, &derived.system.rows);
+    for (entry, sentence) in &redundancies {
+        errors.at(
+            place_of(declaration, entry),
+            format!("{sentence}, which `deny: Redundant()` refuses; let this joint hold less"),
+        );
+    }
+}

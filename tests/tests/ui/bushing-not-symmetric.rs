@@ -1,0 +1,15 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+
+    body: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+    mount: Bushing(
+        ground,
+        body,
+        at = [0.0, 0.0, 0.0],
+        stiffness = [[1.0_N_per_m, 2.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
+    ),
+});
+
+fn main() {}

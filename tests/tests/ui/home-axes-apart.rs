@@ -1,0 +1,15 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+
+    body: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+    other: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [1.0, 0.0, 0.0]),
+    hinge: Revolute(ground, body, at = [0.0, 0.0, 0.0], axis = X),
+    joint: Revolute(
+        body.frame([1.0, 0.0, 0.0], X),
+        other.frame([0.0, 0.0, 0.0], Y)
+    ),
+});
+
+fn main() {}
