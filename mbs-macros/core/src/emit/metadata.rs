@@ -41,13 +41,16 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     let parts = model
         .parts
         .iter()
-        .filter(|part| part.representation != Representation::Coordinate)
-        .map(|part| {
+        .enumerate()
+        .filter(|(_, part)| part.representation != Representation::Coordinate)
+        .map(|(index, part)| {
+            let modelled_as = match model.tree.carrier(index) {
+                Some(joint) => joint.describe(part.representation),
+                None => part.representation.describe().to_owned(),
+            };
             format!(
-                "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {:?} }}",
-                part.name,
-                part.kind,
-                part.representation.describe()
+                "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {modelled_as:?} }}",
+                part.name, part.kind,
             )
         })
         .collect();
