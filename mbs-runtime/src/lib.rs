@@ -42,7 +42,7 @@
 //! | M | forces depend on | flow |
 //! |---|---|---|
 //! | constant | positions | [`Flow::Leapfrog`], explicit (or the trapezoid, where a spring is stiff for the step) |
-//! | depends on q | positions | [`Flow::Trapezoid`], implicit, in momentum form |
+//! | depends on q | positions | [`Flow::Midpoint`], implicit, in momentum form |
 //! | any | velocities | [`Flow::Implicit`], with the multiplier inside the step |
 
 // Comparisons are negated on purpose, so that a NaN fails the test.

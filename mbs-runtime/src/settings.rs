@@ -28,17 +28,20 @@ impl Method {
 pub enum Flow {
     /// Kick, leapfrog, kick: constant mass, forces of position and time only.
     Leapfrog,
-    /// Kick, implicit trapezoid in momentum form, kick: M(q), or forces that are stiff in the positions.
+    /// Kick, implicit midpoint in momentum form, kick: M(q).
+    Midpoint,
+    /// Kick, implicit trapezoid in momentum form, kick: constant mass, forces that are stiff in the positions.
     Trapezoid,
     /// Implicit trapezoid with the multiplier inside: forces that depend on velocities.
     Implicit,
 }
 
 impl Flow {
-    /// `leapfrog`, `trapezoid` or `implicit`.
+    /// `leapfrog`, `midpoint`, `trapezoid` or `implicit`.
     pub fn name(&self) -> &'static str {
         match self {
             Flow::Leapfrog => "leapfrog",
+            Flow::Midpoint => "midpoint",
             Flow::Trapezoid => "trapezoid",
             Flow::Implicit => "implicit",
         }

@@ -210,7 +210,7 @@ fn wrong_settings_are_refused() {
     .unwrap();
     assert_eq!(
         error.to_string(),
-        "the leapfrog flow cannot be used here: the mass matrix depends on the positions; use trapezoid, or leave the choice to the runtime"
+        "the leapfrog flow cannot be used here: the mass matrix depends on the positions; use midpoint, or leave the choice to the runtime"
     );
 }
 

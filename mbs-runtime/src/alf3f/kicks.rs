@@ -116,8 +116,8 @@ where
     counters.iterations += iterations as u64;
     work.impulse[0] = kappa;
 
-    let mut v = flow.velocities(system, &va, &q, end);
     end.metric(system, t1, &q)?;
+    let mut v = flow.velocities(system, &va, &q, end);
     core.project_velocity(&mut v);
     let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
     core.commit(t1, h, q, v, weak)

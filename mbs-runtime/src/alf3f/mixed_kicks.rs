@@ -58,8 +58,8 @@ where
     let v = loop {
         flow.positions(system, &va, &mut q)?;
         system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
-        let mut v = flow.velocities(system, &va, &q, end);
         end.metric(system, t1, &q)?;
+        let mut v = flow.velocities(system, &va, &q, end);
         factor_holonomic(end, work);
         for i in holonomic..R {
             for j in 0..N {

@@ -3,7 +3,7 @@
 use super::core::{Core, Counters};
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::{Fault, Passage, composition, kicks, mixed_kicks};
-use crate::flow::{KickFlow, Leapfrog, Trapezoid};
+use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
 use crate::linear::Independence;
 use crate::{Flow, Settings, SimulationError, State, System};
 
@@ -23,6 +23,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
 /// The flow and its workspace.
 enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Leapfrog(Leapfrog<Q, N, R>),
+    Midpoint(Box<Midpoint<Q, N, R>>),
     Trapezoid(Box<Trapezoid<Q, N, R>>),
     /// The second is for steps near singular poses.
     Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
@@ -77,6 +78,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             core,
             flow: match flow {
                 Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new::<S>()),
+                Flow::Midpoint => Stepping::Midpoint(Midpoint::new()),
                 Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
                 Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
             },
@@ -175,6 +177,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let core = &mut self.core;
         match &mut self.flow {
             Stepping::Leapfrog(flow) => kick_flow_kick(core, flow, h),
+            Stepping::Midpoint(flow) => kick_flow_kick(core, &mut **flow, h),
             Stepping::Trapezoid(flow) => kick_flow_kick(core, &mut **flow, h),
             Stepping::Implicit(step, kicks) => match step.step(core, h)? {
                 Outcome::Done => Ok(()),
@@ -197,6 +200,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     pub fn flow(&self) -> Flow {
         match self.flow {
             Stepping::Leapfrog(_) => Flow::Leapfrog,
+            Stepping::Midpoint(_) => Flow::Midpoint,
             Stepping::Trapezoid(_) => Flow::Trapezoid,
             Stepping::Implicit(..) => Flow::Implicit,
         }

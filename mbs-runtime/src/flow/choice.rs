@@ -26,11 +26,13 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
             "forces depend on velocities",
             natural,
         )),
-        Some(Flow::Trapezoid) if S::STRUCTURE.velocity_forces => Err(refuse(
-            Flow::Trapezoid,
-            "forces depend on velocities, and kicks beside dampers lose accuracy",
-            natural,
-        )),
+        Some(flow @ (Flow::Trapezoid | Flow::Midpoint)) if S::STRUCTURE.velocity_forces => {
+            Err(refuse(
+                flow,
+                "forces depend on velocities, and kicks beside dampers lose accuracy",
+                natural,
+            ))
+        }
         Some(flow) => Ok(flow),
         None if natural == Flow::Leapfrog && S::STRUCTURE.position_forces => {
             let stiffness = stiffness(system, state).map_err(|fault| {
@@ -53,7 +55,7 @@ fn natural(structure: &Structure) -> Flow {
     } else if structure.constant_mass {
         Flow::Leapfrog
     } else {
-        Flow::Trapezoid
+        Flow::Midpoint
     }
 }
 

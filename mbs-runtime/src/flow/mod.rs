@@ -5,12 +5,14 @@ mod drift;
 mod group;
 mod implicit;
 mod leapfrog;
+mod midpoint;
 mod trapezoid;
 
 pub(crate) use choice::choose;
 pub(crate) use group::transport;
 pub(crate) use implicit::{Implicit, imperceptible, trapezoid};
 pub(crate) use leapfrog::Leapfrog;
+pub(crate) use midpoint::Midpoint;
 pub(crate) use trapezoid::Trapezoid;
 
 use crate::System;
@@ -43,7 +45,7 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
     fn far<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R];
     /// The multipliers, and with them v_a, are about to change by `change`.
     fn predict(&mut self, change: &[f64; R]);
-    /// v_b, and what the end of the step keeps for the next one.
+    /// v_b, where `end` has the metric of the end already, and what the end of the step keeps for the next one.
     fn velocities(
         &mut self,
         system: &S,

@@ -145,7 +145,7 @@ impl Walk<'_> {
     }
 
     /// A point of a part's own frame, seen from its centre of mass.
-    fn from_center(&mut self, owner: Owner, local: Vector) -> Vector {
+    fn off_center(&mut self, owner: Owner, local: Vector) -> Vector {
         match owner {
             Owner::Ground => local,
             Owner::Part(part) => self.graph.vector_sub(local, self.parts[part].center),
@@ -156,8 +156,8 @@ impl Walk<'_> {
         let link = &joint.link;
         let part = &self.parts[joint.child];
         let (p, c) = (&link.parent, &link.child);
-        let mut arm = self.from_center(p.point.owner, p.point.local);
-        let back = self.from_center(c.point.owner, c.point.local);
+        let mut arm = self.off_center(p.point.owner, p.point.local);
+        let back = self.off_center(c.point.owner, c.point.local);
         // The joint's place, velocity and acceleration on the parent, in the parent's axes.
         let mut slide = [self.graph.zero_vector(); 2];
         for (&axis, &local) in link.slides.iter().zip(&joint.strokes) {
@@ -288,7 +288,7 @@ impl Walk<'_> {
     fn planar(&mut self, joint: &TreeJoint, parent: &State) -> State {
         let link = &joint.link;
         let part = &self.parts[joint.child];
-        let arm = self.from_center(link.parent.point.owner, link.parent.point.local);
+        let arm = self.off_center(link.parent.point.owner, link.parent.point.local);
         let arm = self.graph.turn(&parent.axes, arm);
         let turn = [parent.omega, parent.alpha];
         let rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
@@ -302,7 +302,7 @@ impl Walk<'_> {
             };
         }
         let (axes, turn) = self.own_rotation(part);
-        let back = self.from_center(link.child.point.owner, link.child.point.local);
+        let back = self.off_center(link.child.point.owner, link.child.point.local);
         let back = self.graph.turn(&axes, back);
         let place = self.graph.vector_sub(place, back);
         let back = back.map(|x| self.graph.neg(x));

@@ -1,0 +1,131 @@
+//! Implicit midpoint in momentum form: M(q), forces of position and time.
+//!
+//! ```text
+//! p(q_m, v_m) − h/2 F(q_m, v_m) = p(q₀, v_a),   q_m = q₀ ⊕ h/2 v_m,   q₁ = q₀ ⊕ h v_m,   p(q₁, v_b) = 2 p(q_m, v_m) − p(q₀, v_a)
+//! ```
+//!
+//! Half a step of the backward Euler method and half a step of the forward one: symmetric and symplectic as the trapezoid,
+//! whose halves follow in the other order. One evaluation of F less in a step; on Bricard's mechanism its error of energy
+//! is 0.77 times that of the trapezoid, its error of position 1.4 times.
+//!
+//! J = M_m + h/2 (p_q − h/2 F_q) T − h/2 F_v, and
+//! ∂v_m/∂v_a = J⁻¹M₀.
+
+use super::KickFlow;
+use super::group::transport;
+use super::implicit::Implicit;
+use crate::System;
+use crate::alf3f::{Fault, Node};
+use crate::linear::{Matrix, clear};
+
+pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
+    h: f64,
+    t0: f64,
+    q0: [f64; Q],
+    /// p(q₀, v_a).
+    start: [f64; N],
+    /// q_m.
+    middle: [f64; Q],
+    /// v_m.
+    vm: [f64; N],
+    solver: Implicit<N>,
+    mass: Matrix<N, N>,
+    /// (∂v_m/∂v_a) w, row by row.
+    slopes: Matrix<R, N>,
+    /// (∂v_b/∂v_a) w, row by row, as if M were constant over half a step.
+    far: Matrix<R, N>,
+    /// (∂q₁/∂v_a) w / h, row by row.
+    directions: Matrix<R, N>,
+}
+
+impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
+    #[inline(never)]
+    pub(crate) fn new() -> Box<Self> {
+        Box::new(Midpoint {
+            h: 0.0,
+            t0: 0.0,
+            q0: [0.0; Q],
+            start: [0.0; N],
+            middle: [0.0; Q],
+            vm: [0.0; N],
+            solver: Implicit::new(),
+            mass: clear(),
+            slopes: clear(),
+            far: clear(),
+            directions: clear(),
+        })
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
+    for Midpoint<Q, N, R>
+{
+    fn begin(&mut self, _: &S, t: f64, q: &[f64; Q], va: &[f64; N], _: &Node<S, Q, N, R>, h: f64) {
+        (self.h, self.t0, self.q0, self.vm) = (h, t, *q, *va);
+        self.solver.begin(t + 0.5 * h, h);
+    }
+
+    fn is_direct(&self) -> bool {
+        false
+    }
+
+    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
+        system.momentum(&self.q0, va, &mut self.start);
+        self.solver.known = self.start;
+        let at_rest = [0.0; N];
+        self.middle = self
+            .solver
+            .solve(system, &self.q0, &at_rest, &mut self.vm)?;
+        *q = system.advance(&self.q0, &self.vm, self.h);
+        Ok(())
+    }
+
+    fn directions<'a>(
+        &'a mut self,
+        system: &S,
+        _: &[f64; N],
+        w0: &'a [[f64; N]; R],
+    ) -> Result<&'a [[f64; N]; R], Fault> {
+        let at_rest = [0.0; N];
+        self.solver
+            .refresh(system, &self.middle, &at_rest, &self.vm)?;
+        system.mass_matrix(&self.q0, &mut self.mass);
+        for r in 0..R {
+            let w = &w0[r];
+            let mut slope: [f64; N] = std::array::from_fn(|i| crate::linear::dot(&self.mass[i], w));
+            self.solver.jacobian.solve(&mut slope);
+            self.slopes[r] = slope;
+            self.far[r] = std::array::from_fn(|i| 2.0 * slope[i] - w[i]);
+            self.directions[r] = slope;
+        }
+        if !S::ROTATIONS.is_empty() {
+            let turn = self.vm.map(|v| self.h * v);
+            transport::<S, Q, N, R>(&turn, &mut *self.directions);
+        }
+        Ok(&self.directions)
+    }
+
+    fn far<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+        &self.far
+    }
+
+    fn predict(&mut self, change: &[f64; R]) {
+        crate::linear::accumulate(&mut self.vm, &self.slopes, change);
+    }
+
+    fn velocities(
+        &mut self,
+        system: &S,
+        _: &[f64; N],
+        _: &[f64; Q],
+        end: &mut Node<S, Q, N, R>,
+    ) -> [f64; N] {
+        let mut vb = [0.0; N];
+        system.momentum(&self.middle, &self.vm, &mut vb);
+        for i in 0..N {
+            vb[i] = 2.0 * vb[i] - self.start[i];
+        }
+        system.solve_mass(&end.mass, &mut vb);
+        vb
+    }
+}
