@@ -18,6 +18,15 @@ mod readme {}
 #[doc = include_str!("../../book/src/first-mechanism.md")]
 mod first_mechanism {}
 
+#[doc = include_str!("../../book/src/into-space.md")]
+mod into_space {}
+
+#[doc = include_str!("../../book/src/redundancy.md")]
+mod redundancy {}
+
+#[doc = include_str!("../../book/src/coordinates.md")]
+mod coordinates {}
+
 /// Runs a test where there is room on the stack: unoptimised code moves the matrices of the largest scene about, and a
 /// test's thread has 2 MiB only.
 pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {

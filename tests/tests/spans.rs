@@ -217,6 +217,22 @@ fn conditions() {
 }
 
 #[test]
+fn examples_fit_what_they_are_given_for() {
+    points_at(
+        "
+        deny: redundant,
+              ~~~~~~~~~",
+        "for example `deny: Redundant()`",
+    );
+    points_at_in_space(
+        "
+        weld: Fixed(arm, box_, at = rod.b), box_: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+                                    ~~~~~",
+        "a place that several entries share is a `Point`",
+    );
+}
+
+#[test]
 fn parts() {
     points_at(
         "

@@ -6,7 +6,7 @@ use crate::derivatives;
 use crate::diagnostics::Errors;
 use crate::equations;
 use crate::mobility::{self, Open};
-use crate::model::{self, Formulation, Model};
+use crate::model::{self, Formulation, Model, Part, Representation};
 use crate::refusals;
 use crate::syntax::Declaration;
 
@@ -60,8 +60,10 @@ pub(crate) fn choose(
             continue;
         };
         if same(&model, &best.model) {
-            // Where nothing is a point, natural coordinates are reference coordinates.
-            if formulation == Formulation::Reference {
+            // Where no bar is its end points, natural coordinates are reference coordinates.
+            let parts = &best.model.parts;
+            let natural = |part: &Part| part.representation == Representation::Natural;
+            if formulation == Formulation::Reference && !parts.iter().any(natural) {
                 best.model.formulation = formulation;
                 candidates[0].formulation = formulation;
             }

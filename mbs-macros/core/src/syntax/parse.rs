@@ -288,7 +288,12 @@ fn entry_name(input: ParseStream) -> syn::Result<Ident> {
 }
 
 fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
-    let expected = || format!("expected `{name}: Kind(…)`, for example `{name}: Param(1.0_m)`");
+    let example = match name.to_string().as_str() {
+        "world" => "Planar()",
+        "deny" => "Redundant()",
+        _ => "Param(1.0_m)",
+    };
+    let expected = || format!("expected `{name}: Kind(…)`, for example `{name}: {example}`");
     let Expr::Call(call) = value else {
         return Err(syn::Error::new_spanned(value, expected()));
     };

@@ -65,9 +65,13 @@ impl Arguments<'_, '_> {
             .any(|&x| self.resolver.graph.depends_on(x, moving))
         {
             let place = self.resolver.blame(syntax, &moving);
+            let hint = match field {
+                "at" => "; a place that several entries share is a `Point`",
+                _ => "",
+            };
             return self.resolver.fail(
                 place,
-                format!("`{field}` must be known before the motion starts: it may use numbers and parameters only"),
+                format!("`{field}` must be known before the motion starts: it may use numbers and parameters only{hint}"),
             );
         }
         Some(())
