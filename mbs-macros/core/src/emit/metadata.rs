@@ -41,13 +41,16 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     let parts = model
         .parts
         .iter()
-        .filter(|part| part.representation != Representation::Coordinate)
-        .map(|part| {
+        .enumerate()
+        .filter(|(_, part)| part.representation != Representation::Coordinate)
+        .map(|(index, part)| {
+            let modelled_as = match model.tree.carrier(index) {
+                Some(joint) => format!("carried by `{}`: joint coordinates", joint.joint),
+                None => part.representation.describe().to_owned(),
+            };
             format!(
                 "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {:?} }}",
-                part.name,
-                part.kind,
-                part.representation.describe()
+                part.name, part.kind, modelled_as
             )
         })
         .collect();
