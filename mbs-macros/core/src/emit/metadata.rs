@@ -45,12 +45,12 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
         .filter(|(_, part)| part.representation != Representation::Coordinate)
         .map(|(index, part)| {
             let modelled_as = match model.tree.carrier(index) {
-                Some(joint) => format!("carried by `{}`: joint coordinates", joint.joint),
+                Some(joint) => joint.describe(part.representation),
                 None => part.representation.describe().to_owned(),
             };
             format!(
-                "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {:?} }}",
-                part.name, part.kind, modelled_as
+                "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {modelled_as:?} }}",
+                part.name, part.kind,
             )
         })
         .collect();

@@ -208,6 +208,28 @@ impl Tree {
     }
 }
 
+impl TreeJoint {
+    /// How the part that it carries is modelled, in words.
+    pub fn describe(&self, carried: Representation) -> String {
+        let name = &self.joint;
+        let own = match (self.link.free_rotation, carried) {
+            (true, Representation::Reference) => "its angle",
+            (true, Representation::Rigid) => "its unit quaternion; angular velocity in body axes",
+            _ => match (self.angle.is_some(), self.strokes.len()) {
+                (false, 0) => return format!("joint coordinates (none; `{name}` carries it)"),
+                (true, 0) => "angle",
+                (false, _) => "stroke",
+                (true, 1) => "angle and stroke",
+                (true, _) => "angle and strokes",
+            },
+        };
+        match self.link.free_rotation {
+            true => format!("joint coordinates ({own}; `{name}` carries it)"),
+            false => format!("joint coordinates ({own} of `{name}`)"),
+        }
+    }
+}
+
 impl Link {
     /// Two points of the plane that coincide, while the child keeps its own angle.
     pub fn of_points(parent: &Point, child: &Point) -> Link {
