@@ -1,0 +1,9 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Pendulum {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Jonit),
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+});
+
+fn main() {}
