@@ -350,7 +350,7 @@ impl Arguments<'_, '_> {
         Some((points.next()??, points.next()??))
     }
 
-    /// See [`Resolver::joint_angle`].
+    /// The angle of the child against the parent about the axis, counted over full turns, rad.
     pub fn joint_angle(&mut self, joint: &JointFrames) -> Expr {
         self.resolver().joint_angle(joint)
     }

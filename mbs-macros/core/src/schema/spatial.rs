@@ -131,7 +131,7 @@ pub(super) const KINDS: &[Kind] = &[
             SPIN,
             FREE,
         ],
-        doc: "A uniform straight bar from `a` to `b`, x along it. A slender one has no inertia about itself and no orientation that a joint could hold, only its end points.",
+        doc: "A uniform straight bar from `a` to `b`, x along it; for a bar along X, Y or Z the axes y and z are the next of the ground's, in that order and round again. A slender one has no inertia about itself and no orientation that a joint could hold, only its end points.",
     },
     Kind {
         name: "Body",

@@ -94,7 +94,7 @@ impl Arguments<'_, '_> {
         let found = format!("{value:?}");
         let trace = value[0][0] + value[1][1] + value[2][2];
         if (0..3).any(|k| value[k][k] == 0.0) {
-            return self.fail(field, format!("this inertia is zero about an axis about which the body is free to turn ({found}); give it a positive value, or use a `Particle` or slender `Bar`"));
+            return self.fail(field, format!("this inertia is zero about an axis ({found}); a body has a positive one about every axis, also where joints hold it; give it that, or use a `Particle` or slender `Bar`"));
         }
         if !positive_definite(&value) {
             return self.fail(
