@@ -2,7 +2,6 @@
 //! something can fulfil, coordinates with mass.
 
 use super::Dimension;
-use super::Representation;
 use super::advice;
 use super::elements::{ForceElement, JointElement};
 use super::geometry::{Owner, Point};
@@ -10,6 +9,7 @@ use super::parts::Part;
 use super::placement::Guesses;
 use super::reduce::Reduction;
 use super::resolve::{Resolver, has_frames};
+use super::{Formulation, Representation};
 use crate::diagnostics::{Place, did_you_mean};
 use crate::schema::{self, Absent, Kind, World};
 use crate::symbolic::{Graph, Symbol};
@@ -277,6 +277,9 @@ pub(super) fn movable(resolver: &mut Resolver, joints: &[JointElement], reductio
         let message = match resolver.parts.iter().any(|part| part.name == *name) {
             true => format!(
                 "both ends of `{name}` are held by the ground, so that it cannot move: release one end, or remove the bar"
+            ),
+            false if resolver.formulation == Formulation::Joint => format!(
+                "the joints that are coordinates already fix all that `{name}` holds, so that no row is left to write for it; describe the mechanism by `coordinates = Reference` (or `Auto`), where such a joint is redundant and harmless, or remove it"
             ),
             false => format!(
                 "other joints already fix all that `{name}` holds: no motion could fulfil or break it; remove it"
