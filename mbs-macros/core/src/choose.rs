@@ -51,12 +51,12 @@ pub(crate) fn choose(
     if requested.is_some() {
         return Some(best);
     }
-    let mut candidates = vec![candidate(&best)];
+    let mut candidates = vec![candidate(&mut best)];
     for formulation in [Formulation::Reference, Formulation::Joint] {
         // What is wrong with a declaration was found already; a description that does not apply is passed over.
         let mut passed_over = Errors::new();
         let model = model::resolve(declaration, formulation, &mut passed_over);
-        let (Some(model), true) = (model, passed_over.is_empty()) else {
+        let (Some(mut model), true) = (model, passed_over.is_empty()) else {
             continue;
         };
         if same(&model, &best.model) {
@@ -71,7 +71,7 @@ pub(crate) fn choose(
         }
         let cheapest = candidates.iter().filter_map(|other| other.operations).min();
         let size = model.layout.velocities.len();
-        let rows = count_rows(&model);
+        let rows = count_rows(&mut model);
         if cheapest.is_some_and(|cheapest| least(size, rows) > cheapest) {
             candidates.push(Candidate {
                 formulation,
@@ -83,8 +83,10 @@ pub(crate) fn choose(
             });
             continue;
         }
-        let Ok(other) = derive(model) else { continue };
-        let own = candidate(&other);
+        let Ok(mut other) = derive(model) else {
+            continue;
+        };
+        let own = candidate(&mut other);
         // Of two that cost the same the one tried first stays.
         if own.operations < cheapest {
             best = other;
@@ -104,6 +106,7 @@ fn derive(mut model: Model) -> Result<Analysis, Open> {
         derived,
         mobility,
         candidates: Vec::new(),
+        program: None,
     })
 }
 
@@ -120,25 +123,27 @@ fn same(a: &Model, b: &Model) -> bool {
     names(a) == names(b)
 }
 
-fn count_rows(model: &Model) -> usize {
-    let mut graph = model.graph.clone();
+fn count_rows(model: &mut Model) -> usize {
+    let graph = &mut model.graph;
     model
         .joints
         .iter()
-        .map(|(_, joint)| joint.equations(&mut graph).rows.len())
+        .map(|(_, joint)| joint.equations(graph).rows.len())
         .sum()
 }
 
-fn candidate(analysis: &Analysis) -> Candidate {
+fn candidate(analysis: &mut Analysis) -> Candidate {
     let program = dag::lower(&analysis.derived);
-    Candidate {
+    let candidate = Candidate {
         formulation: analysis.model.formulation,
         coordinates: program.coordinates,
         velocities: program.size,
         rows: program.rows.len(),
         rank: analysis.mobility.as_ref().map(|mobility| mobility.rank),
         operations: Some(step(&program)),
-    }
+    };
+    analysis.program = Some(program);
+    candidate
 }
 
 /// Passes of the iteration on the multipliers in a step that begins with those of the last.

@@ -1,12 +1,13 @@
 //! The pipeline, one line per stage.
 
 use crate::choose::{Candidate, choose};
+use crate::dag::{self, Program};
 use crate::derivatives::Derived;
 use crate::diagnostics::{Errors, Failure};
+use crate::emit;
 use crate::mobility::Mobility;
 use crate::model::{self, Model};
 use crate::syntax::{self, Declaration};
-use crate::{dag, emit};
 use proc_macro2::TokenStream;
 
 /// Compiles a declaration to Rust. Where it is wrong, what could be understood is emitted all the same (so that editors
@@ -22,8 +23,9 @@ pub fn compile(tokens: TokenStream) -> TokenStream {
 fn compile_checked(tokens: TokenStream) -> TokenStream {
     let (declaration, outcome) = analyse(tokens);
     match (declaration, outcome) {
-        (Some(declaration), Ok(analysis)) => {
-            let program = dag::lower(&analysis.derived);
+        (Some(declaration), Ok(mut analysis)) => {
+            let counted = analysis.program.take();
+            let program = counted.unwrap_or_else(|| dag::lower(&analysis.derived));
             emit::mechanism(&declaration, &analysis, &program)
         }
         (Some(declaration), Err(failure)) => {
@@ -47,6 +49,8 @@ pub struct Analysis {
     pub mobility: Option<Mobility>,
     /// The descriptions that were considered; empty where one was asked for.
     pub candidates: Vec<Candidate>,
+    /// Its program, where the choice has made it to count its operations.
+    pub program: Option<Program>,
 }
 
 /// Stages 1 to 4.

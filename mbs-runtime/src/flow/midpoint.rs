@@ -96,12 +96,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             self.solver.jacobian.solve(&mut slope);
             self.slopes[r] = slope;
             self.far[r] = std::array::from_fn(|i| 2.0 * slope[i] - w[i]);
-            self.directions[r] = slope;
         }
-        if !S::ROTATIONS.is_empty() {
-            let turn = self.vm.map(|v| self.h * v);
-            transport::<S, Q, N, R>(&turn, &mut *self.directions);
+        if S::ROTATIONS.is_empty() {
+            return Ok(&self.slopes);
         }
+        *self.directions = *self.slopes;
+        let turn = self.vm.map(|v| self.h * v);
+        transport::<S, Q, N, R>(&turn, &mut *self.directions);
         Ok(&self.directions)
     }
 

@@ -17,7 +17,7 @@ mod constraints;
 mod inverse_mass;
 mod tangents;
 
-use crate::equations::{System, inertia};
+use crate::equations::System;
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
@@ -81,8 +81,8 @@ pub fn derive(mut system: System) -> Derived {
             .mass
             .values()
             .any(|&entry| graph.depends_on(entry, is_state));
-    let (momentum, kinetic) = match system.kinetic {
-        Some(kinetic) => (inertia::momentum_of(graph, size, kinetic), kinetic),
+    let (momentum, kinetic) = match &system.kinetic {
+        Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),
         None => {
             let momentum = affinities::momentum(graph, size, &system.mass);
             let kinetic = affinities::kinetic(graph, &momentum);
@@ -96,21 +96,12 @@ pub fn derive(mut system: System) -> Derived {
         &system.mass,
         &mut affinities,
     );
-    let mut inertial: Vec<Expr> = vec![graph.zero(); size];
-    match system.kinetic {
-        Some(_) => {
-            for (symbol, slope) in graph.gradient(kinetic) {
-                if let Symbol::Coordinate(j) = symbol {
-                    inertial[j as usize] = slope;
-                }
-            }
-        }
-        None => {
-            for (j, slope) in inertial.iter_mut().enumerate() {
-                *slope = graph.derivative(kinetic, Symbol::Coordinate(j as u32));
-            }
-        }
-    }
+    let mut inertial: Vec<Expr> = match &system.kinetic {
+        Some(kinetic) => kinetic.slopes.clone(),
+        None => (0..size as u32)
+            .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
+            .collect(),
+    };
     affinities::turning_momentum(graph, &system.layout.rotations, &momentum, &mut inertial);
     let total_forces: Vec<Expr> = system
         .forces

@@ -192,31 +192,46 @@ pub(super) fn kinetic(
     Some(graph.scale(0.5, sum))
 }
 
-/// p = ∂T/∂v.
-pub(crate) fn momentum_of(graph: &mut Graph, size: usize, kinetic: Expr) -> Vec<Expr> {
-    let mut momentum = vec![graph.zero(); size];
-    for (symbol, slope) in graph.gradient(kinetic) {
-        if let Symbol::Velocity(i) = symbol {
-            momentum[i as usize] = slope;
-        }
-    }
-    momentum
+/// T with its slopes, from one pass backwards through it.
+#[derive(Debug)]
+pub struct Kinetic {
+    /// T.
+    pub energy: Expr,
+    /// p = ∂T/∂v.
+    pub momentum: Vec<Expr>,
+    /// ∂T/∂q.
+    pub slopes: Vec<Expr>,
 }
 
-/// The upper triangle of M = ∂²T/∂v².
-pub(super) fn mass_of(
-    graph: &mut Graph,
-    size: usize,
-    kinetic: Expr,
-) -> BTreeMap<(usize, usize), Expr> {
-    let mut mass = BTreeMap::new();
-    for (i, p) in momentum_of(graph, size, kinetic).into_iter().enumerate() {
-        for j in i..size {
-            let entry = graph.derivative(p, Symbol::Velocity(j as u32));
-            if !graph.is_zero(entry) {
-                mass.insert((i, j), entry);
+impl Kinetic {
+    pub(super) fn new(graph: &mut Graph, size: usize, energy: Expr) -> Kinetic {
+        let zero = graph.zero();
+        let mut kinetic = Kinetic {
+            energy,
+            momentum: vec![zero; size],
+            slopes: vec![zero; size],
+        };
+        for (symbol, slope) in graph.gradient(energy) {
+            match symbol {
+                Symbol::Velocity(i) => kinetic.momentum[i as usize] = slope,
+                Symbol::Coordinate(i) => kinetic.slopes[i as usize] = slope,
+                _ => {}
             }
         }
+        kinetic
     }
-    mass
+
+    /// The upper triangle of M = ∂p/∂v.
+    pub(super) fn mass(&self, graph: &mut Graph) -> BTreeMap<(usize, usize), Expr> {
+        let mut mass = BTreeMap::new();
+        for (i, &p) in self.momentum.iter().enumerate() {
+            for j in i..self.momentum.len() {
+                let entry = graph.derivative(p, Symbol::Velocity(j as u32));
+                if !graph.is_zero(entry) {
+                    mass.insert((i, j), entry);
+                }
+            }
+        }
+        mass
+    }
 }

@@ -4,13 +4,14 @@
 //! velocities v, time, parameters and inputs. There are no parts, points or tokens any more.
 
 pub mod forces;
-pub(crate) mod inertia;
+mod inertia;
 pub mod joints;
 mod reactions;
 
 use crate::model::{Dimension, Layout, Model, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use forces::Load;
+pub use inertia::Kinetic;
 use joints::{JointEquations, Level};
 use std::collections::BTreeMap;
 
@@ -22,7 +23,7 @@ pub struct System {
     /// Number of velocities N.
     pub size: usize,
     /// T of joint coordinates, body by body; elsewhere M says it all.
-    pub kinetic: Option<Expr>,
+    pub kinetic: Option<Kinetic>,
     /// Upper triangle of M, structurally nonzero entries only.
     pub mass: BTreeMap<(usize, usize), Expr>,
     /// Potential energy V.
@@ -168,9 +169,10 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
-    let kinetic = inertia::kinetic(&mut graph, &mut reduction, model, &inertia);
-    let mass = match kinetic {
-        Some(kinetic) => inertia::mass_of(&mut graph, size, kinetic),
+    let kinetic = inertia::kinetic(&mut graph, &mut reduction, model, &inertia)
+        .map(|energy| Kinetic::new(&mut graph, size, energy));
+    let mass = match &kinetic {
+        Some(kinetic) => kinetic.mass(&mut graph),
         None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
     };
     let forces = match kinetic {

@@ -97,14 +97,15 @@ impl Tree {
             let mut next: BTreeMap<usize, (usize, TreeJoint)> = BTreeMap::new();
             for (index, link, rows) in &links {
                 for forwards in [true, false] {
-                    let link = match forwards {
-                        true => link.clone(),
-                        false => link.reversed(),
+                    let (near, far) = match forwards {
+                        true => (&link.parent, &link.child),
+                        false => (&link.child, &link.parent),
                     };
-                    let (parent, child) = (link.parent.point.owner, link.child.point.owner);
-                    let Owner::Part(child) = child else { continue };
-                    if !front.contains(&parent) || reached[child] || !resolver.carried(child, &link)
-                    {
+                    let (parent, Owner::Part(child)) = (near.point.owner, far.point.owner) else {
+                        continue;
+                    };
+                    let applies = front.contains(&parent) && !reached[child];
+                    if !applies || !resolver.carried(parent, child, link) {
                         continue;
                     }
                     if next.get(&child).is_some_and(|(best, _)| best >= rows) {
@@ -118,7 +119,11 @@ impl Tree {
                         joint: joints[*index].name.clone(),
                         parent,
                         child,
-                        link,
+                        link: if forwards {
+                            link.clone()
+                        } else {
+                            link.reversed()
+                        },
                         angle: None,
                         strokes: Vec::new(),
                     };
@@ -261,8 +266,8 @@ impl Link {
 
 impl Resolver<'_> {
     /// Whether a joint can carry a part: a body that it holds, or a particle whose place is all there is to it.
-    fn carried(&self, part: usize, link: &Link) -> bool {
-        let parent = match link.parent.point.owner {
+    fn carried(&self, parent: Owner, part: usize, link: &Link) -> bool {
+        let parent = match parent {
             Owner::Ground => true,
             Owner::Part(part) => has_frame(&self.parts[part]),
         };
