@@ -2,7 +2,7 @@
 
 use super::kernels::kernels;
 use super::lower::{Hoisted, Lowering};
-use super::{Constant, Function, Operand, Place, Program, Structure, Turning};
+use super::{Constant, Function, Operand, Place, Program, Sparse, Structure, Turning};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
@@ -138,6 +138,7 @@ pub fn lower(derived: &Derived) -> Program {
             .map(|r| (r.joint.clone(), r.component.clone(), r.unit.clone()))
             .collect(),
         structure,
+        sparse: Sparse::of(derived),
     }
 }
 

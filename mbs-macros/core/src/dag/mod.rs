@@ -5,6 +5,7 @@
 //! [`Operation`], counted.
 
 mod cost;
+mod elimination;
 mod functions;
 mod kernels;
 mod lower;
@@ -15,6 +16,7 @@ mod text;
 use crate::symbolic::{Function as Elementary, Number, Symbol};
 
 pub use cost::Cost;
+pub use elimination::{Elimination, Sparse, Stretch};
 pub use functions::lower;
 pub use run::Run;
 
@@ -47,6 +49,8 @@ pub struct Program {
     pub reactions: Vec<(String, String, String)>,
     /// What the integrator may rely on.
     pub structure: Structure,
+    /// Elimination without zeros, where that is the cheaper.
+    pub sparse: Option<Sparse>,
 }
 
 /// A rotation: a unit quaternion and three angular velocities in body axes.

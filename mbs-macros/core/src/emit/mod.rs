@@ -4,6 +4,7 @@
 //! depends on parameters has been computed. One file for each emitted item; nothing outside this folder writes Rust.
 
 mod body;
+mod elimination;
 mod fallback;
 mod metadata;
 mod methods;
