@@ -220,7 +220,9 @@ impl BaumgarteSettings {
             self.gain,
             self.gain >= 0.0,
             "zero or a positive finite value",
-        )
+        )?;
+        self.adaptive
+            .map_or(Ok(()), |tolerance| positive("adaptive", tolerance))
     }
 }
 

@@ -22,11 +22,17 @@ use crate::{Settings, State, System};
 pub struct BaumgarteSettings {
     /// α = β, 1/s.
     pub gain: f64,
+    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or to
+    /// 1, if they are smaller); `None` for steps of the length that is asked for.
+    pub adaptive: Option<f64>,
 }
 
 impl Default for BaumgarteSettings {
     fn default() -> Self {
-        BaumgarteSettings { gain: 10.0 }
+        BaumgarteSettings {
+            gain: 10.0,
+            adaptive: None,
+        }
     }
 }
 

@@ -16,8 +16,6 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     pub(crate) counters: Counters,
     pub(crate) works: Works,
     pub(crate) max_iterations: usize,
-    /// Tolerance of position rows, as a distance relative to the size of the mechanism.
-    pub(crate) tolerance: f64,
 }
 
 /// Works of the last step, J.

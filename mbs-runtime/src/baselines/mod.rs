@@ -3,6 +3,7 @@
 //! Each is in the form its source gives and tuned as its users would; they share linear algebra and diagnostics with the
 //! two-level method.
 
+mod adaptive;
 mod baumgarte;
 mod bench;
 mod index1;

@@ -65,6 +65,13 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         Ok(End { q, v })
     }
 
+    /// h Σ (b − b̂)_i k_i of the last step: what its error in θ and v may be.
+    pub(crate) fn error(&self, h: f64) -> [[f64; N]; 2] {
+        let [mut turn, mut change] = [[0.0; N]; 2];
+        self.combine(self.tableau.error, h, &mut turn, &mut change);
+        [turn, change]
+    }
+
     /// θ and v ← + h Σ c_j k_j.
     #[inline(always)]
     fn combine(&self, coefficients: &[f64], h: f64, turn: &mut [f64; N], v: &mut [f64; N]) {

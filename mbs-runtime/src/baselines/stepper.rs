@@ -1,6 +1,7 @@
 //! One face for the baselines.
 
 use super::Works;
+use super::adaptive::Adaptive;
 use super::baumgarte::Explicit;
 use super::bench::Bench;
 use crate::alf3f::{Counters, Fault, Node};
@@ -17,6 +18,7 @@ pub struct BaselineStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
 /// The method and its workspace.
 enum Rule<const Q: usize, const N: usize, const R: usize> {
     Explicit(Box<Explicit<Q, N, R>>),
+    Adaptive(Box<Adaptive<Q, N, R>>),
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -37,9 +39,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let fault =
             |fault: Fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step);
         let rule = match &settings.method {
-            Method::Baumgarte(baumgarte) => {
-                Rule::Explicit(Box::new(Explicit::stabilised(settings.order, baumgarte)))
-            }
+            Method::Baumgarte(baumgarte) => match baumgarte.adaptive {
+                None => Rule::Explicit(Box::new(Explicit::stabilised(settings.order, baumgarte))),
+                Some(tolerance) => {
+                    Rule::Adaptive(Box::new(Adaptive::new(baumgarte.gain, tolerance)))
+                }
+            },
             Method::Projected => Rule::Explicit(Box::new(
                 Explicit::projected(&system, settings).map_err(fault)?,
             )),
@@ -62,7 +67,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 counters: Counters::default(),
                 works: Works::default(),
                 max_iterations: settings.max_iterations,
-                tolerance: settings.constraint_tolerance,
             },
             rule,
         };
@@ -90,6 +94,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.bench.settled = false;
         match &mut self.rule {
             Rule::Explicit(rule) => rule.step(&mut self.bench, h),
+            Rule::Adaptive(rule) => rule.advance(&mut self.bench, h),
         }
     }
 
@@ -119,6 +124,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
         match &mut self.rule {
             Rule::Explicit(rule) => rule.refresh(),
+            Rule::Adaptive(rule) => rule.refresh(),
         }
         self.bench.settled = false;
         self.bench.settle()
