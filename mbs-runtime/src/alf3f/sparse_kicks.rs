@@ -11,9 +11,9 @@
 //! chain. A step that begins or ends where a row is about to lose its direction needs the proximal solve, which is dense:
 //! that step is taken by [`kicks`].
 
+use super::Fault;
 use super::core::Core;
 use super::kicks::{self, STAGNATED, residual_of};
-use super::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
 use crate::linear::{Bordered, Independence, Pair, Rows, Slots, SparseMass, largest};
@@ -90,7 +90,14 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             &mut start.b,
         );
         self.start.factor(self.plan);
-        system.acceleration(*time, positions, &mut start.acceleration);
+        let (mass, x) = (&self.mass, &mut self.x);
+        mass.weigh_forces(
+            self.plan,
+            system,
+            (*time, positions),
+            x,
+            &mut start.acceleration,
+        );
     }
 
     /// A v + b at the current instant.
@@ -98,12 +105,23 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         &self,
         core: &Core<S, Q, N, R>,
     ) -> [f64; R] {
-        rates(self.plan, &self.start, &core.start.b, &core.state.velocities)
+        rates(
+            self.plan,
+            &self.start,
+            &core.start.b,
+            &core.state.velocities,
+        )
     }
 
     /// How independent the rows are at the current instant.
     pub(super) fn independence(&self) -> Independence {
         self.start.independence(self.plan)
+    }
+
+    /// How much each row takes part in what is nearest to a loss of independence.
+    #[cold]
+    pub(super) fn weakest_rows(&mut self) -> [f64; R] {
+        self.start.combination(self.plan, &mut self.x)
     }
 
     pub(super) fn step<S: System<Q, N, R>, const Q: usize>(
@@ -135,7 +153,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             return Ok(Outcome::Lost);
         };
         let SparseKicks {
-            plan, end, x, ..
+            plan, end, mass, x, ..
         } = self;
         end.factor(plan);
         let rows = end.rows(plan);
@@ -144,7 +162,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         }
         let t1 = core.state.time + h;
         let (a0, node) = (&core.start.acceleration, &mut core.end);
-        core.system.acceleration(t1, &q, &mut node.acceleration);
+        mass.weigh_forces(plan, &core.system, (t1, &q), x, &mut node.acceleration);
         let a1 = &node.acceleration;
         let mut v: [f64; N] = std::array::from_fn(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut core.work.impulse[1];

@@ -134,11 +134,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
     pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
         let rows = S::STRUCTURE.holonomic_rows;
-        if let Stepping::Sparse(..) = &self.flow {
-            // Dense arrays hold nothing of this instant. What fails here fails the next step.
-            let _ = self.core.refresh();
-            let Core { start, work, .. } = &mut self.core;
-            work.symmetric.independence(&start.gram, rows);
+        if let Stepping::Sparse(kicks, _) = &mut self.flow {
+            return kicks.weakest_rows();
         }
         let Core { start, work, .. } = &self.core;
         work.symmetric.combination(&start.gram, rows)
@@ -160,7 +157,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let core = &self.core;
         match &self.flow {
             Stepping::Sparse(kicks, _) => kicks.rates(core),
-            _ => core.start.velocity_rows(&core.system, &core.state.velocities),
+            _ => core
+                .start
+                .velocity_rows(&core.system, &core.state.velocities),
         }
     }
 

@@ -24,8 +24,10 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub mass: &'static [(usize, usize, usize)],
     /// … and in that of M by itself.
     pub mass_alone: &'static [(usize, usize, usize)],
-    /// Position in the order of elimination, and slot of the pivot, of each row of A.
+    /// Position in the order of elimination, and slot of the pivot, of each row of A, in the order of rows.
     pub pivots: &'static [(usize, usize)],
+    /// Whether M⁻¹f is not a constant.
+    pub forces_vary: bool,
     /// A v, from K.
     pub rates: Rates<N, R>,
     /// Aᵀκ, from K.

@@ -1,8 +1,8 @@
 //! K of a large mechanism at one instant, and its factor.
 
 use super::{Independence, SMALL_PIVOT, WEAK_PIVOT, clear};
-use crate::generated::Elimination;
 use crate::System;
+use crate::generated::Elimination;
 
 /// An array whose length generated code knows.
 pub(crate) type Slots = Box<[f64]>;
@@ -135,6 +135,33 @@ impl Bordered {
         independence
     }
 
+    /// The combination of the rows, each taken with unit length, that comes closest to none: a step of inverse iteration
+    /// from the row with the smallest pivot.
+    pub(crate) fn combination<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        x: &mut [f64],
+    ) -> [f64; R] {
+        let pivots = self.relative(plan).enumerate();
+        let independent = pivots.filter(|&(_, pivot)| pivot > 0.0);
+        let weakest = independent.min_by(|a, b| a.1.total_cmp(&b.1));
+        let mut combination = [0.0; R];
+        if let Some((weakest, _)) = weakest {
+            let mut rates = [0.0; R];
+            rates[weakest] = 1.0;
+            self.solve(plan, &rates, x, (&mut [0.0; N], &mut combination));
+        }
+        let lengths = plan
+            .pivots
+            .iter()
+            .map(|&(position, _)| self.lengths[position].sqrt());
+        combination
+            .iter_mut()
+            .zip(lengths)
+            .for_each(|(part, length)| *part *= length);
+        combination
+    }
+
     /// v and κ change so that A v changes by `rates`.
     #[inline]
     pub(crate) fn solve<const N: usize, const R: usize>(
@@ -222,16 +249,31 @@ impl SparseMass {
     ) {
         (plan.solve_mass)(&self.factor, work, x);
     }
+
+    /// M⁻¹f of the forces at (t, q), which do not depend on velocities.
+    #[inline]
+    pub(crate) fn weigh_forces<S, const Q: usize, const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        system: &S,
+        (t, q): (f64, &[f64; Q]),
+        work: &mut [f64],
+        acceleration: &mut [f64; N],
+    ) where
+        S: System<Q, N, R>,
+    {
+        if plan.forces_vary {
+            system.applied_forces(t, q, &[0.0; N], acceleration);
+            self.solve(plan, work, acceleration);
+        } else {
+            system.acceleration(t, q, acceleration);
+        }
+    }
 }
 
 /// M of a system whose mass matrix is constant.
 #[inline(never)]
-pub(crate) fn constant_mass<
-    S: System<Q, N, R>,
-    const Q: usize,
-    const N: usize,
-    const R: usize,
->(
+pub(crate) fn constant_mass<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     q: &[f64; Q],
 ) -> super::Matrix<N, N> {

@@ -39,13 +39,13 @@ pub(super) fn emit(program: &Program) -> (String, String) {
         });
         slots.collect::<Vec<_>>().join(", ")
     };
-    let pivots: Vec<String> = (0..rows.columns.len())
-        .filter(|&position| rows.columns[position].is_row)
-        .map(|position| format!("({position}, {})", rows.columns[position].pivot))
+    let pivots: Vec<String> = rows.positions[n..]
+        .iter()
+        .map(|&position| format!("({position}, {})", rows.columns[position].pivot))
         .collect();
     let constant = format!(
         "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{
-            unknowns: {}, slots: {}, mass_slots: {}, mass: &[{}], mass_alone: &[{}], pivots: &[{}],
+            unknowns: {}, slots: {}, mass_slots: {}, mass: &[{}], mass_alone: &[{}], pivots: &[{}], forces_vary: {},
             rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve,
             factor_pair: Self::sparse_factor_pair, solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
         rows.columns.len(),
@@ -53,7 +53,8 @@ pub(super) fn emit(program: &Program) -> (String, String) {
         mass.slots,
         entries(rows),
         entries(mass),
-        pivots.join(", ")
+        pivots.join(", "),
+        sparse.forces_vary
     );
     let mut out = String::new();
     rates(&mut out, sparse);
@@ -410,11 +411,21 @@ fn upward(out: &mut String, e: &Elimination, k: usize, window: &Window, array: &
     let _ = writeln!(out, ") * f[{pivot}];");
 }
 
-/// The method that writes A into the array of K, as text.
-pub(super) fn method(out: &mut String, graph: &Graph, program: &Program) {
+/// The methods of large mechanisms, as text: A into the array of K, and M⁻¹f where its symbolic form, which is as full as
+/// M⁻¹, would be long.
+pub(super) fn methods(out: &mut String, graph: &Graph, program: &Program) {
     let Some(sparse) = &program.sparse else {
         return;
     };
+    if sparse.forces_vary {
+        let n = sparse.size;
+        let _ = writeln!(
+            out,
+            "fn acceleration(&self, t: f64, q: &[f64; {n}], acceleration: &mut [f64; {n}]) {{
+                self.applied_forces(t, q, &[0.0; {n}], acceleration);
+                ::mbs_runtime::generated::multiply(&self.inverse_mass, acceleration); }}"
+        );
+    }
     let constraints_of = |function: &&Function| function.name == "constraints";
     if let Some(function) = program.functions.iter().find(constraints_of) {
         let function = constraints(sparse, function);

@@ -240,7 +240,7 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
             );
         }
     }
-    elimination::method(&mut out, graph, program);
+    elimination::methods(&mut out, graph, program);
     for kernel in KERNELS {
         let (name, signature) = (kernel.name, sized(kernel.signature, program));
         if let Some(function) = find(name) {

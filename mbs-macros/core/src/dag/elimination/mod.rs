@@ -14,6 +14,7 @@ mod order;
 mod stretches;
 
 use crate::derivatives::Derived;
+use crate::symbolic::Expr;
 use std::collections::{BTreeMap, BTreeSet};
 
 pub use stretches::Stretch;
@@ -58,6 +59,8 @@ pub struct Sparse {
     pub mass_entries: Vec<(usize, usize)>,
     /// The entries of A that are not zero, row by row.
     pub jacobian: Vec<(usize, usize)>,
+    /// Whether forces depend on more than parameters.
+    pub forces_vary: bool,
     /// N.
     pub size: usize,
     /// R.
@@ -80,11 +83,17 @@ impl Sparse {
         let mass: Vec<(usize, usize)> = system.mass.keys().copied().collect();
         let jacobian: Vec<(usize, usize)> = derived.jacobian.keys().copied().collect();
         let coupled = jacobian.iter().map(|&(row, column)| (size + row, column));
+        let varies = |&force: &Expr| {
+            system
+                .graph
+                .depends_on(force, |symbol| !symbol.is_parameter_like())
+        };
         let sparse = Sparse {
             rows: Elimination::new(size, rows, mass.iter().copied().chain(coupled)),
             mass: Elimination::new(size, 0, mass.iter().copied()),
             mass_entries: mass,
             jacobian,
+            forces_vary: system.forces.iter().any(varies),
             size,
             row_count: rows,
         };

@@ -7,7 +7,10 @@ use std::collections::BTreeSet;
 /// A row waits for all velocities that it couples. Then every leading part of the matrix is that of a mechanism with
 /// whole rows, whose pivots are those of M (positive) and of the rows' Schur complement (negative), and a row's pivot
 /// vanishes only where rows lose their independence.
-pub(super) fn minimum_degree(mut neighbours: Vec<BTreeSet<usize>>, velocities: usize) -> Vec<usize> {
+pub(super) fn minimum_degree(
+    mut neighbours: Vec<BTreeSet<usize>>,
+    velocities: usize,
+) -> Vec<usize> {
     let count = neighbours.len();
     let mut waits_for: Vec<usize> = (0..count)
         .map(|unknown| match unknown < velocities {

@@ -69,7 +69,10 @@ fn shape(elimination: &Elimination, position: usize) -> Shape {
         .flat_map(|(place, &(i, _))| below[..=place].iter().map(move |&(j, _)| (i, j)));
     Shape {
         is_row: column.is_row,
-        below: below.iter().map(|&(i, is_row)| (i - position, is_row)).collect(),
+        below: below
+            .iter()
+            .map(|&(i, is_row)| (i - position, is_row))
+            .collect(),
         targets: pairs
             .map(|(i, j)| elimination.slot(i, j) - column.pivot)
             .collect(),
