@@ -150,6 +150,11 @@ fn redundant_rows_and_springs_move_as_with_dense_arrays() {
         assert!(moved > 0.5);
         assert!(positions < 1e-10 && velocities < 1e-9);
     }
+    // Without dense arrays, which solve for redundant rows by the proximal method.
+    let mut simulation = Simulation::new(Truss::default()).expect("assembled");
+    simulation.run_until(1.0).expect("the end");
+    let report = simulation.report();
+    assert_eq!((report.rank, report.regularised_solves), (21, 0));
 }
 
 #[test]

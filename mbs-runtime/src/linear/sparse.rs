@@ -50,18 +50,20 @@ fn judge(most: f64, relative: impl Iterator<Item = f64>, redundant: Option<usize
     if most < 1.0 / WEAK_PIVOT {
         return Rows::Independent;
     }
-    let (mut lost, mut left_out) = (false, 0);
+    let (mut least, mut left_out) = (f64::INFINITY, 0);
     for pivot in relative {
         if pivot == 0.0 {
             left_out += 1;
         } else {
-            lost |= !(pivot > SMALL_PIVOT);
+            least = least.min(pivot);
         }
     }
-    if lost || redundant.is_some_and(|redundant| redundant != left_out) {
+    if least <= SMALL_PIVOT || redundant.is_some_and(|redundant| redundant != left_out) {
         Rows::Lost
-    } else {
+    } else if least < WEAK_PIVOT {
         Rows::Weak
+    } else {
+        Rows::Independent
     }
 }
 

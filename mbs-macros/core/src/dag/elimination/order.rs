@@ -12,10 +12,12 @@ pub(super) fn minimum_degree(
     velocities: usize,
 ) -> Vec<usize> {
     let count = neighbours.len();
+    // Fill makes rows neighbours of more velocities than they couple.
+    let coupled = neighbours.clone();
     let mut waits_for: Vec<usize> = (0..count)
         .map(|unknown| match unknown < velocities {
             true => 0,
-            false => neighbours[unknown].len(),
+            false => coupled[unknown].len(),
         })
         .collect();
     let mut left: BTreeSet<usize> = (0..count).collect();
@@ -27,12 +29,12 @@ pub(super) fn minimum_degree(
     {
         left.remove(&next);
         order.push(next);
+        for &row in coupled[next].iter().filter(|&&other| other >= velocities) {
+            waits_for[row] -= 1;
+        }
         let around = std::mem::take(&mut neighbours[next]);
         for &unknown in &around {
             neighbours[unknown].remove(&next);
-            if next < velocities && unknown >= velocities {
-                waits_for[unknown] = waits_for[unknown].saturating_sub(1);
-            }
             let others = around.iter().copied().filter(|&other| other != unknown);
             neighbours[unknown].extend(others);
         }
