@@ -102,7 +102,7 @@ fn derive(mut model: Model) -> Result<Analysis, Open> {
     let mut derived = derivatives::derive(system);
     let mobility = mobility::analyse(&model, &derived)?;
     if let Some(mobility) = &mobility {
-        derived.redundant = mobility.redundant.iter().map(|found| found.row).collect();
+        derived.redundant = mobility.dependent.clone();
     }
     Ok(Analysis {
         model,

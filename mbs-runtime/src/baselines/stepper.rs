@@ -122,10 +122,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// Forgets what was known of the current instant, after the state or an input was changed.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        match &mut self.rule {
-            Rule::Explicit(rule) => rule.refresh(),
-            Rule::Adaptive(rule) => rule.refresh(),
-        }
         self.bench.settled = false;
         self.bench.settle()
     }
