@@ -249,7 +249,7 @@ fn mobility_in_words() {
         joints.contains("the joints that are coordinates, j1…j3, j5, j6; mobility 1"),
         "{joints}"
     );
-    assert_eq!(words("slider-crank"), "3 rows, rank 3; mobility 1");
+    assert_eq!(words("slider-crank"), "2 rows, rank 2; mobility 1");
     assert_eq!(
         ThreeCranks::MODEL.mobility.expect("it assembles").summary,
         "4 rows, rank 3: the row of `third` follows from left, right; mobility 1; Grübler counts 0"

@@ -262,7 +262,10 @@ pub(super) fn movable(resolver: &mut Resolver, joints: &[JointElement], reductio
             continue;
         }
         let rows = element.joint.equations(&mut resolver.graph).rows;
-        let idle = rows.iter().any(|row| {
+        let idle = rows.iter().enumerate().any(|(slot, row)| {
+            if reduction.solved.position(&element.name, slot).is_some() {
+                return false;
+            }
             let expr = resolver
                 .graph
                 .substitute(row.expr, &mut reduction.substitution);
