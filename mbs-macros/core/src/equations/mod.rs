@@ -4,6 +4,7 @@
 //! velocities v, time, parameters and inputs. There are no parts, points or tokens any more.
 
 pub mod forces;
+mod idle;
 mod inertia;
 pub mod joints;
 mod reactions;
@@ -34,6 +35,8 @@ pub struct System {
     pub power: Expr,
     /// Rows, holonomic ones first.
     pub rows: Vec<Row>,
+    /// Rows that are zero in every pose, and are left out.
+    pub idle: Vec<Idle>,
     /// Reactions in terms of v̇ and λ.
     pub reactions: Vec<Reaction>,
     /// Output expressions.
@@ -63,6 +66,17 @@ pub struct Row {
     pub expr: Expr,
     /// The same in local coordinates, for reactions.
     local: Expr,
+}
+
+/// A row that is left out, because joints that have become coordinates hold what it says.
+#[derive(Debug, Clone)]
+pub struct Idle {
+    /// Its name: joint and component.
+    pub name: String,
+    /// The entry it comes from.
+    pub entry: String,
+    /// The joints that hold what it says.
+    pub follows_from: Vec<String>,
 }
 
 /// The kinds of rows.
@@ -127,7 +141,8 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(name, joint)| (name.clone(), joint.equations(&mut graph)))
         .collect();
-    let rows = rows(&mut graph, &mut reduction, &joints, &model.solved);
+    let idle = idle::rows(&graph, model, &joints);
+    let rows = rows(&mut graph, &mut reduction, &joints, model);
     let solved = solved_rows(&joints, &model.solved);
     let balance = reactions::Balance {
         inertia: &inertia,
@@ -192,6 +207,7 @@ pub fn derive(model: &mut Model) -> System {
         forces,
         power,
         rows,
+        idle,
         reactions,
         outputs,
         events,
@@ -255,18 +271,35 @@ fn power(graph: &mut Graph, loads: &[Load]) -> Expr {
     graph.sum(terms)
 }
 
-/// All rows that were not solved, holonomic ones first, each in local and in generalized coordinates.
+/// What becomes of a row of a joint.
+enum Fate {
+    Stays,
+    /// It is zero in every pose, and left out.
+    Idle,
+    /// It was solved, as which one.
+    Solved(usize),
+}
+
+fn fate(model: &Model, entry: &str, slot: usize) -> Fate {
+    match model.solved.position(entry, slot) {
+        Some(position) => Fate::Solved(position),
+        None if model.idle.contains(&(entry.to_owned(), slot)) => Fate::Idle,
+        None => Fate::Stays,
+    }
+}
+
+/// All rows that stay, holonomic ones first, each in local and in generalized coordinates.
 fn rows(
     graph: &mut Graph,
     reduction: &mut Substitution,
     joints: &[(String, JointEquations)],
-    solved: &Solved,
+    model: &Model,
 ) -> Vec<Row> {
     let mut list = Vec::new();
     for level in [Level::Position, Level::Velocity] {
         for (entry, equations) in joints {
             for (slot, row) in equations.rows.iter().enumerate() {
-                if row.level != level || solved.position(entry, slot).is_some() {
+                if row.level != level || !matches!(fate(model, entry, slot), Fate::Stays) {
                     continue;
                 }
                 let expr = graph.substitute(row.expr, reduction);
@@ -277,11 +310,7 @@ fn rows(
                     }
                     Level::Position => RowKind::Holonomic,
                 };
-                let name = match row.suffix.as_str() {
-                    "" => entry.clone(),
-                    index if index.starts_with('[') => format!("{entry}{index}"),
-                    suffix => format!("{entry}.{suffix}"),
-                };
+                let name = row.name(entry);
                 let unit = unit_of(row.dimension, level);
                 list.push(Row {
                     name,
@@ -315,10 +344,10 @@ fn solved_rows(joints: &[(String, JointEquations)], solved: &Solved) -> Vec<Expr
 }
 
 /// The multiplier of each row of each joint, (joint, its row): the index among all rows, and after them among those that
-/// were solved.
+/// were solved. One that is left out has none: what it could transmit is counted with the joints that are coordinates.
 fn multipliers(
     joints: &[(String, JointEquations)],
-    solved: &Solved,
+    model: &Model,
     rows: usize,
 ) -> BTreeMap<(usize, usize), u32> {
     let mut indices = BTreeMap::new();
@@ -329,9 +358,10 @@ fn multipliers(
                 if row.level != level {
                     continue;
                 }
-                let index = match solved.position(name, slot) {
-                    Some(position) => rows + position,
-                    None => {
+                let index = match fate(model, name, slot) {
+                    Fate::Solved(position) => rows + position,
+                    Fate::Idle => continue,
+                    Fate::Stays => {
                         next += 1;
                         next - 1
                     }

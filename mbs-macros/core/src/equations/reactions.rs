@@ -246,7 +246,7 @@ pub(super) fn derive(
     for joint in &balance.model.tree.joints {
         reactions.extend(tree_reactions(graph, reduction, balance, joint));
     }
-    let indices = multipliers(joints, &balance.model.solved, balance.rows.len());
+    let indices = multipliers(joints, balance.model, balance.rows.len());
     for (joint, (name, equations)) in joints.iter().enumerate() {
         let several = |name: &str| {
             equations
@@ -260,9 +260,10 @@ pub(super) fn derive(
             let terms: Vec<Expr> = component
                 .terms
                 .iter()
-                .map(|&(row, coefficient)| {
-                    let multiplier = graph.symbol(Symbol::Multiplier(indices[&(joint, row)]));
-                    graph.mul(coefficient, multiplier)
+                .filter_map(|&(row, coefficient)| {
+                    let index = indices.get(&(joint, row))?;
+                    let multiplier = graph.symbol(Symbol::Multiplier(*index));
+                    Some(graph.mul(coefficient, multiplier))
                 })
                 .collect();
             let sum = graph.sum(terms);

@@ -1,0 +1,57 @@
+//! Rows that are left out, with the joints that hold what they say.
+
+use super::Idle;
+use super::joints::JointEquations;
+use crate::model::Model;
+use crate::symbolic::{Graph, Symbol};
+use std::collections::BTreeSet;
+
+/// The idle rows of all joints.
+pub(super) fn rows(graph: &Graph, model: &Model, joints: &[(String, JointEquations)]) -> Vec<Idle> {
+    let mut idle = Vec::new();
+    for (entry, equations) in joints {
+        for (slot, row) in equations.rows.iter().enumerate() {
+            if model.idle.contains(&(entry.clone(), slot)) {
+                idle.push(Idle {
+                    name: row.name(entry),
+                    entry: entry.clone(),
+                    follows_from: between(model, graph.symbols([row.expr])),
+                });
+            }
+        }
+    }
+    idle
+}
+
+/// The joints of the tree between the parts that an expression in local coordinates is about.
+fn between(model: &Model, symbols: Vec<Symbol>) -> Vec<String> {
+    let mut parts: BTreeSet<Option<usize>> = BTreeSet::new();
+    for symbol in symbols {
+        let local = match symbol {
+            Symbol::LocalPosition(local)
+            | Symbol::LocalVelocity(local)
+            | Symbol::LocalRotation(local, _) => local,
+            _ => continue,
+        };
+        parts.extend(
+            (0..model.parts.len())
+                .filter(|&part| model.parts[part].locals.contains(&local))
+                .map(Some),
+        );
+    }
+    // One part alone is held against the ground.
+    if parts.len() == 1 {
+        parts.insert(None);
+    }
+    let chains = parts.into_iter().map(|part| model.tree.chain(part));
+    let chains: Vec<BTreeSet<usize>> = chains.collect();
+    let shared = |joint: &usize| chains.iter().all(|chain| chain.contains(joint));
+    let all: BTreeSet<usize> = chains.iter().flatten().copied().collect();
+    let mut names: Vec<String> = all
+        .iter()
+        .filter(|joint| !shared(joint))
+        .map(|&joint| model.tree.joints[joint].joint.clone())
+        .collect();
+    names.sort();
+    names
+}
