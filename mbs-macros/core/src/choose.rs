@@ -132,7 +132,7 @@ fn count_rows(model: &mut Model) -> usize {
     let rows: usize = joints
         .map(|(_, joint)| joint.equations(graph).rows.len())
         .sum();
-    rows - model.idle.len()
+    rows - model.idle.len() - model.solved.rows.len()
 }
 
 fn candidate(analysis: &mut Analysis) -> Candidate {

@@ -4,6 +4,7 @@
 //! found by construction and every pass over a graph is linear in its size. Sums and products are kept in a canonical
 //! form (flat, sorted by index, coefficients collected), but **never expanded**: a product of sums stays one.
 
+mod affine;
 mod build;
 mod derivative;
 mod evaluate;
@@ -19,6 +20,7 @@ mod substitute;
 pub(crate) use map::Map;
 use map::Set;
 
+pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
 pub use number::Number;
