@@ -4,13 +4,13 @@
 //! depends on parameters has been computed. One file for each emitted item; nothing outside this folder writes Rust.
 
 mod body;
-mod elimination;
 mod fallback;
 mod metadata;
 mod methods;
 mod motion;
 mod names;
 mod parameters;
+mod sparse;
 mod system;
 
 use crate::compile::Analysis;

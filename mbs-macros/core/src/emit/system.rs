@@ -1,6 +1,6 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
-use super::{doc, elimination, metadata, methods, tokens};
+use super::{doc, metadata, methods, sparse, tokens};
 use crate::dag::Program;
 use crate::model::Model;
 use crate::symbolic::Graph;
@@ -60,7 +60,7 @@ pub(super) fn emit(
     let structure = tokens(&metadata::structure(program));
     let (metadata, full) = (tokens(metadata), tokens(&full));
     let mass = mass_type(program);
-    let (elimination, eliminating) = elimination::emit(program);
+    let (elimination, eliminating) = sparse::emit(program);
     let elimination = tokens(&elimination);
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
