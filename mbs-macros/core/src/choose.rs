@@ -99,8 +99,11 @@ pub(crate) fn choose(
 
 fn derive(mut model: Model) -> Result<Analysis, Open> {
     let system = equations::derive(&mut model);
-    let derived = derivatives::derive(system);
+    let mut derived = derivatives::derive(system);
     let mobility = mobility::analyse(&model, &derived)?;
+    if let Some(mobility) = &mobility {
+        derived.redundant = mobility.dependent.clone();
+    }
     Ok(Analysis {
         model,
         derived,
