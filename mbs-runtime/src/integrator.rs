@@ -54,6 +54,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 let works = stepper.take_stock()?;
                 passage.nonconservative_work += works.nonconservative;
                 passage.drive_work += works.drive;
+                if passage.independence.is_some() {
+                    passage.independence = stepper.independence();
+                    passage.clearance = passage.clearance.min(stepper.clearance());
+                }
                 Ok(())
             }
         }
@@ -63,7 +67,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn independence(&mut self) -> Option<Independence> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.independence(),
-            Integrator::Paper(_) | Integrator::Baseline(_) => None,
+            Integrator::Baseline(stepper) => stepper.independence(),
+            Integrator::Paper(_) => None,
         }
     }
 
@@ -71,7 +76,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
         match self {
             Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
-            Integrator::Paper(_) | Integrator::Baseline(_) => [0.0; R],
+            Integrator::Baseline(stepper) => stepper.weakest_rows(),
+            Integrator::Paper(_) => [0.0; R],
         }
     }
 

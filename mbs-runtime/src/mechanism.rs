@@ -197,7 +197,8 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
 
     /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`], or
     /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
-    /// minimum norm. Generated where it is straight-line code
+    /// minimum norm. `weakness` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
+    /// orthogonal to those before it, or always redundant; 0 if it was passed over here. Generated where it is straight-line code
     /// of bearable length; else it computes nothing and answers `false`.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
@@ -209,8 +210,9 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
         correction: &[f64; R],
         acceleration: &mut [f64; N],
         lambda: &mut [f64; R],
+        weakness: &mut [f64; R],
     ) -> bool {
-        let _ = (t, q, v, correction, acceleration, lambda);
+        let _ = (t, q, v, correction, acceleration, lambda, weakness);
         false
     }
 

@@ -96,8 +96,10 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     table.vector("acceleration", "acceleration", &explicit);
 
     // Random numbers in place of the corrections.
-    let (mut explicit, mut multipliers) = ([0.0; N], [0.0; R]);
-    if system.accelerations(t, q, v, lambda, &mut explicit, &mut multipliers) {
+    let (mut explicit, mut multipliers, mut weakness) = ([0.0; N], [0.0; R], [0.0; R]);
+    let into = (&mut explicit, &mut multipliers, &mut weakness);
+    if system.accelerations(t, q, v, lambda, into.0, into.1, into.2) {
+        table.vector("accelerations", "weakness", &weakness);
         table.vector("accelerations", "acceleration", &explicit);
         table.vector("accelerations", "lambda", &multipliers);
     }

@@ -477,8 +477,9 @@ fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
 ) {
     let (t, q, v) = (at.time, &at.q, &at.v);
     let correction = random.array(1.0);
-    let (mut acceleration, mut lambda) = ([0.0; N], [0.0; R]);
-    if !system.accelerations(t, q, v, &correction, &mut acceleration, &mut lambda) {
+    let (mut acceleration, mut lambda, mut weakness) = ([0.0; N], [0.0; R], [0.0; R]);
+    let into = (&mut acceleration, &mut lambda, &mut weakness);
+    if !system.accelerations(t, q, v, &correction, into.0, into.1, into.2) {
         return;
     }
     let mut a = Box::new([[0.0; N]; R]);

@@ -174,8 +174,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         correction: &[f64; R],
         acceleration: &mut [f64; N],
         lambda: &mut [f64; R],
+        weakness: &mut [f64; R],
     ) -> bool {
-        let generated = (self.inner).accelerations(t, q, v, correction, acceleration, lambda);
+        let generated =
+            (self.inner).accelerations(t, q, v, correction, acceleration, lambda, weakness);
         self.vector("accelerations", acceleration);
         self.vector("multipliers", lambda);
         generated

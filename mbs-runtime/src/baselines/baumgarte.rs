@@ -14,8 +14,11 @@ use super::index1::Index1;
 use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
 use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
-use crate::linear::accumulate;
+use crate::linear::{Independence, accumulate};
 use crate::{Settings, System};
+
+/// What is left of φ where rows are weak, in squared tolerances.
+const EXACT: f64 = 1e-6;
 
 /// Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +49,8 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
     equations: Index1<N, R>,
     stages: RungeKutta<Q, N>,
     remedy: Remedy<R>,
+    /// Whether the rows are factored where it stands.
+    placed: bool,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
@@ -54,6 +59,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             equations: Index1::new(settings.gain),
             stages: RungeKutta::new(tableau(order)),
             remedy: Remedy::Terms,
+            placed: false,
         }
     }
 
@@ -68,7 +74,45 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
                 system,
                 settings.constraint_tolerance,
             )?)),
+            placed: false,
         })
+    }
+
+    /// Whether it looks out for singular poses, and has the rows factored where it stands.
+    fn watches(&self) -> bool {
+        matches!(self.remedy, Remedy::Projection(_))
+    }
+
+    /// How independent the rows are where it stands; `None` without rows, or where nobody asks.
+    pub(crate) fn independence<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+    ) -> Option<Independence> {
+        if !self.watches() {
+            return None;
+        }
+        if !self.placed {
+            let (t, q) = (bench.state.time, bench.state.positions);
+            self.equations.place(bench, t, &q).ok()?;
+            self.placed = true;
+        }
+        self.equations.independence(bench)
+    }
+
+    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
+    pub(crate) fn weakest_rows<S: System<Q, N, R>>(&self, bench: &Bench<S, Q, N, R>) -> [f64; R] {
+        let rows = S::STRUCTURE.holonomic_rows;
+        self.equations.dual.combination(&bench.node.gram, rows)
+    }
+
+    /// See [`Index1::clearance`].
+    pub(crate) fn clearance(&self) -> f64 {
+        self.equations.clearance()
+    }
+
+    /// After the state or an input was changed.
+    pub(crate) fn refresh(&mut self) {
+        self.placed = false;
     }
 
     #[inline(always)]
@@ -77,6 +121,8 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
+        self.equations.begin();
+        self.placed = false;
         let end = if self.stages.tableau.order == CLASSICAL.order {
             classical(bench, &mut self.equations, h)?
         } else {
@@ -89,8 +135,9 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             self.equations.project(bench, &mut v);
         }
         // The projection has evaluated the rows where the step ends.
-        let settled = matches!(self.remedy, Remedy::Projection(_));
+        let settled = self.watches();
         bench.commit(t1, q, v, settled)?;
+        self.placed = settled;
         bench.counters.stages += self.stages.tableau.nodes.len() as u64;
         Ok(())
     }
@@ -115,11 +162,13 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         let (mut last, mut iterations) = (f64::INFINITY, 0);
         loop {
             let residual = residual_of(&bench.phi, &scale.weights);
-            if residual <= 1.0 {
+            // Beside a singular pose what is left of φ turns velocities by φ/σ²: as little as round-off allows.
+            let enough = if self.dual.weak { EXACT } else { 1.0 };
+            if residual <= enough {
                 break;
             }
             if !(residual < 0.25 * last) {
-                if residual < scale.lost {
+                if residual < scale.lost.max(1.0) {
                     break;
                 }
                 if iterations >= bench.max_iterations || !residual.is_finite() {

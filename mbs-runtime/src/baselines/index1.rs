@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use crate::alf3f::Fault;
-use crate::linear::{SymmetricDual, accumulate};
+use crate::linear::{Independence, SymmetricDual, accumulate};
 use crate::sink::Discard;
 use crate::{MatrixSink, System};
 
@@ -20,6 +20,10 @@ pub(crate) struct Index1<const N: usize, const R: usize> {
     gamma: [f64; R],
     /// λ of the last acceleration.
     pub(crate) lambda: [f64; R],
+    weakness: [f64; R],
+    /// The least and the largest 1/σ² of the evaluations since [`Self::begin`], with the smallest singular value σ of the
+    /// rows.
+    range: [f64; 2],
 }
 
 impl<const N: usize, const R: usize> Index1<N, R> {
@@ -31,7 +35,32 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             stiffness: gain * gain,
             gamma: [0.0; R],
             lambda: [0.0; R],
+            weakness: [0.0; R],
+            range: [f64::INFINITY, 0.0],
         }
+    }
+
+    /// A step begins.
+    pub(crate) fn begin(&mut self) {
+        self.range = [f64::INFINITY, 0.0];
+    }
+
+    /// The smallest σ of the evaluations since [`Self::begin`] as a fraction of the largest: near 0 if one of them was
+    /// beside a singular pose. What the intermediate states of a step violate of A v = 0 acts there as 1/σ².
+    pub(crate) fn clearance(&self) -> f64 {
+        let [least, most] = self.range;
+        if most > 0.0 {
+            (least / most).sqrt()
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    #[inline(always)]
+    fn note(&mut self, inverse_square: f64) {
+        let [least, most] = &mut self.range;
+        *least = least.min(inverse_square);
+        *most = most.max(inverse_square);
     }
 
     /// v̇ at (t, q, v): by the generated function where there is one.
@@ -47,14 +76,34 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         // The works of drives ask for b.
         if !S::STRUCTURE.time_dependent {
             let correction = self.stabilisation(bench, t, q, v);
-            let lambda = &mut self.lambda;
-            let system = &bench.system;
-            if system.accelerations(t, q, v, &correction, &mut acceleration, lambda) {
+            let (system, weakness) = (&bench.system, &mut self.weakness);
+            let (into, lambda) = (&mut acceleration, &mut self.lambda);
+            if system.accelerations(t, q, v, &correction, into, lambda, weakness) {
+                let mut most: f64 = 0.0;
+                for &weakness in &*weakness {
+                    let lost = weakness == 0.0;
+                    most = most.max(if lost { f64::INFINITY } else { weakness });
+                }
+                if R > 0 {
+                    self.note(most);
+                }
                 return Ok(acceleration);
             }
         }
         self.place(bench, t, q)?;
+        if let Some(now) = self.independence(bench) {
+            self.note(1.0 / (now.least * now.least));
+        }
         Ok(self.acceleration(bench, t, q, v))
+    }
+
+    /// How independent the holonomic rows are where the bench was placed; `None` without such rows.
+    pub(crate) fn independence<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &Bench<S, Q, N, R>,
+    ) -> Option<Independence> {
+        let rows = S::STRUCTURE.holonomic_rows;
+        (rows > 0).then(|| self.dual.independence(&bench.node.gram, rows))
     }
 
     /// 2α (A v + b) + β² φ.

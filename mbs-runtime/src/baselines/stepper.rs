@@ -10,6 +10,7 @@ use super::index3_projections::Index3;
 use super::penalty::Penalty;
 use super::rattle::Rattle;
 use crate::alf3f::{Counters, Fault, Node};
+use crate::linear::Independence;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
 
 /// A baseline by itself: steps of any length, without energy balance or report.
@@ -146,6 +147,30 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.bench.counters
     }
 
+    /// How independent the rows are where it stands; `None` where there is nothing to lose, or nobody to ask.
+    pub(crate) fn independence(&mut self) -> Option<Independence> {
+        match &mut self.rule {
+            Rule::Explicit(rule) => rule.independence(&mut self.bench),
+            _ => None,
+        }
+    }
+
+    /// How much each row takes part in what is nearest to a loss of independence.
+    pub(crate) fn weakest_rows(&self) -> [f64; R] {
+        match &self.rule {
+            Rule::Explicit(rule) => rule.weakest_rows(&self.bench),
+            _ => [0.0; R],
+        }
+    }
+
+    /// How far the evaluations of the last step stayed from singular poses, as a fraction of the way.
+    pub(crate) fn clearance(&self) -> f64 {
+        match &self.rule {
+            Rule::Explicit(rule) => rule.clearance(),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// What the last step has to tell: its works, with the rows evaluated at its end.
     pub(crate) fn take_stock(&mut self) -> Result<Works, SimulationError> {
         let time = self.bench.state.time;
@@ -161,8 +186,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             Rule::Index3(rule) => rule.refresh(),
             Rule::GeneralizedAlpha(rule) => rule.refresh(),
             Rule::Bdf(rule) => rule.refresh(),
-            // The explicit ones remember nothing; the springs of penalties are those of the start.
-            Rule::Explicit(_) | Rule::Adaptive(_) | Rule::Penalty(_) => {}
+            Rule::Explicit(rule) => rule.refresh(),
+            // The springs of penalties are those of the start.
+            Rule::Adaptive(_) | Rule::Penalty(_) => {}
         }
         self.bench.settled = false;
         self.bench.settle()

@@ -4,13 +4,16 @@
 //! beginning or ending a stage right beside it does. A step that would is taken again with another length.
 
 use super::Simulation;
-use crate::{SimulationError, System};
+use crate::{Method, SimulationError, System};
 
 /// The least clearance of a landing, as a fraction of its stage, that is looked for.
 const CLEAR: f64 = 0.15;
 /// A step of second order is not taken again above this: it passes nearly every landing unharmed, and then a change of
 /// length costs more than it saves.
 const CLEAR_SECOND: f64 = 0.02;
+/// The same for explicit steps, whose stages lie at given fractions of a step: what is left as it is, and what is looked
+/// for.
+const CLEAR_EXPLICIT: [f64; 2] = [0.06, 0.1];
 /// Lengths that are tried, as fractions of the step.
 const LENGTHS: [f64; 7] = [0.8, 0.64, 1.15, 0.9, 0.72, 0.5, 0.57];
 /// A step to a given instant is not placed when less than this part of a step is left: the instant itself may be that of
@@ -34,16 +37,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.before.copy_from(self.integrator.state());
         let (report, power) = (self.report, self.power);
         let first = self.advance(h);
-        let wanted = if self.settings.order == 2 {
-            CLEAR_SECOND
-        } else {
-            CLEAR
+        let [wanted, clear] = match (self.settings.method, self.settings.order) {
+            (Method::Projected, _) => CLEAR_EXPLICIT,
+            (_, 2) => [CLEAR_SECOND, CLEAR],
+            _ => [CLEAR, CLEAR],
         };
         match first {
             Ok(clearance) if !(clearance < wanted) => Ok(h),
             // Without a clearance nothing is known of singular poses.
             Err(error) if !matches!(error, SimulationError::NotConverged { .. }) => Err(error),
-            _ => self.choose(h, left, first, (report, power)),
+            _ => self.choose(h, left, first, clear, (report, power)),
         }
     }
 
@@ -55,6 +58,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         h: f64,
         left: f64,
         first: Result<f64, SimulationError>,
+        clear: f64,
         start: (crate::Report, f64),
     ) -> Result<f64, SimulationError> {
         let (mut best, mut length) = match &first {
@@ -73,7 +77,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Ok(clearance) if clearance > best => (best, length) = (clearance, trial),
                 _ => {}
             }
-            if best >= CLEAR {
+            if best >= clear {
                 break;
             }
         }

@@ -167,7 +167,7 @@ fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
     }
 }
 
-/// λ ← S⁻¹ λ.
+/// λ ← S⁻¹ λ, and how weak each row is beside those before it.
 fn solve(
     code: &mut Lowering,
     rows: usize,
@@ -180,6 +180,13 @@ fn solve(
     lambda.retain(|row, _| kept(row));
     let factor = Factor::new(code, rows, upper, Rank::MayBeLost, "pivot");
     factor.solve(code, lambda);
+    for r in 0..rows {
+        let weakness = match redundant.contains(&r) {
+            true => Operand::number(1.0),
+            false => factor.weakness(code, r),
+        };
+        code.write("weakness", Place::Element(r), weakness);
+    }
     for r in 0..rows {
         let value = *lambda.entry(r).or_insert(Operand::number(0.0));
         code.name(value, || format!("lambda_{r}"));

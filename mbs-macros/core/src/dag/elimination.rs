@@ -28,6 +28,8 @@ pub(super) struct Factor {
     order: Vec<usize>,
     /// D⁻¹, by row.
     inverse: Vec<Operand>,
+    /// The diagonal before the elimination.
+    diagonal: Vec<Operand>,
     /// Column k of L below its unit diagonal: (row, entry).
     columns: Vec<Vec<(usize, Operand)>>,
 }
@@ -53,6 +55,7 @@ impl Factor {
         let mut factor = Factor {
             order: Vec::new(),
             inverse: vec![zero; size],
+            diagonal,
             columns: vec![Vec::new(); size],
         };
         while !left.is_empty() {
@@ -73,7 +76,7 @@ impl Factor {
             code.name(pivot, || format!("{name}_{k}"));
             factor.inverse[k] = match rank {
                 Rank::Full => code.reciprocal(pivot),
-                Rank::MayBeLost => code.pivot_inverse(pivot, diagonal[k]),
+                Rank::MayBeLost => code.pivot_inverse(pivot, factor.diagonal[k]),
             };
             for (place, &i) in others.iter().enumerate() {
                 let across = entries[&key(i, k)];
@@ -87,6 +90,11 @@ impl Factor {
             }
         }
         factor
+    }
+
+    /// What a pivot began with, divided by it: 1 where a row is orthogonal to those before it.
+    pub(super) fn weakness(&self, code: &mut Lowering, k: usize) -> Operand {
+        code.times(self.diagonal[k], self.inverse[k])
     }
 
     /// x ← L⁻¹ x.

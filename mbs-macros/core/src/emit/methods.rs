@@ -111,7 +111,7 @@ const METHODS: &[(&str, &str, Ending)] = &[
     ),
     (
         "accelerations",
-        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], correction: &[f64; R], acceleration: &mut [f64; N], lambda: &mut [f64; R]) -> bool",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], correction: &[f64; R], acceleration: &mut [f64; N], lambda: &mut [f64; R], weakness: &mut [f64; R]) -> bool",
         Ending::Available,
     ),
     (

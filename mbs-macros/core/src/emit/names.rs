@@ -18,6 +18,7 @@ const TAKEN: &[&str] = &[
     "phi",
     "gamma",
     "correction",
+    "weakness",
     "lambda",
     "acceleration",
     "mass",
