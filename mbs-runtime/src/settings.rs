@@ -1,7 +1,10 @@
 //! What a user may choose about the integration.
 
 use crate::alf3f::ORDERS;
-use crate::{BaumgarteSettings, SimulationError};
+use crate::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings, ProjectionSettings,
+    SimulationError,
+};
 
 /// Which integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -15,12 +18,31 @@ pub enum Method {
     Baumgarte(BaumgarteSettings),
     /// The same without stabilisation, positions and velocities projected onto the rows after each step.
     Projected,
+    /// RATTLE without regularisation.
+    Rattle,
+    /// Rows as stiff springs and dampers.
+    Penalty(PenaltySettings),
+    /// Augmented Lagrangian of index 3 with projections of velocities and accelerations.
+    Index3Projections(ProjectionSettings),
+    /// The generalized-α method with position rows.
+    GeneralizedAlpha(GeneralizedAlphaSettings),
+    /// Backward differentiation of variable order and step with position rows. [`Settings::step`] bounds its steps.
+    Bdf(BdfSettings),
 }
 
 impl Method {
     /// The names on the command line.
-    pub const NAMES: &'static [&'static str] =
-        &["two-level", "alf3f-paper", "baumgarte", "projected"];
+    pub const NAMES: &'static [&'static str] = &[
+        "two-level",
+        "alf3f-paper",
+        "index3-projections",
+        "generalized-alpha",
+        "bdf",
+        "rattle",
+        "baumgarte",
+        "projected",
+        "penalty",
+    ];
 
     /// The method of this name, with default settings.
     pub fn by_name(name: &str) -> Option<Self> {
@@ -29,6 +51,11 @@ impl Method {
             "alf3f-paper" => Method::Paper(PaperSettings::default()),
             "baumgarte" => Method::Baumgarte(BaumgarteSettings::default()),
             "projected" => Method::Projected,
+            "rattle" => Method::Rattle,
+            "penalty" => Method::Penalty(PenaltySettings::default()),
+            "index3-projections" => Method::Index3Projections(ProjectionSettings::default()),
+            "generalized-alpha" => Method::GeneralizedAlpha(GeneralizedAlphaSettings::default()),
+            "bdf" => Method::Bdf(BdfSettings::default()),
             _ => return None,
         })
     }
@@ -40,6 +67,11 @@ impl Method {
             Method::Paper(_) => "alf3f-paper",
             Method::Baumgarte(_) => "baumgarte",
             Method::Projected => "projected",
+            Method::Rattle => "rattle",
+            Method::Penalty(_) => "penalty",
+            Method::Index3Projections(_) => "index3-projections",
+            Method::GeneralizedAlpha(_) => "generalized-alpha",
+            Method::Bdf(_) => "bdf",
         }
     }
 }
@@ -119,6 +151,28 @@ impl Settings {
         match &self.method {
             Method::TwoLevel | Method::Projected => Ok(()),
             Method::Baumgarte(baumgarte) => baumgarte.check(),
+            Method::Rattle
+            | Method::Penalty(_)
+            | Method::Index3Projections(_)
+            | Method::GeneralizedAlpha(_)
+            | Method::Bdf(_)
+                if self.order > 2 =>
+            {
+                Err(SimulationError::Order {
+                    order: self.order,
+                    because: "the method has an order of its own",
+                })
+            }
+            Method::Rattle => Ok(()),
+            Method::Penalty(penalty) => penalty.check(),
+            Method::Index3Projections(projections) => positive("penalty", projections.penalty),
+            Method::GeneralizedAlpha(alpha) => require(
+                "spectral_radius",
+                alpha.spectral_radius,
+                (0.0..=1.0).contains(&alpha.spectral_radius),
+                "from 0 to 1",
+            ),
+            Method::Bdf(bdf) => bdf.check(),
             Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
                 order: self.order,
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
@@ -209,6 +263,30 @@ impl PaperSettings {
             frequency,
             frequency >= 0.0,
             "zero or a positive finite value",
+        )
+    }
+}
+
+impl PenaltySettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("penalty", self.penalty)?;
+        require(
+            "damping_ratio",
+            self.damping_ratio,
+            self.damping_ratio >= 0.0,
+            "zero or a positive finite value",
+        )
+    }
+}
+
+impl BdfSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("tolerance", self.tolerance)?;
+        require(
+            "max_order",
+            self.max_order.into(),
+            (1..=5).contains(&self.max_order),
+            "1 to 5",
         )
     }
 }
