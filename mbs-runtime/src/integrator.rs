@@ -23,7 +23,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
             Method::TwoLevel => {
                 TwoLevelStepper::new(system, state, settings).map(Integrator::TwoLevel)
             }
-            Method::Paper(_) => PaperStepper::new(system, state, settings).map(Integrator::Paper),
+            Method::Paper(_) | Method::MAlf(_) => {
+                PaperStepper::new(system, state, settings).map(Integrator::Paper)
+            }
             _ => BaselineStepper::new(system, state, settings).map(Integrator::Baseline),
         }
     }

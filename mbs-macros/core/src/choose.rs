@@ -124,8 +124,11 @@ fn derive(declaration: &Declaration, model: Model) -> Result<Analysis, Open> {
 
 fn derived(mut model: Model) -> Result<Analysis, Open> {
     let system = equations::derive(&mut model);
-    let derived = derivatives::derive(system);
+    let mut derived = derivatives::derive(system);
     let mobility = mobility::analyse(&model, &derived)?;
+    if let Some(mobility) = &mobility {
+        derived.redundant = mobility.dependent.clone();
+    }
     Ok(Analysis {
         model,
         derived,

@@ -75,7 +75,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 Rule::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(alpha)))
             }
             Method::Bdf(bdf) => Rule::Bdf(Box::new(Bdf::new(bdf))),
-            Method::TwoLevel | Method::Paper(_) => {
+            Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) => {
                 return Err(SimulationError::Setting {
                     name: "method",
                     value: f64::NAN,
@@ -157,14 +157,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// Forgets what was known of the current instant, after the state or an input was changed.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
         match &mut self.rule {
-            Rule::Explicit(rule) => rule.refresh(),
-            Rule::Adaptive(rule) => rule.refresh(),
             Rule::Rattle(rule) => rule.refresh(),
-            // Its springs are those of the start.
-            Rule::Penalty(_) => {}
             Rule::Index3(rule) => rule.refresh(),
             Rule::GeneralizedAlpha(rule) => rule.refresh(),
             Rule::Bdf(rule) => rule.refresh(),
+            // The explicit ones remember nothing; the springs of penalties are those of the start.
+            Rule::Explicit(_) | Rule::Adaptive(_) | Rule::Penalty(_) => {}
         }
         self.bench.settled = false;
         self.bench.settle()

@@ -13,6 +13,7 @@ mod latex;
 mod map;
 mod number;
 mod print;
+mod rate;
 mod rotation;
 mod substitute;
 
@@ -74,6 +75,8 @@ pub enum Symbol {
     WeightedEntry(u32, u32),
     /// Entry of a vector argument.
     VectorEntry(u32),
+    /// What is added to a row at acceleration level.
+    Correction(u32),
 }
 
 impl Symbol {
@@ -221,6 +224,7 @@ impl Graph {
                 Symbol::RowEntry(i, j) => format!("a[{i}][{j}]"),
                 Symbol::WeightedEntry(i, j) => format!("w[{i}][{j}]"),
                 Symbol::VectorEntry(i) => format!("x[{i}]"),
+                Symbol::Correction(i) => format!("correction[{i}]"),
                 Symbol::Multiplier(i) => format!("lambda[{i}]"),
                 other => format!("{other:?}"),
             })
