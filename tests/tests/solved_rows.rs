@@ -408,6 +408,26 @@ fn redundant_rows_stay() {
     );
 }
 
+/// A body without mass that only passes forces on leaves nothing behind.
+#[test]
+fn massless_bodies_vanish() {
+    let slider = "Planar(coordinates = Natural), crank: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.7),
+        rod: Bar(mass = 1.0_kg, length = 2.0_m), slider: Body(mass = 0.0_kg, inertia = 0.0_kg_m2),
+        bearing: Revolute(ground.origin, crank.a), pin: Revolute(crank.b, rod.a), gudgeon: Revolute(rod.b, slider.origin),
+        rail: Prismatic(ground.origin, slider.origin, axis = X),";
+    let analysis = tried(slider).expect("it is right");
+    assert_eq!(count(&analysis), (3, 2));
+    let mobility = analysis.mobility.expect("it assembles");
+    assert_eq!((mobility.rank, mobility.mobility), (2, 1));
+    // With nothing to hold its angle it is an error, as ever.
+    let loose = slider.replace(
+        "rail: Prismatic(ground.origin, slider.origin",
+        "rail: PointOnLine(slider.origin, ground.origin",
+    );
+    let messages = tried(&loose).expect_err("it turns without inertia");
+    assert!(messages[0].contains("`slider`"), "{messages:?}");
+}
+
 /// Only numbers divide, time and inputs stay outside, and what cannot move keeps its rows.
 #[test]
 fn rows_that_stay() {
