@@ -1,5 +1,4 @@
-//! The integrators of the literature follow the references of scenes that are within their reach, and their errors shrink
-//! as the steps (or tolerances) do.
+//! The integrators of the literature follow the references of scenes that are within their reach.
 
 use mbs_examples::scenes::scenes;
 use mbs_runtime::{
@@ -26,23 +25,23 @@ const CASES: &[Case] = &[
         step: 5e-6,
         until: 0.01,
         second: 2e-5,
-        fourth: 1e-7,
-        controlled: 1e-5,
+        fourth: 1e-10,
+        controlled: 2e-6,
     },
     Case {
         scene: "double-four-bar",
         step: 2.5e-3,
         until: 0.5,
-        second: 5e-4,
-        fourth: 1e-6,
-        controlled: 1e-5,
+        second: 1e-4,
+        fourth: 5e-8,
+        controlled: 5e-6,
     },
     Case {
         scene: "heavy-top",
         step: 2.5e-5,
         until: 0.1,
         second: 1e-3,
-        fourth: 1e-6,
+        fourth: 5e-9,
         controlled: 1e-4,
     },
 ];
