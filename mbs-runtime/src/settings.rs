@@ -19,7 +19,9 @@ pub enum Method {
     MAlf(PaperSettings),
     /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
     Baumgarte(BaumgarteSettings),
-    /// The same without stabilisation, positions and velocities projected onto the rows after each step.
+    /// The same without stabilisation: positions and velocities are projected onto the rows after each step, and steps
+    /// keep clear of singular poses ([`Settings::placement`]). The least processor time for a given accuracy over some
+    /// seconds, where forces are not stiff; over long times its energy drifts, which that of [`Method::TwoLevel`] does not.
     Projected,
     /// RATTLE without regularisation.
     Rattle,

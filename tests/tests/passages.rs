@@ -4,15 +4,21 @@ use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{double_four_bar, slider_crank};
 use mbs_runtime::output::Frame;
-use mbs_runtime::{Report, Settings};
+use mbs_runtime::{Method, Report, Settings};
 
-/// Ten seconds; the largest error of the named columns at the instants of the reference, m.
+/// Ten seconds of the two-level method.
 fn run(scene: &Scene, columns: &[&str], order: u8, step: f64) -> (f64, Report) {
     let settings = Settings {
         order,
         step,
         ..Settings::default()
     };
+    run_with(scene, columns, settings)
+}
+
+/// Ten seconds; the largest error of the named columns at the instants of the reference, m.
+fn run_with(scene: &Scene, columns: &[&str], settings: Settings) -> (f64, Report) {
+    let order = settings.order;
     let reference = scene.reference.as_ref().expect("a reference");
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("reference")
@@ -58,5 +64,31 @@ fn the_double_four_bar_passes_at_every_order() {
         let (error, report) = run(&double_four_bar::SCENE, &columns, order, 2.5e-2);
         assert!(report.energy_error < energy && error < position);
         assert!(report.placed_steps > 0);
+    }
+}
+
+/// Stages of an explicit step that are evaluated beside a singular pose see what they violate of the rows as 1/σ²: at small
+/// steps of order 8, one in six runs ended on another branch before steps kept clear and weak rows were closed exactly.
+#[test]
+fn explicit_steps_of_high_order_pass() {
+    let scenes: [(_, &[&str]); 2] = [
+        (&slider_crank::SCENE, &["p1x_m", "p1y_m", "p2x_m"]),
+        (&double_four_bar::SCENE, &["b0x_m", "b0y_m"]),
+    ];
+    for (scene, columns) in scenes {
+        for step in [5.5e-4, 6.3e-4, 7.7e-4, 9.1e-4, 1.1e-3, 1.7e-3, 2.5e-2] {
+            let settings = Settings {
+                method: Method::Projected,
+                order: 8,
+                step,
+                ..Settings::default()
+            };
+            let (error, report) = run_with(scene, columns, settings);
+            assert!(
+                report.energy_error < 1e-6 && error < 1e-5,
+                "h = {step}: {error:.1e} m, {:.1e} J",
+                report.energy_error
+            );
+        }
     }
 }
