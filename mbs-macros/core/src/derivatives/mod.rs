@@ -85,7 +85,7 @@ pub fn derive(mut system: System) -> Derived {
         Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),
         None => {
             let momentum = affinities::momentum(graph, size, &system.mass);
-            let kinetic = affinities::kinetic(graph, &momentum);
+            let kinetic = affinities::kinetic(graph, size, &system.mass);
             (momentum, kinetic)
         }
     };

@@ -100,6 +100,7 @@ pub(super) fn reduce(
         }
     }
     substitute(resolver, &leaders, &fixed, tree, &mut reduction);
+    resolver.name_motions(tree, &mut reduction.substitution);
     Some(reduction)
 }
 

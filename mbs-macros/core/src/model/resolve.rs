@@ -1,7 +1,7 @@
 //! Name resolution: entries are evaluated when first asked for, so that they may stand in any order.
 
 use super::geometry::{Owner, Point, Vector};
-use super::joint_frames::Winding;
+use super::joint_motion::{JointMotion, Winding};
 use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
@@ -126,6 +126,8 @@ pub struct Resolver<'d> {
     pub(super) laws: Vec<Law>,
     /// Joint angles that are counted over full turns, by the name of their joint.
     pub(super) windings: Vec<Winding>,
+    /// Motions of joints that some expression has asked for.
+    pub(super) joint_motions: Vec<JointMotion>,
     /// Names that some expression has asked for.
     pub(super) used: HashSet<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
@@ -153,6 +155,7 @@ impl<'d> Resolver<'d> {
             parts: Vec::new(),
             laws: Vec::new(),
             windings: Vec::new(),
+            joint_motions: Vec::new(),
             used: HashSet::new(),
             misplaced: HashSet::new(),
             turning: turning(declaration),

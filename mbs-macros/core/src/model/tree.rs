@@ -226,6 +226,14 @@ impl Tree {
 }
 
 impl TreeJoint {
+    /// The local coordinate of the stroke along an axis of the parent's frame.
+    pub fn stroke_along(&self, axis: usize) -> Option<u32> {
+        let mut slides = self.link.slides.iter().zip(&self.strokes);
+        slides
+            .find(|(own, _)| **own == axis)
+            .map(|(_, &local)| local)
+    }
+
     /// How the part that it carries is modelled, in words.
     pub fn describe(&self, carried: Representation) -> String {
         let name = &self.joint;

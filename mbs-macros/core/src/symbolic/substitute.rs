@@ -1,6 +1,6 @@
 //! Replacement of symbols by expressions.
 
-use super::{Expr, Graph, Map, Node, Symbol};
+use super::{Expr, Function, Graph, Map, Node, Symbol};
 
 /// A substitution with its memory, so that many expressions can share the work.
 #[derive(Debug, Clone, Default)]
@@ -13,6 +13,11 @@ impl Substitution {
     /// Replaces `symbol` by `expr` from now on (to be called before the first use).
     pub fn insert(&mut self, symbol: Symbol, expr: Expr) {
         self.map.insert(symbol, expr);
+    }
+
+    /// Replaces an expression marked by [`Function::Same`](super::Function::Same) from now on.
+    pub fn replace(&mut self, marked: Expr, expr: Expr) {
+        self.done.insert(marked, expr);
     }
 
     /// What a symbol is replaced by.
@@ -44,6 +49,8 @@ impl Graph {
                     .collect();
                 self.product(&factors)
             }
+            // The mark has done its work: see `Substitution::replace`.
+            Node::Function(Function::Same, x) => self.substitute(x, substitution),
             Node::Function(function, x) => {
                 let x = self.substitute(x, substitution);
                 self.function(function, x)
