@@ -32,6 +32,8 @@ impl JointFrames {
             parent: self.parent.clone(),
             child: self.child.clone(),
             turns,
+            second: None,
+            offset: None,
             slides: slides.to_vec(),
             free_rotation,
             forwards: true,
@@ -212,6 +214,27 @@ impl Arguments<'_, '_> {
             return self.fail(field, format!("`{name}` is a slender bar: it has no inertia about itself, so that its turning about itself would be undetermined; give it `radius =` or `inertia =`, or join it by `Spherical`"));
         }
         Some(())
+    }
+
+    /// The z axis of a frame in the home pose.
+    pub fn home_direction(&mut self, frame: &Attachment) -> Vector {
+        let resolver = self.resolver();
+        let home = resolver.home(frame.point.owner);
+        resolver.graph.turn(&home.axes, frame.local[2])
+    }
+
+    /// A frame at the same point, with other axes of the home pose.
+    pub fn reattached(&mut self, frame: &Attachment, axes: Axes) -> Attachment {
+        let owner = frame.point.owner;
+        let resolver = self.resolver();
+        let home = resolver.home(owner);
+        let local = axes.map(|axis| resolver.graph.components(&home.axes, axis));
+        let outside = resolver.frame(owner);
+        Attachment {
+            point: frame.point.clone(),
+            local,
+            axes: resolver.graph.compose(&outside.axes, &local),
+        }
     }
 
     /// A joint named by another entry.

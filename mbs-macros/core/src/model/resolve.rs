@@ -53,7 +53,11 @@ pub fn resolve(
         check::massive(&mut resolver, &reduction);
     }
     let guesses = match resolver.world {
-        World::Planar => placement::place(&mut resolver, &joints),
+        World::Planar => {
+            let mut guesses = placement::place(&mut resolver, &joints);
+            placement::strokes(&mut resolver, &tree, &mut guesses);
+            guesses
+        }
         World::Spatial => home::guesses(&mut resolver, &joints, &tree),
     };
     let layout = layout::layout(&mut resolver, &reduction, &guesses);
