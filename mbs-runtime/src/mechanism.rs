@@ -180,6 +180,25 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
     /// M⁻¹ f(q, t) of the applied forces, where M is constant and forces do not depend on velocities; zero elsewhere (it is not used there).
     fn acceleration(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N]);
 
+    /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`], or
+    /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
+    /// minimum norm. Generated where it is straight-line code
+    /// of bearable length; else it computes nothing and answers `false`.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn accelerations(
+        &self,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+        correction: &[f64; R],
+        acceleration: &mut [f64; N],
+        lambda: &mut [f64; R],
+    ) -> bool {
+        let _ = (t, q, v, correction, acceleration, lambda);
+        false
+    }
+
     /// T(q, v), J.
     fn kinetic_energy(&self, q: &[f64; Q], v: &[f64; N]) -> f64;
     /// V(q) of gravity and springs, J.

@@ -1,7 +1,10 @@
 //! What a user may choose about the integration.
 
-use crate::SimulationError;
 use crate::alf3f::ORDERS;
+use crate::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings, ProjectionSettings,
+    SimulationError,
+};
 
 /// Which integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -11,14 +14,64 @@ pub enum Method {
     TwoLevel,
     /// Algorithm 1 of the paper.
     Paper(PaperSettings),
+    /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
+    Baumgarte(BaumgarteSettings),
+    /// The same without stabilisation, positions and velocities projected onto the rows after each step.
+    Projected,
+    /// RATTLE without regularisation.
+    Rattle,
+    /// Rows as stiff springs and dampers.
+    Penalty(PenaltySettings),
+    /// Augmented Lagrangian of index 3 with projections of velocities and accelerations.
+    Index3Projections(ProjectionSettings),
+    /// The generalized-α method with position rows.
+    GeneralizedAlpha(GeneralizedAlphaSettings),
+    /// Backward differentiation of variable order and step with position rows. [`Settings::step`] bounds its steps.
+    Bdf(BdfSettings),
 }
 
 impl Method {
-    /// The name on the command line: `two-level` or `alf3f-paper`.
+    /// The names on the command line.
+    pub const NAMES: &'static [&'static str] = &[
+        "two-level",
+        "alf3f-paper",
+        "index3-projections",
+        "generalized-alpha",
+        "bdf",
+        "rattle",
+        "baumgarte",
+        "projected",
+        "penalty",
+    ];
+
+    /// The method of this name, with default settings.
+    pub fn by_name(name: &str) -> Option<Self> {
+        Some(match name {
+            "two-level" => Method::TwoLevel,
+            "alf3f-paper" => Method::Paper(PaperSettings::default()),
+            "baumgarte" => Method::Baumgarte(BaumgarteSettings::default()),
+            "projected" => Method::Projected,
+            "rattle" => Method::Rattle,
+            "penalty" => Method::Penalty(PenaltySettings::default()),
+            "index3-projections" => Method::Index3Projections(ProjectionSettings::default()),
+            "generalized-alpha" => Method::GeneralizedAlpha(GeneralizedAlphaSettings::default()),
+            "bdf" => Method::Bdf(BdfSettings::default()),
+            _ => return None,
+        })
+    }
+
+    /// The name on the command line, one of [`Method::NAMES`].
     pub fn name(&self) -> &'static str {
         match self {
             Method::TwoLevel => "two-level",
             Method::Paper(_) => "alf3f-paper",
+            Method::Baumgarte(_) => "baumgarte",
+            Method::Projected => "projected",
+            Method::Rattle => "rattle",
+            Method::Penalty(_) => "penalty",
+            Method::Index3Projections(_) => "index3-projections",
+            Method::GeneralizedAlpha(_) => "generalized-alpha",
+            Method::Bdf(_) => "bdf",
         }
     }
 }
@@ -54,7 +107,8 @@ pub struct Settings {
     /// The integrator.
     pub method: Method,
     /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 9 or 17 stages, some of which
-    /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`].
+    /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`]. Of the explicit Runge–Kutta
+    /// methods it chooses the one of order 4 (also for 2), 6 or 8.
     pub order: u8,
     /// Step h, s.
     pub step: f64,
@@ -95,7 +149,30 @@ impl Settings {
         let known = ORDERS.contains(&self.order);
         require("order", self.order.into(), known, "2, 4, 6 or 8")?;
         match &self.method {
-            Method::TwoLevel => Ok(()),
+            Method::TwoLevel | Method::Projected => Ok(()),
+            Method::Baumgarte(baumgarte) => baumgarte.check(),
+            Method::Rattle
+            | Method::Penalty(_)
+            | Method::Index3Projections(_)
+            | Method::GeneralizedAlpha(_)
+            | Method::Bdf(_)
+                if self.order > 2 =>
+            {
+                Err(SimulationError::Order {
+                    order: self.order,
+                    because: "the method has an order of its own",
+                })
+            }
+            Method::Rattle => Ok(()),
+            Method::Penalty(penalty) => penalty.check(),
+            Method::Index3Projections(projections) => positive("penalty", projections.penalty),
+            Method::GeneralizedAlpha(alpha) => require(
+                "spectral_radius",
+                alpha.spectral_radius,
+                (0.0..=1.0).contains(&alpha.spectral_radius),
+                "from 0 to 1",
+            ),
+            Method::Bdf(bdf) => bdf.check(),
             Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
                 order: self.order,
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
@@ -187,6 +264,43 @@ impl PaperSettings {
             frequency >= 0.0,
             "zero or a positive finite value",
         )
+    }
+}
+
+impl PenaltySettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("penalty", self.penalty)?;
+        require(
+            "damping_ratio",
+            self.damping_ratio,
+            self.damping_ratio >= 0.0,
+            "zero or a positive finite value",
+        )
+    }
+}
+
+impl BdfSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("tolerance", self.tolerance)?;
+        require(
+            "max_order",
+            self.max_order.into(),
+            (1..=5).contains(&self.max_order),
+            "1 to 5",
+        )
+    }
+}
+
+impl BaumgarteSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        require(
+            "gain",
+            self.gain,
+            self.gain >= 0.0,
+            "zero or a positive finite value",
+        )?;
+        self.adaptive
+            .map_or(Ok(()), |tolerance| positive("adaptive", tolerance))
     }
 }
 

@@ -30,6 +30,13 @@ pub enum SimulationError {
         /// One that can.
         instead: Flow,
     },
+    /// A method that cannot integrate this mechanism.
+    Method {
+        /// The method asked for.
+        method: &'static str,
+        /// Why not.
+        because: &'static str,
+    },
     /// An order that the method does not reach with this mechanism.
     Order {
         /// The order asked for.
@@ -71,7 +78,7 @@ pub enum SimulationError {
         /// Time, s.
         time: f64,
     },
-    /// Algorithm 1 halved its step down to the smallest one.
+    /// A method that chooses its steps, such as Algorithm 1, came down to the smallest one.
     StepUnderflow {
         /// Time at the start of the step, s.
         time: f64,
@@ -158,6 +165,10 @@ impl fmt::Display for SimulationError {
                 flow.name(),
                 instead.name()
             ),
+            Method { method, because } => write!(
+                out,
+                "the method {method} cannot integrate this mechanism: {because}; use two-level"
+            ),
             Order { order, because } => write!(
                 out,
                 "order {order} cannot be had here: {because}; use order 2"
@@ -201,7 +212,7 @@ impl fmt::Display for SimulationError {
             ),
             StepUnderflow { time, step, row } => write!(
                 out,
-                "Algorithm 1 cannot satisfy `{row}` beyond t = {time} s, not even with a step of {step:.1e} s; loosen `velocity_tolerance`, or use the two-level method, which passes singular poses"
+                "`{row}` cannot be satisfied beyond t = {time} s, not even with a step of {step:.1e} s; loosen the tolerance (for Algorithm 1 `velocity_tolerance`), or use the two-level method, which passes singular poses"
             ),
             Input { name, value } => {
                 write!(

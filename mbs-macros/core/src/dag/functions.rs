@@ -1,5 +1,6 @@
 //! Which functions a mechanism gets, and what each computes.
 
+use super::accelerations::accelerations;
 use super::kernels::kernels;
 use super::lower::{Hoisted, Lowering};
 use super::{Constant, Function, Operand, Place, Program, Structure, Turning};
@@ -103,6 +104,7 @@ pub fn lower(derived: &Derived) -> Program {
         make("reactions", &mut |f| vector(f, "reactions", &reactions));
     }
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
+    functions.extend(accelerations(&mut graph, &mut hoisted, derived));
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {

@@ -101,7 +101,7 @@ impl Resolver<'_> {
         self.graph.dot(joint.parent.axes[2], relative)
     }
 
-    /// Replaces the motions of joints that are coordinates by these. Nothing is left for such an angle to remember.
+    /// Replaces the motions of joints that are coordinates by these.
     pub(super) fn name_motions(&mut self, tree: &Tree, substitution: &mut Substitution) {
         for known in &self.joint_motions {
             let mut joints = tree.joints.iter();
@@ -117,8 +117,9 @@ impl Resolver<'_> {
                 Motion::Angle | Motion::Stroke => Symbol::LocalPosition(local),
                 Motion::Rate | Motion::Speed => Symbol::LocalVelocity(local),
             };
-            let Some(coordinate) = substitution.get(symbol) else {
-                continue;
+            let coordinate = match substitution.get(symbol) {
+                Some(coordinate) => coordinate,
+                None => self.graph.symbol(symbol),
             };
             let value = match joint.link.forwards {
                 true => coordinate,
@@ -126,6 +127,10 @@ impl Resolver<'_> {
             };
             substitution.replace(known.expr, value);
         }
+    }
+
+    /// Drops the memories of angles that are coordinates.
+    pub(super) fn forget_turns(&mut self, tree: &Tree, substitution: &mut Substitution) {
         let mut kept = Vec::new();
         for (index, winding) in std::mem::take(&mut self.windings).into_iter().enumerate() {
             let mut joints = tree.joints.iter();

@@ -1,0 +1,28 @@
+//! Integrators of the literature on the same generated equations, as a yardstick.
+//!
+//! Each is in the form its source gives and tuned as its users would; they share linear algebra and diagnostics with the
+//! two-level method.
+
+mod adaptive;
+mod baumgarte;
+mod bdf;
+mod bdf_history;
+mod bench;
+mod generalized_alpha;
+mod index1;
+mod index3_projections;
+mod motion;
+mod penalty;
+mod rattle;
+mod runge_kutta;
+mod saddle;
+mod stepper;
+mod tableau;
+
+pub use baumgarte::BaumgarteSettings;
+pub use bdf::BdfSettings;
+pub(crate) use bench::Works;
+pub use generalized_alpha::GeneralizedAlphaSettings;
+pub use index3_projections::ProjectionSettings;
+pub use penalty::PenaltySettings;
+pub use stepper::BaselineStepper;

@@ -1,0 +1,298 @@
+//! The integrators of the literature: each shows its own order on every kind of structure it takes, agrees with the
+//! two-level method at order 8, and refuses what it cannot do.
+
+mod common;
+
+use common::planar::{DampedSliderCrank, SliderCrank};
+use common::scenes::*;
+use common::spatial::{HeavyTop, RollingDisk, Sprung};
+use common::{Hand, Parameters, Scene};
+use mbs_runtime::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PenaltySettings, Settings,
+    Simulation, SimulationError,
+};
+
+type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
+
+fn by_name(name: &str, order: u8, step: f64) -> Settings {
+    Settings {
+        method: Method::by_name(name).unwrap(),
+        order,
+        step,
+        ..Settings::default()
+    }
+}
+
+fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    settings: Settings,
+    time: f64,
+) -> Run<T, Q, N, R> {
+    let mut simulation = Simulation::with_settings(Parameters(scene), settings).unwrap();
+    simulation.run_until(time).unwrap();
+    simulation
+}
+
+fn distance(a: &[f64], b: &[f64]) -> f64 {
+    let pairs = a.iter().zip(b);
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// Checks the slope of positions between h and h/2, against the two-level method with steps that leave no error.
+fn slope<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    settings: Settings,
+    expected: f64,
+    time: f64,
+) {
+    let exact = exact(scene.clone(), time);
+    let error = |step: f64| {
+        let settings = Settings { step, ..settings };
+        distance(run(scene.clone(), settings, time).positions(), &exact)
+    };
+    let (coarse, half) = (error(settings.step), error(0.5 * settings.step));
+    let slope = (coarse / half).log2();
+    let name = settings.method.name();
+    println!(
+        "{name} {}: {coarse:.2e} {half:.2e}, slope {slope:.2}",
+        settings.order
+    );
+    assert!(
+        (slope - expected).abs() < 0.15 * expected,
+        "{name}: {slope}"
+    );
+}
+
+/// Positions at the end, by the two-level method: order 8, or Richardson's extrapolation of order 2 where forces depend on
+/// velocities.
+fn exact<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    scene: T,
+    time: f64,
+) -> [f64; Q] {
+    if !T::STRUCTURE.velocity_forces {
+        return *run(scene, by_name("two-level", 8, 2.5e-3), time).positions();
+    }
+    let at = |step| *run(scene.clone(), by_name("two-level", 2, step), time).positions();
+    let [a, b, c] = [4e-4, 2e-4, 1e-4].map(at);
+    std::array::from_fn(|i| {
+        let (ab, bc) = ((4.0 * b[i] - a[i]) / 3.0, (4.0 * c[i] - b[i]) / 3.0);
+        (16.0 * bc - ab) / 15.0
+    })
+}
+
+#[test]
+fn explicit_methods_have_their_order() {
+    for name in ["baumgarte", "projected"] {
+        for (order, h) in [(4, 0.01), (6, 0.04)] {
+            let by = by_name(name, order, h);
+            let expected = f64::from(order);
+            slope(SliderCrank, by, expected, 0.24);
+            slope(SliderCrankAngles, by, expected, 0.24);
+            slope(Shaken, by, expected, 0.48);
+        }
+        let by = by_name(name, 4, 0.05);
+        slope(Sleigh::default(), by, 4.0, 2.0);
+        slope(Towing, by, 4.0, 1.0);
+        slope(DampedSliderCrank, by_name(name, 4, 0.01), 4.0, 0.2);
+    }
+}
+
+#[test]
+fn explicit_methods_turn_bodies_with_their_order() {
+    for name in ["baumgarte", "projected"] {
+        for (order, h) in [(4, 5e-3), (6, 1e-2)] {
+            let expected = f64::from(order);
+            slope(HeavyTop, by_name(name, order, h), expected, 0.1);
+            slope(RollingDisk, by_name(name, order, 10.0 * h), expected, 1.0);
+            slope(
+                Sprung::<false> {
+                    stiffness: 40.0,
+                    damping: 0.0,
+                    spin: [1.0, 2.0, -1.0],
+                },
+                by_name(name, order, 2.0 * h),
+                expected,
+                0.2,
+            );
+        }
+    }
+}
+
+#[test]
+fn rattle_is_of_second_order() {
+    slope(SliderCrank, by_name("rattle", 2, 0.01), 2.0, 0.24);
+    slope(SliderCrankAngles, by_name("rattle", 2, 0.01), 2.0, 0.24);
+    slope(Shaken, by_name("rattle", 2, 0.01), 2.0, 0.48);
+    slope(HeavyTop, by_name("rattle", 2, 1e-3), 2.0, 0.1);
+}
+
+#[test]
+fn implicit_methods_are_of_second_order() {
+    for name in ["index3-projections", "generalized-alpha"] {
+        slope(SliderCrank, by_name(name, 2, 0.01), 2.0, 0.24);
+        slope(SliderCrankAngles, by_name(name, 2, 0.01), 2.0, 0.24);
+        slope(Shaken, by_name(name, 2, 0.01), 2.0, 0.48);
+        slope(DampedSliderCrank, by_name(name, 2, 0.01), 2.0, 0.24);
+        slope(HeavyTop, by_name(name, 2, 5e-4), 2.0, 0.1);
+    }
+}
+
+#[test]
+fn generalized_alpha_takes_every_row_and_stabilises() {
+    let by = |stabilised, step| Settings {
+        method: Method::GeneralizedAlpha(GeneralizedAlphaSettings {
+            stabilised,
+            ..GeneralizedAlphaSettings::default()
+        }),
+        step,
+        ..Settings::default()
+    };
+    for stabilised in [false, true] {
+        slope(Sleigh::default(), by(stabilised, 0.05), 2.0, 2.0);
+        slope(Towing, by(stabilised, 0.02), 2.0, 1.0);
+        slope(RollingDisk, by(stabilised, 0.02), 2.0, 1.0);
+    }
+    slope(SliderCrank, by(true, 0.01), 2.0, 0.24);
+    slope(SliderCrankAngles, by(true, 0.01), 2.0, 0.24);
+    slope(Shaken, by(true, 0.01), 2.0, 0.48);
+    let velocity_error = |stabilised| {
+        run(SliderCrank, by(stabilised, 0.01), 0.24)
+            .report()
+            .velocity_error
+    };
+    let errors = [false, true].map(velocity_error);
+    println!("{errors:?}");
+    assert!(errors[0] > 1e-4 && errors[1] < 1e-10);
+}
+
+/// The position error is in proportion to 1/ξ.
+#[test]
+fn penalties_err_in_proportion() {
+    let time = 0.24;
+    let exact = exact(SliderCrank, time);
+    let run = |penalty: f64| {
+        let settings = Settings {
+            method: Method::Penalty(PenaltySettings {
+                penalty,
+                ..PenaltySettings::default()
+            }),
+            step: 2e-5,
+            ..Settings::default()
+        };
+        let end = run(SliderCrank, settings, time);
+        let error = distance(end.positions(), &exact);
+        let violation = end.report().holonomic_error;
+        println!("penalty {penalty:.0e}: error {error:.2e}, violation {violation:.2e}");
+        [error, violation]
+    };
+    let (weak, strong) = (run(1e5), run(1e6));
+    for i in 0..2 {
+        let ratio = weak[i] / strong[i];
+        assert!((8.0..12.5).contains(&ratio), "{ratio}");
+    }
+}
+
+#[test]
+fn penalties_are_integrated_with_second_order() {
+    let by = |scene, step| {
+        let settings = Settings {
+            method: Method::Penalty(PenaltySettings {
+                penalty: 1e4,
+                ..PenaltySettings::default()
+            }),
+            step,
+            ..Settings::default()
+        };
+        *run(scene, settings, 0.24).positions()
+    };
+    let fine = by(SliderCrank, 1.25e-4);
+    let [coarse, half] = [4e-3, 2e-3].map(|h| distance(&by(SliderCrank, h), &fine));
+    let slope = (coarse / half).log2();
+    println!("{coarse:.2e} {half:.2e} {slope:.2}");
+    assert!((slope - 2.0).abs() < 0.3, "{slope}");
+}
+
+/// Errors follow the tolerance, and no more steps are taken than the order needs.
+#[test]
+fn backward_differentiation_holds_its_tolerance() {
+    fn all<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        scene: T,
+        time: f64,
+        most: f64,
+    ) {
+        let exact = exact(scene.clone(), time);
+        let run = |tolerance: f64| {
+            let settings = Settings {
+                method: Method::Bdf(BdfSettings {
+                    tolerance,
+                    ..BdfSettings::default()
+                }),
+                step: 0.25 * time,
+                ..Settings::default()
+            };
+            let end = run(scene.clone(), settings, time);
+            let error = distance(end.positions(), &exact);
+            let report = end.report();
+            println!(
+                "tolerance {tolerance:.0e}: error {error:.2e}, {} steps, {} iterations, {} rejected",
+                report.stages, report.iterations, report.rejected_steps
+            );
+            assert!(error < most * tolerance, "{error}");
+            report.stages as f64
+        };
+        let steps = [1e-5, 1e-7, 1e-9].map(run);
+        let growth = steps[2] / steps[1];
+        // 100^(1/6) = 2.2 at order five.
+        assert!((1.3..4.5).contains(&growth), "{growth}");
+    }
+    all(SliderCrank, 0.3, 100.0);
+    all(SliderCrankAngles, 0.3, 100.0);
+    all(Shaken, 1.0, 300.0);
+    all(Sleigh::default(), 2.0, 300.0);
+    all(RollingDisk, 1.0, 300.0);
+}
+
+#[test]
+fn what_a_method_cannot_do_is_refused() {
+    let refused = |error: Option<SimulationError>| {
+        let Some(SimulationError::Method { .. }) = error else {
+            panic!("{error:?}");
+        };
+        assert!(error.unwrap().to_string().contains("use two-level"));
+    };
+    for name in ["rattle", "index3-projections"] {
+        let settings = by_name(name, 2, 1e-2);
+        refused(Simulation::with_settings(Parameters(Sleigh::default()), settings).err());
+    }
+    let settings = by_name("rattle", 2, 1e-2);
+    refused(Simulation::with_settings(Parameters(DampedSliderCrank), settings).err());
+}
+
+/// Errors shrink with the tolerance, and steps grow where they may.
+#[test]
+fn error_control_holds_what_it_promises() {
+    let time = 0.24;
+    let exact = exact(SliderCrankAngles, time);
+    let run = |tolerance| {
+        let method = Method::Baumgarte(BaumgarteSettings {
+            adaptive: Some(tolerance),
+            ..BaumgarteSettings::default()
+        });
+        let settings = Settings {
+            method,
+            step: 0.06,
+            ..Settings::default()
+        };
+        let end = run(SliderCrankAngles, settings, time);
+        let (error, stages) = (distance(end.positions(), &exact), end.report().stages);
+        println!("tolerance {tolerance:.0e}: error {error:.2e}, {stages} stages");
+        (error, stages)
+    };
+    let runs = [1e-4, 1e-6, 1e-8].map(run);
+    for ((error, _), tolerance) in runs.iter().zip([1e-4, 1e-6, 1e-8]) {
+        assert!(*error < 10.0 * tolerance);
+    }
+    let growth = runs[2].1 as f64 / runs[1].1 as f64;
+    // The error of a step is of order five: 100^(1/5) = 2.5.
+    assert!((1.5..4.0).contains(&growth), "{growth}");
+}
