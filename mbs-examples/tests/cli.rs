@@ -299,8 +299,8 @@ fn what_is_not_built_is_refused_with_what_is() {
         );
         refused(&["simulate", &name, "--tolerance", "1e-6"], &["--step"]);
         refused(
-            &["simulate", &name, "--method", "m-alf"],
-            &["m-alf", "two-level"],
+            &["simulate", &name, "--method", "euler"],
+            &["euler", "two-level", "generalized-alpha"],
         );
         refused(
             &["simulate", &name, "--method", "two-levels"],

@@ -14,6 +14,9 @@ pub enum Method {
     TwoLevel,
     /// Algorithm 1 of the paper.
     Paper(PaperSettings),
+    /// The modified augmented Lagrangian that the paper compares with (section 7.2): the same algorithm with rows that have
+    /// neither mass nor damping. Start from [`PaperSettings::m_alf`]: its penalties have another scale.
+    MAlf(PaperSettings),
     /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
     Baumgarte(BaumgarteSettings),
     /// The same without stabilisation, positions and velocities projected onto the rows after each step.
@@ -35,6 +38,7 @@ impl Method {
     pub const NAMES: &'static [&'static str] = &[
         "two-level",
         "alf3f-paper",
+        "m-alf",
         "index3-projections",
         "generalized-alpha",
         "bdf",
@@ -49,6 +53,7 @@ impl Method {
         Some(match name {
             "two-level" => Method::TwoLevel,
             "alf3f-paper" => Method::Paper(PaperSettings::default()),
+            "m-alf" => Method::MAlf(PaperSettings::m_alf()),
             "baumgarte" => Method::Baumgarte(BaumgarteSettings::default()),
             "projected" => Method::Projected,
             "rattle" => Method::Rattle,
@@ -65,6 +70,7 @@ impl Method {
         match self {
             Method::TwoLevel => "two-level",
             Method::Paper(_) => "alf3f-paper",
+            Method::MAlf(_) => "m-alf",
             Method::Baumgarte(_) => "baumgarte",
             Method::Projected => "projected",
             Method::Rattle => "rattle",
@@ -173,11 +179,11 @@ impl Settings {
                 "from 0 to 1",
             ),
             Method::Bdf(bdf) => bdf.check(),
-            Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
+            Method::Paper(_) | Method::MAlf(_) if self.order > 2 => Err(SimulationError::Order {
                 order: self.order,
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
             }),
-            Method::Paper(paper) => paper.check(),
+            Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
         }
     }
 }
@@ -239,6 +245,16 @@ impl Default for PaperSettings {
 }
 
 impl PaperSettings {
+    /// Those that suit [`Method::MAlf`]: its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
+    pub fn m_alf() -> Self {
+        PaperSettings {
+            penalty: 1e10,
+            max_penalty: 1e14,
+            restart_multipliers: false,
+            ..PaperSettings::default()
+        }
+    }
+
     fn check(&self) -> Result<(), SimulationError> {
         positive("newton_tolerance", self.newton_tolerance)?;
         positive("velocity_tolerance", self.velocity_tolerance)?;

@@ -34,7 +34,7 @@ pub struct Simulate {
     /// Step-size control: not available yet.
     #[arg(long, value_name = "X", hide = true, allow_hyphen_values = true)]
     pub tolerance: Option<String>,
-    /// Integrator: two-level, alf3f-paper, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
+    /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
     /// penalty.
     #[arg(long, value_name = "M", default_value = "two-level")]
     pub method: String,
