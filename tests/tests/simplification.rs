@@ -374,6 +374,7 @@ mod program {
             kinetic: None,
             layout: Default::default(),
             windings: Vec::new(),
+            idle: Vec::new(),
         });
         let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {
