@@ -35,6 +35,8 @@ pub struct Winding {
     pub joint: String,
     /// The counted angle, in local coordinates.
     pub angle: Expr,
+    /// The same within one turn.
+    pub within: Expr,
 }
 
 impl Resolver<'_> {
@@ -90,6 +92,7 @@ impl Resolver<'_> {
         self.windings.push(Winding {
             joint: joint.name.clone(),
             angle: counted,
+            within: angle,
         });
         counted
     }
@@ -125,26 +128,8 @@ impl Resolver<'_> {
                 true => coordinate,
                 false => self.graph.neg(coordinate),
             };
-            substitution.replace(known.expr, value);
+            substitution.equate(known.expr, value);
         }
-    }
-
-    /// Drops the memories of angles that are coordinates.
-    pub(super) fn forget_turns(&mut self, tree: &Tree, substitution: &mut Substitution) {
-        let mut kept = Vec::new();
-        for (index, winding) in std::mem::take(&mut self.windings).into_iter().enumerate() {
-            let mut joints = tree.joints.iter();
-            if joints.any(|joint| joint.joint == winding.joint && joint.angle.is_some()) {
-                continue;
-            }
-            let symbol = Symbol::Winding(kept.len() as u32);
-            self.graph
-                .set_name(symbol, format!("{}.angle", winding.joint));
-            let memory = self.graph.symbol(symbol);
-            substitution.insert(Symbol::Winding(index as u32), memory);
-            kept.push(winding);
-        }
-        self.windings = kept;
     }
 
     /// `angle`, `rate`, `stroke`, `speed` of a joint.

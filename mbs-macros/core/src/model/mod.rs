@@ -6,6 +6,8 @@
 mod advice;
 mod arguments;
 mod check;
+mod coordinates;
+mod counted;
 mod dimension;
 mod drawing;
 mod elements;
@@ -23,6 +25,7 @@ mod parts;
 mod placement;
 mod reduce;
 mod resolve;
+mod solve;
 mod solved;
 mod tree;
 mod turning;

@@ -15,9 +15,9 @@ impl Substitution {
         self.map.insert(symbol, expr);
     }
 
-    /// Replaces an expression marked by [`Function::Same`](super::Function::Same) from now on.
-    pub fn replace(&mut self, marked: Expr, expr: Expr) {
-        self.done.insert(marked, expr);
+    /// Replaces a whole expression from now on (to be called before the first use).
+    pub fn equate(&mut self, expr: Expr, value: Expr) {
+        self.done.insert(expr, value);
     }
 
     /// What a symbol is replaced by.
@@ -49,7 +49,7 @@ impl Graph {
                     .collect();
                 self.product(&factors)
             }
-            // The mark has done its work: see `Substitution::replace`.
+            // The mark has done its work: see `Substitution::equate`.
             Node::Function(Function::Same, x) => self.substitute(x, substitution),
             Node::Function(function, x) => {
                 let x = self.substitute(x, substitution);
