@@ -376,7 +376,6 @@ mod program {
             kinetic: None,
             layout: Default::default(),
             windings: Vec::new(),
-            idle: Vec::new(),
         });
         let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {
