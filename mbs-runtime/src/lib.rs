@@ -85,4 +85,4 @@ pub use settings::{Flow, Method, PaperSettings, Settings};
 pub use simulation::Simulation;
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
-pub use state::{Ledger, State, ThreeFields};
+pub use state::{Ledger, Pace, State, ThreeFields};
