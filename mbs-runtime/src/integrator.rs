@@ -2,12 +2,15 @@
 
 use crate::alf3f::{Counters, PaperStepper, Passage};
 use crate::linear::Independence;
-use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
+use crate::{
+    BaselineStepper, Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper,
+};
 
 /// The integrator of a simulation.
 pub(crate) enum Integrator<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     TwoLevel(TwoLevelStepper<S, Q, N, R>),
     Paper(PaperStepper<S, Q, N, R>),
+    Baseline(BaselineStepper<S, Q, N, R>),
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integrator<S, Q, N, R> {
@@ -21,6 +24,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 TwoLevelStepper::new(system, state, settings).map(Integrator::TwoLevel)
             }
             Method::Paper(_) => PaperStepper::new(system, state, settings).map(Integrator::Paper),
+            _ => BaselineStepper::new(system, state, settings).map(Integrator::Baseline),
         }
     }
 
@@ -43,6 +47,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 passage.drive_work += stepper.drive().iter().sum::<f64>();
                 Ok(())
             }
+            Integrator::Baseline(stepper) => {
+                stepper.step(h)?;
+                let works = stepper.take_stock()?;
+                passage.nonconservative_work += works.nonconservative;
+                passage.drive_work += works.drive;
+                Ok(())
+            }
         }
     }
 
@@ -50,7 +61,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn independence(&mut self) -> Option<Independence> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.independence(),
-            Integrator::Paper(_) => None,
+            Integrator::Paper(_) | Integrator::Baseline(_) => None,
         }
     }
 
@@ -58,7 +69,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn weakest_rows(&self) -> [f64; R] {
         match self {
             Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
-            Integrator::Paper(_) => [0.0; R],
+            Integrator::Paper(_) | Integrator::Baseline(_) => [0.0; R],
         }
     }
 
@@ -66,6 +77,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         match self {
             Integrator::TwoLevel(stepper) => &stepper.core.system,
             Integrator::Paper(stepper) => &stepper.system,
+            Integrator::Baseline(stepper) => &stepper.bench.system,
         }
     }
 
@@ -73,6 +85,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.core.system,
             Integrator::Paper(stepper) => &mut stepper.system,
+            Integrator::Baseline(stepper) => &mut stepper.bench.system,
         }
     }
 
@@ -80,6 +93,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         match self {
             Integrator::TwoLevel(stepper) => &stepper.core.state,
             Integrator::Paper(stepper) => &stepper.state,
+            Integrator::Baseline(stepper) => &stepper.bench.state,
         }
     }
 
@@ -87,6 +101,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.core.state,
             Integrator::Paper(stepper) => &mut stepper.state,
+            Integrator::Baseline(stepper) => &mut stepper.bench.state,
         }
     }
 
@@ -95,6 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         match self {
             Integrator::TwoLevel(stepper) => stepper.core.refresh(),
             Integrator::Paper(stepper) => stepper.refresh(),
+            Integrator::Baseline(stepper) => stepper.refresh(),
         }
         .map_err(|fault| {
             SimulationError::from_fault(fault, S::MODEL, self.state().time, settings.step)
@@ -117,6 +133,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 phi: stepper.phi(),
                 rates: stepper.rates(),
             },
+            Integrator::Baseline(stepper) => {
+                let bench = &stepper.bench;
+                Trace {
+                    phi: &bench.phi,
+                    rates: bench
+                        .node
+                        .velocity_rows(&bench.system, &bench.state.velocities),
+                }
+            }
         }
     }
 
@@ -125,6 +150,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
             Integrator::TwoLevel(stepper) => stepper.flow(),
             // Its time integration is the trapezoidal rule with the multipliers inside.
             Integrator::Paper(_) => Flow::Implicit,
+            // They have no flow between kicks.
+            Integrator::Baseline(_) => Flow::Leapfrog,
         }
     }
 
@@ -132,6 +159,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         match self {
             Integrator::TwoLevel(stepper) => stepper.counters(),
             Integrator::Paper(stepper) => stepper.counters(),
+            Integrator::Baseline(stepper) => stepper.counters(),
         }
     }
 }

@@ -51,6 +51,7 @@
 pub mod alf3f;
 mod any;
 mod assembly;
+mod baselines;
 mod energy;
 mod error;
 mod flow;
@@ -72,6 +73,7 @@ mod state;
 
 pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
+pub use baselines::{BaselineStepper, BaumgarteSettings};
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};

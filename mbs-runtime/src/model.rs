@@ -58,11 +58,17 @@ impl Model {
         self.structure.holonomic_rows
     }
 
-    /// Whether the reaction of a joint is determined at generic poses. Where redundant rows touch it, the value is the
-    /// minimum-norm one of many.
+    /// Whether the reaction of a joint is determined at generic poses. Where redundant rows touch it, the value is one of
+    /// many: that of least norm; a row that is left out transmits nothing.
     pub fn is_determined(&self, joint: &str) -> bool {
         self.mobility
             .is_none_or(|mobility| !mobility.undetermined.contains(&joint))
+    }
+
+    /// Whether rows are left out, as joints that are coordinates hold what they say.
+    pub(crate) fn leaves_rows_out(&self) -> bool {
+        self.mobility
+            .is_some_and(|mobility| mobility.redundant.iter().any(|row| row.left_out))
     }
 }
 
@@ -101,7 +107,8 @@ pub struct Mobility {
     pub rank: usize,
     /// Velocities less rank.
     pub degrees_of_freedom: usize,
-    /// Rows that follow from others; they are harmless, but their reactions are not unique.
+    /// Rows that follow from others; they are harmless, but their reactions are not unique. Those that are left out come
+    /// first.
     pub redundant: &'static [Redundancy],
     /// Joints whose reactions are not determined, as redundant rows share them out.
     pub undetermined: &'static [&'static str],
@@ -117,8 +124,10 @@ pub struct Mobility {
 pub struct Redundancy {
     /// The row.
     pub row: &'static str,
-    /// The entries of the declaration whose rows it follows from.
+    /// The entries of the declaration whose rows it follows from, or the joints that are coordinates and hold what it says.
     pub follows_from: &'static [&'static str],
+    /// Whether it is left out of [`Model::rows`]: joints that are coordinates hold what it says, in every pose.
+    pub left_out: bool,
 }
 
 /// A generalized coordinate, or a velocity.

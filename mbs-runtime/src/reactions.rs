@@ -48,7 +48,9 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     let mut values = vec![0.0; S::MODEL.reactions.len()];
     system.reactions(t, q, v, &acceleration, &lambda, &mut values);
     Ok(Reactions {
-        unique: !solver.regularised && dependence(&node.a, &node.w).dependent.is_empty(),
+        unique: !solver.regularised
+            && !S::MODEL.leaves_rows_out()
+            && dependence(&node.a, &node.w).dependent.is_empty(),
         values,
         multipliers: lambda.to_vec(),
     })

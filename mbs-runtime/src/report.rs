@@ -33,7 +33,8 @@ pub struct Sample {
 /// Joint reactions and multipliers at an instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reactions {
-    /// False where rows are redundant, or nearly so: the values are then the minimum-norm ones, not unique.
+    /// False where rows are redundant, or nearly so: the values are then some of many, those of least norm for the rows that
+    /// are written.
     /// ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
     pub unique: bool,
     /// In the order of [`Model::reactions`](crate::Model::reactions).

@@ -1,7 +1,7 @@
 //! What a user may choose about the integration.
 
 use crate::alf3f::ORDERS;
-use crate::{Model, SimulationError};
+use crate::{BaumgarteSettings, Model, SimulationError};
 
 /// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
 const TOLERANCES: [f64; 2] = [1e-12, 0.1];
@@ -14,14 +14,35 @@ pub enum Method {
     TwoLevel,
     /// Algorithm 1 of the paper.
     Paper(PaperSettings),
+    /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
+    Baumgarte(BaumgarteSettings),
+    /// The same without stabilisation, positions and velocities projected onto the rows after each step.
+    Projected,
 }
 
 impl Method {
-    /// The name on the command line: `two-level` or `alf3f-paper`.
+    /// The names on the command line.
+    pub const NAMES: &'static [&'static str] =
+        &["two-level", "alf3f-paper", "baumgarte", "projected"];
+
+    /// The method of this name, with default settings.
+    pub fn by_name(name: &str) -> Option<Self> {
+        Some(match name {
+            "two-level" => Method::TwoLevel,
+            "alf3f-paper" => Method::Paper(PaperSettings::default()),
+            "baumgarte" => Method::Baumgarte(BaumgarteSettings::default()),
+            "projected" => Method::Projected,
+            _ => return None,
+        })
+    }
+
+    /// The name on the command line, one of [`Method::NAMES`].
     pub fn name(&self) -> &'static str {
         match self {
             Method::TwoLevel => "two-level",
             Method::Paper(_) => "alf3f-paper",
+            Method::Baumgarte(_) => "baumgarte",
+            Method::Projected => "projected",
         }
     }
 }
@@ -57,7 +78,8 @@ pub struct Settings {
     /// The integrator.
     pub method: Method,
     /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 9 or 17 stages, some of which
-    /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`].
+    /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`]. Of the explicit Runge–Kutta
+    /// methods it chooses the one of order 4 (also for 2), 6 or 8.
     pub order: u8,
     /// Step h, s; with a tolerance the first one that is tried.
     pub step: f64,
@@ -155,7 +177,8 @@ impl Settings {
             require("tolerance", tolerance, paced, wanted)?;
         }
         match &self.method {
-            Method::TwoLevel => Ok(()),
+            Method::TwoLevel | Method::Projected => Ok(()),
+            Method::Baumgarte(baumgarte) => baumgarte.check(),
             Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
                 order: self.order,
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
@@ -247,6 +270,19 @@ impl PaperSettings {
             frequency >= 0.0,
             "zero or a positive finite value",
         )
+    }
+}
+
+impl BaumgarteSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        require(
+            "gain",
+            self.gain,
+            self.gain >= 0.0,
+            "zero or a positive finite value",
+        )?;
+        self.adaptive
+            .map_or(Ok(()), |tolerance| positive("adaptive", tolerance))
     }
 }
 

@@ -71,7 +71,7 @@ pub enum SimulationError {
         /// Time, s.
         time: f64,
     },
-    /// Algorithm 1 halved its step down to the smallest one.
+    /// A method that chooses its steps, such as Algorithm 1, came down to the smallest one.
     StepUnderflow {
         /// Time at the start of the step, s.
         time: f64,
@@ -214,7 +214,7 @@ impl fmt::Display for SimulationError {
             ),
             StepUnderflow { time, step, row } => write!(
                 out,
-                "Algorithm 1 cannot satisfy `{row}` beyond t = {time} s, not even with a step of {step:.1e} s; loosen `velocity_tolerance`, or use the two-level method, which passes singular poses"
+                "`{row}` cannot be satisfied beyond t = {time} s, not even with a step of {step:.1e} s; loosen the tolerance (for Algorithm 1 `velocity_tolerance`), or use the two-level method, which passes singular poses"
             ),
             Tolerance {
                 time,

@@ -282,6 +282,103 @@ fn redundant_rows_leave_reactions_open() {
     assert_eq!(beside.undetermined, ["once", "twice"]);
 }
 
+// A door in both descriptions: by joints the second hinge has nothing left to hold.
+const DOOR: &str =
+    "leaf: Body(mass = 20.0_kg, inertia = Cuboid(0.9_m, 0.04_m, 2.0_m), at = [0.3, 0.2, 1.0]),
+    low: Param(0.2_m),
+    lower: Revolute(ground, leaf, at = [0.0, 0.0, low], axis = [0.1, -0.2, 1.0]),
+    upper: Revolute(ground, leaf, at = [0.16, -0.32, low + 1.6_m], axis = [0.1, -0.2, 1.0]),";
+
+#[test]
+fn rows_that_joint_coordinates_leave_nothing_to_hold_are_left_out() {
+    let door = mobility("Spatial(coordinates = Joint)", DOOR);
+    assert_eq!((door.rank, door.mobility), (0, 1));
+    assert_eq!(door.redundant.len(), 5);
+    for redundancy in &door.redundant {
+        assert!(redundancy.idle && redundancy.row.starts_with("upper."));
+        assert_eq!(redundancy.follows_from, ["lower"]);
+    }
+    assert_eq!(door.undetermined, ["lower", "upper"]);
+    // Both descriptions call the same rows redundant and the same reactions open.
+    let rows = mobility("Spatial(coordinates = Reference)", DOOR);
+    let names = |mobility: &Mobility| -> Vec<String> {
+        let names = mobility.redundant.iter();
+        names.map(|redundancy| redundancy.row.clone()).collect()
+    };
+    assert_eq!(names(&door), names(&rows));
+    assert_eq!(door.mobility, rows.mobility);
+    assert_eq!(door.undetermined, rows.undetermined);
+}
+
+#[test]
+fn loops_of_the_plane_in_space_keep_two_rows() {
+    let ring = "left: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [0.0, 0.0, 0.5]),
+        top: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [0.6, 0.0, 1.1]),
+        right: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [1.2, 0.0, 0.6]),
+        a: Revolute(ground, left, at = [0.0, 0.0, 0.0], axis = Y),
+        b: Revolute(left, top, at = [0.0, 0.0, 1.0], axis = Y),
+        c: Revolute(top, right, at = [1.2, 0.0, 1.2], axis = Y),
+        d: Revolute(right, ground, at = [1.2, 0.0, 0.0], axis = Y),";
+    let ring = mobility("Spatial(coordinates = Joint)", ring);
+    assert_eq!((ring.rank, ring.mobility), (2, 1));
+    assert_eq!(ring.redundant.len(), 3);
+    assert!(ring.redundant.iter().all(|redundancy| redundancy.idle));
+    let mut open = ring.undetermined;
+    open.sort();
+    assert_eq!(open, ["a", "b", "c", "d"]);
+}
+
+#[test]
+fn auto_takes_the_hinge_of_a_door_for_its_coordinate() {
+    mechanism!(Door {
+        world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+        door: Body(
+            mass = 20.0_kg,
+            inertia = Cuboid(0.9_m, 0.04_m, 2.0_m),
+            at = [0.45, 0.0, 1.0]
+        ),
+        lower: Revolute(ground, door, at = [0.0, 0.0, 0.2], axis = Z),
+        upper: Revolute(ground, door, at = [0.0, 0.0, 1.8], axis = Z),
+    });
+    assert_eq!(Door::MODEL.formulation, "Joint");
+    assert_eq!(
+        (Door::MODEL.velocities.len(), Door::MODEL.rows.len()),
+        (1, 0)
+    );
+    let summary = Door::MODEL.mobility.expect("it assembles").summary;
+    assert!(
+        summary.starts_with("no rows; left out: 5 rows of `upper` ("),
+        "{summary}"
+    );
+    assert!(
+        summary.ends_with("follow from lower; mobility 1; Grübler counts -4"),
+        "{summary}"
+    );
+    let simulation = Simulation::new(Door::default()).expect("it assembles");
+    let reactions = simulation.reactions().expect("they are known");
+    assert!(!reactions.unique);
+    // Moments about the lower hinge and the weight are shared somehow, but as a whole they hold the door.
+    let sum = |component: &str| {
+        let of = |joint| simulation.reaction(joint, component).expect("it is there");
+        of("lower") + of("upper")
+    };
+    assert!((sum("fz") - 20.0 * 9.81).abs() < 1e-9);
+    for component in ["fx", "fy"] {
+        assert!(sum(component).abs() < 1e-9, "{component}");
+    }
+    // Hinges that fit for some values of a parameter only are not left out.
+    let text = format!(
+        "Tried {{ world: Spatial(coordinates = Joint), {} }}",
+        DOOR.replace("low + 1.6_m]", "1.8_m]")
+    );
+    let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+    let messages = outcome
+        .map(|_| ())
+        .expect_err("other heights would not fit")
+        .messages();
+    assert!(messages[0].0.contains("`upper` holds"), "{messages:?}");
+}
+
 #[test]
 fn denied_redundancy_is_an_error() {
     let hinges = "a: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),

@@ -7,14 +7,12 @@ use super::failure::Failure;
 use super::find::unknown;
 use super::simulate::Simulate;
 
-const AVAILABLE: &[&str] = &["two-level", "alf3f-paper"];
 const PLANNED: &[&str] = &[
     "m-alf",
     "index3-projections",
     "generalized-alpha",
     "bdf",
     "rattle",
-    "baumgarte",
     "penalty",
 ];
 
@@ -116,14 +114,19 @@ fn tolerance(text: &str) -> Result<f64, Failure> {
 }
 
 fn method(name: &str) -> Result<Method, Failure> {
+    if let Some(method) = Method::by_name(name) {
+        return Ok(method);
+    }
     match name {
-        "two-level" => Ok(Method::TwoLevel),
-        "alf3f-paper" => Ok(Method::Paper(Default::default())),
         planned if PLANNED.contains(&planned) => Err(Failure(format!(
             "method `{planned}` is not available yet; available: {}",
-            AVAILABLE.join(", ")
+            Method::NAMES.join(", ")
         ))),
-        other => Err(Failure(unknown("method", other, AVAILABLE.iter().copied()))),
+        other => Err(Failure(unknown(
+            "method",
+            other,
+            Method::NAMES.iter().copied(),
+        ))),
     }
 }
 

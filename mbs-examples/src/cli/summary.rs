@@ -126,7 +126,7 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
             settings.method.name(),
             run.simulation.flow().name()
         ),
-        Method::Paper(_) => settings.method.name().to_owned(),
+        _ => settings.method.name().to_owned(),
     };
     let steps = match settings.tolerance {
         Some(tolerance) => format!(

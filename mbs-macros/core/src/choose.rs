@@ -125,11 +125,11 @@ fn same(a: &Model, b: &Model) -> bool {
 
 fn count_rows(model: &mut Model) -> usize {
     let graph = &mut model.graph;
-    model
-        .joints
-        .iter()
+    let joints = model.joints.iter();
+    let rows: usize = joints
         .map(|(_, joint)| joint.equations(graph).rows.len())
-        .sum()
+        .sum();
+    rows - model.idle.len()
 }
 
 fn candidate(analysis: &mut Analysis) -> Candidate {

@@ -69,7 +69,7 @@ pub(crate) struct RowScale<const R: usize> {
 }
 
 impl<const R: usize> RowScale<R> {
-    fn new<S: System<Q, N, R>, const Q: usize, const N: usize>(
+    pub(crate) fn new<S: System<Q, N, R>, const Q: usize, const N: usize>(
         system: &S,
         tolerance: f64,
     ) -> Result<Self, Fault> {

@@ -125,7 +125,7 @@ where
 
 /// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.
 #[inline(always)]
-pub(super) fn residual_of<const R: usize>(phi: &[f64; R], weights: &[f64; R]) -> f64 {
+pub(crate) fn residual_of<const R: usize>(phi: &[f64; R], weights: &[f64; R]) -> f64 {
     let mut sum = 0.0;
     for i in 0..R {
         sum += phi[i] * phi[i] * weights[i];
@@ -135,7 +135,7 @@ pub(super) fn residual_of<const R: usize>(phi: &[f64; R], weights: &[f64; R]) ->
 
 #[cold]
 #[inline(never)]
-pub(super) fn not_converged<const R: usize>(
+pub(crate) fn not_converged<const R: usize>(
     phi: &[f64; R],
     weights: &[f64; R],
     iterations: usize,

@@ -12,9 +12,10 @@ mod paper_rows;
 mod passage;
 mod two_level;
 
-pub(crate) use self::core::Counters;
+pub(crate) use self::core::{Counters, RowScale};
 pub(crate) use composition::{ORDERS, stages};
 pub(crate) use fault::Fault;
+pub(crate) use kicks::{not_converged, residual_of};
 pub(crate) use node::Node;
 pub use paper::PaperStepper;
 pub(crate) use passage::Passage;

@@ -43,7 +43,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         settings.check()?;
         let paper = match settings.method {
             Method::Paper(paper) => paper,
-            Method::TwoLevel => PaperSettings::default(),
+            _ => PaperSettings::default(),
         };
         let instant = |system: &S| {
             Instant::new(system, &state.positions)

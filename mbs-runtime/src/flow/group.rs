@@ -31,8 +31,24 @@ pub(crate) fn right_tangent([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// T(θ)⁻¹ = I + ½ θ̂ + (1 − (θ/2) cot(θ/2))/θ² θ̂², for turns below a full one.
-fn inverse_right_tangent([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
+/// x ← T(θ) x for each x, where `turn` holds the θ of all rotations (and anything for translations).
+pub(crate) fn transport<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    turn: &[f64; N],
+    vectors: &mut [[f64; N]],
+) {
+    for &i in S::ROTATIONS {
+        let tangent = right_tangent([turn[i], turn[i + 1], turn[i + 2]]);
+        for x in &mut *vectors {
+            let own = [x[i], x[i + 1], x[i + 2]];
+            for k in 0..3 {
+                x[i + k] = crate::linear::dot(&tangent[k], &own);
+            }
+        }
+    }
+}
+
+/// T(θ)⁻¹ = I + ½ θ̂ + (1 − θ/2 cot θ/2)/θ² θ̂².
+fn right_tangent_inverse([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     let square = x * x + y * y + z * z;
     // Below, the first neglected term of the series is round-off.
     let c = if square < 1e-2 {
@@ -49,35 +65,17 @@ fn inverse_right_tangent([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
     ]
 }
 
-/// x ← T(θ)⁻¹ x for each x: velocities at the end become rates of θ.
-pub(crate) fn transport_back<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    vectors: &mut [[f64; N]],
-) {
-    each_rotation::<S, Q, N, R>(turn, vectors, inverse_right_tangent);
-}
-
-/// x ← T(θ) x for each x, where `turn` holds the θ of all rotations (and anything for translations).
-pub(crate) fn transport<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    vectors: &mut [[f64; N]],
-) {
-    each_rotation::<S, Q, N, R>(turn, vectors, right_tangent);
-}
-
+/// v ← T(θ)⁻¹ v: the rate of θ where the velocity is v.
 #[inline(always)]
-fn each_rotation<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+pub(crate) fn unroll<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     turn: &[f64; N],
-    vectors: &mut [[f64; N]],
-    tangent: impl Fn([f64; 3]) -> [[f64; 3]; 3],
+    v: &mut [f64; N],
 ) {
     for &i in S::ROTATIONS {
-        let tangent = tangent([turn[i], turn[i + 1], turn[i + 2]]);
-        for x in &mut *vectors {
-            let own = [x[i], x[i + 1], x[i + 2]];
-            for k in 0..3 {
-                x[i + k] = crate::linear::dot(&tangent[k], &own);
-            }
+        let inverse = right_tangent_inverse([turn[i], turn[i + 1], turn[i + 2]]);
+        let own = [v[i], v[i + 1], v[i + 2]];
+        for k in 0..3 {
+            v[i + k] = crate::linear::dot(&inverse[k], &own);
         }
     }
 }
@@ -100,8 +98,23 @@ pub(crate) fn pull_back<S: System<Q, N, R>, const Q: usize, const N: usize, cons
 
 #[cfg(test)]
 mod tests {
-    use super::{inverse_right_tangent, right_tangent};
+    use super::{right_tangent, right_tangent_inverse};
     use crate::generated::{rotation_between, turned};
+
+    #[test]
+    fn the_inverse_is_that_of_the_tangent() {
+        for size in [1e-3, 0.09, 0.11, 2.0] {
+            let theta = [0.6 * size, -0.48 * size, 0.64 * size];
+            let (tangent, inverse) = (right_tangent(theta), right_tangent_inverse(theta));
+            for i in 0..3 {
+                for j in 0..3 {
+                    let product: f64 = (0..3).map(|k| tangent[i][k] * inverse[k][j]).sum();
+                    let unit = f64::from(u8::from(i == j));
+                    assert!((product - unit).abs() < 1e-14, "{size} {i} {j}");
+                }
+            }
+        }
+    }
 
     #[test]
     fn the_tangent_is_that_of_turns() {
@@ -118,21 +131,6 @@ mod tests {
                 let slope = rotation_between(end(-1e-5), end(1e-5)).map(|x| x / 2e-5);
                 for i in 0..3 {
                     assert!((tangent[i][j] - slope[i]).abs() < 1e-9, "{size} {i} {j}");
-                }
-            }
-        }
-    }
-
-    #[test]
-    fn the_inverse_undoes_the_tangent() {
-        for size in [0.0, 1e-3, 0.09, 0.11, 2.0, 3.1] {
-            let theta = [0.6 * size, -0.48 * size, 0.64 * size];
-            let (tangent, inverse) = (right_tangent(theta), inverse_right_tangent(theta));
-            for i in 0..3 {
-                for j in 0..3 {
-                    let product: f64 = (0..3).map(|k| inverse[i][k] * tangent[k][j]).sum();
-                    let unit = if i == j { 1.0 } else { 0.0 };
-                    assert!((product - unit).abs() < 1e-14, "{size} {i} {j}: {product}");
                 }
             }
         }

@@ -4,7 +4,7 @@
 //! ends belong to v₀ and v₁. Its error is of fourth order in the step. No equation is evaluated, so that an event can be
 //! looked for on it; [`Simulation::look_at`](super::Simulation::look_at) gives states that satisfy the constraints.
 
-use crate::flow::{transport, transport_back};
+use crate::flow::{transport, unroll};
 use crate::{State, System};
 
 /// The cubic of a step.
@@ -27,14 +27,14 @@ impl<const Q: usize, const N: usize> Hermite<Q, N> {
     ) -> Self {
         let length = end.time - begin.time;
         let moved = system.difference(&begin.positions, &end.positions);
-        let mut last = [end.velocities.map(|v| length * v)];
-        transport_back::<S, Q, N, R>(&moved, &mut last);
+        let mut last = end.velocities.map(|v| length * v);
+        unroll::<S, Q, N, R>(&moved, &mut last);
         Hermite {
             time: begin.time,
             length,
             begin: begin.positions,
             moved,
-            rates: [begin.velocities.map(|v| length * v), last[0]],
+            rates: [begin.velocities.map(|v| length * v), last],
         }
     }
 

@@ -186,10 +186,9 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         .redundant
         .iter()
         .map(|redundancy| {
-            let row = &program.rows[redundancy.row].name;
             format!(
-                "::mbs_runtime::Redundancy {{ row: {row:?}, follows_from: &{:?} }}",
-                redundancy.follows_from
+                "::mbs_runtime::Redundancy {{ row: {:?}, follows_from: &{:?}, left_out: {} }}",
+                redundancy.row, redundancy.follows_from, redundancy.idle
             )
         })
         .collect();

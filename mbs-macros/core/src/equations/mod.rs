@@ -4,6 +4,7 @@
 //! velocities v, time, parameters and inputs. There are no parts, points or tokens any more.
 
 pub mod forces;
+mod idle;
 mod inertia;
 pub mod joints;
 mod reactions;
@@ -34,6 +35,8 @@ pub struct System {
     pub power: Expr,
     /// Rows, holonomic ones first.
     pub rows: Vec<Row>,
+    /// Rows that are zero in every pose, and are left out.
+    pub idle: Vec<Idle>,
     /// Reactions in terms of v̇ and λ.
     pub reactions: Vec<Reaction>,
     /// Output expressions.
@@ -63,6 +66,17 @@ pub struct Row {
     pub expr: Expr,
     /// The same in local coordinates, for reactions.
     local: Expr,
+}
+
+/// A row that is left out, because joints that have become coordinates hold what it says.
+#[derive(Debug, Clone)]
+pub struct Idle {
+    /// Its name: joint and component.
+    pub name: String,
+    /// The entry it comes from.
+    pub entry: String,
+    /// The joints that hold what it says.
+    pub follows_from: Vec<String>,
 }
 
 /// The kinds of rows.
@@ -127,6 +141,7 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(name, joint)| (name.clone(), joint.equations(&mut graph)))
         .collect();
+    let (joints, idle) = idle::split(&graph, model, joints);
     let rows = rows(&mut graph, &mut reduction, &joints);
     let balance = reactions::Balance {
         inertia: &inertia,
@@ -190,6 +205,7 @@ pub fn derive(model: &mut Model) -> System {
         forces,
         power,
         rows,
+        idle,
         reactions,
         outputs,
         events,
@@ -271,11 +287,7 @@ fn rows(
                     }
                     Level::Position => RowKind::Holonomic,
                 };
-                let name = match row.suffix.as_str() {
-                    "" => entry.clone(),
-                    index if index.starts_with('[') => format!("{entry}{index}"),
-                    suffix => format!("{entry}.{suffix}"),
-                };
+                let name = row.name(entry);
                 let unit = unit_of(row.dimension, level);
                 list.push(Row {
                     name,

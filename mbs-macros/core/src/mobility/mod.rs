@@ -16,12 +16,10 @@ mod rows;
 mod words;
 
 use crate::derivatives::Derived;
-use crate::equations::{Row, System};
+use crate::equations::{Idle, Row, System};
 use crate::model::Model;
 use crate::symbolic::Symbol;
 use numbers::Numbers;
-use rows::Rows;
-use std::collections::BTreeSet;
 
 pub use closing::Open;
 pub use words::{redundancies, summary};
@@ -54,7 +52,11 @@ pub struct Mobility {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Redundancy {
     /// The row.
-    pub row: usize,
+    pub row: String,
+    /// The entry of the declaration it comes from.
+    pub entry: String,
+    /// It is left out, as joints that have become coordinates hold what it says.
+    pub idle: bool,
     /// Entries of the declaration whose rows it follows from.
     pub follows_from: Vec<String>,
     /// Joints on its loop that have become coordinates and left no rows.
@@ -67,12 +69,13 @@ pub struct Redundancy {
 /// The rows cannot be fulfilled together, whatever the pose.
 pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Open> {
     let system = &derived.system;
+    let mut redundant: Vec<Redundancy> = system.idle.iter().map(Redundancy::of_idle).collect();
     if system.rows.is_empty() {
         return Ok(Some(Mobility {
             rank: 0,
             mobility: system.size,
-            redundant: Vec::new(),
-            undetermined: Vec::new(),
+            redundant,
+            undetermined: undetermined(system, &[]),
             integrable: Vec::new(),
         }));
     }
@@ -94,41 +97,49 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
         return Ok(None);
     };
     let rank = rows.basis.len();
-    let redundant = rows
-        .dependent
-        .iter()
-        .map(|(row, coefficients)| Redundancy {
-            row: *row,
-            follows_from: involved(&system.rows, &rows.independent, coefficients),
-            along: along(
-                model,
-                derived,
-                &combined(*row, &rows.independent, coefficients),
-            ),
-        })
-        .collect();
+    let mut open = Vec::new();
+    for (row, coefficients) in &rows.dependent {
+        let involved = combined(*row, &rows.independent, coefficients);
+        redundant.push(Redundancy {
+            row: system.rows[*row].name.clone(),
+            entry: system.rows[*row].entry.clone(),
+            idle: false,
+            follows_from: entries(&system.rows, &involved[..involved.len() - 1]),
+            along: along(model, derived, &involved),
+        });
+        open.extend(involved);
+    }
     Ok(Some(Mobility {
         rank,
         mobility: system.size.saturating_sub(rank),
         redundant,
-        undetermined: undetermined(system, &rows),
+        undetermined: undetermined(system, &open),
         integrable: integrability::integrable(&numbers, &poses),
     }))
 }
 
-/// The joints with multipliers that have a part in some dependence.
-fn undetermined(system: &System, rows: &Rows) -> Vec<String> {
-    let mut open: BTreeSet<u32> = BTreeSet::new();
-    for (row, coefficients) in &rows.dependent {
-        let rows = combined(*row, &rows.independent, coefficients);
-        open.extend(rows.into_iter().map(|row| row as u32));
+impl Redundancy {
+    fn of_idle(row: &Idle) -> Redundancy {
+        Redundancy {
+            row: row.name.clone(),
+            entry: row.entry.clone(),
+            idle: true,
+            follows_from: row.follows_from.clone(),
+            along: Vec::new(),
+        }
     }
+}
+
+/// The joints with multipliers of rows that have a part in some dependence, and those that share with rows left out.
+fn undetermined(system: &System, open: &[usize]) -> Vec<String> {
     let mut joints: Vec<String> = Vec::new();
     for reaction in &system.reactions {
         let symbols = system.graph.symbols([reaction.expr]);
-        let touched = symbols
-            .iter()
-            .any(|symbol| matches!(symbol, Symbol::Multiplier(row) if open.contains(row)));
+        let is_open = |symbol: &Symbol| matches!(symbol, Symbol::Multiplier(row) if open.contains(&(*row as usize)));
+        let shares = |idle: &Idle| {
+            idle.entry == reaction.joint || idle.follows_from.contains(&reaction.joint)
+        };
+        let touched = symbols.iter().any(is_open) || system.idle.iter().any(shares);
         if touched && !joints.contains(&reaction.joint) {
             joints.push(reaction.joint.clone());
         }
@@ -136,7 +147,7 @@ fn undetermined(system: &System, rows: &Rows) -> Vec<String> {
     joints
 }
 
-/// A dependent row and those that count in the combination it is.
+/// The rows that count in the combination that a dependent row is, and the row itself at the end.
 fn combined(row: usize, independent: &[usize], coefficients: &[f64]) -> Vec<usize> {
     let others = independent.iter().zip(coefficients);
     let others = others.filter(|(_, coefficient)| coefficient.abs() > INVOLVED);
@@ -159,12 +170,12 @@ fn along(model: &Model, derived: &Derived, rows: &[usize]) -> Vec<String> {
     joints
 }
 
-/// The entries of the rows that count in a combination.
-fn involved(rows: &[Row], independent: &[usize], coefficients: &[f64]) -> Vec<String> {
+/// The entries that rows come from.
+fn entries(rows: &[Row], indices: &[usize]) -> Vec<String> {
     let mut entries: Vec<String> = Vec::new();
-    for (&row, coefficient) in independent.iter().zip(coefficients) {
+    for &row in indices {
         let entry = &rows[row].entry;
-        if coefficient.abs() > INVOLVED && !entries.contains(entry) {
+        if !entries.contains(entry) {
             entries.push(entry.clone());
         }
     }

@@ -1,6 +1,6 @@
 //! Mobility in words.
 
-use super::Mobility;
+use super::{Mobility, Redundancy};
 use crate::equations::Row;
 
 /// For example "30 rows, rank 29: one row of `j6` (rotation about x) follows from j1…j5; mobility 1; Grübler counts 0".
@@ -11,14 +11,19 @@ pub fn summary(mobility: &Mobility, rows: &[Row], velocities: usize) -> String {
         1 => format!("1 row, rank {}", mobility.rank),
         _ => format!("{count} rows, rank {}", mobility.rank),
     };
-    let redundancies = redundancies(mobility, rows);
-    if !redundancies.is_empty() {
-        let sentences: Vec<String> = redundancies.into_iter().map(|(_, text)| text).collect();
-        text += &format!(": {}", sentences.join("; "));
+    for (mark, idle) in [(": ", false), ("; left out: ", true)] {
+        let sentences: Vec<String> = sentences(mobility, rows, idle)
+            .into_iter()
+            .map(|(_, text)| text)
+            .collect();
+        if !sentences.is_empty() {
+            text += &format!("{mark}{}", sentences.join("; "));
+        }
     }
     text += &format!("; mobility {}", mobility.mobility);
     // Grübler's count takes every row for independent.
-    let counted = velocities as i64 - count as i64;
+    let left_out = mobility.redundant.iter().filter(|row| row.idle).count();
+    let counted = velocities as i64 - (count + left_out) as i64;
     if counted != mobility.mobility as i64 {
         text += &format!("; Grübler counts {counted}");
     }
@@ -42,28 +47,36 @@ pub fn summary(mobility: &Mobility, rows: &[Row], velocities: usize) -> String {
 
 /// For each entry with redundant rows a sentence: "one row of `j6` (rotation about x) follows from j1…j5".
 pub fn redundancies(mobility: &Mobility, rows: &[Row]) -> Vec<(String, String)> {
+    let left_out = sentences(mobility, rows, true);
+    left_out
+        .into_iter()
+        .chain(sentences(mobility, rows, false))
+        .collect()
+}
+
+/// The sentences about rows that are left out, or about the others.
+fn sentences(mobility: &Mobility, rows: &[Row], idle: bool) -> Vec<(String, String)> {
     let mut entries: Vec<&String> = Vec::new();
-    for redundancy in &mobility.redundant {
-        let entry = &rows[redundancy.row].entry;
-        if !entries.contains(&entry) {
-            entries.push(entry);
+    let listed = || mobility.redundant.iter().filter(|row| row.idle == idle);
+    for redundancy in listed() {
+        if !entries.contains(&&redundancy.entry) {
+            entries.push(&redundancy.entry);
         }
     }
     let sentences = entries.into_iter().map(|entry| {
-        let own = mobility
-            .redundant
-            .iter()
-            .filter(|redundancy| rows[redundancy.row].entry == *entry);
+        let own: Vec<&Redundancy> = listed().filter(|row| row.entry == *entry).collect();
         let (mut what, mut from): (Vec<String>, Vec<&str>) = (Vec::new(), Vec::new());
-        for redundancy in own {
-            what.push(direction(&rows[redundancy.row]));
+        for redundancy in &own {
+            what.push(direction(redundancy));
             for other in &redundancy.follows_from {
                 if !from.contains(&other.as_str()) {
                     from.push(other);
                 }
             }
         }
-        let all = rows.iter().filter(|row| row.entry == *entry).count();
+        let left_out = mobility.redundant.iter();
+        let left_out = left_out.filter(|row| row.idle && row.entry == *entry);
+        let all = rows.iter().filter(|row| row.entry == *entry).count() + left_out.count();
         let subject = match (what.len(), all) {
             (1, 1) => format!("the row of `{entry}`"),
             (count, _) => format!("{} of `{entry}`", counted(count)),
@@ -73,23 +86,14 @@ pub fn redundancies(mobility: &Mobility, rows: &[Row]) -> Vec<(String, String)> 
             [] => String::new(),
             what => format!(" ({})", what.join(", ")),
         };
-        let follows = if own_count(mobility, rows, entry) == 1 {
-            "follows"
-        } else {
-            "follow"
-        };
+        let follows = if own.len() == 1 { "follows" } else { "follow" };
+        let along = own.iter().flat_map(|row| &row.along).map(String::as_str);
+        let mut along: Vec<&str> = along.filter(|joint| *joint != entry.as_str()).collect();
+        along.sort_unstable();
+        along.dedup();
         // Its other rows may well take part; that goes without saying.
         let own = from.len();
         from.retain(|other| other != entry);
-        let mut along: Vec<&str> = Vec::new();
-        for redundancy in mobility.redundant.iter() {
-            if rows[redundancy.row].entry == *entry {
-                let new = redundancy.along.iter().map(String::as_str);
-                along.extend(new.filter(|joint| *joint != entry.as_str()));
-            }
-        }
-        along.sort_unstable();
-        along.dedup();
         let from = match from.as_slice() {
             [] if own > 0 && !along.is_empty() => {
                 format!(
@@ -109,17 +113,9 @@ pub fn redundancies(mobility: &Mobility, rows: &[Row]) -> Vec<(String, String)> 
     sentences.collect()
 }
 
-fn own_count(mobility: &Mobility, rows: &[Row], entry: &str) -> usize {
-    let own = mobility
-        .redundant
-        .iter()
-        .filter(|redundancy| rows[redundancy.row].entry == entry);
-    own.count()
-}
-
 /// What a row holds, from its name.
-fn direction(row: &Row) -> String {
-    let suffix = row.name.strip_prefix(&row.entry).unwrap_or_default();
+fn direction(row: &Redundancy) -> String {
+    let suffix = row.row.strip_prefix(&row.entry).unwrap_or_default();
     let suffix = suffix.trim_start_matches('.');
     match suffix.strip_prefix("rotation_") {
         Some(axis @ ("x" | "y" | "z")) => format!("rotation about {}", axis.to_uppercase()),

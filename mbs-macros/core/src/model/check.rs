@@ -1,7 +1,7 @@
-//! Checks of whole entries and of the whole model: known arguments, connected parts, used names, conditions that
-//! something can fulfil, coordinates with mass.
+//! Checks of whole entries and of the whole model: known arguments, connected parts, used names, coordinates with mass.
 
 use super::Dimension;
+use super::Representation;
 use super::advice;
 use super::elements::{ForceElement, JointElement};
 use super::geometry::{Owner, Point};
@@ -9,7 +9,6 @@ use super::parts::Part;
 use super::placement::Guesses;
 use super::reduce::Reduction;
 use super::resolve::{Resolver, has_frames};
-use super::{Formulation, Representation};
 use crate::diagnostics::{Place, did_you_mean};
 use crate::schema::{self, Absent, Kind, World};
 use crate::symbolic::{Graph, Symbol};
@@ -252,40 +251,6 @@ impl Disagreement {
             ));
         }
         (self.angle > NEARLY_TOGETHER).then(|| format!("in the home pose the axes at `{first}` and at `{second}` are {angle:.1}° off those that this `{kind}` holds together; turn one of the frames or parts, or give the axis once by `axis =`"))
-    }
-}
-
-/// After the reduction, every condition still depends on something that moves.
-pub(super) fn movable(resolver: &mut Resolver, joints: &[JointElement], reduction: &mut Reduction) {
-    for element in joints {
-        if reduction.dissolved(&element.name) {
-            continue;
-        }
-        let rows = element.joint.equations(&mut resolver.graph).rows;
-        let idle = rows.iter().any(|row| {
-            let expr = resolver
-                .graph
-                .substitute(row.expr, &mut reduction.substitution);
-            !resolver.graph.depends_on(expr, |symbol| {
-                symbol.is_configuration() || matches!(symbol, Symbol::Velocity(_))
-            })
-        });
-        if !idle {
-            continue;
-        }
-        let name = &element.name;
-        let message = match resolver.parts.iter().any(|part| part.name == *name) {
-            true => format!(
-                "both ends of `{name}` are held by the ground, so that it cannot move: release one end, or remove the bar"
-            ),
-            false if resolver.formulation == Formulation::Joint => format!(
-                "the joints that are coordinates already fix all that `{name}` holds, so that no row is left to write for it; describe the mechanism by `coordinates = Reference` (or `Auto`), where such a joint is redundant and harmless, or remove it"
-            ),
-            false => format!(
-                "other joints already fix all that `{name}` holds: no motion could fulfil or break it; remove it"
-            ),
-        };
-        resolver.fail::<()>(element.span, message);
     }
 }
 

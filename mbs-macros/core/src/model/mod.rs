@@ -14,6 +14,7 @@ mod formulation;
 mod frames;
 mod geometry;
 mod home;
+mod idle;
 mod joint_frames;
 mod kinematics;
 mod layout;
@@ -28,12 +29,14 @@ mod value;
 use crate::equations::{forces::Force, joints::Joint};
 use crate::schema::World;
 use crate::symbolic::{Expr, Graph, Substitution};
+use std::collections::BTreeSet;
 
 pub use arguments::Arguments;
 pub use dimension::{Dimension, UNITS, unit};
 pub use drawing::Drawing;
 pub use formulation::{Formulation, requested};
 pub use geometry::{Attachment, Axes, Frame, Owner, Point, Vector};
+pub use idle::IdleRow;
 pub use joint_frames::{JointFrames, Winding};
 pub use layout::{Layout, Rotation, Stored};
 pub use parts::{Part, Representation, Shape, Tensor};
@@ -72,6 +75,8 @@ pub struct Model {
     pub parts: Vec<Part>,
     /// Joints and constraints that leave rows (merged joints are in `merged`).
     pub joints: Vec<(String, Box<dyn Joint>)>,
+    /// Rows of these joints that are zero in every pose, and are left out.
+    pub idle: BTreeSet<IdleRow>,
     /// Force elements.
     pub forces: Vec<(String, Box<dyn Force>)>,
     /// The generalized coordinates and velocities.

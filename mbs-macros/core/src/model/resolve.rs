@@ -6,8 +6,8 @@ use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
 use super::{
-    Arguments, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home, layout,
-    placement, reduce,
+    Arguments, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home, idle,
+    layout, placement, reduce,
 };
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Group, World};
@@ -47,7 +47,7 @@ pub fn resolve(
         _ => Tree::default(),
     };
     let mut reduction = reduce::reduce(&mut resolver, &joints, &tree)?;
-    check::movable(&mut resolver, &joints, &mut reduction);
+    let idle = idle::rows(&mut resolver, &joints, &tree, &mut reduction);
     // A joint coordinate moves all that comes after it.
     if tree.joints.is_empty() {
         check::massive(&mut resolver, &reduction);
@@ -89,6 +89,7 @@ pub fn resolve(
         locals,
         parts,
         joints,
+        idle,
         forces: forces
             .into_iter()
             .map(|element| (element.name, element.force))

@@ -16,7 +16,7 @@ use super::parts::{Part, Representation};
 use super::reduce::mergeable;
 use super::resolve::Resolver;
 use crate::schema::World;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a joint leaves free between two frames.
 #[derive(Debug, Clone)]
@@ -194,6 +194,18 @@ impl Tree {
         self.joints
             .iter()
             .flat_map(|joint| joint.angle.iter().chain(&joint.strokes).copied())
+    }
+
+    /// The joints from the ground, or from a root, to a part.
+    pub fn chain(&self, part: Option<usize>) -> BTreeSet<usize> {
+        let mut chain = BTreeSet::new();
+        let mut next = part;
+        while let Some(part) = next {
+            let carrier = self.joints.iter().position(|joint| joint.child == part);
+            next = carrier.and_then(|joint| self.joints[joint].parent);
+            chain.extend(carrier);
+        }
+        chain
     }
 
     /// A part and all that it carries.

@@ -71,6 +71,17 @@ pub struct JointRow {
     pub dimension: Option<Dimension>,
 }
 
+impl JointRow {
+    /// Its name: that of the entry and the component.
+    pub fn name(&self, entry: &str) -> String {
+        match self.suffix.as_str() {
+            "" => entry.to_owned(),
+            index if index.starts_with('[') => format!("{entry}{index}"),
+            suffix => format!("{entry}.{suffix}"),
+        }
+    }
+}
+
 /// At which level a condition is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {

@@ -1,0 +1,161 @@
+//! Rows that no motion can fulfil or break.
+//!
+//! In joint coordinates a joint beside the tree may hold what the tree holds already: the second hinge of a door, the rows
+//! across the plane of a loop that is planar. Such a row is zero in every pose, whatever the parameters, and is left out.
+//! It is told by numbers, because rounding in the axes can leave 1e-17 where an exact zero should be. A row that no motion
+//! changes and that is not zero, or only for some values of the parameters, is an error.
+
+use super::dimension::Dimension;
+use super::elements::JointElement;
+use super::reduce::Reduction;
+use super::resolve::Resolver;
+use super::tree::Tree;
+use crate::symbolic::{Evaluator, Expr, Symbol, rotation_entry};
+use std::collections::BTreeSet;
+
+/// Poses at which a row has to vanish, with the default parameters and then with others.
+const POSES: u32 = 3;
+/// A row below this fraction of its scale vanishes.
+const VANISHES: f64 = 1e-12;
+
+/// A row that is left out: its entry, and its place among the rows of the entry.
+pub type IdleRow = (String, usize);
+
+/// A row in generalized coordinates.
+struct Candidate {
+    element: usize,
+    slot: usize,
+    expr: Expr,
+    dimension: Option<Dimension>,
+}
+
+/// The rows to leave out; a row that is stuck otherwise is an error.
+pub(super) fn rows(
+    resolver: &mut Resolver,
+    joints: &[JointElement],
+    tree: &Tree,
+    reduction: &mut Reduction,
+) -> BTreeSet<IdleRow> {
+    let mut candidates = Vec::new();
+    for (element, joint) in joints.iter().enumerate() {
+        if reduction.dissolved(&joint.name) {
+            continue;
+        }
+        let rows = joint.joint.equations(&mut resolver.graph).rows;
+        for (slot, row) in rows.iter().enumerate() {
+            let expr = resolver
+                .graph
+                .substitute(row.expr, &mut reduction.substitution);
+            candidates.push(Candidate {
+                element,
+                slot,
+                expr,
+                dimension: row.dimension,
+            });
+        }
+    }
+    let [by_default, otherwise] = match tree.joints.is_empty() {
+        true => [vec![false; candidates.len()], vec![false; candidates.len()]],
+        false => {
+            [false, true].map(|varied| vanishing(resolver, joints, reduction, &candidates, varied))
+        }
+    };
+    let mut idle = BTreeSet::new();
+    let mut stuck = BTreeSet::new();
+    for (candidate, (by_default, otherwise)) in
+        candidates.iter().zip(by_default.into_iter().zip(otherwise))
+    {
+        let moves = resolver.graph.depends_on(candidate.expr, |symbol| {
+            symbol.is_configuration() || matches!(symbol, Symbol::Velocity(_))
+        });
+        if by_default && otherwise {
+            idle.insert((joints[candidate.element].name.clone(), candidate.slot));
+        } else if by_default || !moves {
+            stuck.insert(candidate.element);
+        }
+    }
+    for element in stuck {
+        let message = stuck_message(resolver, &joints[element].name, tree);
+        resolver.fail::<()>(joints[element].span, message);
+    }
+    idle
+}
+
+/// Which rows vanish in a few poses that have nothing to do with each other, with default or varied parameters.
+fn vanishing(
+    resolver: &mut Resolver,
+    joints: &[JointElement],
+    reduction: &mut Reduction,
+    candidates: &[Candidate],
+    varied: bool,
+) -> Vec<bool> {
+    // The places of a joint say how large its rows could be.
+    let mut places = vec![Vec::new(); joints.len()];
+    for candidate in candidates {
+        let points = joints[candidate.element].joint.points();
+        let positions = points.iter().flat_map(|point| point.position);
+        places[candidate.element] = positions
+            .map(|x| resolver.graph.substitute(x, &mut reduction.substitution))
+            .collect();
+    }
+    let mut vanishing = vec![true; candidates.len()];
+    for pose in 0..POSES {
+        let symbols = |symbol| sample(resolver, symbol, pose, varied);
+        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+        let mut evaluator = Evaluator::new(&resolver.graph, &symbols, &laws);
+        for (candidate, vanishes) in candidates.iter().zip(&mut vanishing) {
+            let value = evaluator.value(candidate.expr);
+            let places = places[candidate.element].iter();
+            let reach = places.fold(0.0f64, |reach, &x| reach.max(evaluator.value(x).abs()));
+            let scale = match candidate.dimension {
+                Some(Dimension::LENGTH) if reach > 0.0 => reach,
+                Some(area) if area == Dimension::LENGTH.power(2) && reach > 0.0 => reach * reach,
+                _ => 1.0,
+            };
+            // Written so that NaN does not vanish.
+            *vanishes &= value.abs() <= VANISHES * scale;
+        }
+    }
+    vanishing
+}
+
+/// A value for each symbol, scattered over (−1, 1); parameters and inputs are near their defaults at most.
+fn sample(resolver: &Resolver, symbol: Symbol, pose: u32, varied: bool) -> f64 {
+    let scattered = |index: u32, salt: f64| {
+        let x = f64::from(index + 1) * 0.754_877_666_246_693 + f64::from(pose) * 0.569_840_290_998;
+        2.0 * (x + salt).fract() - 1.0
+    };
+    let near = |default: f64, index: u32| match varied {
+        true => default * (1.0 + 0.1 * scattered(index, 0.3)) + 0.01 * f64::from(pose + 1),
+        false => default,
+    };
+    match symbol {
+        Symbol::Parameter(i) => near(resolver.parameters[i as usize].default, i),
+        Symbol::Input(i) => near(resolver.inputs[i as usize].default, i),
+        Symbol::Time => 0.17 * f64::from(pose + 1),
+        Symbol::Coordinate(i) | Symbol::Winding(i) => scattered(i, 0.0),
+        Symbol::Velocity(i) => scattered(i, 0.5),
+        Symbol::Rotation(first, entry) => {
+            let quaternion = [0.1, 0.4, 0.6, 0.8].map(|salt| scattered(first, salt));
+            let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
+            rotation_entry(quaternion.map(|x| x / length), entry)
+        }
+        _ => f64::NAN,
+    }
+}
+
+fn stuck_message(resolver: &Resolver, name: &str, tree: &Tree) -> String {
+    if resolver.parts.iter().any(|part| part.name == *name) {
+        format!(
+            "both ends of `{name}` are held by the ground, so that it cannot move: release one end, or remove the bar"
+        )
+    } else if tree.joints.is_empty() {
+        format!(
+            "other joints already fix all that `{name}` holds: no motion could fulfil or break it; remove it"
+        )
+    } else {
+        format!(
+            "the joints that are coordinates leave no motion that could fulfil or break what `{name}` holds, and with other parameters or as time passes it would break; describe the mechanism by `coordinates = Reference`, where such a joint is redundant and harmless while it fits, or remove it"
+        )
+    }
+}

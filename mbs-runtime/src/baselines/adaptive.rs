@@ -1,0 +1,125 @@
+//! Baumgarte's form with error control: the pair of Dormand and Prince of orders 5 and 4.
+//!
+//! No published crate takes these equations as they are: those at hand allocate in each step or want a vector type of
+//! their own, and none knows quaternions. The pair is the one they all offer, with the controller of Hairer, Nørsett,
+//! Wanner: Solving Ordinary Differential Equations I, II.4 and IV.2 (Gustafsson).
+
+use super::bench::Bench;
+use super::index1::Index1;
+use super::runge_kutta::RungeKutta;
+use super::tableau::DORMAND_PRINCE5;
+use crate::System;
+use crate::alf3f::Fault;
+
+const SAFETY: f64 = 0.9;
+/// Most and least change of a step.
+const CHANGES: [f64; 2] = [0.2, 10.0];
+/// β of the PI controller; the exponent of the error is −1/5 + 0.75 β.
+const BETA: f64 = 0.04;
+/// Steps below this fraction of the one asked for are given up.
+const SMALLEST: f64 = 1e-9;
+
+pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
+    equations: Index1<N, R>,
+    stages: RungeKutta<Q, N>,
+    tolerance: f64,
+    /// Error of the last accepted step, in tolerances.
+    last: f64,
+    /// Whether `equations` were placed at the state.
+    placed: bool,
+}
+
+impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
+    pub(crate) fn new(gain: f64, tolerance: f64) -> Self {
+        Adaptive {
+            equations: Index1::new(gain),
+            stages: RungeKutta::new(&DORMAND_PRINCE5),
+            tolerance,
+            last: 1e-4,
+            placed: false,
+        }
+    }
+
+    pub(crate) fn refresh(&mut self) {
+        self.placed = false;
+    }
+
+    /// Advances by h, in steps of its own. The length of the next one is kept in the state.
+    pub(crate) fn advance<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        let end = bench.state.time + h;
+        let mut left = h;
+        let mut size = match bench.state.fields.step {
+            kept if kept > 0.0 => kept,
+            _ => h.abs(),
+        };
+        while left.abs() > SMALLEST * h.abs() {
+            let whole = size >= left.abs();
+            let trial = if whole { left } else { size.copysign(h) };
+            let before = bench.works;
+            // A trial that leads astray, where M is not positive definite or values overflow, was too long.
+            let error = self.try_step(bench, trial).unwrap_or(f64::INFINITY);
+            let exponent = 0.2 - 0.75 * BETA;
+            if error <= 1.0 {
+                let factor = SAFETY * error.max(1e-10).powf(-exponent) * self.last.powf(BETA);
+                let next = trial.abs() * factor.clamp(CHANGES[0], CHANGES[1]);
+                // A step that was cut short tells nothing against the one planned.
+                size = if whole { size.max(next) } else { next };
+                self.last = error.max(1e-4);
+                left -= trial;
+            } else {
+                bench.works = before;
+                bench.counters.rejected += 1;
+                let factor = SAFETY * error.powf(-exponent);
+                let factor = if factor > CHANGES[0] {
+                    factor
+                } else {
+                    CHANGES[0]
+                };
+                size = trial.abs() * factor.min(0.9);
+                if size < SMALLEST * h.abs() {
+                    return Err(Fault::Underflow {
+                        row: None,
+                        step: trial,
+                    });
+                }
+            }
+        }
+        bench.state.time = end;
+        bench.state.fields.step = size;
+        Ok(())
+    }
+
+    /// Tries a step; returns its error in tolerances. It is taken if that is at most one.
+    fn try_step<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<f64, Fault> {
+        if !self.placed {
+            let (t, q) = (bench.state.time, bench.state.positions);
+            self.equations.place(bench, t, &q)?;
+        }
+        self.placed = false;
+        let end = self.stages.step(bench, &mut self.equations, h)?;
+        bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
+        let [turn, change] = self.stages.error(h);
+        let (q, v) = (bench.state.positions, bench.state.velocities);
+        let size = crate::linear::largest(&q).max(1.0);
+        let speed = crate::linear::largest(&v).max(1.0);
+        let mut sum = 0.0;
+        for i in 0..N {
+            sum += (turn[i] / size).powi(2) + (change[i] / speed).powi(2);
+        }
+        let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
+        if error <= 1.0 {
+            // The last stage was taken at the end of the step.
+            bench.commit(bench.state.time + h, end.q, end.v, true)?;
+            self.placed = true;
+        }
+        Ok(if error.is_nan() { f64::INFINITY } else { error })
+    }
+}

@@ -1,0 +1,193 @@
+//! Explicit Runge–Kutta on the index-1 form, with Baumgarte's terms or with projections.
+//!
+//! ```text
+//! M v̇ + Γvv = f + Aᵀλ,    A v̇ + γ + 2α (A v + b) + β² φ = 0        (Baumgarte, CMAME 1, 1972, 1–16)
+//! ```
+//!
+//! The terms pull a violation back within some 1/α seconds. The projected variant has none; it moves the end of each step
+//! to the nearest positions and velocities, in the metric of M, that satisfy the rows (Eich, SIAM J. Numer. Anal. 30, 1993,
+//! 1467–1482), and evaluates the equations there for the step that follows. Where rows are redundant or a pose is
+//! singular, multipliers and corrections are those of the proximal solve that the two-level step has.
+
+use super::bench::Bench;
+use super::index1::Index1;
+use super::runge_kutta::{RungeKutta, classical};
+use super::tableau::{CLASSICAL, Tableau};
+use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
+use crate::linear::accumulate;
+use crate::{Settings, State, System};
+
+/// Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BaumgarteSettings {
+    /// α = β, 1/s.
+    pub gain: f64,
+    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or to
+    /// 1, if they are smaller); `None` for steps of the length that is asked for.
+    pub adaptive: Option<f64>,
+}
+
+impl Default for BaumgarteSettings {
+    fn default() -> Self {
+        BaumgarteSettings {
+            gain: 10.0,
+            adaptive: None,
+        }
+    }
+}
+
+/// How violations of the rows are met.
+enum Remedy<const R: usize> {
+    Terms,
+    Projection(Box<RowScale<R>>),
+}
+
+pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
+    equations: Index1<N, R>,
+    stages: RungeKutta<Q, N>,
+    remedy: Remedy<R>,
+    /// Whether `equations` were placed at the state.
+    placed: bool,
+}
+
+impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
+    pub(crate) fn stabilised(order: u8, settings: &BaumgarteSettings) -> Self {
+        Explicit {
+            equations: Index1::new(settings.gain),
+            stages: RungeKutta::new(tableau(order)),
+            remedy: Remedy::Terms,
+            placed: false,
+        }
+    }
+
+    pub(crate) fn projected<S: System<Q, N, R>>(
+        system: &S,
+        settings: &Settings,
+    ) -> Result<Self, Fault> {
+        Ok(Explicit {
+            equations: Index1::new(0.0),
+            stages: RungeKutta::new(tableau(settings.order)),
+            remedy: Remedy::Projection(Box::new(RowScale::new(
+                system,
+                settings.constraint_tolerance,
+            )?)),
+            placed: false,
+        })
+    }
+
+    /// After the state or an input was changed.
+    pub(crate) fn refresh(&mut self) {
+        self.placed = false;
+    }
+
+    #[inline(always)]
+    pub(crate) fn step<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        if !self.placed {
+            let State {
+                time, positions, ..
+            } = bench.state;
+            self.equations.place(bench, time, &positions)?;
+        }
+        self.placed = false;
+        let end = if self.stages.tableau.order == CLASSICAL.order {
+            classical(bench, &mut self.equations, h)?
+        } else {
+            self.stages.step(bench, &mut self.equations, h)?
+        };
+        let t1 = bench.state.time + h;
+        let (mut q, mut v) = (end.q, end.v);
+        if let Remedy::Projection(scale) = &self.remedy {
+            self.equations.close(bench, t1, &mut q, scale)?;
+            self.equations.project(bench, t1, &q, &mut v)?;
+        }
+        let projected = matches!(self.remedy, Remedy::Projection(_));
+        bench.commit(t1, q, v, projected)?;
+        bench.counters.stages += self.stages.tableau.nodes.len() as u64;
+        self.placed = projected;
+        Ok(())
+    }
+}
+
+/// Order 2, which stands for the method's own, means the classical method.
+fn tableau(order: u8) -> &'static Tableau {
+    Tableau::of_order(order).unwrap_or(&CLASSICAL)
+}
+
+impl<const N: usize, const R: usize> Index1<N, R> {
+    /// Moves q onto the position rows. The factors are those of the last stage, which was near.
+    #[inline(always)]
+    fn close<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &mut [f64; Q],
+        scale: &RowScale<R>,
+    ) -> Result<(), Fault> {
+        let (mut last, mut iterations) = (f64::INFINITY, 0);
+        loop {
+            let Bench {
+                system,
+                node,
+                phi,
+                max_iterations,
+                ..
+            } = &mut *bench;
+            system.constraints(t, q, phi, &mut *node.a, &mut node.b);
+            let residual = residual_of(phi, &scale.weights);
+            if residual <= 1.0 {
+                break;
+            }
+            if !(residual < 0.25 * last) {
+                // Slow: factors of this place, if that can help.
+                if residual < scale.lost {
+                    break;
+                }
+                if iterations >= *max_iterations || !residual.is_finite() {
+                    return Err(not_converged(phi, &scale.weights, iterations));
+                }
+                node.metric(system, t, q)?;
+                self.dual.factor(&node.gram);
+            }
+            let mut change = phi.map(|residual| -residual);
+            self.dual.solve(&mut change);
+            let mut way = [0.0; N];
+            accumulate(&mut way, &node.w, &change);
+            *q = system.advance(q, &way, 1.0);
+            last = residual;
+            iterations += 1;
+        }
+        bench.counters.iterations += iterations as u64;
+        Ok(())
+    }
+
+    /// Moves v onto the velocity rows at q, and places the equations there.
+    #[inline(always)]
+    fn project<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &[f64; Q],
+        v: &mut [f64; N],
+    ) -> Result<(), Fault> {
+        let Bench {
+            system,
+            node,
+            counters,
+            ..
+        } = &mut *bench;
+        node.metric(system, t, q)?;
+        self.dual.factor(&node.gram);
+        counters.regularised += u64::from(self.dual.regularised);
+        // The second pass restores digits that a nearly singular solve loses.
+        for _ in 0..1 + u8::from(self.dual.weak) {
+            let mut multiplier = node.velocity_rows(system, v).map(|rate| -rate);
+            self.dual.solve(&mut multiplier);
+            accumulate(v, &node.w, &multiplier);
+        }
+        Ok(())
+    }
+}

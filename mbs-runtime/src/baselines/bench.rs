@@ -1,0 +1,83 @@
+//! What all baselines work on.
+
+use crate::alf3f::{Counters, Fault, Node};
+use crate::linear::finite;
+use crate::{State, System};
+
+/// System, state, and the constraint geometry where the state is.
+pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    pub(crate) system: S,
+    pub(crate) state: State<Q, N, R>,
+    pub(crate) node: Box<Node<S, Q, N, R>>,
+    /// φ at `node`.
+    pub(crate) phi: [f64; R],
+    /// Whether `node` and `phi` are those of `state`.
+    pub(crate) settled: bool,
+    pub(crate) counters: Counters,
+    pub(crate) works: Works,
+    pub(crate) max_iterations: usize,
+}
+
+/// Works of the last step, J.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Works {
+    /// Of the forces without potential.
+    pub(crate) nonconservative: f64,
+    /// Of the rheonomic rows.
+    pub(crate) drive: f64,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S, Q, N, R> {
+    /// Evaluates constraints and metric at the state, unless they are those already.
+    pub(crate) fn settle(&mut self) -> Result<(), Fault> {
+        if !self.settled {
+            let State {
+                time, positions, ..
+            } = &self.state;
+            self.node
+                .evaluate(&self.system, *time, positions, &mut self.phi)?;
+            self.settled = true;
+        }
+        Ok(())
+    }
+
+    /// The step ends here; `settled` tells whether `node` and `phi` are those of its end.
+    #[inline(always)]
+    pub(crate) fn commit(
+        &mut self,
+        time: f64,
+        q: [f64; Q],
+        v: [f64; N],
+        settled: bool,
+    ) -> Result<(), Fault> {
+        if !finite(&q) {
+            return Err(Fault::NonFinite("positions"));
+        }
+        if !finite(&v) {
+            return Err(Fault::NonFinite("velocities"));
+        }
+        let state = &mut self.state;
+        (state.time, state.positions, state.velocities) = (time, q, v);
+        self.settled = settled;
+        Ok(())
+    }
+
+    /// Power of the forces without potential and of the rheonomic rows with multipliers λ, W, where `node` is.
+    #[inline(always)]
+    pub(crate) fn powers(&self, t: f64, q: &[f64; Q], v: &[f64; N], lambda: &[f64; R]) -> [f64; 2] {
+        let applied = self.system.nonconservative_power(t, q, v);
+        let drive = if S::STRUCTURE.time_dependent {
+            -crate::linear::dot(lambda, &self.node.b)
+        } else {
+            0.0
+        };
+        [applied, drive]
+    }
+
+    /// Adds a quadrature weight (s) times these powers to the works of the step.
+    #[inline(always)]
+    pub(crate) fn add_works(&mut self, weight: f64, [applied, drive]: [f64; 2]) {
+        self.works.nonconservative += weight * applied;
+        self.works.drive += weight * drive;
+    }
+}

@@ -1,0 +1,132 @@
+//! One face for the baselines.
+
+use super::Works;
+use super::adaptive::Adaptive;
+use super::baumgarte::Explicit;
+use super::bench::Bench;
+use crate::alf3f::{Counters, Fault, Node};
+use crate::{Method, Settings, SimulationError, State, System};
+
+/// A baseline by itself: steps of any length, without energy balance or report.
+///
+/// A step allocates nothing. [`Simulation`](crate::Simulation) wraps it; use it directly to measure.
+pub struct BaselineStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    pub(crate) bench: Bench<S, Q, N, R>,
+    rule: Rule<Q, N, R>,
+}
+
+/// The method and its workspace.
+enum Rule<const Q: usize, const N: usize, const R: usize> {
+    Explicit(Box<Explicit<Q, N, R>>),
+    Adaptive(Box<Adaptive<Q, N, R>>),
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
+    BaselineStepper<S, Q, N, R>
+{
+    /// An integrator that starts from `state`, which has to satisfy the constraints.
+    ///
+    /// # Errors
+    /// Settings that cannot be used, a method that is none of the baselines or cannot integrate this mechanism, or a mass
+    /// matrix that is not positive definite at the state.
+    pub fn new(
+        system: S,
+        state: State<Q, N, R>,
+        settings: &Settings,
+    ) -> Result<Self, SimulationError> {
+        settings.check()?;
+        let time = state.time;
+        let fault =
+            |fault: Fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step);
+        let rule = match &settings.method {
+            Method::Baumgarte(baumgarte) => match baumgarte.adaptive {
+                None => Rule::Explicit(Box::new(Explicit::stabilised(settings.order, baumgarte))),
+                Some(tolerance) => {
+                    Rule::Adaptive(Box::new(Adaptive::new(baumgarte.gain, tolerance)))
+                }
+            },
+            Method::Projected => Rule::Explicit(Box::new(
+                Explicit::projected(&system, settings).map_err(fault)?,
+            )),
+            Method::TwoLevel | Method::Paper(_) => {
+                return Err(SimulationError::Setting {
+                    name: "method",
+                    value: f64::NAN,
+                    wanted: "one of the baselines",
+                });
+            }
+        };
+        let node = Node::new(&system, &state.positions).map_err(fault)?;
+        let mut stepper = BaselineStepper {
+            bench: Bench {
+                system,
+                state,
+                node,
+                phi: [0.0; R],
+                settled: false,
+                counters: Counters::default(),
+                works: Works::default(),
+                max_iterations: settings.max_iterations,
+            },
+            rule,
+        };
+        stepper.bench.settle().map_err(fault)?;
+        Ok(stepper)
+    }
+
+    /// Advances by h seconds.
+    ///
+    /// # Errors
+    /// A row that does not converge, by name; a state that is not finite; a mass matrix that is not positive definite.
+    /// The state is then still that before the step.
+    #[inline]
+    pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
+        self.try_step(h)
+            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.bench.state.time, h))
+    }
+
+    #[inline(always)]
+    fn try_step(&mut self, h: f64) -> Result<(), Fault> {
+        if !(h.is_finite() && h != 0.0) {
+            return Err(Fault::NonFinite("step"));
+        }
+        self.bench.works = Works::default();
+        self.bench.settled = false;
+        match &mut self.rule {
+            Rule::Explicit(rule) => rule.step(&mut self.bench, h),
+            Rule::Adaptive(rule) => rule.advance(&mut self.bench, h),
+        }
+    }
+
+    /// The equations.
+    pub fn system(&self) -> &S {
+        &self.bench.system
+    }
+
+    /// Where it stands.
+    pub fn state(&self) -> &State<Q, N, R> {
+        &self.bench.state
+    }
+
+    pub(crate) fn counters(&self) -> Counters {
+        self.bench.counters
+    }
+
+    /// What the last step has to tell: its works, with the rows evaluated at its end.
+    pub(crate) fn take_stock(&mut self) -> Result<Works, SimulationError> {
+        let time = self.bench.state.time;
+        let works = self.bench.works;
+        let fault = |fault| SimulationError::from_fault(fault, S::MODEL, time, 0.0);
+        self.bench.settle().map(|()| works).map_err(fault)
+    }
+
+    /// Forgets what was known of the current instant, after the state or an input was changed.
+    pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
+        match &mut self.rule {
+            Rule::Explicit(rule) => rule.refresh(),
+            Rule::Adaptive(rule) => rule.refresh(),
+        }
+        self.bench.settled = false;
+        self.bench.settle()
+    }
+}
