@@ -53,6 +53,7 @@ mod any;
 mod assembly;
 mod baselines;
 mod energy;
+mod ensemble;
 mod error;
 mod flow;
 #[doc(hidden)]
@@ -74,6 +75,7 @@ mod state;
 pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
 pub use baselines::{BaselineStepper, BaumgarteSettings};
+pub use ensemble::simulate_ensemble;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
