@@ -77,7 +77,7 @@ impl Flow {
 pub struct Settings {
     /// The integrator.
     pub method: Method,
-    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 9 or 17 stages, some of which
+    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 13 or 17 stages, some of which
     /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`]. Of the explicit Runge–Kutta
     /// methods it chooses the one of order 4 (also for 2), 6 or 8.
     pub order: u8,

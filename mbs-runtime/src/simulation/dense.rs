@@ -7,8 +7,22 @@
 use super::Simulation;
 use crate::{AnySimulation, SimulationError, System};
 
-/// A landing beside a singular pose has a clearance below this: it is then looked at from the other end.
-const CLEAR: f64 = 0.15;
+/// An end of a step.
+#[derive(Clone, Copy)]
+enum From {
+    Begin,
+    End,
+}
+
+/// Ways to an instant, where it lies beside a singular pose or a stage on the way does: from an end of the step, with the
+/// first part of the way as a step of its own.
+const WAYS: [(From, f64); 5] = [
+    (From::Begin, 1.0),
+    (From::End, 1.0),
+    (From::Begin, 0.4),
+    (From::End, 0.4),
+    (From::Begin, 0.7),
+];
 /// Steps grow by up to this where they are placed, and are not divided for it.
 const STRETCH: f64 = 1.2;
 
@@ -86,39 +100,49 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         shown
     }
 
-    /// To an instant of the last step: from its beginning or, where that lands beside a singular pose, from its end.
+    /// To an instant of the last step, on the first way that keeps clear of singular poses or else the best.
     fn show(&mut self, time: f64) -> Result<(), SimulationError> {
-        let back = time - self.time();
-        self.integrator.state_mut().copy_from(&self.behind);
-        self.integrator.refresh(&self.settings)?;
-        self.take_stock();
-        let clearance = self.reach(time - self.behind.time)?;
-        if clearance < CLEAR {
-            let from_begin = (*self.positions(), *self.velocities());
-            self.integrator.state_mut().copy_from(&self.before);
-            self.integrator.refresh(&self.settings)?;
-            self.take_stock();
-            match self.reach(back) {
-                Ok(other) if other > clearance => {}
-                _ => {
-                    // The energy balance of this instant stays that of the end.
-                    let state = self.integrator.state_mut();
-                    (state.positions, state.velocities) = from_begin;
-                    self.integrator.refresh(&self.settings)?;
-                }
+        let mut best = (f64::NEG_INFINITY, WAYS[0]);
+        let mut error = None;
+        for way in WAYS {
+            match self.approach(time, way) {
+                Ok(clearance) if clearance >= self.clear() => return Ok(()),
+                Ok(clearance) if clearance > best.0 => best = (clearance, way),
+                Ok(_) => {}
+                Err(other) => error = Some(other),
             }
         }
-        Ok(())
+        match error {
+            Some(error) if best.0 == f64::NEG_INFINITY => Err(error),
+            _ => self.approach(time, best.1).map(drop),
+        }
     }
 
-    /// Steps over `span` seconds, negative for back in time, in parts no longer than the step in use; returns the
-    /// clearance of the last.
+    /// To an instant of the last step on one of the [`WAYS`]; the least clearance on it.
+    fn approach(&mut self, time: f64, (from, first): (From, f64)) -> Result<f64, SimulationError> {
+        let start = match from {
+            From::Begin => &self.behind,
+            From::End => &self.before,
+        };
+        let span = time - start.time;
+        self.integrator.state_mut().copy_from(start);
+        self.integrator.refresh(&self.settings)?;
+        self.take_stock();
+        let clearance = self.reach(first * span)?;
+        match first < 1.0 {
+            true => Ok(self.reach((1.0 - first) * span)?.min(clearance)),
+            false => Ok(clearance),
+        }
+    }
+
+    /// Steps over `span` seconds, negative for back in time, in parts no longer than the step in use; returns the least
+    /// clearance on the way.
     pub(super) fn reach(&mut self, span: f64) -> Result<f64, SimulationError> {
         let longest = STRETCH * self.nominal();
         let parts = (span.abs() / longest).ceil().max(1.0);
         let mut clearance = f64::INFINITY;
         for _ in 0..parts as u64 {
-            clearance = self.advance(span / parts)?;
+            clearance = clearance.min(self.advance(span / parts)?);
         }
         Ok(clearance)
     }

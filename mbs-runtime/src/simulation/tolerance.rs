@@ -35,9 +35,6 @@ const UNLIKE: f64 = 0.3;
 const PARTITIONS: [f64; 4] = [1.0, 0.3, 0.7, 0.2];
 /// Steps whose error exceeds that of the pair by less than this part of it tell nothing.
 const TELLING: f64 = 0.2;
-/// Clearance below which a step suffers from a singular pose, and the same at second order.
-const CLEAR: f64 = 0.15;
-const CLEAR_SECOND: f64 = 0.02;
 /// Pairs that are tried where every comparison suffers from a singular pose, as fractions of h.
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
@@ -161,7 +158,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let allowed = (SHARE * tolerance * way).max(noise);
         let order = i32::from(self.settings.order);
         let error = |steps: [f64; 2]| steps.map(|h| h.powi(order + 1)).iter().sum::<f64>();
-        let clear = if order == 2 { CLEAR_SECOND } else { CLEAR };
         let mut converged = false;
         for fraction in PARTITIONS {
             let steps = [fraction * length, (1.0 - fraction) * length];
@@ -178,7 +174,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 true => LEAP.exp2(),
                 false => apart / (ratio * allowed),
             };
-            if excess <= 1.0 || last || !(clearance < clear) {
+            if excess <= 1.0 || last || !(clearance < self.clear()) {
                 (found.excess, found.worst) = (excess, worst);
                 break;
             }
