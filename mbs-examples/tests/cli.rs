@@ -315,8 +315,8 @@ fn what_is_not_built_is_refused_with_what_is() {
             &["two-level"],
         );
         refused(
-            &["simulate", &name, "--method", "m-alf"],
-            &["m-alf", "two-level"],
+            &["simulate", &name, "--method", "euler"],
+            &["euler", "two-level", "generalized-alpha"],
         );
         refused(
             &["simulate", &name, "--method", "two-levels"],

@@ -3,13 +3,28 @@
 use crate::{MatrixSink, Model, ParameterError, Structure, System, TensorSink, World};
 
 pub use cholesky::Cholesky;
+pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 
 mod cholesky;
+mod elimination;
 mod principal;
 mod rotation;
 mod spin;
+
+/// A pivot below this part of what it began with is round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+/// 1/d of a pivot d that began as `whole`; 0 where d is round-off beside it: its row depends on those before it.
+#[inline(always)]
+pub fn pivot_inverse(pivot: f64, whole: f64) -> f64 {
+    if pivot > ROUND_OFF * whole {
+        1.0 / pivot
+    } else {
+        0.0
+    }
+}
 
 /// −1, 0 or 1.
 #[inline]

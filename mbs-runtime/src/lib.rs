@@ -74,7 +74,10 @@ mod state;
 
 pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
-pub use baselines::{BaselineStepper, BaumgarteSettings};
+pub use baselines::{
+    BaselineStepper, BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings,
+    ProjectionSettings,
+};
 pub use ensemble::simulate_ensemble;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;

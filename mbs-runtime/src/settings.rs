@@ -1,7 +1,10 @@
 //! What a user may choose about the integration.
 
 use crate::alf3f::ORDERS;
-use crate::{BaumgarteSettings, Model, SimulationError};
+use crate::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Model, PenaltySettings,
+    ProjectionSettings, SimulationError,
+};
 
 /// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
 const TOLERANCES: [f64; 2] = [1e-12, 0.1];
@@ -14,24 +17,53 @@ pub enum Method {
     TwoLevel,
     /// Algorithm 1 of the paper.
     Paper(PaperSettings),
+    /// The modified augmented Lagrangian that the paper compares with (section 7.2): the same algorithm with rows that have
+    /// neither mass nor damping. Start from [`PaperSettings::m_alf`]: its penalties have another scale.
+    MAlf(PaperSettings),
     /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
     Baumgarte(BaumgarteSettings),
     /// The same without stabilisation, positions and velocities projected onto the rows after each step.
     Projected,
+    /// RATTLE without regularisation.
+    Rattle,
+    /// Rows as stiff springs and dampers.
+    Penalty(PenaltySettings),
+    /// Augmented Lagrangian of index 3 with projections of velocities and accelerations.
+    Index3Projections(ProjectionSettings),
+    /// The generalized-α method with position rows.
+    GeneralizedAlpha(GeneralizedAlphaSettings),
+    /// Backward differentiation of variable order and step with position rows. [`Settings::step`] bounds its steps.
+    Bdf(BdfSettings),
 }
 
 impl Method {
     /// The names on the command line.
-    pub const NAMES: &'static [&'static str] =
-        &["two-level", "alf3f-paper", "baumgarte", "projected"];
+    pub const NAMES: &'static [&'static str] = &[
+        "two-level",
+        "alf3f-paper",
+        "m-alf",
+        "index3-projections",
+        "generalized-alpha",
+        "bdf",
+        "rattle",
+        "baumgarte",
+        "projected",
+        "penalty",
+    ];
 
     /// The method of this name, with default settings.
     pub fn by_name(name: &str) -> Option<Self> {
         Some(match name {
             "two-level" => Method::TwoLevel,
             "alf3f-paper" => Method::Paper(PaperSettings::default()),
+            "m-alf" => Method::MAlf(PaperSettings::m_alf()),
             "baumgarte" => Method::Baumgarte(BaumgarteSettings::default()),
             "projected" => Method::Projected,
+            "rattle" => Method::Rattle,
+            "penalty" => Method::Penalty(PenaltySettings::default()),
+            "index3-projections" => Method::Index3Projections(ProjectionSettings::default()),
+            "generalized-alpha" => Method::GeneralizedAlpha(GeneralizedAlphaSettings::default()),
+            "bdf" => Method::Bdf(BdfSettings::default()),
             _ => return None,
         })
     }
@@ -41,8 +73,14 @@ impl Method {
         match self {
             Method::TwoLevel => "two-level",
             Method::Paper(_) => "alf3f-paper",
+            Method::MAlf(_) => "m-alf",
             Method::Baumgarte(_) => "baumgarte",
             Method::Projected => "projected",
+            Method::Rattle => "rattle",
+            Method::Penalty(_) => "penalty",
+            Method::Index3Projections(_) => "index3-projections",
+            Method::GeneralizedAlpha(_) => "generalized-alpha",
+            Method::Bdf(_) => "bdf",
         }
     }
 }
@@ -179,11 +217,33 @@ impl Settings {
         match &self.method {
             Method::TwoLevel | Method::Projected => Ok(()),
             Method::Baumgarte(baumgarte) => baumgarte.check(),
-            Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
+            Method::Rattle
+            | Method::Penalty(_)
+            | Method::Index3Projections(_)
+            | Method::GeneralizedAlpha(_)
+            | Method::Bdf(_)
+                if self.order > 2 =>
+            {
+                Err(SimulationError::Order {
+                    order: self.order,
+                    because: "the method has an order of its own",
+                })
+            }
+            Method::Rattle => Ok(()),
+            Method::Penalty(penalty) => penalty.check(),
+            Method::Index3Projections(projections) => positive("penalty", projections.penalty),
+            Method::GeneralizedAlpha(alpha) => require(
+                "spectral_radius",
+                alpha.spectral_radius,
+                (0.0..=1.0).contains(&alpha.spectral_radius),
+                "from 0 to 1",
+            ),
+            Method::Bdf(bdf) => bdf.check(),
+            Method::Paper(_) | Method::MAlf(_) if self.order > 2 => Err(SimulationError::Order {
                 order: self.order,
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
             }),
-            Method::Paper(paper) => paper.check(),
+            Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
         }
     }
 }
@@ -245,6 +305,16 @@ impl Default for PaperSettings {
 }
 
 impl PaperSettings {
+    /// Those that suit [`Method::MAlf`]: its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
+    pub fn m_alf() -> Self {
+        PaperSettings {
+            penalty: 1e10,
+            max_penalty: 1e14,
+            restart_multipliers: false,
+            ..PaperSettings::default()
+        }
+    }
+
     fn check(&self) -> Result<(), SimulationError> {
         positive("newton_tolerance", self.newton_tolerance)?;
         positive("velocity_tolerance", self.velocity_tolerance)?;
@@ -269,6 +339,30 @@ impl PaperSettings {
             frequency,
             frequency >= 0.0,
             "zero or a positive finite value",
+        )
+    }
+}
+
+impl PenaltySettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("penalty", self.penalty)?;
+        require(
+            "damping_ratio",
+            self.damping_ratio,
+            self.damping_ratio >= 0.0,
+            "zero or a positive finite value",
+        )
+    }
+}
+
+impl BdfSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("tolerance", self.tolerance)?;
+        require(
+            "max_order",
+            self.max_order.into(),
+            (1..=5).contains(&self.max_order),
+            "1 to 5",
         )
     }
 }

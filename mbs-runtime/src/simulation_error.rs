@@ -30,6 +30,13 @@ pub enum SimulationError {
         /// One that can.
         instead: Flow,
     },
+    /// A method that cannot integrate this mechanism.
+    Method {
+        /// The method asked for.
+        method: &'static str,
+        /// Why not.
+        because: &'static str,
+    },
     /// An order that the method does not reach with this mechanism.
     Order {
         /// The order asked for.
@@ -170,6 +177,10 @@ impl fmt::Display for SimulationError {
                 "the {} flow cannot be used here: {because}; use {}, or leave the choice to the runtime",
                 flow.name(),
                 instead.name()
+            ),
+            Method { method, because } => write!(
+                out,
+                "the method {method} cannot integrate this mechanism: {because}; use two-level"
             ),
             Order { order, because } => write!(
                 out,

@@ -7,7 +7,10 @@ use common::planar::{DampedSliderCrank, SliderCrank};
 use common::scenes::*;
 use common::spatial::{HeavyTop, RollingDisk, Sprung};
 use common::{Hand, Parameters, Scene};
-use mbs_runtime::{BaumgarteSettings, Method, Settings, Simulation};
+use mbs_runtime::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,
+    PenaltySettings, Settings, Simulation, SimulationError,
+};
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 
@@ -113,6 +116,174 @@ fn explicit_methods_turn_bodies_with_their_order() {
             );
         }
     }
+}
+
+#[test]
+fn rattle_is_of_second_order() {
+    slope(SliderCrank, by_name("rattle", 2, 0.01), 2.0, 0.24);
+    slope(SliderCrankAngles, by_name("rattle", 2, 0.01), 2.0, 0.24);
+    slope(Shaken, by_name("rattle", 2, 0.01), 2.0, 0.48);
+    slope(HeavyTop, by_name("rattle", 2, 1e-3), 2.0, 0.1);
+}
+
+/// Its rows hold to a tolerance; with a tight one the order shows.
+#[test]
+fn the_modified_augmented_lagrangian_is_of_second_order() {
+    let by = |step| Settings {
+        method: Method::MAlf(PaperSettings {
+            velocity_tolerance: 1e-8,
+            update_tolerance: 1e-9,
+            ..PaperSettings::m_alf()
+        }),
+        step,
+        ..Settings::default()
+    };
+    slope(SliderCrank, by(0.01), 2.0, 0.24);
+    slope(SliderCrankAngles, by(0.01), 2.0, 0.24);
+    slope(Shaken, by(0.01), 2.0, 0.48);
+    slope(Sleigh::default(), by(0.05), 2.0, 2.0);
+}
+
+#[test]
+fn implicit_methods_are_of_second_order() {
+    for name in ["index3-projections", "generalized-alpha"] {
+        slope(SliderCrank, by_name(name, 2, 0.01), 2.0, 0.24);
+        slope(SliderCrankAngles, by_name(name, 2, 0.01), 2.0, 0.24);
+        slope(Shaken, by_name(name, 2, 0.01), 2.0, 0.48);
+        slope(DampedSliderCrank, by_name(name, 2, 0.01), 2.0, 0.24);
+        slope(HeavyTop, by_name(name, 2, 5e-4), 2.0, 0.1);
+    }
+}
+
+#[test]
+fn generalized_alpha_takes_every_row_and_stabilises() {
+    let by = |stabilised, step| Settings {
+        method: Method::GeneralizedAlpha(GeneralizedAlphaSettings {
+            stabilised,
+            ..GeneralizedAlphaSettings::default()
+        }),
+        step,
+        ..Settings::default()
+    };
+    for stabilised in [false, true] {
+        slope(Sleigh::default(), by(stabilised, 0.05), 2.0, 2.0);
+        slope(Towing, by(stabilised, 0.02), 2.0, 1.0);
+        slope(RollingDisk, by(stabilised, 0.02), 2.0, 1.0);
+    }
+    slope(SliderCrank, by(true, 0.01), 2.0, 0.24);
+    slope(SliderCrankAngles, by(true, 0.01), 2.0, 0.24);
+    slope(Shaken, by(true, 0.01), 2.0, 0.48);
+    let velocity_error = |stabilised| {
+        run(SliderCrank, by(stabilised, 0.01), 0.24)
+            .report()
+            .velocity_error
+    };
+    let errors = [false, true].map(velocity_error);
+    println!("{errors:?}");
+    assert!(errors[0] > 1e-4 && errors[1] < 1e-10);
+}
+
+/// The position error is in proportion to 1/ξ.
+#[test]
+fn penalties_err_in_proportion() {
+    let time = 0.24;
+    let exact = exact(SliderCrank, time);
+    let run = |penalty: f64| {
+        let settings = Settings {
+            method: Method::Penalty(PenaltySettings {
+                penalty,
+                ..PenaltySettings::default()
+            }),
+            step: 2e-5,
+            ..Settings::default()
+        };
+        let end = run(SliderCrank, settings, time);
+        let error = distance(end.positions(), &exact);
+        let violation = end.report().holonomic_error;
+        println!("penalty {penalty:.0e}: error {error:.2e}, violation {violation:.2e}");
+        [error, violation]
+    };
+    let (weak, strong) = (run(1e5), run(1e6));
+    for i in 0..2 {
+        let ratio = weak[i] / strong[i];
+        assert!((8.0..12.5).contains(&ratio), "{ratio}");
+    }
+}
+
+#[test]
+fn penalties_are_integrated_with_second_order() {
+    let by = |scene, step| {
+        let settings = Settings {
+            method: Method::Penalty(PenaltySettings {
+                penalty: 1e4,
+                ..PenaltySettings::default()
+            }),
+            step,
+            ..Settings::default()
+        };
+        *run(scene, settings, 0.24).positions()
+    };
+    let fine = by(SliderCrank, 1.25e-4);
+    let [coarse, half] = [4e-3, 2e-3].map(|h| distance(&by(SliderCrank, h), &fine));
+    let slope = (coarse / half).log2();
+    println!("{coarse:.2e} {half:.2e} {slope:.2}");
+    assert!((slope - 2.0).abs() < 0.3, "{slope}");
+}
+
+/// Errors follow the tolerance, and no more steps are taken than the order needs.
+#[test]
+fn backward_differentiation_holds_its_tolerance() {
+    fn all<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        scene: T,
+        time: f64,
+        most: f64,
+    ) {
+        let exact = exact(scene.clone(), time);
+        let run = |tolerance: f64| {
+            let settings = Settings {
+                method: Method::Bdf(BdfSettings {
+                    tolerance,
+                    ..BdfSettings::default()
+                }),
+                step: 0.25 * time,
+                ..Settings::default()
+            };
+            let end = run(scene.clone(), settings, time);
+            let error = distance(end.positions(), &exact);
+            let report = end.report();
+            println!(
+                "tolerance {tolerance:.0e}: error {error:.2e}, {} steps, {} iterations, {} rejected",
+                report.stages, report.iterations, report.rejected_steps
+            );
+            assert!(error < most * tolerance, "{error}");
+            report.stages as f64
+        };
+        let steps = [1e-5, 1e-7, 1e-9].map(run);
+        let growth = steps[2] / steps[1];
+        // 100^(1/6) = 2.2 at order five.
+        assert!((1.3..4.5).contains(&growth), "{growth}");
+    }
+    all(SliderCrank, 0.3, 100.0);
+    all(SliderCrankAngles, 0.3, 100.0);
+    all(Shaken, 1.0, 300.0);
+    all(Sleigh::default(), 2.0, 300.0);
+    all(RollingDisk, 1.0, 300.0);
+}
+
+#[test]
+fn what_a_method_cannot_do_is_refused() {
+    let refused = |error: Option<SimulationError>| {
+        let Some(SimulationError::Method { .. }) = error else {
+            panic!("{error:?}");
+        };
+        assert!(error.unwrap().to_string().contains("use two-level"));
+    };
+    for name in ["rattle", "index3-projections"] {
+        let settings = by_name(name, 2, 1e-2);
+        refused(Simulation::with_settings(Parameters(Sleigh::default()), settings).err());
+    }
+    let settings = by_name("rattle", 2, 1e-2);
+    refused(Simulation::with_settings(Parameters(DampedSliderCrank), settings).err());
 }
 
 /// Errors shrink with the tolerance, and steps grow where they may.

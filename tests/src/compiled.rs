@@ -95,6 +95,13 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     system.acceleration(t, q, &mut explicit);
     table.vector("acceleration", "acceleration", &explicit);
 
+    // Random numbers in place of the corrections.
+    let (mut explicit, mut multipliers) = ([0.0; N], [0.0; R]);
+    if system.accelerations(t, q, v, lambda, &mut explicit, &mut multipliers) {
+        table.vector("accelerations", "acceleration", &explicit);
+        table.vector("accelerations", "lambda", &multipliers);
+    }
+
     table.insert(("kinetic_energy", "", [0; 3]), system.kinetic_energy(q, v));
     table.insert(("potential_energy", "", [0; 3]), system.potential_energy(q));
     table.insert(

@@ -464,4 +464,53 @@ fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         system.solve_mass(&factor, &mut expected);
         findings.identity("M⁻¹ f", &explicit, &expected);
     }
+    accelerations(findings, system, at, random, &mass);
+}
+
+/// M v̇ + ṗ|_v = F + Aᵀλ, and A v̇ + γ + correction = 0 for every row that is asked for.
+fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<Q, N, R>,
+    random: &mut Random,
+    mass: &[f64],
+) {
+    let (t, q, v) = (at.time, &at.q, &at.v);
+    let correction = random.array(1.0);
+    let (mut acceleration, mut lambda) = ([0.0; N], [0.0; R]);
+    if !system.accelerations(t, q, v, &correction, &mut acceleration, &mut lambda) {
+        return;
+    }
+    let mut a = Box::new([[0.0; N]; R]);
+    system.constraints(t, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
+    let mut f = [0.0; N];
+    system.forces(t, q, v, &mut f);
+    let [mut f_q, mut f_v, mut p_q] = [(); 3].map(|()| Box::new([[0.0; N]; N]));
+    system.force_tangents(t, q, v, &mut *f_q, &mut *f_v, &mut *p_q);
+    let inertial: Vec<f64> = (0..N)
+        .map(|i| dot(&mass[i * N..][..N], &acceleration) + dot(&p_q[i], v))
+        .collect();
+    let driving: Vec<f64> = (0..N)
+        .map(|i| f[i] + (0..R).map(|r| a[r][i] * lambda[r]).sum::<f64>())
+        .collect();
+    let size = |list: &[f64]| list.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+    let tolerance = 1e-9 * size(&inertial).max(size(&lambda));
+    findings.compare("M v̇ + ṗ against F + Aᵀλ", &inertial, &driving, tolerance);
+    let mut gamma = [0.0; R];
+    system.constraint_rates(
+        t,
+        q,
+        v,
+        &mut Box::new([[0.0; N]; R]) as &mut [[f64; N]; R],
+        &mut gamma,
+    );
+    let redundant = S::MODEL.mobility.as_ref();
+    let asked = |r: &usize| {
+        let name = S::MODEL.rows[*r].name;
+        !redundant.is_some_and(|found| found.redundant.iter().any(|row| row.row == name))
+    };
+    let rows: Vec<usize> = (0..R).filter(asked).collect();
+    let met: Vec<f64> = rows.iter().map(|&r| dot(&a[r], &acceleration)).collect();
+    let wanted: Vec<f64> = rows.iter().map(|&r| -gamma[r] - correction[r]).collect();
+    findings.compare("A v̇ + γ", &met, &wanted, 1e-9 * size(&wanted));
 }

@@ -135,7 +135,7 @@ impl Interpreted {
             Symbol::Stored(i) => at.q[i as usize],
             Symbol::Velocity(i) => at.v[i as usize],
             Symbol::Acceleration(i) | Symbol::VectorEntry(i) => at.acceleration[i as usize],
-            Symbol::Multiplier(i) => at.lambda[i as usize],
+            Symbol::Multiplier(i) | Symbol::Correction(i) => at.lambda[i as usize],
             Symbol::RowEntry(i, j) => a[i as usize][j as usize],
             Symbol::WeightedEntry(i, j) => w[i as usize][j as usize],
             other => match self.layout.value(other, &at.q) {

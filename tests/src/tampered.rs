@@ -32,6 +32,8 @@ pub const QUANTITIES: &[&str] = &[
     "metric_rows",
     "metric_gram",
     "row_rates",
+    "accelerations",
+    "multipliers",
 ];
 
 /// Relative size of the error.
@@ -163,6 +165,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         self.inner.metric(mass, t, q, a, w, gram);
         self.vector("metric_rows", w.as_flattened_mut());
         self.vector("metric_gram", gram.as_flattened_mut());
+    }
+    fn accelerations(
+        &self,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+        correction: &[f64; R],
+        acceleration: &mut [f64; N],
+        lambda: &mut [f64; R],
+    ) -> bool {
+        let generated = (self.inner).accelerations(t, q, v, correction, acceleration, lambda);
+        self.vector("accelerations", acceleration);
+        self.vector("multipliers", lambda);
+        generated
     }
     fn row_rates(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R]) {
         self.inner.row_rates(a, v, rates);

@@ -113,7 +113,7 @@ macro_rules! cases {
 cases! {
     pendulum_natural: natural::Pendulum, PENDULUM, (2, 1);
     pendulum_joint: joint::Pendulum, PENDULUM, (1, 0);
-    slider_crank_natural: natural::SliderCrank, SLIDER_CRANK, (4, 3);
+    slider_crank_natural: natural::SliderCrank, SLIDER_CRANK, (3, 2);
     slider_crank_reference: reference_points::SliderCrank, SLIDER_CRANK, (6, 5);
     slider_crank_joint: joint::SliderCrank, SLIDER_CRANK, (2, 1);
     double_four_bar_natural: natural::DoubleFourBar, DOUBLE_FOUR_BAR, (6, 5);

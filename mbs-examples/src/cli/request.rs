@@ -7,15 +7,6 @@ use super::failure::Failure;
 use super::find::unknown;
 use super::simulate::Simulate;
 
-const PLANNED: &[&str] = &[
-    "m-alf",
-    "index3-projections",
-    "generalized-alpha",
-    "bdf",
-    "rattle",
-    "penalty",
-];
-
 /// A run that makes sense.
 pub struct Request {
     /// Up to this time, s.
@@ -114,20 +105,8 @@ fn tolerance(text: &str) -> Result<f64, Failure> {
 }
 
 fn method(name: &str) -> Result<Method, Failure> {
-    if let Some(method) = Method::by_name(name) {
-        return Ok(method);
-    }
-    match name {
-        planned if PLANNED.contains(&planned) => Err(Failure(format!(
-            "method `{planned}` is not available yet; available: {}",
-            Method::NAMES.join(", ")
-        ))),
-        other => Err(Failure(unknown(
-            "method",
-            other,
-            Method::NAMES.iter().copied(),
-        ))),
-    }
+    let known = Method::NAMES.iter().copied();
+    Method::by_name(name).ok_or_else(|| Failure(unknown("method", name, known)))
 }
 
 fn positive(option: &str, text: Option<&str>, default: f64) -> Result<f64, Failure> {

@@ -36,7 +36,8 @@ pub struct Simulate {
     /// Chooses the steps, and the order too: the accuracy wanted, relative to the size of the mechanism, for example 1e-6.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
-    /// Integrator: two-level, alf3f-paper, baumgarte or projected.
+    /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
+    /// penalty.
     #[arg(long, value_name = "M", default_value = "two-level")]
     pub method: String,
     /// Order of the method: 2, 4, 6 or 8 [default: 2, or what suits --tolerance].

@@ -99,8 +99,11 @@ pub(crate) fn choose(
 
 fn derive(mut model: Model) -> Result<Analysis, Open> {
     let system = equations::derive(&mut model);
-    let derived = derivatives::derive(system);
+    let mut derived = derivatives::derive(system);
     let mobility = mobility::analyse(&model, &derived)?;
+    if let Some(mobility) = &mobility {
+        derived.redundant = mobility.dependent.clone();
+    }
     Ok(Analysis {
         model,
         derived,
@@ -129,7 +132,7 @@ fn count_rows(model: &mut Model) -> usize {
     let rows: usize = joints
         .map(|(_, joint)| joint.equations(graph).rows.len())
         .sum();
-    rows - model.idle.len()
+    rows - model.idle.len() - model.solved.rows.len()
 }
 
 fn candidate(analysis: &mut Analysis) -> Candidate {

@@ -25,8 +25,6 @@ pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
     tolerance: f64,
     /// Error of the last accepted step, in tolerances.
     last: f64,
-    /// Whether `equations` were placed at the state.
-    placed: bool,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
@@ -36,12 +34,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
             stages: RungeKutta::new(&DORMAND_PRINCE5),
             tolerance,
             last: 1e-4,
-            placed: false,
         }
-    }
-
-    pub(crate) fn refresh(&mut self) {
-        self.placed = false;
     }
 
     /// Advances by h, in steps of its own. The length of the next one is kept in the state.
@@ -99,11 +92,6 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<f64, Fault> {
-        if !self.placed {
-            let (t, q) = (bench.state.time, bench.state.positions);
-            self.equations.place(bench, t, &q)?;
-        }
-        self.placed = false;
         let end = self.stages.step(bench, &mut self.equations, h)?;
         bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
         let [turn, change] = self.stages.error(h);
@@ -116,9 +104,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         }
         let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
         if error <= 1.0 {
-            // The last stage was taken at the end of the step.
-            bench.commit(bench.state.time + h, end.q, end.v, true)?;
-            self.placed = true;
+            bench.commit(bench.state.time + h, end.q, end.v, false)?;
         }
         Ok(if error.is_nan() { f64::INFINITY } else { error })
     }

@@ -15,7 +15,7 @@ use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
 use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
 use crate::linear::accumulate;
-use crate::{Settings, State, System};
+use crate::{Settings, System};
 
 /// Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,8 +46,6 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
     equations: Index1<N, R>,
     stages: RungeKutta<Q, N>,
     remedy: Remedy<R>,
-    /// Whether `equations` were placed at the state.
-    placed: bool,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
@@ -56,7 +54,6 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             equations: Index1::new(settings.gain),
             stages: RungeKutta::new(tableau(order)),
             remedy: Remedy::Terms,
-            placed: false,
         }
     }
 
@@ -71,13 +68,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
                 system,
                 settings.constraint_tolerance,
             )?)),
-            placed: false,
         })
-    }
-
-    /// After the state or an input was changed.
-    pub(crate) fn refresh(&mut self) {
-        self.placed = false;
     }
 
     #[inline(always)]
@@ -86,13 +77,6 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
-        if !self.placed {
-            let State {
-                time, positions, ..
-            } = bench.state;
-            self.equations.place(bench, time, &positions)?;
-        }
-        self.placed = false;
         let end = if self.stages.tableau.order == CLASSICAL.order {
             classical(bench, &mut self.equations, h)?
         } else {
@@ -102,12 +86,12 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
         let (mut q, mut v) = (end.q, end.v);
         if let Remedy::Projection(scale) = &self.remedy {
             self.equations.close(bench, t1, &mut q, scale)?;
-            self.equations.project(bench, t1, &q, &mut v)?;
+            self.equations.project(bench, &mut v);
         }
-        let projected = matches!(self.remedy, Remedy::Projection(_));
-        bench.commit(t1, q, v, projected)?;
+        // The projection has evaluated the rows where the step ends.
+        let settled = matches!(self.remedy, Remedy::Projection(_));
+        bench.commit(t1, q, v, settled)?;
         bench.counters.stages += self.stages.tableau.nodes.len() as u64;
-        self.placed = projected;
         Ok(())
     }
 }
@@ -118,7 +102,7 @@ fn tableau(order: u8) -> &'static Tableau {
 }
 
 impl<const N: usize, const R: usize> Index1<N, R> {
-    /// Moves q onto the position rows. The factors are those of the last stage, which was near.
+    /// Moves q onto the position rows, with the factors of where it was first.
     #[inline(always)]
     fn close<S: System<Q, N, R>, const Q: usize>(
         &mut self,
@@ -127,36 +111,32 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         q: &mut [f64; Q],
         scale: &RowScale<R>,
     ) -> Result<(), Fault> {
+        self.place(bench, t, q)?;
         let (mut last, mut iterations) = (f64::INFINITY, 0);
         loop {
-            let Bench {
-                system,
-                node,
-                phi,
-                max_iterations,
-                ..
-            } = &mut *bench;
-            system.constraints(t, q, phi, &mut *node.a, &mut node.b);
-            let residual = residual_of(phi, &scale.weights);
+            let residual = residual_of(&bench.phi, &scale.weights);
             if residual <= 1.0 {
                 break;
             }
             if !(residual < 0.25 * last) {
-                // Slow: factors of this place, if that can help.
                 if residual < scale.lost {
                     break;
                 }
-                if iterations >= *max_iterations || !residual.is_finite() {
-                    return Err(not_converged(phi, &scale.weights, iterations));
+                if iterations >= bench.max_iterations || !residual.is_finite() {
+                    return Err(not_converged(&bench.phi, &scale.weights, iterations));
                 }
-                node.metric(system, t, q)?;
-                self.dual.factor(&node.gram);
+                // Slow: factors of this place.
+                self.place(bench, t, q)?;
             }
-            let mut change = phi.map(|residual| -residual);
+            let mut change = bench.phi.map(|residual| -residual);
             self.dual.solve(&mut change);
             let mut way = [0.0; N];
-            accumulate(&mut way, &node.w, &change);
-            *q = system.advance(q, &way, 1.0);
+            accumulate(&mut way, &bench.node.w, &change);
+            *q = bench.system.advance(q, &way, 1.0);
+            let Bench {
+                system, node, phi, ..
+            } = &mut *bench;
+            system.constraints(t, q, phi, &mut *node.a, &mut node.b);
             last = residual;
             iterations += 1;
         }
@@ -164,30 +144,18 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         Ok(())
     }
 
-    /// Moves v onto the velocity rows at q, and places the equations there.
+    /// Moves v onto the velocity rows where q was closed. The factors are of a place nearby: what that costs in digits the
+    /// second pass restores, and what a nearly singular solve loses.
     #[inline(always)]
     fn project<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        bench: &mut Bench<S, Q, N, R>,
-        t: f64,
-        q: &[f64; Q],
+        bench: &Bench<S, Q, N, R>,
         v: &mut [f64; N],
-    ) -> Result<(), Fault> {
-        let Bench {
-            system,
-            node,
-            counters,
-            ..
-        } = &mut *bench;
-        node.metric(system, t, q)?;
-        self.dual.factor(&node.gram);
-        counters.regularised += u64::from(self.dual.regularised);
-        // The second pass restores digits that a nearly singular solve loses.
-        for _ in 0..1 + u8::from(self.dual.weak) {
-            let mut multiplier = node.velocity_rows(system, v).map(|rate| -rate);
+    ) {
+        for _ in 0..2 {
+            let mut multiplier = bench.node.velocity_rows(&bench.system, v).map(|rate| -rate);
             self.dual.solve(&mut multiplier);
-            accumulate(v, &node.w, &multiplier);
+            accumulate(v, &bench.node.w, &multiplier);
         }
-        Ok(())
     }
 }

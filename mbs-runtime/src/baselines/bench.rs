@@ -74,6 +74,35 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         [applied, drive]
     }
 
+    /// The works of a step by the trapezoidal rule, with the multipliers at its two ends; `node` is at the end.
+    pub(crate) fn trapezoid_works(
+        &mut self,
+        t: f64,
+        h: f64,
+        start: (&[f64; Q], &[f64; N]),
+        end: (&[f64; Q], &[f64; N]),
+        lambda: [&[f64; R]; 2],
+    ) {
+        let powers = self.powers(t + h, end.0, end.1, lambda[1]);
+        self.add_works(0.5 * h, powers);
+        if S::STRUCTURE.time_dependent && R > 0 {
+            let b = self.node.b;
+            self.system.constraints(
+                t,
+                start.0,
+                &mut [0.0; R],
+                &mut crate::sink::Discard,
+                &mut self.node.b,
+            );
+            let powers = self.powers(t, start.0, start.1, lambda[0]);
+            self.add_works(0.5 * h, powers);
+            self.node.b = b;
+        } else {
+            let applied = self.system.nonconservative_power(t, start.0, start.1);
+            self.add_works(0.5 * h, [applied, 0.0]);
+        }
+    }
+
     /// Adds a quadrature weight (s) times these powers to the works of the step.
     #[inline(always)]
     pub(crate) fn add_works(&mut self, weight: f64, [applied, drive]: [f64; 2]) {

@@ -34,6 +34,49 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         }
     }
 
+    /// v̇ at (t, q, v): by the generated function where there is one.
+    #[inline(always)]
+    pub(crate) fn evaluate<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+    ) -> Result<[f64; N], Fault> {
+        let mut acceleration = [0.0; N];
+        // The works of drives ask for b.
+        if !S::STRUCTURE.time_dependent {
+            let correction = self.stabilisation(bench, t, q, v);
+            let lambda = &mut self.lambda;
+            let system = &bench.system;
+            if system.accelerations(t, q, v, &correction, &mut acceleration, lambda) {
+                return Ok(acceleration);
+            }
+        }
+        self.place(bench, t, q)?;
+        Ok(self.acceleration(bench, t, q, v))
+    }
+
+    /// 2α (A v + b) + β² φ.
+    #[inline(always)]
+    fn stabilisation<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+    ) -> [f64; R] {
+        if self.damping == 0.0 && self.stiffness == 0.0 {
+            return [0.0; R];
+        }
+        let Bench {
+            system, node, phi, ..
+        } = bench;
+        system.constraints(t, q, phi, &mut *node.a, &mut node.b);
+        let rates = node.velocity_rows(system, v);
+        std::array::from_fn(|i| self.damping * rates[i] + self.stiffness * phi[i])
+    }
+
     /// Constraints and metric at (t, q), with S factored.
     #[inline(always)]
     pub(crate) fn place<S: System<Q, N, R>, const Q: usize>(

@@ -5,12 +5,24 @@
 
 mod adaptive;
 mod baumgarte;
+mod bdf;
+mod bdf_history;
 mod bench;
+mod generalized_alpha;
 mod index1;
+mod index3_projections;
+mod motion;
+mod penalty;
+mod rattle;
 mod runge_kutta;
+mod saddle;
 mod stepper;
 mod tableau;
 
 pub use baumgarte::BaumgarteSettings;
+pub use bdf::BdfSettings;
 pub(crate) use bench::Works;
+pub use generalized_alpha::GeneralizedAlphaSettings;
+pub use index3_projections::ProjectionSettings;
+pub use penalty::PenaltySettings;
 pub use stepper::BaselineStepper;

@@ -31,7 +31,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         }
     }
 
-    /// A step of h from the state of the bench, at which `equations` were placed.
+    /// A step of h from the state of the bench.
     #[inline]
     pub(crate) fn step<S: System<Q, N, R>, const R: usize>(
         &mut self,
@@ -51,9 +51,8 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             if stage > 0 {
                 self.combine(tableau.stages[stage - 1], h, &mut turn, &mut v);
                 q = bench.system.advance(&q0, &turn, 1.0);
-                equations.place(bench, t, &q)?;
             }
-            let acceleration = equations.acceleration(bench, t, &q, &v);
+            let acceleration = equations.evaluate(bench, t, &q, &v)?;
             let weight = h * tableau.weights[stage];
             bench.add_works(weight, bench.powers(t, &q, &v, &equations.lambda));
             unroll::<S, Q, N, R>(&turn, &mut v);
@@ -99,7 +98,7 @@ pub(crate) fn classical<S: System<Q, N, R>, const Q: usize, const N: usize, cons
         bench.state.positions,
         bench.state.velocities,
     );
-    let mut slope = [v0, equations.acceleration(bench, t0, &q0, &v0)];
+    let mut slope = [v0, equations.evaluate(bench, t0, &q0, &v0)?];
     bench.add_works(h / 6.0, bench.powers(t0, &q0, &v0, &equations.lambda));
     let mut sum = slope;
     for (c, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
@@ -107,8 +106,7 @@ pub(crate) fn classical<S: System<Q, N, R>, const Q: usize, const N: usize, cons
         let turn = slope[0].map(|rate| step * rate);
         let mut v = std::array::from_fn(|i| v0[i] + step * slope[1][i]);
         let q = bench.system.advance(&q0, &turn, 1.0);
-        equations.place(bench, t, &q)?;
-        let acceleration = equations.acceleration(bench, t, &q, &v);
+        let acceleration = equations.evaluate(bench, t, &q, &v)?;
         let powers = bench.powers(t, &q, &v, &equations.lambda);
         bench.add_works(weight * h / 6.0, powers);
         unroll::<S, Q, N, R>(&turn, &mut v);

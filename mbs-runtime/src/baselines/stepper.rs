@@ -3,22 +3,32 @@
 use super::Works;
 use super::adaptive::Adaptive;
 use super::baumgarte::Explicit;
+use super::bdf::Bdf;
 use super::bench::Bench;
+use super::generalized_alpha::GeneralizedAlpha;
+use super::index3_projections::Index3;
+use super::penalty::Penalty;
+use super::rattle::Rattle;
 use crate::alf3f::{Counters, Fault, Node};
-use crate::{Method, Settings, SimulationError, State, System};
+use crate::{Method, Settings, SimulationError, State, Structure, System};
 
 /// A baseline by itself: steps of any length, without energy balance or report.
 ///
 /// A step allocates nothing. [`Simulation`](crate::Simulation) wraps it; use it directly to measure.
 pub struct BaselineStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) bench: Bench<S, Q, N, R>,
-    rule: Rule<Q, N, R>,
+    rule: Rule<S, Q, N, R>,
 }
 
 /// The method and its workspace.
-enum Rule<const Q: usize, const N: usize, const R: usize> {
+enum Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     Explicit(Box<Explicit<Q, N, R>>),
     Adaptive(Box<Adaptive<Q, N, R>>),
+    Rattle(Box<Rattle<S, Q, N, R>>),
+    Penalty(Box<Penalty<N, R>>),
+    Index3(Box<Index3<N, R>>),
+    GeneralizedAlpha(Box<GeneralizedAlpha<N, R>>),
+    Bdf(Box<Bdf<Q, N, R>>),
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -35,6 +45,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
+        if let Some(because) = refusal(&settings.method, &S::STRUCTURE, R) {
+            return Err(SimulationError::Method {
+                method: settings.method.name(),
+                because,
+            });
+        }
         let time = state.time;
         let fault =
             |fault: Fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step);
@@ -48,7 +64,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             Method::Projected => Rule::Explicit(Box::new(
                 Explicit::projected(&system, settings).map_err(fault)?,
             )),
-            Method::TwoLevel | Method::Paper(_) => {
+            Method::Rattle => Rule::Rattle(Box::new(
+                Rattle::new(&system, &state.positions, settings).map_err(fault)?,
+            )),
+            Method::Penalty(penalty) => Rule::Penalty(Box::new(Penalty::new(*penalty))),
+            Method::Index3Projections(projections) => {
+                Rule::Index3(Box::new(Index3::new(projections)))
+            }
+            Method::GeneralizedAlpha(alpha) => {
+                Rule::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(alpha)))
+            }
+            Method::Bdf(bdf) => Rule::Bdf(Box::new(Bdf::new(bdf))),
+            Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) => {
                 return Err(SimulationError::Setting {
                     name: "method",
                     value: f64::NAN,
@@ -91,11 +118,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             return Err(Fault::NonFinite("step"));
         }
         self.bench.works = Works::default();
-        self.bench.settled = false;
-        match &mut self.rule {
+        let outcome = match &mut self.rule {
             Rule::Explicit(rule) => rule.step(&mut self.bench, h),
             Rule::Adaptive(rule) => rule.advance(&mut self.bench, h),
-        }
+            Rule::Rattle(rule) => rule.step(&mut self.bench, h),
+            Rule::Penalty(rule) => rule.step(&mut self.bench, h),
+            Rule::Index3(rule) => rule.step(&mut self.bench, h),
+            Rule::GeneralizedAlpha(rule) => rule.step(&mut self.bench, h),
+            Rule::Bdf(rule) => rule.advance(&mut self.bench, h),
+        };
+        // A step that failed leaves the geometry of its last trial.
+        self.bench.settled &= outcome.is_ok();
+        outcome
     }
 
     /// The equations.
@@ -123,10 +157,31 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// Forgets what was known of the current instant, after the state or an input was changed.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
         match &mut self.rule {
-            Rule::Explicit(rule) => rule.refresh(),
-            Rule::Adaptive(rule) => rule.refresh(),
+            Rule::Rattle(rule) => rule.refresh(),
+            Rule::Index3(rule) => rule.refresh(),
+            Rule::GeneralizedAlpha(rule) => rule.refresh(),
+            Rule::Bdf(rule) => rule.refresh(),
+            // The explicit ones remember nothing; the springs of penalties are those of the start.
+            Rule::Explicit(_) | Rule::Adaptive(_) | Rule::Penalty(_) => {}
         }
         self.bench.settled = false;
         self.bench.settle()
+    }
+}
+
+/// Why a method cannot integrate such a mechanism; `None` if it can.
+fn refusal(method: &Method, structure: &Structure, rows: usize) -> Option<&'static str> {
+    let nonholonomic = rows > structure.holonomic_rows;
+    match method {
+        Method::Rattle if structure.velocity_forces => {
+            Some("forces depend on velocities, and its kicks know forces of position alone")
+        }
+        Method::Rattle if nonholonomic => {
+            Some("it has nonholonomic rows, and RATTLE satisfies positions")
+        }
+        Method::Index3Projections(_) if nonholonomic => {
+            Some("it has nonholonomic rows, which the augmented Lagrangian of index 3 cannot see")
+        }
+        _ => None,
     }
 }

@@ -85,6 +85,14 @@ pub(crate) fn pull_back<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     turn: &[f64; N],
     matrix: &mut [[f64; N]; N],
 ) {
+    pull_back_rows::<S, Q, N, R>(turn, matrix);
+}
+
+/// The same for any number of rows.
+pub(crate) fn pull_back_rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    turn: &[f64; N],
+    matrix: &mut [[f64; N]],
+) {
     for &i in S::ROTATIONS {
         let tangent = right_tangent([turn[i], turn[i + 1], turn[i + 2]]);
         for row in &mut *matrix {

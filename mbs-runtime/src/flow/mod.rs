@@ -9,7 +9,7 @@ mod midpoint;
 mod trapezoid;
 
 pub(crate) use choice::choose;
-pub(crate) use group::{transport, unroll};
+pub(crate) use group::{pull_back, pull_back_rows, transport, unroll};
 pub(crate) use implicit::{Implicit, imperceptible, trapezoid};
 pub(crate) use leapfrog::Leapfrog;
 pub(crate) use midpoint::Midpoint;

@@ -31,7 +31,7 @@ impl Function {
             match operation {
                 Operation::Add(..) | Operation::Subtract(..) => cost.additions += 1,
                 Operation::Multiply(..) => cost.multiplications += 1,
-                Operation::Divide(..) => cost.divisions += 1,
+                Operation::Divide(..) | Operation::PivotInverse(..) => cost.divisions += 1,
                 Operation::Call(..)
                 | Operation::Atan2(..)
                 | Operation::Power(..)

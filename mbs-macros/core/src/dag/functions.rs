@@ -1,8 +1,9 @@
 //! Which functions a mechanism gets, and what each computes.
 
+use super::accelerations::accelerations;
 use super::kernels::kernels;
 use super::lower::{Hoisted, Lowering};
-use super::{Constant, Function, Operand, Place, Program, Structure, Turning};
+use super::{Constant, Function, Operand, Place, Program, Sparse, Structure, Turning};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
@@ -13,6 +14,7 @@ pub fn lower(derived: &Derived) -> Program {
     let mut graph = system.graph.clone();
     let mut hoisted = Hoisted::new(system.layout.clone());
     let structure = structure(derived);
+    let sparse = Sparse::of(derived);
     let mut functions = Vec::new();
     {
         let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
@@ -67,13 +69,15 @@ pub fn lower(derived: &Derived) -> Program {
                 matrix(f, "p_q", &derived.momentum_by_position);
             });
         }
-        make("acceleration", &mut |f| {
-            vector(
-                f,
-                "acceleration",
-                derived.acceleration.as_deref().unwrap_or(&[]),
-            )
-        });
+        if !sparse.as_ref().is_some_and(|sparse| sparse.forces_vary) {
+            make("acceleration", &mut |f| {
+                vector(
+                    f,
+                    "acceleration",
+                    derived.acceleration.as_deref().unwrap_or(&[]),
+                )
+            });
+        }
         if !system.windings.is_empty() {
             make("windings", &mut |f| vector(f, "angles", &system.windings));
         }
@@ -103,6 +107,7 @@ pub fn lower(derived: &Derived) -> Program {
         make("reactions", &mut |f| vector(f, "reactions", &reactions));
     }
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
+    functions.extend(accelerations(&mut graph, &mut hoisted, derived));
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
@@ -138,6 +143,7 @@ pub fn lower(derived: &Derived) -> Program {
             .map(|r| (r.joint.clone(), r.component.clone(), r.unit.clone()))
             .collect(),
         structure,
+        sparse,
     }
 }
 

@@ -54,19 +54,9 @@ impl Maker<'_> {
         Lowering::new(self.graph, self.hoisted)
     }
 
-    /// The entries of a row of A: (column, entry).
-    fn row(&self, r: usize) -> Vec<(usize, Expr)> {
-        let entries = self.derived.jacobian.range((r, 0)..(r + 1, 0));
-        entries
-            .map(|(&(_, column), &entry)| (column, entry))
-            .collect()
-    }
-
     /// All rows of A.
-    fn rows(&self) -> Vec<Vec<(usize, Expr)>> {
-        (0..self.derived.system.rows.len())
-            .map(|r| self.row(r))
-            .collect()
+    fn rows(&self) -> Rows {
+        rows(self.derived)
     }
 
     /// x ← M⁻¹ x.
@@ -170,25 +160,47 @@ impl Maker<'_> {
                 }
             }
         }
-        for (r, row) in rows.iter().enumerate() {
-            for (s, other) in rows.iter().enumerate().skip(r) {
-                let graph = lowering.graph();
-                let mut terms = Vec::new();
-                for &(i, a) in row {
-                    for &(j, b) in other.iter().filter(|&&(j, _)| inverse.couples(i, j)) {
-                        let m = inverse.entry(graph, i, j);
-                        terms.push(graph.product(&[(m, 1), (a, 1), (b, 1)]));
-                    }
-                }
-                let value = graph.sum(terms);
-                lowering.output("gram", Place::Entry(r, s), value);
-                if s > r {
-                    lowering.output("gram", Place::Entry(s, r), value);
-                }
+        for ((r, s), value) in gram(lowering.graph(), inverse, &rows) {
+            lowering.output("gram", Place::Entry(r, s), value);
+            if s > r {
+                lowering.output("gram", Place::Entry(s, r), value);
             }
         }
         lowering.finish("metric")
     }
+}
+
+/// The rows of A, each as its entries: (column, entry).
+pub(super) type Rows = Vec<Vec<(usize, Expr)>>;
+
+/// The rows of A.
+pub(super) fn rows(derived: &Derived) -> Rows {
+    let entries = |r: usize| derived.jacobian.range((r, 0)..(r + 1, 0));
+    (0..derived.system.rows.len())
+        .map(|r| entries(r).map(|(&(_, j), &entry)| (j, entry)).collect())
+        .collect()
+}
+
+/// S = A M⁻¹Aᵀ straight from q, on and above its diagonal.
+pub(super) fn gram(
+    graph: &mut Graph,
+    inverse: &InverseMass,
+    rows: &Rows,
+) -> Vec<((usize, usize), Expr)> {
+    let mut entries = Vec::new();
+    for (r, row) in rows.iter().enumerate() {
+        for (s, other) in rows.iter().enumerate().skip(r) {
+            let mut terms = Vec::new();
+            for &(i, a) in row {
+                for &(j, b) in other.iter().filter(|&&(j, _)| inverse.couples(i, j)) {
+                    let m = inverse.entry(graph, i, j);
+                    terms.push(graph.product(&[(m, 1), (a, 1), (b, 1)]));
+                }
+            }
+            entries.push(((r, s), graph.sum(terms)));
+        }
+    }
+    entries
 }
 
 /// Σ (M⁻¹)_ij · symbol over (j, symbol).

@@ -103,7 +103,24 @@ impl<'a> Lowering<'a> {
     /// Adds an output.
     pub(super) fn output(&mut self, sink: &'static str, place: Place, expr: Expr) {
         let value = self.operand(expr);
+        self.write(sink, place, value);
+    }
+
+    /// Writes a value that was computed here.
+    pub(super) fn write(&mut self, sink: &'static str, place: Place, value: Operand) {
         self.outputs.push(Output { sink, place, value });
+    }
+
+    /// From now on `expr` stands for a value that was computed here.
+    pub(super) fn bind(&mut self, expr: Expr, value: Operand) {
+        self.done.insert(expr, value);
+    }
+
+    /// Suggests a name for a value that was computed here.
+    pub(super) fn name(&mut self, value: Operand, name: impl FnOnce() -> String) {
+        if let Operand::Value(slot) = value {
+            self.names[slot].get_or_insert_with(name);
+        }
     }
 
     /// The function.
@@ -121,7 +138,8 @@ impl<'a> Lowering<'a> {
         }
     }
 
-    fn operand(&mut self, expr: Expr) -> Operand {
+    /// The value of an expression.
+    pub(super) fn operand(&mut self, expr: Expr) -> Operand {
         if let Some(&known) = self.done.get(&expr) {
             return known;
         }
@@ -364,7 +382,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Makes an operation, unless the function has it already.
-    fn push(&mut self, operation: Operation) -> Operand {
+    pub(super) fn push(&mut self, operation: Operation) -> Operand {
         let operation = match operation {
             // One order for commuting operands, so that a b and b a are one.
             Operation::Add(a, b) if rank(b) < rank(a) => Operation::Add(b, a),

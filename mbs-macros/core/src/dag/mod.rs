@@ -4,12 +4,15 @@
 //! binary operations, shared across all outputs of a function. AFTER THIS STAGE: every operation that will run is an
 //! [`Operation`], counted.
 
+mod accelerations;
 mod cost;
+mod elimination;
 mod functions;
 mod kernels;
 mod lower;
 mod reciprocals;
 mod run;
+mod sparse;
 mod text;
 
 use crate::symbolic::{Function as Elementary, Number, Symbol};
@@ -17,6 +20,7 @@ use crate::symbolic::{Function as Elementary, Number, Symbol};
 pub use cost::Cost;
 pub use functions::lower;
 pub use run::Run;
+pub use sparse::{Elimination, Sparse, Stretch};
 
 /// All generated functions of a mechanism.
 #[derive(Debug)]
@@ -47,6 +51,8 @@ pub struct Program {
     pub reactions: Vec<(String, String, String)>,
     /// What the integrator may rely on.
     pub structure: Structure,
+    /// Elimination without zeros, where that is the cheaper.
+    pub sparse: Option<Sparse>,
 }
 
 /// A rotation: a unit quaternion and three angular velocities in body axes.
@@ -167,6 +173,8 @@ pub enum Operation {
     Divide(Operand, Operand),
     /// −a
     Negate(Operand),
+    /// 1/d of a pivot d that began as the second operand, a positive diagonal entry; 0 where d is round-off beside it.
+    PivotInverse(Operand, Operand),
     /// An elementary function.
     Call(Elementary, Operand),
     /// atan2(y, x)
@@ -188,6 +196,9 @@ impl Operation {
             Operation::Multiply(a, b) => Operation::Multiply(map(*a), map(*b)),
             Operation::Divide(a, b) => Operation::Divide(map(*a), map(*b)),
             Operation::Negate(a) => Operation::Negate(map(*a)),
+            Operation::PivotInverse(pivot, whole) => {
+                Operation::PivotInverse(map(*pivot), map(*whole))
+            }
             Operation::Call(function, a) => Operation::Call(*function, map(*a)),
             Operation::Atan2(y, x) => Operation::Atan2(map(*y), map(*x)),
             Operation::Power(a, exponent) => Operation::Power(map(*a), *exponent),
@@ -208,6 +219,7 @@ impl Operation {
             | Operation::Subtract(a, b)
             | Operation::Multiply(a, b)
             | Operation::Divide(a, b)
+            | Operation::PivotInverse(a, b)
             | Operation::Atan2(a, b) => {
                 visit(*a);
                 visit(*b);

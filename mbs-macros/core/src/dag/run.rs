@@ -3,6 +3,9 @@
 use super::{Function, Operand, Operation, Output};
 use crate::symbolic::{LawEvaluation, Symbol};
 
+/// A pivot below this part of what it began with is round-off; the same number as in `mbs_runtime::generated`.
+const ROUND_OFF: f64 = 1e-12;
+
 /// Runs functions for given symbols and constants.
 pub struct Run<'a> {
     /// The value of each symbol.
@@ -26,6 +29,14 @@ impl Run<'_> {
                 Operation::Multiply(a, b) => get(a) * get(b),
                 Operation::Divide(a, b) => get(a) / get(b),
                 Operation::Negate(a) => -get(a),
+                Operation::PivotInverse(pivot, whole) => {
+                    let pivot = get(pivot);
+                    if pivot > ROUND_OFF * get(whole) {
+                        1.0 / pivot
+                    } else {
+                        0.0
+                    }
+                }
                 Operation::Call(function, a) => function.evaluate(get(a)),
                 Operation::Atan2(y, x) => get(y).atan2(get(x)),
                 Operation::Power(a, exponent) => get(a).powf(exponent.value()),

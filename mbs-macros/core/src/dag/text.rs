@@ -36,6 +36,9 @@ impl Function {
                 Operation::Divide(a, b) => format!("{} / {}", name(a), name(b)),
                 Operation::Negate(a) => format!("-{}", name(a)),
                 Operation::Call(function, a) => format!("{}({})", function.name(), name(a)),
+                Operation::PivotInverse(pivot, whole) => {
+                    format!("pivot_inverse({}, {})", name(pivot), name(whole))
+                }
                 Operation::Atan2(y, x) => format!("atan2({}, {})", name(y), name(x)),
                 Operation::Power(a, exponent) => format!("{}^{}", name(a), exponent.value()),
                 Operation::Law(law, arguments) => {

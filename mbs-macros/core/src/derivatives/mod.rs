@@ -61,6 +61,8 @@ pub struct Derived {
     pub momentum_by_position: Matrix,
     /// M⁻¹ f, where M is constant and forces do not depend on velocities.
     pub acceleration: Option<Vec<Expr>>,
+    /// Rows that follow from others at generic poses: [`crate::mobility`] finds them.
+    pub redundant: Vec<usize>,
 }
 
 /// Derives everything, once.
@@ -138,6 +140,7 @@ pub fn derive(mut system: System) -> Derived {
         total_by_velocity,
         momentum_by_position,
         acceleration,
+        redundant: Vec::new(),
         system,
     }
 }

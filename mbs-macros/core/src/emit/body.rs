@@ -200,6 +200,14 @@ impl<'a> Body<'a> {
                 format!("-{}", self.operand(*a, Precedence::Unary)),
                 Precedence::Unary,
             ),
+            Operation::PivotInverse(pivot, whole) => {
+                let whole = self.operand(*whole, Precedence::Sum);
+                let pivot = self.operand(*pivot, Precedence::Sum);
+                (
+                    format!("::mbs_runtime::generated::pivot_inverse({pivot}, {whole})"),
+                    Precedence::Atom,
+                )
+            }
             Operation::Call(function, a) => (self.call(*function, *a), Precedence::Atom),
             Operation::Atan2(y, x) => {
                 let x = self.operand(*x, Precedence::Sum);

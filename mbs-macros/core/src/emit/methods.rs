@@ -1,7 +1,7 @@
 //! The methods of `System`: one for each function of the program.
 
 use super::body::Body;
-use super::motion;
+use super::{motion, sparse};
 use crate::dag::{Function, Program};
 use crate::symbolic::Graph;
 use std::fmt::Write;
@@ -110,6 +110,11 @@ const METHODS: &[(&str, &str, Ending)] = &[
         Ending::Slice("reactions"),
     ),
     (
+        "accelerations",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], correction: &[f64; R], acceleration: &mut [f64; N], lambda: &mut [f64; R]) -> bool",
+        Ending::Available,
+    ),
+    (
         "metric",
         "(&self, mass: &Self::Mass, t: f64, q: &[f64; Q], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
         Ending::Writes,
@@ -175,6 +180,8 @@ enum Ending {
     Slice(&'static str),
     /// The same for points.
     Points,
+    /// Writes, and tells that there was something to write.
+    Available,
 }
 
 /// A signature with the sizes of the program.
@@ -240,6 +247,7 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
             );
         }
     }
+    sparse::methods(&mut out, graph, program);
     for kernel in KERNELS {
         let (name, signature) = (kernel.name, sized(kernel.signature, program));
         if let Some(function) = find(name) {
@@ -279,6 +287,7 @@ fn method(out: &mut String, graph: &Graph, function: &Function, signature: &str,
     };
     let end = match ending {
         Ending::Writes => body.writes(),
+        Ending::Available => body.writes() + "true",
         Ending::Slice(_) | Ending::Points if function.outputs.is_empty() => String::new(),
         Ending::Slice(slice) => copy(slice, body.values().join(", ")),
         Ending::Points => {

@@ -17,6 +17,7 @@ const TAKEN: &[&str] = &[
     "x",
     "phi",
     "gamma",
+    "correction",
     "lambda",
     "acceleration",
     "mass",

@@ -6,40 +6,21 @@ use crate::model::Model;
 use crate::symbolic::{Graph, Symbol};
 use std::collections::BTreeSet;
 
-/// Takes the idle rows out of the joints' equations. Their multipliers are zero: what such a row could transmit is counted
-/// with the joints that are coordinates.
-pub(super) fn split(
-    graph: &Graph,
-    model: &Model,
-    joints: Vec<(String, JointEquations)>,
-) -> (Vec<(String, JointEquations)>, Vec<Idle>) {
+/// The idle rows of all joints.
+pub(super) fn rows(graph: &Graph, model: &Model, joints: &[(String, JointEquations)]) -> Vec<Idle> {
     let mut idle = Vec::new();
-    let split = joints.into_iter().map(|(entry, mut equations)| {
-        let mut kept: Vec<Option<usize>> = Vec::new();
-        let mut rows = Vec::new();
-        for (slot, row) in equations.rows.into_iter().enumerate() {
-            if !model.idle.contains(&(entry.clone(), slot)) {
-                kept.push(Some(rows.len()));
-                rows.push(row);
-                continue;
+    for (entry, equations) in joints {
+        for (slot, row) in equations.rows.iter().enumerate() {
+            if model.idle.contains(&(entry.clone(), slot)) {
+                idle.push(Idle {
+                    name: row.name(entry),
+                    entry: entry.clone(),
+                    follows_from: between(model, graph.symbols([row.expr])),
+                });
             }
-            kept.push(None);
-            idle.push(Idle {
-                name: row.name(&entry),
-                entry: entry.clone(),
-                follows_from: between(model, graph.symbols([row.expr])),
-            });
         }
-        equations.rows = rows;
-        for component in &mut equations.reactions {
-            let terms = component.terms.iter();
-            component.terms = terms
-                .filter_map(|&(row, coefficient)| Some((kept[row]?, coefficient)))
-                .collect();
-        }
-        (entry, equations)
-    });
-    (split.collect(), idle)
+    }
+    idle
 }
 
 /// The joints of the tree between the parts that an expression in local coordinates is about.

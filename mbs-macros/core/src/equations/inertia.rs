@@ -1,7 +1,7 @@
 //! Mass matrices: of each part in its own coordinates, and of the mechanism.
 
 use crate::model::{Model, Part, Representation, Vector};
-use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Entries of the parts' own mass matrices (both triangles), summed over parts.
@@ -124,7 +124,8 @@ fn add(graph: &mut Graph, mass: &mut LocalMass, slot: (u32, u32), value: Expr) {
     mass.insert(slot, sum);
 }
 
-/// The upper triangle of M: entries of coordinates that the reduction merged add up; those of constants drop out.
+/// The upper triangle of M: entries of coordinates that the reduction merged add up, those of constants drop out, and
+/// those of coordinates that follow from others count with their slopes.
 pub(super) fn global_mass(
     graph: &mut Graph,
     reduction: &mut Substitution,
@@ -132,18 +133,13 @@ pub(super) fn global_mass(
 ) -> BTreeMap<(usize, usize), Expr> {
     let mut terms: BTreeMap<(usize, usize), Vec<Expr>> = BTreeMap::new();
     for (&(i, k), &value) in local {
-        let index = |local| match reduction
-            .get(Symbol::LocalPosition(local))
-            .map(|expr| graph.node(expr))
-        {
-            Some(Node::Symbol(Symbol::Coordinate(index))) => Some(*index as usize),
-            _ => None,
-        };
-        if let (Some(row), Some(column)) = (index(i), index(k))
-            && row <= column
-        {
-            let value = graph.substitute(value, reduction);
-            terms.entry((row, column)).or_default().push(value);
+        let [rows, columns] = [i, k].map(|local| slopes(graph, reduction, local));
+        let value = graph.substitute(value, reduction);
+        for &(row, by_row) in &rows {
+            for &(column, by_column) in columns.iter().filter(|(column, _)| row <= *column) {
+                let value = graph.product(&[(value, 1), (by_row, 1), (by_column, 1)]);
+                terms.entry((row, column)).or_default().push(value);
+            }
         }
     }
     let entries: Vec<_> = terms
@@ -154,6 +150,19 @@ pub(super) fn global_mass(
         .into_iter()
         .filter(|&(_, value)| !graph.is_zero(value))
         .collect()
+}
+
+/// The generalized velocities on which that of a local coordinate depends, with its slopes.
+fn slopes(graph: &mut Graph, reduction: &Substitution, local: u32) -> Vec<(usize, Expr)> {
+    let Some(rate) = reduction.get(Symbol::LocalVelocity(local)) else {
+        return Vec::new();
+    };
+    let symbols = graph.symbols([rate]).into_iter();
+    let velocities = symbols.filter_map(|symbol| match symbol {
+        Symbol::Velocity(index) => Some((index as usize, graph.derivative(rate, symbol))),
+        _ => None,
+    });
+    velocities.collect()
 }
 
 /// T, where a tree carries parts: ½ (m v·v + ω·Jω) of each, and ½ ṡ·M ṡ of the parts beside it.

@@ -9,7 +9,7 @@ mod inertia;
 pub mod joints;
 mod reactions;
 
-use crate::model::{Dimension, Layout, Model, Vector};
+use crate::model::{Dimension, Layout, Model, Solved, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use forces::Load;
 pub use inertia::Kinetic;
@@ -141,13 +141,15 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(name, joint)| (name.clone(), joint.equations(&mut graph)))
         .collect();
-    let (joints, idle) = idle::split(&graph, model, joints);
-    let rows = rows(&mut graph, &mut reduction, &joints);
+    let idle = idle::rows(&graph, model, &joints);
+    let rows = rows(&mut graph, &mut reduction, &joints, model);
+    let solved = solved_rows(&joints, &model.solved);
     let balance = reactions::Balance {
         inertia: &inertia,
         potential,
         loads: &loads,
         rows: &rows,
+        solved: &solved,
         model,
     };
     let reactions = reactions::derive(&mut graph, &mut reduction, &joints, &model.merged, &balance);
@@ -269,16 +271,37 @@ fn power(graph: &mut Graph, loads: &[Load]) -> Expr {
     graph.sum(terms)
 }
 
-/// All rows, holonomic ones first, each in local and in generalized coordinates.
+/// What becomes of a row of a joint.
+enum Fate {
+    Stays,
+    /// It is zero in every pose, and left out.
+    Idle,
+    /// It was solved, as which one.
+    Solved(usize),
+}
+
+fn fate(model: &Model, entry: &str, slot: usize) -> Fate {
+    match model.solved.position(entry, slot) {
+        Some(position) => Fate::Solved(position),
+        None if model.idle.contains(&(entry.to_owned(), slot)) => Fate::Idle,
+        None => Fate::Stays,
+    }
+}
+
+/// All rows that stay, holonomic ones first, each in local and in generalized coordinates.
 fn rows(
     graph: &mut Graph,
     reduction: &mut Substitution,
     joints: &[(String, JointEquations)],
+    model: &Model,
 ) -> Vec<Row> {
     let mut list = Vec::new();
     for level in [Level::Position, Level::Velocity] {
         for (entry, equations) in joints {
-            for row in equations.rows.iter().filter(|row| row.level == level) {
+            for (slot, row) in equations.rows.iter().enumerate() {
+                if row.level != level || !matches!(fate(model, entry, slot), Fate::Stays) {
+                    continue;
+                }
                 let expr = graph.substitute(row.expr, reduction);
                 let kind = match level {
                     Level::Velocity => RowKind::Nonholonomic,
@@ -311,16 +334,39 @@ fn unit_of(dimension: Option<Dimension>, level: Level) -> String {
     }
 }
 
-/// The index of each row of each joint in the list of all rows: (joint, its row) → row.
-fn row_indices(joints: &[(String, JointEquations)]) -> BTreeMap<(usize, usize), u32> {
+/// The rows that were solved, in local coordinates.
+fn solved_rows(joints: &[(String, JointEquations)], solved: &Solved) -> Vec<Expr> {
+    let rows = solved.rows.iter().filter_map(|(joint, slot)| {
+        let (_, equations) = joints.iter().find(|(name, _)| name == joint)?;
+        Some(equations.rows.get(*slot)?.expr)
+    });
+    rows.collect()
+}
+
+/// The multiplier of each row of each joint, (joint, its row): the index among all rows, and after them among those that
+/// were solved. One that is left out has none: what it could transmit is counted with the joints that are coordinates.
+fn multipliers(
+    joints: &[(String, JointEquations)],
+    model: &Model,
+    rows: usize,
+) -> BTreeMap<(usize, usize), u32> {
     let mut indices = BTreeMap::new();
+    let mut next = 0;
     for level in [Level::Position, Level::Velocity] {
-        for (joint, (_, equations)) in joints.iter().enumerate() {
+        for (joint, (name, equations)) in joints.iter().enumerate() {
             for (slot, row) in equations.rows.iter().enumerate() {
-                if row.level == level {
-                    let next = indices.len() as u32;
-                    indices.insert((joint, slot), next);
+                if row.level != level {
+                    continue;
                 }
+                let index = match fate(model, name, slot) {
+                    Fate::Solved(position) => rows + position,
+                    Fate::Idle => continue,
+                    Fate::Stays => {
+                        next += 1;
+                        next - 1
+                    }
+                };
+                indices.insert((joint, slot), index as u32);
             }
         }
     }

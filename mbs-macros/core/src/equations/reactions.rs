@@ -2,12 +2,13 @@
 //!
 //! A joint with rows transmits what its multipliers say. A joint that the reduction dissolved has no multiplier; what it
 //! transmits is what the ends on the child's side need from their surroundings: inertia minus everything else that acts
-//! on them, taken in the parts' own coordinates, where the ends are still apart.
+//! on them, taken in the parts' own coordinates, where the ends are still apart. The multiplier of a row that was solved
+//! is what the coordinate needs that followed from it.
 
 use super::forces::Load;
 use super::inertia::{LocalMass, center_of};
 use super::joints::JointEquations;
-use super::{Reaction, Row, row_indices};
+use super::{Reaction, Row, multipliers};
 use crate::model::{Dimension, MergedJoint, Model, Part, Representation, TreeJoint, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 
@@ -17,14 +18,32 @@ pub(super) struct Balance<'a> {
     pub potential: Expr,
     pub loads: &'a [Load],
     pub rows: &'a [Row],
+    /// Rows that were solved, in local coordinates.
+    pub solved: &'a [Expr],
     pub model: &'a Model,
 }
 
 impl Balance<'_> {
-    /// The force that local coordinate `local` needs from joints: M s̈ + ∂V/∂s − Q − Aᵀλ. (The ends of parts have
-    /// constant mass, so that no velocity terms occur.)
+    /// The force that local coordinate `local` needs from joints without rows: M s̈ + ∂V/∂s − Q − Aᵀλ.
     fn needed(&self, graph: &mut Graph, local: u32) -> Expr {
-        let mut terms = Vec::new();
+        let mut terms = vec![self.unsolved(graph, local)];
+        for (index, &row) in self.solved.iter().enumerate() {
+            let slope = graph.derivative(row, Symbol::LocalPosition(local));
+            let multiplier = graph.symbol(self.multiplier(index));
+            let force = graph.mul(slope, multiplier);
+            terms.push(graph.neg(force));
+        }
+        graph.sum(terms)
+    }
+
+    /// The multiplier of a row that was solved: it is counted after those of all other rows.
+    fn multiplier(&self, solved: usize) -> Symbol {
+        Symbol::Multiplier((self.rows.len() + solved) as u32)
+    }
+
+    /// The same, and what it needs from rows that were solved.
+    fn unsolved(&self, graph: &mut Graph, local: u32) -> Expr {
+        let mut terms = vec![self.convective(graph, local)];
         for (&(_, other), &mass) in self.inertia.range((local, 0)..=(local, u32::MAX)) {
             let acceleration = graph.symbol(Symbol::LocalAcceleration(other));
             terms.push(graph.mul(mass, acceleration));
@@ -49,6 +68,81 @@ impl Balance<'_> {
         graph.sum(terms)
     }
 
+    /// Ṁ ṡ − ∂T/∂s, where mass depends on position.
+    fn convective(&self, graph: &mut Graph, local: u32) -> Expr {
+        let speed = |graph: &mut Graph, local| graph.symbol(Symbol::LocalVelocity(local));
+        let mut terms = Vec::new();
+        for (&(i, j), &mass) in self.inertia {
+            let slope = graph.derivative(mass, Symbol::LocalPosition(local));
+            if !graph.is_zero(slope) {
+                let speeds = [i, j].map(|local| speed(graph, local));
+                let square = graph.mul(speeds[0], speeds[1]);
+                let energy = graph.mul(slope, square);
+                terms.push(graph.scale(-0.5, energy));
+            }
+            if i == local {
+                let (rate, speed) = (graph.rate(mass), speed(graph, j));
+                terms.push(graph.mul(rate, speed));
+            }
+        }
+        graph.sum(terms)
+    }
+
+    /// ω × J ω of a part that turns in space, in its axes.
+    fn turning(&self, graph: &mut Graph, part: &Part, first: u32) -> Vector {
+        let omega = [0, 1, 2].map(|k| graph.symbol(Symbol::LocalVelocity(first + k)));
+        let spin = part.inertia.map(|row| graph.dot(row, omega));
+        graph.cross(omega, spin)
+    }
+
+    /// The multipliers of the rows that were solved: of what the coordinates need that followed from them, as much as each
+    /// row moves them by.
+    fn recovered(&self, graph: &mut Graph) -> Vec<Expr> {
+        let coordinates = &self.model.solved.coordinates;
+        let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); coordinates.len()];
+        for coordinate in coordinates {
+            let needed = self.needed_along(graph, coordinate.local);
+            for (row, terms) in sums.iter_mut().enumerate() {
+                let residual = Symbol::Multiplier(row as u32);
+                if let Some(&answer) = coordinate.value.terms.get(&residual) {
+                    terms.push(graph.mul(answer, needed));
+                }
+            }
+        }
+        sums.into_iter().map(|terms| graph.sum(terms)).collect()
+    }
+
+    /// What all that moved with a coordinate, before it followed from others, needs from the rows that were solved.
+    fn needed_along(&self, graph: &mut Graph, coordinate: u32) -> Expr {
+        let along = Symbol::LocalVelocity(coordinate);
+        let mut terms = Vec::new();
+        for part in &self.model.parts {
+            let turning = part.rotation().map(|first| {
+                let turning = self.turning(graph, part, first);
+                (first, turning)
+            });
+            for &local in &part.locals {
+                let own = Symbol::LocalVelocity(local);
+                let rate = match self.model.solved.merged.get(own) {
+                    Some(rate) => rate,
+                    None => graph.symbol(own),
+                };
+                let slope = graph.derivative(rate, along);
+                if graph.is_zero(slope) {
+                    continue;
+                }
+                let mut needed = self.unsolved(graph, local);
+                if let Some((first, turning)) = turning
+                    && local >= first
+                {
+                    needed = graph.add(needed, turning[(local - first) as usize]);
+                }
+                terms.push(graph.mul(slope, needed));
+            }
+        }
+        graph.sum(terms)
+    }
+
     /// Force and torque about a point that a part needs from joints, in the ground's axes.
     fn wrench(&self, graph: &mut Graph, part: &Part, about: Vector) -> [Vector; 2] {
         let zero = graph.zero();
@@ -63,9 +157,7 @@ impl Balance<'_> {
             (Some(first), _) => {
                 let own = [0, 1, 2].map(|k| self.needed(graph, first + k));
                 // … and ω × J ω, because the axes turn.
-                let omega = [0, 1, 2].map(|k| graph.symbol(Symbol::LocalVelocity(first + k)));
-                let spin = part.inertia.map(|row| graph.dot(row, omega));
-                let turning = graph.cross(omega, spin);
+                let turning = self.turning(graph, part, first);
                 let own = graph.vector_add(own, turning);
                 graph.turn(&part.frame.axes, own)
             }
@@ -123,6 +215,10 @@ pub(super) fn derive(
     balance: &Balance,
 ) -> Vec<Reaction> {
     let dimension = balance.model.world.dimension();
+    for (index, multiplier) in balance.recovered(graph).into_iter().enumerate() {
+        let multiplier = graph.substitute(multiplier, reduction);
+        reduction.insert(balance.multiplier(index), multiplier);
+    }
     let mut reactions = Vec::new();
     for joint in merged {
         // The child's side, or the parent's side with the opposite sign where the child is held by the ground.
@@ -150,7 +246,7 @@ pub(super) fn derive(
     for joint in &balance.model.tree.joints {
         reactions.extend(tree_reactions(graph, reduction, balance, joint));
     }
-    let indices = row_indices(joints);
+    let indices = multipliers(joints, balance.model, balance.rows.len());
     for (joint, (name, equations)) in joints.iter().enumerate() {
         let several = |name: &str| {
             equations
@@ -164,9 +260,10 @@ pub(super) fn derive(
             let terms: Vec<Expr> = component
                 .terms
                 .iter()
-                .map(|&(row, coefficient)| {
-                    let multiplier = graph.symbol(Symbol::Multiplier(indices[&(joint, row)]));
-                    graph.mul(coefficient, multiplier)
+                .filter_map(|&(row, coefficient)| {
+                    let index = indices.get(&(joint, row))?;
+                    let multiplier = graph.symbol(Symbol::Multiplier(*index));
+                    Some(graph.mul(coefficient, multiplier))
                 })
                 .collect();
             let sum = graph.sum(terms);

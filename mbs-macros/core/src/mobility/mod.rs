@@ -40,6 +40,8 @@ pub struct Mobility {
     pub mobility: usize,
     /// Rows that follow from others.
     pub redundant: Vec<Redundancy>,
+    /// Those of them that are not left out.
+    pub dependent: Vec<usize>,
     /// Joints whose reactions the redundancy leaves open: those that have a multiplier of a redundant row, or of one that
     /// it follows from.
     pub undetermined: Vec<String>,
@@ -75,6 +77,7 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
             rank: 0,
             mobility: system.size,
             redundant,
+            dependent: Vec::new(),
             undetermined: undetermined(system, &[]),
             integrable: Vec::new(),
         }));
@@ -113,6 +116,7 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
         rank,
         mobility: system.size.saturating_sub(rank),
         redundant,
+        dependent: rows.dependent.iter().map(|(row, _)| *row).collect(),
         undetermined: undetermined(system, &open),
         integrable: integrability::integrable(&numbers, &poses),
     }))

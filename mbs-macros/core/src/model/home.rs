@@ -1,5 +1,6 @@
 //! The home pose: where the declaration puts spatial parts. The motion starts there, and joints are given there.
 
+use super::Quantity;
 use super::elements::JointElement;
 use super::geometry::{Axes, Owner, Point, Vector};
 use super::parts::{Home, Part, Representation};
@@ -31,21 +32,7 @@ impl Resolver<'_> {
 
     /// Zero, where an expression of parameters is zero but for rounding, whatever their values.
     fn settled(&mut self, expr: Expr) -> Expr {
-        let vanishes =
-            [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)]
-                .into_iter()
-                .all(|(factor, shift)| {
-                    let symbols = |symbol| match symbol {
-                        Symbol::Parameter(index) => {
-                            factor * self.parameters[index as usize].default + shift
-                        }
-                        _ => f64::NAN,
-                    };
-                    let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
-                    let value = Evaluator::new(&self.graph, &symbols, &laws).value(expr);
-                    value.abs() < 1e-12
-                });
-        match vanishes {
+        match vanishes(&self.graph, &self.parameters, expr, 1e-12) {
             true => self.graph.zero(),
             false => expr,
         }
@@ -53,12 +40,7 @@ impl Resolver<'_> {
 
     /// The value with the defaults of all parameters; NaN if it depends on anything else.
     pub(super) fn by_default(&self, expr: Expr) -> f64 {
-        let symbols = |symbol| match symbol {
-            Symbol::Parameter(index) => self.parameters[index as usize].default,
-            _ => f64::NAN,
-        };
-        let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
-        Evaluator::new(&self.graph, &symbols, &laws).value(expr)
+        by_default(&self.graph, &self.parameters, expr)
     }
 
     /// The value of an expression in local coordinates in the home pose, with the defaults of all parameters, at t = 0.
@@ -87,6 +69,31 @@ impl Resolver<'_> {
         let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
         Evaluator::new(&self.graph, &symbols, &laws).value(expr)
     }
+}
+
+/// The value with the defaults of all parameters; NaN if it depends on anything else.
+pub(super) fn by_default(graph: &Graph, parameters: &[Quantity], expr: Expr) -> f64 {
+    at_parameters(graph, expr, |index| parameters[index].default)
+}
+
+/// Whether an expression of parameters is zero but for rounding, whatever their values.
+pub(super) fn vanishes(graph: &Graph, parameters: &[Quantity], expr: Expr, rounding: f64) -> bool {
+    let samples = [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)];
+    samples.into_iter().all(|(factor, shift)| {
+        let value = at_parameters(graph, expr, |index| {
+            factor * parameters[index].default + shift
+        });
+        value.abs() < rounding
+    })
+}
+
+fn at_parameters(graph: &Graph, expr: Expr, parameter: impl Fn(usize) -> f64) -> f64 {
+    let symbols = |symbol| match symbol {
+        Symbol::Parameter(index) => parameter(index as usize),
+        _ => f64::NAN,
+    };
+    let laws = |_, arguments: &[f64]| (f64::NAN, vec![f64::NAN; arguments.len()]);
+    Evaluator::new(graph, &symbols, &laws).value(expr)
 }
 
 /// The home pose as initial guess. Velocities that were not declared are carried along the joints from the ground

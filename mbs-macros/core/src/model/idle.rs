@@ -43,6 +43,9 @@ pub(super) fn rows(
         }
         let rows = joint.joint.equations(&mut resolver.graph).rows;
         for (slot, row) in rows.iter().enumerate() {
+            if reduction.solved.position(&joint.name, slot).is_some() {
+                continue;
+            }
             let expr = resolver
                 .graph
                 .substitute(row.expr, &mut reduction.substitution);

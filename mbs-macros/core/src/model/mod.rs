@@ -22,6 +22,7 @@ mod parts;
 mod placement;
 mod reduce;
 mod resolve;
+mod solved;
 mod tree;
 mod turning;
 mod value;
@@ -42,6 +43,7 @@ pub use layout::{Layout, Rotation, Stored};
 pub use parts::{Part, Representation, Shape, Tensor};
 pub use reduce::MergedJoint;
 pub use resolve::resolve;
+pub use solved::{Solved, SolvedCoordinate};
 pub use tree::{Link, Motion, Tree, TreeJoint};
 
 /// A mechanism with all names resolved.
@@ -85,6 +87,8 @@ pub struct Model {
     pub reduction: Substitution,
     /// Joints that the reduction dissolved.
     pub merged: Vec<MergedJoint>,
+    /// Rows that were solved for a coordinate.
+    pub solved: Solved,
     /// Joints that became coordinates.
     pub tree: Tree,
     /// Velocities of the parts that the tree carries.

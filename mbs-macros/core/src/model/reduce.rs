@@ -3,9 +3,11 @@
 use super::elements::JointElement;
 use super::geometry::{Owner, Point, Vector};
 use super::kinematics::Walk;
+use super::parts::Part;
 use super::resolve::Resolver;
+use super::solved::{self, Solved};
 use super::tree::{Motion, Tree};
-use crate::symbolic::{Expr, Graph, Node, Substitution, Symbol};
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
 /// A joint that left no row: its points were merged.
@@ -27,8 +29,10 @@ pub(super) struct Reduction {
     pub sentences: Vec<String>,
     /// Velocities of the parts that the tree carries.
     pub motions: Vec<Motion>,
+    /// Rows that were solved, and the coordinates that followed from them.
+    pub solved: Solved,
     /// Joints of the tree: they left no rows.
-    solved: Vec<String>,
+    carried: Vec<String>,
     /// Local coordinates that stay, in order: (local, name).
     kept: Vec<(u32, String)>,
 }
@@ -74,7 +78,8 @@ pub(super) fn reduce(
         merged: Vec::new(),
         sentences: Vec::new(),
         motions: Vec::new(),
-        solved: tree
+        solved: Solved::default(),
+        carried: tree
             .joints
             .iter()
             .map(|joint| joint.joint.clone())
@@ -99,7 +104,14 @@ pub(super) fn reduce(
             reduction.merged.push(sides(cluster, joint, joints));
         }
     }
-    substitute(resolver, &leaders, &fixed, tree, &mut reduction);
+    let merged = Merged {
+        leaders: &leaders,
+        fixed: &fixed,
+        tree,
+    };
+    let (by_leaders, free) = merged.by_leaders(resolver);
+    reduction.solved = solved::solve(resolver, joints, &mut reduction, by_leaders, free);
+    merged.by_coordinates(resolver, &mut reduction);
     Some(reduction)
 }
 
@@ -247,80 +259,127 @@ fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoin
     }
 }
 
-/// Replaces local coordinates by generalized ones (or constants).
-fn substitute(
-    resolver: &mut Resolver,
-    leaders: &BTreeMap<u32, u32>,
-    fixed: &BTreeMap<u32, Vector>,
-    tree: &Tree,
-    reduction: &mut Reduction,
-) {
-    let graph = &mut resolver.graph;
-    let zero = graph.zero();
-    let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
-    for (part_index, part) in resolver.parts.iter().enumerate() {
-        let rotation = part.rotation();
-        let dropped = tree.dropped(part_index, part);
-        for (slot, &local) in part.locals.iter().enumerate() {
-            if dropped.contains(&local) {
+/// What became of the local coordinates of points that are joined.
+struct Merged<'a> {
+    /// The first coordinate of each end, and that of the end that stands for it.
+    leaders: &'a BTreeMap<u32, u32>,
+    /// Ends that the ground holds.
+    fixed: &'a BTreeMap<u32, Vector>,
+    tree: &'a Tree,
+}
+
+/// A local coordinate after points were merged.
+enum Place {
+    Fixed(Expr),
+    /// As this local coordinate.
+    As(u32),
+}
+
+impl Merged<'_> {
+    /// All locals but those that the tree carries, each with its place.
+    fn places(&self, resolver: &Resolver) -> Vec<(u32, Place)> {
+        let mut places = Vec::new();
+        for (part_index, part) in resolver.parts.iter().enumerate() {
+            let dropped = self.tree.dropped(part_index, part);
+            for (slot, &local) in part.locals.iter().enumerate() {
+                if dropped.contains(&local) {
+                    continue;
+                }
+                let component = match part.representation.is_points() {
+                    true => slot % resolver.world.dimension(),
+                    false => 0,
+                };
+                let first = local - component as u32;
+                let leader = self.leaders.get(&first);
+                let place = match self.fixed.get(&first) {
+                    Some(place) => Place::Fixed(place[component]),
+                    None => Place::As(leader.map_or(local, |leader| leader + component as u32)),
+                };
+                places.push((local, place));
+            }
+        }
+        places.extend(self.tree.locals().map(|local| (local, Place::As(local))));
+        places
+    }
+
+    /// Local coordinates in terms of those that stand for them, and the number of the latter.
+    fn by_leaders(&self, resolver: &mut Resolver) -> (Substitution, usize) {
+        let mut substitution = Substitution::default();
+        let mut free = 0;
+        for (local, place) in self.places(resolver) {
+            let graph = &mut resolver.graph;
+            match place {
+                Place::As(leader) if leader == local => free += 1,
+                Place::As(leader) => set(
+                    &mut substitution,
+                    local,
+                    solved::local_symbols(leader).map(|symbol| graph.symbol(symbol)),
+                ),
+                Place::Fixed(place) => {
+                    let zero = graph.zero();
+                    set(&mut substitution, local, [place, zero, zero]);
+                }
+            }
+        }
+        self.walk(resolver, &mut substitution);
+        (substitution, free)
+    }
+
+    /// Local coordinates in terms of generalized ones.
+    fn by_coordinates(&self, resolver: &mut Resolver, reduction: &mut Reduction) {
+        let places = self.places(resolver);
+        let rotations: Vec<u32> = resolver.parts.iter().filter_map(Part::rotation).collect();
+        let graph = &mut resolver.graph;
+        let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
+        for (local, place) in &places {
+            let Place::As(leader) = *place else { continue };
+            if index_of.contains_key(&leader) || reduction.solved.value(leader).is_some() {
                 continue;
             }
-            let component = match part.representation.is_points() {
-                true => slot % resolver.world.dimension(),
-                false => 0,
-            };
-            let first = local - component as u32;
-            let set = |substitution: &mut Substitution, values: [Expr; 3]| {
-                substitution.insert(Symbol::LocalPosition(local), values[0]);
-                substitution.insert(Symbol::LocalVelocity(local), values[1]);
-                substitution.insert(Symbol::LocalAcceleration(local), values[2]);
-            };
-            if let Some(place) = fixed.get(&first) {
-                set(&mut reduction.substitution, [place[component], zero, zero]);
-                continue;
-            }
-            let leader = leaders
-                .get(&first)
-                .map_or(local, |leader| leader + component as u32);
             let name = &resolver.locals[leader as usize].name;
-            let index = *index_of
-                .entry(leader)
-                .or_insert_with(|| keep(graph, leader, name, &mut reduction.kept));
-            if rotation == Some(local) {
-                rotate(graph, local, index, &mut reduction.substitution);
+            let index = keep(graph, leader, name, &mut reduction.kept);
+            index_of.insert(leader, index);
+            if rotations.contains(local) {
+                rotate(graph, *local, index, &mut reduction.substitution);
             }
-            let symbols = [
+        }
+        let symbols = |local: u32| {
+            let index = index_of.get(&local).copied().unwrap_or_default();
+            [
                 Symbol::Coordinate(index),
                 Symbol::Velocity(index),
                 Symbol::Acceleration(index),
-            ];
-            let values = symbols.map(|symbol| graph.symbol(symbol));
-            set(&mut reduction.substitution, values);
+            ]
+        };
+        let zero = graph.zero();
+        for (local, place) in places {
+            let values = match place {
+                Place::Fixed(place) => [place, zero, zero],
+                Place::As(leader) => match reduction.solved.value(leader) {
+                    Some(value) => solved::combination(graph, value, symbols),
+                    None => symbols(leader).map(|symbol| graph.symbol(symbol)),
+                },
+            };
+            set(&mut reduction.substitution, local, values);
         }
+        reduction.motions = self.walk(resolver, &mut reduction.substitution);
     }
-    for local in tree.locals() {
-        let name = &resolver.locals[local as usize].name;
-        let index = keep(graph, local, name, &mut reduction.kept);
-        let pairs = [
-            (Symbol::LocalPosition(local), Symbol::Coordinate(index)),
-            (Symbol::LocalVelocity(local), Symbol::Velocity(index)),
-            (
-                Symbol::LocalAcceleration(local),
-                Symbol::Acceleration(index),
-            ),
-        ];
-        for (from, to) in pairs {
-            let value = graph.symbol(to);
-            reduction.substitution.insert(from, value);
-        }
+
+    fn walk(&self, resolver: &mut Resolver, substitution: &mut Substitution) -> Vec<Motion> {
+        let walk = Walk {
+            graph: &mut resolver.graph,
+            world: resolver.world,
+            parts: &resolver.parts,
+            substitution,
+        };
+        { walk }.run(self.tree)
     }
-    reduction.motions = Walk {
-        graph,
-        world: resolver.world,
-        parts: &resolver.parts,
-        substitution: &mut reduction.substitution,
+}
+
+fn set(substitution: &mut Substitution, local: u32, values: [Expr; 3]) {
+    for (symbol, value) in solved::local_symbols(local).into_iter().zip(values) {
+        substitution.insert(symbol, value);
     }
-    .run(tree);
 }
 
 /// A local that stays becomes the next generalized coordinate.
@@ -348,16 +407,18 @@ impl Reduction {
     /// Whether a joint left no row.
     pub(super) fn dissolved(&self, joint: &str) -> bool {
         self.merged.iter().any(|merged| merged.joint == joint)
-            || self.solved.iter().any(|solved| solved == joint)
+            || self.carried.iter().any(|carried| carried == joint)
     }
 
-    /// The generalized coordinate that a local one has become; `None` if it is held.
+    /// The generalized coordinate with which a local one moves; `None` if it is held, or moves with several.
     pub(super) fn coordinate_of(&self, graph: &Graph, local: u32) -> Option<u32> {
-        let value = self.substitution.get(Symbol::LocalPosition(local))?;
-        match graph.node(value) {
-            Node::Symbol(Symbol::Coordinate(index)) => Some(*index),
+        let value = self.substitution.get(Symbol::LocalPosition(local));
+        let symbols = graph.symbols(value).into_iter();
+        let mut indices = symbols.filter_map(|symbol| match symbol {
+            Symbol::Coordinate(index) => Some(index),
             _ => None,
-        }
+        });
+        indices.next().filter(|_| indices.next().is_none())
     }
 
     /// The local coordinates that stay, with their names.

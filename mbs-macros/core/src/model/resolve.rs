@@ -97,6 +97,7 @@ pub fn resolve(
         layout,
         reduction: reduction.substitution,
         merged: reduction.merged,
+        solved: reduction.solved,
         tree,
         motions: reduction.motions,
         formulation,

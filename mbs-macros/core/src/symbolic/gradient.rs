@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 impl Graph {
     /// ∂expr/∂symbol for all directions along which it changes (see [`Graph::directions`]): absent ones are zero.
     pub fn gradient(&mut self, expr: Expr) -> BTreeMap<Symbol, Expr> {
-        let order = self.inside(expr);
+        let order = self.inside([expr]);
         let mut adjoints: Map<Expr, Vec<Expr>> = Map::default();
         let one = self.one();
         adjoints.insert(expr, vec![one]);
@@ -41,12 +41,12 @@ impl Graph {
             .collect()
     }
 
-    /// The nodes of an expression, operands first.
-    fn inside(&self, expr: Expr) -> Vec<Expr> {
+    /// The nodes of some expressions, operands first.
+    pub(super) fn inside(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
         // Operands are made before what is made of them, so that the order of indices will do.
         let mut found = Vec::new();
         let mut seen: Map<Expr, ()> = Map::default();
-        let mut stack = vec![expr];
+        let mut stack: Vec<Expr> = roots.into_iter().collect();
         while let Some(next) = stack.pop() {
             if seen.insert(next, ()).is_none() {
                 found.push(next);
@@ -58,7 +58,7 @@ impl Graph {
     }
 
     /// The operands of a node with the derivatives of the node by each.
-    fn partials(&mut self, expr: Expr) -> Vec<(Expr, Expr)> {
+    pub(super) fn partials(&mut self, expr: Expr) -> Vec<(Expr, Expr)> {
         match self.node(expr).clone() {
             Node::Constant(_) | Node::Symbol(_) => Vec::new(),
             Node::Sum { terms, .. } => terms

@@ -4,6 +4,7 @@
 //! found by construction and every pass over a graph is linear in its size. Sums and products are kept in a canonical
 //! form (flat, sorted by index, coefficients collected), but **never expanded**: a product of sums stays one.
 
+mod affine;
 mod build;
 mod derivative;
 mod evaluate;
@@ -12,12 +13,14 @@ mod latex;
 mod map;
 mod number;
 mod print;
+mod rate;
 mod rotation;
 mod substitute;
 
 pub(crate) use map::Map;
 use map::Set;
 
+pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
 pub use number::Number;
@@ -72,6 +75,8 @@ pub enum Symbol {
     WeightedEntry(u32, u32),
     /// Entry of a vector argument.
     VectorEntry(u32),
+    /// What is added to a row at acceleration level.
+    Correction(u32),
 }
 
 impl Symbol {
@@ -219,6 +224,7 @@ impl Graph {
                 Symbol::RowEntry(i, j) => format!("a[{i}][{j}]"),
                 Symbol::WeightedEntry(i, j) => format!("w[{i}][{j}]"),
                 Symbol::VectorEntry(i) => format!("x[{i}]"),
+                Symbol::Correction(i) => format!("correction[{i}]"),
                 Symbol::Multiplier(i) => format!("lambda[{i}]"),
                 other => format!("{other:?}"),
             })

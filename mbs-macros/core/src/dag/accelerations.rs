@@ -1,0 +1,202 @@
+//! Accelerations and multipliers at an instant, in one straight-line function: what explicit integrators evaluate.
+//!
+//! ```text
+//! M v̇ + ṗ|_v = F + Aᵀλ        ṗ|_v: rate of the momentum at constant v
+//! A v̇ + γ + correction = 0
+//! S λ = −γ − correction − A M⁻¹ (F − ṗ|_v),   S = A M⁻¹ Aᵀ
+//! ```
+//!
+//! M (where it varies) and S are factored for their pattern, without exchanges. A row that follows from others gets no
+//! multiplier: they do what it asks, and v̇ is the same as with any other division of the work. Which rows do so at generic
+//! poses is known by now; beside a singular pose a row is passed over where its pivot, the square of its independence, is
+//! below 1e-12 of its length. (The intermediate states of an explicit step violate the rows a little, so that a row which is
+//! redundant on the constraints is not quite so there: its pivot alone would not tell.)
+
+use super::elimination::{Factor, Rank, Sparse, Upper};
+use super::kernels::{gram, rows};
+use super::lower::{Hoisted, Lowering};
+use super::{Function, Operand, Place};
+use crate::derivatives::{Derived, InverseMass};
+use crate::symbolic::{Expr, Graph, Symbol};
+
+/// Code longer than this costs more to compile than it gains.
+const LONGEST: usize = 4000;
+/// The same before it is made: eliminations of more rows than this are not tried.
+const LARGEST: usize = 16;
+
+/// The function; `None` where it would be long.
+pub(super) fn accelerations(
+    graph: &mut Graph,
+    hoisted: &mut Hoisted,
+    derived: &Derived,
+) -> Option<Function> {
+    let (size, rows) = (derived.system.size, derived.system.rows.len());
+    if size > LARGEST || rows > LARGEST {
+        return None;
+    }
+    let demand = demand(graph, derived);
+    let mut code = Lowering::new(graph, hoisted);
+    if derived.constant_mass {
+        with_inverse(&mut code, derived, &demand);
+    } else {
+        with_factor(&mut code, derived, &demand);
+    }
+    let function = code.finish("accelerations");
+    (function.operations.len() <= LONGEST).then_some(function)
+}
+
+/// F − ṗ|_v, and −γ − correction of each row.
+struct Demand {
+    forces: Vec<Expr>,
+    rows: Vec<Expr>,
+}
+
+fn demand(graph: &mut Graph, derived: &Derived) -> Demand {
+    let rates = graph.rates_at_constant_velocity(&derived.momentum);
+    let forces = derived
+        .total_forces
+        .iter()
+        .zip(rates)
+        .map(|(&force, rate)| graph.sub(force, rate))
+        .collect();
+    let rows = derived
+        .convective
+        .iter()
+        .enumerate()
+        .map(|(r, &gamma)| {
+            let correction = graph.symbol(Symbol::Correction(r as u32));
+            let demand = graph.add(gamma, correction);
+            graph.neg(demand)
+        })
+        .collect();
+    Demand { forces, rows }
+}
+
+/// M is constant: its inverse is known, and S comes straight from q.
+fn with_inverse(code: &mut Lowering, derived: &Derived, demand: &Demand) {
+    let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
+    let rows = rows(derived);
+    let free = inverse.apply(code.graph(), &demand.forces);
+    let count = rows.len();
+    let upper: Upper = gram(code.graph(), &inverse, &rows)
+        .into_iter()
+        .map(|(place, entry)| (place, code.operand(entry)))
+        .filter(|(_, entry)| *entry != Operand::number(0.0))
+        .collect();
+    let mut lambda = Sparse::new();
+    for (r, row) in rows.iter().enumerate() {
+        let graph = code.graph();
+        let terms: Vec<Expr> = row.iter().map(|&(j, a)| graph.mul(a, free[j])).collect();
+        let met = graph.sum(terms);
+        let missing = graph.sub(demand.rows[r], met);
+        lambda.insert(r, code.operand(missing));
+    }
+    solve(code, count, &derived.redundant, upper, &mut lambda);
+    for (&r, &value) in &lambda {
+        let symbol = code.graph().symbol(Symbol::Multiplier(r as u32));
+        code.bind(symbol, value);
+    }
+    let graph = code.graph();
+    let mut pushes = vec![Vec::new(); derived.system.size];
+    for (r, row) in rows.iter().enumerate() {
+        let lambda = graph.symbol(Symbol::Multiplier(r as u32));
+        for &(j, a) in row {
+            pushes[j].push(graph.mul(a, lambda));
+        }
+    }
+    let pushes: Vec<Expr> = pushes.into_iter().map(|terms| graph.sum(terms)).collect();
+    let pushed = inverse.apply(graph, &pushes);
+    for (i, (&free, pushed)) in free.iter().zip(pushed).enumerate() {
+        let value = code.graph().add(free, pushed);
+        code.output("acceleration", Place::Element(i), value);
+    }
+}
+
+/// M varies: it is factored, too. S = Σ y yᵀ/d with y = L⁻¹Aᵀ.
+fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
+    let (size, rows) = (derived.system.size, rows(derived));
+    let mass: Upper = derived
+        .system
+        .mass
+        .iter()
+        .map(|(&place, &entry)| (place, code.operand(entry)))
+        .collect();
+    let mass = Factor::new(code, size, mass, Rank::Full, "inertia");
+    let mut free: Sparse = demand
+        .forces
+        .iter()
+        .enumerate()
+        .map(|(i, &force)| (i, code.operand(force)))
+        .collect();
+    mass.forward(code, &mut free);
+    // y = L⁻¹ a and z = D⁻¹ y of each row.
+    let halves: Vec<[Sparse; 2]> = rows
+        .iter()
+        .map(|row| {
+            let mut half: Sparse = row.iter().map(|&(j, a)| (j, code.operand(a))).collect();
+            mass.forward(code, &mut half);
+            let mut scaled = half.clone();
+            mass.scale(code, &mut scaled);
+            [half, scaled]
+        })
+        .collect();
+    let mut upper = Upper::new();
+    let mut lambda = Sparse::new();
+    for (r, [_, scaled]) in halves.iter().enumerate() {
+        for (s, [other, _]) in halves.iter().enumerate().skip(r) {
+            if let Some(entry) = dot(code, scaled, other) {
+                upper.insert((r, s), entry);
+            }
+        }
+        let missing = code.operand(demand.rows[r]);
+        let met = dot(code, scaled, &free).unwrap_or(Operand::number(0.0));
+        lambda.insert(r, code.less(missing, met));
+    }
+    solve(code, halves.len(), &derived.redundant, upper, &mut lambda);
+    mass.scale(code, &mut free);
+    for (r, [_, scaled]) in halves.iter().enumerate() {
+        for (&k, &z) in scaled {
+            let push = code.times(z, lambda[&r]);
+            let place = free.entry(k).or_insert(Operand::number(0.0));
+            *place = code.plus(*place, push);
+        }
+    }
+    mass.backward(code, &mut free);
+    for (&i, &value) in &free {
+        code.write("acceleration", Place::Element(i), value);
+    }
+}
+
+/// λ ← S⁻¹ λ.
+fn solve(
+    code: &mut Lowering,
+    rows: usize,
+    redundant: &[usize],
+    mut upper: Upper,
+    lambda: &mut Sparse,
+) {
+    let kept = |row: &usize| !redundant.contains(row);
+    upper.retain(|(r, s), _| kept(r) && kept(s));
+    lambda.retain(|row, _| kept(row));
+    let factor = Factor::new(code, rows, upper, Rank::MayBeLost, "pivot");
+    factor.solve(code, lambda);
+    for r in 0..rows {
+        let value = *lambda.entry(r).or_insert(Operand::number(0.0));
+        code.name(value, || format!("lambda_{r}"));
+        code.write("lambda", Place::Element(r), value);
+    }
+}
+
+/// Σ x y; `None` where it is zero by structure.
+fn dot(code: &mut Lowering, x: &Sparse, y: &Sparse) -> Option<Operand> {
+    let mut total = None;
+    for (k, &a) in x {
+        let Some(&b) = y.get(k) else { continue };
+        let product = code.times(a, b);
+        total = Some(match total {
+            Some(sum) => code.plus(sum, product),
+            None => product,
+        });
+    }
+    total
+}

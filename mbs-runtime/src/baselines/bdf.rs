@@ -1,0 +1,294 @@
+//! Backward differentiation of the equations with position rows (index 3), of variable order and step: what commercial
+//! codes of multibody dynamics offer.
+//!
+//! ```text
+//! Σ_j α_j p_j = F₀ + A₀ᵀλ,   Σ_j α_j θ_j = v₀ (T(θ₀)⁻¹ v₀ for rotations),   φ(q₀) = 0        j = 0: the new instant
+//! ```
+//!
+//! with the differentiated Lagrange polynomial through the last instants, wherever they are (variable coefficients:
+//! Brayton, Gustavson, Hachtel, Proc. IEEE 60, 1972, 98–108). As in the stiff integrators of index 3 of such codes (Orlandea,
+//! Chace, Calahan, J. Eng. Ind. 99, 1977, 773–779; Negrut & Ortiz, ASME DETC 2005), the rows are scaled with the step in
+//! Newton's equations, and the error of positions alone is controlled: that of velocities and multipliers is of lower order.
+
+use super::bdf_history::{History, MOST_ORDER};
+use super::bench::Bench;
+use super::motion::{Motion, consistent};
+use super::saddle::Saddle;
+use crate::System;
+use crate::alf3f::Fault;
+use crate::flow::unroll;
+use crate::linear::{accumulate, dot, finite, largest};
+
+/// Settings of [`Method::Bdf`](crate::Method::Bdf).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BdfSettings {
+    /// Tolerance of the positions in a step, relative to the size of the mechanism (or to 1 m).
+    pub tolerance: f64,
+    /// Highest order, 1 to 5.
+    pub max_order: u8,
+}
+
+impl Default for BdfSettings {
+    fn default() -> Self {
+        BdfSettings {
+            tolerance: 1e-6,
+            max_order: MOST_ORDER as u8,
+        }
+    }
+}
+
+/// Newton's corrections of positions end below this fraction of the tolerance of a step.
+const NEWTON: f64 = 1e-2;
+const NEWTON_ITERATIONS: usize = 8;
+/// Steps below this fraction of the one asked for are given up.
+const SMALLEST: f64 = 1e-9;
+/// Growth below which a step is left as it is, and most growth.
+const GROWTH: [f64; 2] = [1.2, 2.0];
+
+pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
+    settings: BdfSettings,
+    history: Box<History<Q, N>>,
+    order: usize,
+    /// Accepted steps since order or step were changed.
+    since: usize,
+    /// The step in use, s; zero before the first.
+    size: f64,
+    lambda: [f64; R],
+    motion: Motion<N>,
+    saddle: Saddle<N, R>,
+}
+
+/// The end of a step that may be accepted.
+struct Trial<const Q: usize, const N: usize, const R: usize> {
+    q: [f64; Q],
+    v: [f64; N],
+    /// θ₀.
+    turn: [f64; N],
+    lambda: [f64; R],
+}
+
+impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
+    pub(crate) fn new(settings: &BdfSettings) -> Self {
+        Bdf {
+            settings: *settings,
+            history: Box::new(History::new()),
+            order: 1,
+            since: 0,
+            size: 0.0,
+            lambda: [0.0; R],
+            motion: Motion::new(),
+            saddle: Saddle::new(),
+        }
+    }
+
+    pub(crate) fn refresh(&mut self) {
+        self.history.keep(0);
+        self.lambda = [0.0; R];
+        self.size = 0.0;
+    }
+
+    /// Advances by h, in steps of its own of which none is longer.
+    pub(crate) fn advance<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        if !(h > 0.0) {
+            return Err(Fault::NonFinite("step"));
+        }
+        let end = bench.state.time + h;
+        if self.history.len() == 0 {
+            self.start(bench, h)?;
+        }
+        let (mut left, mut failures) = (h, 0);
+        while left > SMALLEST * h {
+            // What is left is taken in equal parts, so that no sliver spoils the history.
+            let parts = (left / self.size.min(h) - 1e-3).ceil().max(1.0);
+            let trial = left / parts;
+            let outcome = self.try_step(bench, trial);
+            if let Ok((error, next)) = &outcome
+                && *error <= 1.0
+            {
+                failures = 0;
+                left -= trial;
+                self.choose(trial, *error, &next.turn, self.bound(&next.q));
+                self.accept(bench, trial, next)?;
+                continue;
+            }
+            bench.counters.rejected += 1;
+            failures += 1;
+            let root = 1.0 / (self.order + 1) as f64;
+            let factor = match outcome {
+                Ok((error, _)) if error.is_finite() => 0.9 * error.powf(-root),
+                _ => 0.25,
+            };
+            self.size = trial * factor.clamp(0.25, 0.9);
+            self.since = 0;
+            if failures >= 3 {
+                // The past does not tell of what comes.
+                self.order = 1;
+                self.history.keep(1);
+            }
+            if self.size < SMALLEST * h {
+                return Err(Fault::Underflow {
+                    row: None,
+                    step: trial,
+                });
+            }
+        }
+        bench.state.time = end;
+        Ok(())
+    }
+
+    /// The first instant, and the length of a first step whose error will be a part of the tolerance.
+    fn start<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        let (acceleration, lambda) = consistent(bench)?;
+        let state = &bench.state;
+        let (q, v) = (state.positions, state.velocities);
+        bench.system.momentum(&q, &v, &mut self.motion.p);
+        self.history.push(state.time, &q, &v, &self.motion.p);
+        self.lambda = lambda;
+        (self.order, self.since) = (1, 0);
+        let bound = 0.2 * self.bound(&q) / largest(&acceleration).max(1e-3);
+        self.size = bound.sqrt().min(h);
+        Ok(())
+    }
+
+    /// The tolerance as a distance.
+    fn bound(&self, q: &[f64; Q]) -> f64 {
+        self.settings.tolerance * largest(q).max(1.0)
+    }
+
+    /// A step of h with the order in use; returns its error in tolerances.
+    fn try_step<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(f64, Trial<Q, N, R>), Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let (t1, q0) = (bench.state.time + h, bench.state.positions);
+        self.history.seek(&bench.system, t1);
+        let (alpha, past, past_p) = self.history.past(self.order);
+        let [mut turn, mut v] = self.history.predict(self.order);
+        let mut lambda = self.lambda;
+        let bound = self.bound(&q0);
+        let (mut last, mut ended) = (f64::INFINITY, false);
+        for _ in 0..NEWTON_ITERATIONS {
+            // θ₀ of v₀; for rotations an iteration that shrinks errors by the angle of a step.
+            for _ in 0..if S::ROTATIONS.is_empty() { 1 } else { 3 } {
+                let mut rate = v;
+                unroll::<S, Q, N, R>(&turn, &mut rate);
+                turn = std::array::from_fn(|i| (rate[i] - past[i]) / alpha);
+            }
+            let q = bench.system.advance(&q0, &turn, 1.0);
+            if ended {
+                if !finite(&q) || !finite(&v) {
+                    break;
+                }
+                bench.counters.stages += 1;
+                let error = self.history.error(self.order, &turn);
+                let error = error.unwrap_or(f64::INFINITY) / bound;
+                return Ok((error, Trial { q, v, turn, lambda }));
+            }
+            let Bench {
+                system, node, phi, ..
+            } = &mut *bench;
+            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            let motion = &mut self.motion;
+            motion.balance(system, t1, &q, &v);
+            motion.tangents(system, t1, &q, &v);
+            // All divided by α₀, λ with it.
+            let mut change: [f64; N] =
+                std::array::from_fn(|i| (motion.f[i] - past_p[i]) / alpha - motion.p[i]);
+            accumulate(&mut change, &node.a, &lambda.map(|lambda| lambda / alpha));
+            motion.combine(1.0 / alpha, 1.0 / (alpha * alpha));
+            let mut rows = std::array::from_fn(|i| {
+                if i < holonomic {
+                    -alpha * phi[i]
+                } else {
+                    -(dot(&node.a[i], &v) + node.b[i])
+                }
+            });
+            if !self.saddle.factor(&motion.jacobian, &node.a, &node.a) {
+                return Err(Fault::Mass);
+            }
+            self.saddle.solve(&mut change, &mut rows, &node.a);
+            bench.counters.regularised += u64::from(self.saddle.left_out() > 0);
+            bench.counters.iterations += 1;
+            for i in 0..N {
+                v[i] += change[i];
+            }
+            for i in 0..R {
+                lambda[i] += alpha * rows[i];
+            }
+            let size = largest(&change) / alpha;
+            ended = size <= NEWTON * bound;
+            if !ended && !(size < 2.0 * last) {
+                break;
+            }
+            last = size;
+        }
+        Err(Fault::Flow {
+            residual: last,
+            iterations: NEWTON_ITERATIONS,
+        })
+    }
+
+    /// Order and length of the next step, after one of h with this error in tolerances of `bound`.
+    fn choose(&mut self, h: f64, error: f64, turn: &[f64; N], bound: f64) {
+        self.since += 1;
+        let k = self.order;
+        // Errors of a new order or step show after as many steps as it takes in.
+        if self.since <= k {
+            return;
+        }
+        let growth = |order: usize, error: f64, safety: f64| {
+            1.0 / (safety * error.max(1e-12).powf(1.0 / (order + 1) as f64))
+        };
+        let judged = |order: usize| self.history.error(order, turn).map(|error| error / bound);
+        let mut best = (k, growth(k, error, 1.2));
+        if k > 1
+            && let Some(error) = judged(k - 1)
+            && growth(k - 1, error, 1.3) > best.1
+        {
+            best = (k - 1, growth(k - 1, error, 1.3));
+        }
+        if k < usize::from(self.settings.max_order)
+            && let Some(error) = judged(k + 1)
+            && growth(k + 1, error, 1.4) > best.1
+        {
+            best = (k + 1, growth(k + 1, error, 1.4));
+        }
+        let (order, factor) = best;
+        if !(0.9..GROWTH[0]).contains(&factor) {
+            self.size = h * factor.clamp(0.5, GROWTH[1]);
+            self.order = order;
+            self.since = 0;
+        }
+    }
+
+    /// The new instant becomes part of the past.
+    fn accept<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+        next: &Trial<Q, N, R>,
+    ) -> Result<(), Fault> {
+        let (t0, q0, v0) = (
+            bench.state.time,
+            bench.state.positions,
+            bench.state.velocities,
+        );
+        let lambda = [&self.lambda, &next.lambda];
+        bench.trapezoid_works(t0, h, (&q0, &v0), (&next.q, &next.v), lambda);
+        bench.commit(t0 + h, next.q, next.v, false)?;
+        bench.system.momentum(&next.q, &next.v, &mut self.motion.p);
+        self.history.push(t0 + h, &next.q, &next.v, &self.motion.p);
+        self.lambda = next.lambda;
+        Ok(())
+    }
+}

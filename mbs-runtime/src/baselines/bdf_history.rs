@@ -1,0 +1,157 @@
+//! The last instants of a multistep method, wherever they are.
+
+use crate::System;
+use crate::linear::largest;
+
+/// Highest order of the backward differentiation that is stable for every stiff equation of interest.
+pub(super) const MOST_ORDER: usize = 5;
+/// Instants kept: one more than the predictor of the highest order needs, to judge an order above.
+const KEPT: usize = MOST_ORDER + 2;
+
+/// Instants, the newest first.
+pub(super) struct History<const Q: usize, const N: usize> {
+    len: usize,
+    times: [f64; KEPT],
+    q: [[f64; Q]; KEPT],
+    v: [[f64; N]; KEPT],
+    p: [[f64; N]; KEPT],
+    /// The instant that is sought, s.
+    sought: f64,
+    /// θ of each instant in the chart about the newest.
+    turns: [[f64; N]; KEPT],
+}
+
+impl<const Q: usize, const N: usize> History<Q, N> {
+    pub(super) fn new() -> Self {
+        History {
+            len: 0,
+            times: [0.0; KEPT],
+            q: [[0.0; Q]; KEPT],
+            v: [[0.0; N]; KEPT],
+            p: [[0.0; N]; KEPT],
+            sought: 0.0,
+            turns: [[0.0; N]; KEPT],
+        }
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Forgets all but the newest `count`.
+    pub(super) fn keep(&mut self, count: usize) {
+        self.len = self.len.min(count);
+    }
+
+    pub(super) fn push(&mut self, t: f64, q: &[f64; Q], v: &[f64; N], p: &[f64; N]) {
+        self.times.rotate_right(1);
+        self.q.rotate_right(1);
+        self.v.rotate_right(1);
+        self.p.rotate_right(1);
+        (self.times[0], self.q[0], self.v[0], self.p[0]) = (t, *q, *v, *p);
+        self.len = (self.len + 1).min(KEPT);
+    }
+
+    /// Prepares for an instant that is sought: all positions as increments from the newest.
+    pub(super) fn seek<S: System<Q, N, R>, const R: usize>(&mut self, system: &S, t: f64) {
+        self.sought = t;
+        for j in 0..self.len {
+            self.turns[j] = system.difference(&self.q[0], &self.q[j]);
+        }
+    }
+
+    /// α₀, and α_j of the first `order` instants: ẋ₀ ≈ Σ α_j x_j with the polynomial through them.
+    fn derivative(&self, order: usize) -> (f64, [f64; KEPT]) {
+        let t = self.sought;
+        let times = &self.times[..order];
+        let mut weights = [0.0; KEPT];
+        for j in 0..order {
+            let mut product = 1.0 / (times[j] - t);
+            for m in (0..order).filter(|&m| m != j) {
+                product *= (t - times[m]) / (times[j] - times[m]);
+            }
+            weights[j] = product;
+        }
+        (times.iter().map(|s| 1.0 / (t - s)).sum(), weights)
+    }
+
+    /// α₀, Σ_{j>0} α_j θ_j and Σ_{j>0} α_j p_j.
+    pub(super) fn past(&self, order: usize) -> (f64, [f64; N], [f64; N]) {
+        let (alpha, weights) = self.derivative(order);
+        (
+            alpha,
+            combine(&weights[..order], &self.turns),
+            combine(&weights[..order], &self.p),
+        )
+    }
+
+    /// Weights of the polynomial of this degree through the newest instants, where it is sought.
+    fn extrapolation(&self, degree: usize) -> [f64; KEPT] {
+        let mut weights = [0.0; KEPT];
+        for j in 0..=degree {
+            let mut product = 1.0;
+            for m in (0..=degree).filter(|&m| m != j) {
+                product *= (self.sought - self.times[m]) / (self.times[j] - self.times[m]);
+            }
+            weights[j] = product;
+        }
+        weights
+    }
+
+    /// θ and v extrapolated with a polynomial of at most this degree.
+    pub(super) fn predict(&self, degree: usize) -> [[f64; N]; 2] {
+        let degree = degree.min(self.len - 1);
+        let weights = self.extrapolation(degree);
+        let weights = &weights[..=degree];
+        [combine(weights, &self.turns), combine(weights, &self.v)]
+    }
+
+    /// The largest error of θ₀ by this order; `None` where too little of the past is known.
+    pub(super) fn error(&self, order: usize, turn: &[f64; N]) -> Option<f64> {
+        let h = self.sought - self.times[0];
+        if self.len <= order {
+            // After one instant: what the change of v adds.
+            let first: [f64; N] = std::array::from_fn(|i| turn[i] - h * self.v[0][i]);
+            return (order == 1).then(|| 0.5 * largest(&first));
+        }
+        let [predicted, _] = self.predict(order);
+        let difference: [f64; N] = std::array::from_fn(|i| turn[i] - predicted[i]);
+        Some(h / (self.sought - self.times[order]) * largest(&difference))
+    }
+}
+
+/// Σ c_j x_j.
+fn combine<const N: usize>(weights: &[f64], values: &[[f64; N]; KEPT]) -> [f64; N] {
+    let mut sum = [0.0; N];
+    for (c, value) in weights.iter().zip(values) {
+        for i in 0..N {
+            sum[i] += c * value[i];
+        }
+    }
+    sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Polynomials of the order are differentiated and extrapolated exactly, at uneven instants.
+    #[test]
+    fn coefficients_are_exact_for_polynomials() {
+        let times = [0.0, 0.13, 0.2, 0.35, 0.41, 0.6, 0.66];
+        let sought = 0.8;
+        for order in 1..=MOST_ORDER {
+            let x = |t: f64| t.powi(order as i32);
+            let mut history = History::<1, 1>::new();
+            for t in times {
+                history.push(t, &[x(t)], &[x(t)], &[x(t)]);
+            }
+            history.sought = sought;
+            let (alpha, _, past) = history.past(order);
+            let exact = order as f64 * sought.powi(order as i32 - 1);
+            assert!((alpha * x(sought) + past[0] - exact).abs() < 1e-9);
+            let [_, v] = history.predict(order);
+            assert!((v[0] - x(sought)).abs() < 1e-9);
+        }
+    }
+}

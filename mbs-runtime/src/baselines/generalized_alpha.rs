@@ -1,0 +1,228 @@
+//! The generalized-α method for constrained motion.
+//!
+//! ```text
+//! M v̇₁ + Γvv = f + Aᵀλ₁,   φ(q₁) = 0   (index 3)
+//! (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀
+//! v₁ = v₀ + h (1 − γ) a₀ + h γ a₁,   q₁ = q₀ ⊕ (h v₀ + h² (½ − β) a₀ + h² β a₁)
+//! ```
+//!
+//! α_m = (2ρ − 1)/(ρ + 1), α_f = ρ/(ρ + 1), γ = ½ + α_f − α_m, β = (γ + ½)²/4, with ρ the spectral radius at infinite
+//! frequency: Chung & Hulbert, J. Appl. Mech. 60, 1993; index 3: Arnold & Brüls, Multibody Syst. Dyn. 18, 2007, 185–202;
+//! rotations: Brüls, Cardona, Arnold, Mech. Mach. Theory 48, 2012, 121–137. The stabilised form of index 2 (Gear, Gupta,
+//! Leimkuhler, J. Comput. Appl. Math. 12, 1985; Arnold, Brüls, Cardona, Numer. Math. 129, 2015, 149–179) satisfies
+//! A v₁ + b = 0 with λ and φ(q₁) = 0 with a further multiplier that moves q₁ along M⁻¹Aᵀ.
+
+use super::bench::Bench;
+use super::motion::{Motion, Progress, carry, consistent, move_rows};
+use super::saddle::Saddle;
+use crate::System;
+use crate::alf3f::Fault;
+use crate::flow::{imperceptible, pull_back};
+use crate::linear::{Matrix, accumulate, clear, dot, largest};
+
+/// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GeneralizedAlphaSettings {
+    /// ρ, the factor by which motion of infinite frequency shrinks in a step; from 0 to 1.
+    pub spectral_radius: f64,
+    /// Whether velocities satisfy the rows as well: the stabilised form of index 2.
+    pub stabilised: bool,
+}
+
+impl Default for GeneralizedAlphaSettings {
+    fn default() -> Self {
+        GeneralizedAlphaSettings {
+            spectral_radius: 0.8,
+            stabilised: false,
+        }
+    }
+}
+
+pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
+    alpha_m: f64,
+    alpha_f: f64,
+    beta: f64,
+    gamma: f64,
+    stabilised: bool,
+    motion: Motion<N>,
+    saddle: Saddle<N, R>,
+    /// The position rows of the stabilised form.
+    shift: Saddle<N, R>,
+    moved: Matrix<R, N>,
+    history: Option<History<N, R>>,
+}
+
+#[derive(Clone, Copy)]
+struct History<const N: usize, const R: usize> {
+    acceleration: [f64; N],
+    /// a, which lags behind.
+    algorithmic: [f64; N],
+    lambda: [f64; R],
+}
+
+impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
+    pub(crate) fn new(settings: &GeneralizedAlphaSettings) -> Self {
+        let rho = settings.spectral_radius;
+        let (alpha_m, alpha_f) = ((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0));
+        let gamma = 0.5 + alpha_f - alpha_m;
+        GeneralizedAlpha {
+            alpha_m,
+            alpha_f,
+            beta: 0.25 * (gamma + 0.5) * (gamma + 0.5),
+            gamma,
+            stabilised: settings.stabilised,
+            motion: Motion::new(),
+            saddle: Saddle::new(),
+            shift: Saddle::new(),
+            moved: clear(),
+            history: None,
+        }
+    }
+
+    pub(crate) fn refresh(&mut self) {
+        self.history = None;
+    }
+
+    pub(crate) fn step<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let old = match self.history {
+            Some(history) => history,
+            None => {
+                let (acceleration, lambda) = consistent(bench)?;
+                History {
+                    acceleration,
+                    algorithmic: acceleration,
+                    lambda,
+                }
+            }
+        };
+        let (q0, v0) = (bench.state.positions, bench.state.velocities);
+        let t1 = bench.state.time + h;
+        // How a₁ follows v̇₁, and v₁ and q₁ with it.
+        let share = (1.0 - self.alpha_f) / (1.0 - self.alpha_m);
+        let (to_v, to_q) = (self.gamma * h * share, self.beta * h * h * share);
+
+        let mut acceleration = old.acceleration;
+        let mut lambda = old.lambda;
+        let mut shift = [0.0; N];
+        let mut progress = Progress::new();
+        let (q, v) = loop {
+            let algorithmic = self.algorithmic(&old, &acceleration);
+            let v: [f64; N] = std::array::from_fn(|i| {
+                v0[i] + h * ((1.0 - self.gamma) * old.algorithmic[i] + self.gamma * algorithmic[i])
+            });
+            let turn: [f64; N] = std::array::from_fn(|i| {
+                let a = (0.5 - self.beta) * old.algorithmic[i] + self.beta * algorithmic[i];
+                h * (v0[i] + h * a) + shift[i]
+            });
+            let q = bench.system.advance(&q0, &turn, 1.0);
+            let Bench {
+                system, node, phi, ..
+            } = &mut *bench;
+            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            self.motion.balance(system, t1, &q, &v);
+            self.motion.tangents(system, t1, &q, &v);
+            let mut change = self.motion.defect(&v, &acceleration);
+            accumulate(&mut change, &node.a, &lambda);
+            if !S::ROTATIONS.is_empty() {
+                pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
+            }
+            self.motion.combine(to_v, to_q);
+            let mut rows = [0.0; R];
+            if self.stabilised {
+                *self.moved = *node.a;
+                for i in 0..R {
+                    rows[i] = -(dot(&node.a[i], &v) + node.b[i]) / to_v;
+                }
+            } else {
+                move_rows::<S, Q, N, R>(&node.a, &turn, &mut self.moved);
+                for i in 0..R {
+                    rows[i] = if i < holonomic {
+                        -phi[i] / to_q
+                    } else {
+                        -(dot(&node.a[i], &v) + node.b[i]) / to_v
+                    };
+                }
+            }
+            if !self
+                .saddle
+                .factor(&self.motion.jacobian, &node.a, &self.moved)
+            {
+                return Err(Fault::Mass);
+            }
+            bench.counters.regularised += u64::from(self.saddle.left_out() > 0);
+            self.saddle.solve(&mut change, &mut rows, &self.moved);
+            for i in 0..N {
+                acceleration[i] += change[i];
+            }
+            for i in 0..R {
+                lambda[i] += rows[i];
+            }
+            let mut step = change.map(|x| to_v * x);
+            if self.stabilised {
+                let along = change.map(|x| to_q * x);
+                let moved = self.close(bench, &turn, &along)?;
+                for i in 0..N {
+                    shift[i] += moved[i];
+                    step[i] += moved[i] / h;
+                }
+            }
+            let speed = largest(&v).max(1e-3);
+            if progress.settles(&step, speed, imperceptible(&q, h), bench.max_iterations)? {
+                break (q, v);
+            }
+        };
+        bench.counters.iterations += progress.count();
+        bench.counters.stages += 1;
+        let start = bench.state.time;
+        bench.trapezoid_works(start, h, (&q0, &v0), (&q, &v), [&old.lambda, &lambda]);
+        bench.commit(t1, q, v, false)?;
+        self.history = Some(History {
+            acceleration,
+            algorithmic: self.algorithmic(&old, &acceleration),
+            lambda,
+        });
+        Ok(())
+    }
+
+    fn algorithmic(&self, old: &History<N, R>, acceleration: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| {
+            ((1.0 - self.alpha_f) * acceleration[i] + self.alpha_f * old.acceleration[i]
+                - self.alpha_m * old.algorithmic[i])
+                / (1.0 - self.alpha_m)
+        })
+    }
+
+    /// The shift of θ along M⁻¹Aᵀ that closes the position rows after θ has changed by `along`.
+    fn close<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &Bench<S, Q, N, R>,
+        turn: &[f64; N],
+        along: &[f64; N],
+    ) -> Result<[f64; N], Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let mut carried = *along;
+        carry::<S, Q, N, R>(turn, &mut carried);
+        let mut rows: [f64; R] = std::array::from_fn(|i| {
+            if i < holonomic {
+                -bench.phi[i] - dot(&bench.node.a[i], &carried)
+            } else {
+                0.0
+            }
+        });
+        move_rows::<S, Q, N, R>(&bench.node.a, turn, &mut self.moved);
+        let mut shift = [0.0; N];
+        if !self
+            .shift
+            .factor(&self.motion.mass, &bench.node.a, &self.moved)
+        {
+            return Err(Fault::Mass);
+        }
+        self.shift.solve(&mut shift, &mut rows, &self.moved);
+        Ok(shift)
+    }
+}

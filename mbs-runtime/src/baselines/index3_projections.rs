@@ -1,0 +1,166 @@
+//! The augmented Lagrangian of index 3 with projections, by the trapezoidal rule.
+//!
+//! ```text
+//! M v̇ + Γvv = f + Aᵀ(λ − αφ),    λ ← λ − αφ in each iteration
+//! θ = h/2 (v₀ + v₁),   v₁ = v₀ + h/2 (v̇₀ + v̇₁)
+//! (W + h²/4 AᵀαA) v = W v* − h²/4 Aᵀα b,    (W + h²/4 AᵀαA) v̇ = W v̇* − h²/4 Aᵀα γ
+//! ```
+//!
+//! with W = M + h/2 C + h²/4 K. Newton's method finds positions, and v* and v̇* with them, that satisfy the position rows
+//! alone; the projections then remove from v* and v̇* what violates the rows of velocity and acceleration (Bayo & Ledesma,
+//! Nonlinear Dyn. 9, 1996, 113–130; Cuadrado, Cardenal, Bayo, Multibody Syst. Dyn. 1, 1997, 259–280; Cuadrado, Cardenal,
+//! Morer, Bayo, Multibody Syst. Dyn. 4, 2000, 55–73). The literature gives α a number that suits the step; here it is
+//! ξ m̄ · 4/h², so that ξ tells how much heavier than the masses the rows weigh in the matrix.
+
+use super::bench::Bench;
+use super::motion::{Motion, Progress, consistent, move_rows};
+use crate::System;
+use crate::alf3f::Fault;
+use crate::flow::{imperceptible, pull_back};
+use crate::linear::{Matrix, Pivoted, accumulate, clear, dot, largest};
+use crate::sink::Discard;
+
+/// Settings of [`Method::Index3Projections`](crate::Method::Index3Projections).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ProjectionSettings {
+    /// ξ.
+    pub penalty: f64,
+}
+
+impl Default for ProjectionSettings {
+    fn default() -> Self {
+        ProjectionSettings { penalty: 1e5 }
+    }
+}
+
+pub(crate) struct Index3<const N: usize, const R: usize> {
+    penalty: f64,
+    motion: Motion<N>,
+    factors: Box<Pivoted<N>>,
+    moved: Matrix<R, N>,
+    /// v̇ and λ where the state is.
+    history: Option<([f64; N], [f64; R])>,
+}
+
+impl<const N: usize, const R: usize> Index3<N, R> {
+    pub(crate) fn new(settings: &ProjectionSettings) -> Self {
+        Index3 {
+            penalty: settings.penalty,
+            motion: Motion::new(),
+            factors: Box::new(Pivoted::new()),
+            moved: clear(),
+            history: None,
+        }
+    }
+
+    pub(crate) fn refresh(&mut self) {
+        self.history = None;
+    }
+
+    pub(crate) fn step<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        let (before, old_lambda) = match self.history {
+            Some(history) => history,
+            None => consistent(bench)?,
+        };
+        bench.settle()?;
+        // ξ m̄, that is h²/4 α.
+        let lengths = bench.node.lengths_squared();
+        let weights = lengths.map(|length| self.penalty / length.max(f64::MIN_POSITIVE));
+        let quarter = 0.25 * h * h;
+        let (q0, v0, t0) = (
+            bench.state.positions,
+            bench.state.velocities,
+            bench.state.time,
+        );
+        let t1 = t0 + h;
+
+        let (mut after, mut lambda) = (before, old_lambda);
+        let mut progress = Progress::new();
+        let (q, mut v) = loop {
+            let v: [f64; N] = std::array::from_fn(|i| v0[i] + 0.5 * h * (before[i] + after[i]));
+            let turn: [f64; N] = std::array::from_fn(|i| 0.5 * h * (v0[i] + v[i]));
+            let q = bench.system.advance(&q0, &turn, 1.0);
+            let Bench {
+                system, node, phi, ..
+            } = &mut *bench;
+            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            self.motion.balance(system, t1, &q, &v);
+            self.motion.tangents(system, t1, &q, &v);
+            let mut change = self.motion.defect(&v, &after);
+            let penalties: [f64; R] = std::array::from_fn(|i| -weights[i] / quarter * phi[i]);
+            if progress.count() > 0 {
+                for i in 0..R {
+                    lambda[i] += penalties[i];
+                }
+            }
+            let force = std::array::from_fn(|i| lambda[i] + penalties[i]);
+            accumulate(&mut change, &node.a, &force);
+            if !S::ROTATIONS.is_empty() {
+                pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
+            }
+            self.motion.combine(0.5 * h, quarter);
+            move_rows::<S, Q, N, R>(&node.a, &turn, &mut self.moved);
+            for r in 0..R {
+                for i in 0..N {
+                    let left = weights[r] * node.a[r][i];
+                    if left == 0.0 {
+                        continue;
+                    }
+                    for j in 0..N {
+                        self.motion.jacobian[i][j] += left * self.moved[r][j];
+                    }
+                }
+            }
+            if !self.factors.factor(&self.motion.jacobian) {
+                return Err(Fault::Mass);
+            }
+            self.factors.solve(&mut change);
+            for i in 0..N {
+                after[i] += change[i];
+            }
+            let step = change.map(|x| 0.5 * h * x);
+            let speed = largest(&v).max(1e-3);
+            if progress.settles(&step, speed, imperceptible(&q, h), bench.max_iterations)? {
+                break (q, v);
+            }
+        };
+        bench.counters.iterations += progress.count();
+        bench.counters.stages += 1;
+
+        let Bench { system, node, .. } = &mut *bench;
+        let rates: [f64; R] = node.velocity_rows(system, &v);
+        self.project(&node.a, &weights, &rates, &mut v);
+        let mut gamma = [0.0; R];
+        system.constraint_rates(t1, &q, &v, &mut Discard, &mut gamma);
+        for i in 0..R {
+            gamma[i] += dot(&node.a[i], &after);
+        }
+        self.project(&node.a, &weights, &gamma, &mut after);
+
+        bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), [&old_lambda, &lambda]);
+        bench.commit(t1, q, v, false)?;
+        self.history = Some((after, lambda));
+        Ok(())
+    }
+
+    /// x ← x − (W + h²/4 AᵀαA)⁻¹ h²/4 Aᵀα · violation.
+    fn project(
+        &self,
+        a: &[[f64; N]; R],
+        weights: &[f64; R],
+        violation: &[f64; R],
+        x: &mut [f64; N],
+    ) {
+        let mut change = [0.0; N];
+        let forces = std::array::from_fn(|i| -weights[i] * violation[i]);
+        accumulate(&mut change, a, &forces);
+        self.factors.solve(&mut change);
+        for i in 0..N {
+            x[i] += change[i];
+        }
+    }
+}

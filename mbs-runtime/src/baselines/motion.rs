@@ -1,0 +1,169 @@
+//! The equations of motion and their tangents, for implicit methods.
+
+use super::bench::Bench;
+use super::index1::Index1;
+use crate::System;
+use crate::alf3f::Fault;
+use crate::flow::transport;
+use crate::linear::{Matrix, clear, dot, largest};
+
+/// Corrections of the velocities below this fraction of them end an iteration …
+const CONVERGED: f64 = 1e-12;
+/// … or below this one, when they no longer shrink.
+const STILL: f64 = 1e-9;
+
+/// p, F and the tangents at one instant.
+pub(crate) struct Motion<const N: usize> {
+    pub(crate) p: [f64; N],
+    pub(crate) f: [f64; N],
+    pub(crate) mass: Matrix<N, N>,
+    pub(crate) f_q: Matrix<N, N>,
+    pub(crate) f_v: Matrix<N, N>,
+    pub(crate) p_q: Matrix<N, N>,
+    /// J of the method.
+    pub(crate) jacobian: Matrix<N, N>,
+}
+
+impl<const N: usize> Motion<N> {
+    pub(crate) fn new() -> Self {
+        Motion {
+            p: [0.0; N],
+            f: [0.0; N],
+            mass: clear(),
+            f_q: clear(),
+            f_v: clear(),
+            p_q: clear(),
+            jacobian: clear(),
+        }
+    }
+
+    /// p and F.
+    pub(crate) fn balance<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+    ) {
+        system.balance(t, q, v, &mut self.p, &mut self.f);
+    }
+
+    /// M and the tangents.
+    pub(crate) fn tangents<S: System<Q, N, R>, const Q: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        t: f64,
+        q: &[f64; Q],
+        v: &[f64; N],
+    ) {
+        system.balance_tangents(
+            t,
+            q,
+            v,
+            &mut self.mass,
+            &mut self.f_q,
+            &mut self.f_v,
+            &mut self.p_q,
+        );
+    }
+
+    /// F − (∂p/∂q) v − M v̇, after `balance` and `tangents` at the same place: what is missing of the motion without rows.
+    pub(crate) fn defect(&self, v: &[f64; N], acceleration: &[f64; N]) -> [f64; N] {
+        std::array::from_fn(|i| self.f[i] - dot(&self.p_q[i], v) - dot(&self.mass[i], acceleration))
+    }
+
+    /// J = M + c (∂p/∂q − ∂F/∂v) − k ∂F/∂q, where positions follow with k and velocities with c.
+    ///
+    /// Of the tangents of (∂p/∂q) v and M v̇ it has what is at hand; the rest slows the iteration a little where M varies.
+    pub(crate) fn combine(&mut self, c: f64, k: f64) {
+        for i in 0..N {
+            for j in 0..N {
+                self.jacobian[i][j] =
+                    self.mass[i][j] + c * (self.p_q[i][j] - self.f_v[i][j]) - k * self.f_q[i][j];
+            }
+        }
+    }
+}
+
+/// ã = a T(θ) of the holonomic rows: how they answer to a change of θ, where `turn` is θ.
+pub(crate) fn move_rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    a: &[[f64; N]; R],
+    turn: &[f64; N],
+    moved: &mut [[f64; N]; R],
+) {
+    *moved = *a;
+    if !S::ROTATIONS.is_empty() {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        crate::flow::pull_back_rows::<S, Q, N, R>(turn, &mut moved[..holonomic]);
+    }
+}
+
+/// x ← T(θ) x: a change of θ as a change of the configuration.
+pub(crate) fn carry<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    turn: &[f64; N],
+    x: &mut [f64; N],
+) {
+    let mut carried = [*x];
+    transport::<S, Q, N, R>(turn, &mut carried);
+    *x = carried[0];
+}
+
+/// v̇ and λ that satisfy the rows at acceleration level at the state of the bench.
+pub(crate) fn consistent<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    bench: &mut Bench<S, Q, N, R>,
+) -> Result<([f64; N], [f64; R]), Fault> {
+    let mut equations = Index1::new(0.0);
+    let (t, q, v) = (
+        bench.state.time,
+        bench.state.positions,
+        bench.state.velocities,
+    );
+    equations.place(bench, t, &q)?;
+    let acceleration = equations.acceleration(bench, t, &q, &v);
+    Ok((acceleration, equations.lambda))
+}
+
+/// The end of a Newton iteration whose corrections of the velocities are given.
+pub(crate) struct Progress {
+    last: f64,
+    count: usize,
+}
+
+impl Progress {
+    pub(crate) fn new() -> Self {
+        Progress {
+            last: f64::INFINITY,
+            count: 0,
+        }
+    }
+
+    /// Whether corrections of this size (m/s) end the iteration, with velocities of `speed`; below `floor` they are
+    /// round-off.
+    pub(crate) fn settles(
+        &mut self,
+        change: &[f64],
+        speed: f64,
+        floor: f64,
+        most: usize,
+    ) -> Result<bool, Fault> {
+        let size = largest(change);
+        self.count += 1;
+        let settled = size <= (CONVERGED * speed).max(floor)
+            || (size >= 0.5 * self.last && size <= (STILL * speed).max(8.0 * floor));
+        self.last = size;
+        if settled {
+            return Ok(true);
+        }
+        if self.count >= most || !size.is_finite() {
+            return Err(Fault::Flow {
+                residual: size,
+                iterations: self.count,
+            });
+        }
+        Ok(false)
+    }
+
+    pub(crate) fn count(&self) -> u64 {
+        self.count as u64
+    }
+}

@@ -1,0 +1,193 @@
+//! Rows as stiff springs and dampers: the penalty method.
+//!
+//! ```text
+//! ṗ = F − Aᵀ(k φ + c (A v + b)),    k = ξ m̄,  c = 2 ζ √ξ m̄
+//! ```
+//!
+//! with the effective mass m̄ = 1/(a M⁻¹aᵀ) of each row where the simulation starts, so that √ξ is its frequency and ζ its
+//! damping ratio (Bayo, García de Jalón, Serna, Comput. Methods Appl. Mech. Eng. 71, 1988, 183–195, use the same pair of
+//! numbers for every row). Nonholonomic rows have the damper alone, c = ξ m̄ · 1 s. Integrated by the implicit trapezoidal
+//! rule in momentum form. The rows are violated in proportion to 1/ξ; where rows are redundant or a pose is singular
+//! nothing special happens.
+
+use super::bench::Bench;
+use super::motion::{Motion, Progress, move_rows};
+use crate::System;
+use crate::alf3f::Fault;
+use crate::flow::{imperceptible, pull_back, trapezoid};
+use crate::linear::{Matrix, Pivoted, clear, largest};
+
+/// Settings of [`Method::Penalty`](crate::Method::Penalty).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PenaltySettings {
+    /// ξ, 1/s².
+    pub penalty: f64,
+    /// ζ.
+    pub damping_ratio: f64,
+}
+
+impl Default for PenaltySettings {
+    fn default() -> Self {
+        PenaltySettings {
+            penalty: 1e8,
+            damping_ratio: 1.0,
+        }
+    }
+}
+
+pub(crate) struct Penalty<const N: usize, const R: usize> {
+    settings: PenaltySettings,
+    /// k and c of each row; none until a simulation starts.
+    rows: Option<[[f64; 2]; R]>,
+    motion: Motion<N>,
+    factors: Box<Pivoted<N>>,
+    moved: Matrix<R, N>,
+}
+
+impl<const N: usize, const R: usize> Penalty<N, R> {
+    pub(crate) fn new(settings: PenaltySettings) -> Self {
+        Penalty {
+            settings,
+            rows: None,
+            motion: Motion::new(),
+            factors: Box::new(Pivoted::new()),
+            moved: clear(),
+        }
+    }
+
+    fn stiffness<S: System<Q, N, R>, const Q: usize>(
+        &self,
+        bench: &Bench<S, Q, N, R>,
+    ) -> [[f64; 2]; R] {
+        let PenaltySettings {
+            penalty,
+            damping_ratio,
+        } = self.settings;
+        let lengths = bench.node.lengths_squared();
+        // A row that vanishes where the simulation starts takes the strength of the longest.
+        let longest = largest(&lengths).max(f64::MIN_POSITIVE);
+        std::array::from_fn(|i| {
+            let length = if lengths[i] > 1e-8 * longest {
+                lengths[i]
+            } else {
+                longest
+            };
+            if i < S::STRUCTURE.holonomic_rows {
+                [
+                    penalty / length,
+                    2.0 * damping_ratio * penalty.sqrt() / length,
+                ]
+            } else {
+                [0.0, penalty / length]
+            }
+        })
+    }
+
+    pub(crate) fn step<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<(), Fault> {
+        bench.settle()?;
+        let rows = match self.rows {
+            Some(rows) => rows,
+            None => self.stiffness(bench),
+        };
+        self.rows = Some(rows);
+        let (q0, v0, t0) = (
+            bench.state.positions,
+            bench.state.velocities,
+            bench.state.time,
+        );
+        let t1 = t0 + h;
+        self.motion.balance(&bench.system, t0, &q0, &v0);
+        let start = forces(bench, &rows, &v0);
+        let mut known: [f64; N] =
+            std::array::from_fn(|i| self.motion.p[i] + 0.5 * h * self.motion.f[i]);
+        pull(&mut known, bench, 0.5 * h, &start);
+
+        let mut v = v0;
+        let mut progress = Progress::new();
+        let q = loop {
+            let q = trapezoid(&bench.system, &q0, &v0, &v, h);
+            let Bench {
+                system, node, phi, ..
+            } = &mut *bench;
+            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            self.motion.balance(system, t1, &q, &v);
+            self.motion.tangents(system, t1, &q, &v);
+            let force = forces(bench, &rows, &v);
+            let mut change: [f64; N] =
+                std::array::from_fn(|i| known[i] - self.motion.p[i] + 0.5 * h * self.motion.f[i]);
+            pull(&mut change, bench, 0.5 * h, &force);
+            self.jacobian(bench, &rows, &v0, &v, h);
+            if !self.factors.factor(&self.motion.jacobian) {
+                return Err(Fault::Mass);
+            }
+            self.factors.solve(&mut change);
+            for i in 0..N {
+                v[i] += change[i];
+            }
+            let speed = largest(&v).max(1e-3);
+            if progress.settles(&change, speed, imperceptible(&q, h), bench.max_iterations)? {
+                break q;
+            }
+        };
+        bench.counters.iterations += progress.count();
+        bench.counters.stages += 1;
+        let end = forces(bench, &rows, &v);
+        bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), [&start, &end]);
+        bench.commit(t1, q, v, false)
+    }
+
+    /// J = M + h/2 (∂p/∂q − h/2 ∂F/∂q) T − h/2 ∂F/∂v + h/2 Aᵀ(c + h/2 k T) A.
+    fn jacobian<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &Bench<S, Q, N, R>,
+        rows: &[[f64; 2]; R],
+        v0: &[f64; N],
+        v1: &[f64; N],
+        h: f64,
+    ) {
+        let turn: [f64; N] = std::array::from_fn(|i| 0.5 * h * (v0[i] + v1[i]));
+        let motion = &mut self.motion;
+        if !S::ROTATIONS.is_empty() {
+            pull_back::<S, Q, N, R>(&turn, &mut motion.f_q);
+            pull_back::<S, Q, N, R>(&turn, &mut motion.p_q);
+        }
+        motion.combine(0.5 * h, 0.25 * h * h);
+        let a = &bench.node.a;
+        move_rows::<S, Q, N, R>(a, &turn, &mut self.moved);
+        for (r, [k, c]) in rows.iter().enumerate() {
+            for i in 0..N {
+                let left = 0.5 * h * a[r][i];
+                if left == 0.0 {
+                    continue;
+                }
+                for j in 0..N {
+                    motion.jacobian[i][j] += left * (c * a[r][j] + 0.5 * h * k * self.moved[r][j]);
+                }
+            }
+        }
+    }
+}
+
+/// −(k φ + c (A v + b)) where the bench is: the multipliers, as it were.
+fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    bench: &Bench<S, Q, N, R>,
+    rows: &[[f64; 2]; R],
+    v: &[f64; N],
+) -> [f64; R] {
+    let rates = bench.node.velocity_rows(&bench.system, v);
+    std::array::from_fn(|i| -rows[i][0] * bench.phi[i] - rows[i][1] * rates[i])
+}
+
+/// x ← x + weight Aᵀ force.
+fn pull<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    x: &mut [f64; N],
+    bench: &Bench<S, Q, N, R>,
+    weight: f64,
+    force: &[f64; R],
+) {
+    crate::linear::accumulate(x, &bench.node.a, &force.map(|force| weight * force));
+}

@@ -1,0 +1,143 @@
+//! The linear equations of a Newton step with multipliers:
+//!
+//! ```text
+//! J x − Aᵀ λ = r,    Ã x = −g
+//! ```
+//!
+//! by elimination of x. The R × R matrix Ã J⁻¹ Aᵀ is factored with complete pivoting; rows whose pivots are round-off are
+//! left out, and their multipliers are zero: the treatment of redundant rows that codes of this kind have.
+
+use crate::linear::{Matrix, Pivoted, accumulate, clear, dot};
+
+/// Pivots below this fraction of the largest are round-off.
+const DEPENDENT: f64 = 1e-11;
+
+pub(crate) struct Saddle<const N: usize, const R: usize> {
+    jacobian: Box<Pivoted<N>>,
+    /// J⁻¹Aᵀ, row by row.
+    along: Matrix<R, N>,
+    matrix: Matrix<R, R>,
+    /// Which row and which column the elimination took at each pivot.
+    order: [[usize; R]; 2],
+    scale: [f64; R],
+    rank: usize,
+}
+
+impl<const N: usize, const R: usize> Saddle<N, R> {
+    pub(crate) fn new() -> Self {
+        Saddle {
+            jacobian: Box::new(Pivoted::new()),
+            along: clear(),
+            matrix: clear(),
+            order: [[0; R]; 2],
+            scale: [0.0; R],
+            rank: 0,
+        }
+    }
+
+    /// Factors the equations; false if J is singular or not finite.
+    pub(crate) fn factor(
+        &mut self,
+        jacobian: &[[f64; N]; N],
+        a: &[[f64; N]; R],
+        a_moved: &[[f64; N]; R],
+    ) -> bool {
+        if !self.jacobian.factor(jacobian) {
+            return false;
+        }
+        for i in 0..R {
+            self.along[i] = a[i];
+            self.jacobian.solve(&mut self.along[i]);
+            let length = dot(&a_moved[i], &self.along[i]).abs();
+            self.scale[i] = if length > f64::MIN_POSITIVE {
+                1.0 / length.sqrt()
+            } else {
+                0.0
+            };
+        }
+        for i in 0..R {
+            for j in 0..R {
+                self.matrix[i][j] =
+                    self.scale[i] * dot(&a_moved[i], &self.along[j]) * self.scale[j];
+            }
+        }
+        self.eliminate();
+        true
+    }
+
+    fn eliminate(&mut self) {
+        let matrix = &mut self.matrix;
+        let mut first = 0.0;
+        self.rank = R;
+        for k in 0..R {
+            let (mut row, mut column, mut most) = (k, k, 0.0);
+            for i in k..R {
+                for j in k..R {
+                    if matrix[i][j].abs() > most {
+                        (row, column, most) = (i, j, matrix[i][j].abs());
+                    }
+                }
+            }
+            if k == 0 {
+                first = most;
+            }
+            if !(most > DEPENDENT * first) {
+                self.rank = k;
+                return;
+            }
+            (self.order[0][k], self.order[1][k]) = (row, column);
+            matrix.swap(k, row);
+            for line in matrix.iter_mut() {
+                line.swap(k, column);
+            }
+            let pivot_row = matrix[k];
+            for line in &mut matrix[k + 1..] {
+                let factor = line[k] / pivot_row[k];
+                line[k] = factor;
+                for j in k + 1..R {
+                    line[j] -= factor * pivot_row[j];
+                }
+            }
+        }
+    }
+
+    /// How many rows the last factorisation left out.
+    pub(crate) fn left_out(&self) -> usize {
+        R - self.rank
+    }
+
+    /// r becomes x, −g becomes λ.
+    pub(crate) fn solve(&self, x: &mut [f64; N], rows: &mut [f64; R], a_moved: &[[f64; N]; R]) {
+        self.jacobian.solve(x);
+        for i in 0..R {
+            rows[i] = self.scale[i] * (rows[i] - dot(&a_moved[i], x));
+        }
+        self.solve_rows(rows);
+        accumulate(x, &self.along, rows);
+    }
+
+    fn solve_rows(&self, rows: &mut [f64; R]) {
+        let rank = self.rank;
+        for k in 0..rank {
+            rows.swap(k, self.order[0][k]);
+        }
+        for i in 0..rank {
+            for j in 0..i {
+                rows[i] -= self.matrix[i][j] * rows[j];
+            }
+        }
+        for i in (0..rank).rev() {
+            for j in i + 1..rank {
+                rows[i] -= self.matrix[i][j] * rows[j];
+            }
+            rows[i] /= self.matrix[i][i];
+        }
+        rows[rank..].fill(0.0);
+        for k in (0..rank).rev() {
+            rows.swap(k, self.order[1][k]);
+        }
+        for i in 0..R {
+            rows[i] *= self.scale[i];
+        }
+    }
+}
