@@ -59,6 +59,7 @@ mod flow;
 #[doc(hidden)]
 pub mod generated;
 mod integrator;
+mod known_cost;
 mod linear;
 mod mechanism;
 mod model;

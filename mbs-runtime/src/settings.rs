@@ -145,6 +145,40 @@ pub struct Settings {
     pub constraint_tolerance: f64,
     /// Iterations after which a step is given up.
     pub max_iterations: usize,
+    /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ through one factorisation, and
+    /// takes what they leave of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)) instead of going on or
+    /// failing; the next one starts from there and does not let it grow. [`Model::step_flops`] bounds the work. Steps are
+    /// not placed. For the leapfrog flow without nonholonomic rows; refused elsewhere, and with a tolerance.
+    ///
+    /// A loop at 1 kHz, in which a step never takes more than it always takes:
+    ///
+    /// ```
+    /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+    /// mechanism!(SliderCrank {
+    ///     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    ///     drive_force: Input(unit = N),
+    ///     crank: Bar(mass = 1.0_kg, length = 0.15_m, angle = 60.0_deg),
+    ///     rod: Bar(mass = 0.5_kg, length = 0.4_m, angle = -20.0_deg),
+    ///     main_bearing: Revolute(ground.origin, crank.a),
+    ///     crank_pin: Revolute(crank.b, rod.a),
+    ///     liner: PointOnLine(rod.b, ground.origin, axis = X),
+    ///     drive: Force(on = rod.b, value = [drive_force, 0.0]),
+    /// });
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let settings = Settings { step: 1e-3, fixed_iterations: Some(2), ..Settings::default() };
+    /// let mut simulation = Simulation::with_settings(SliderCrank::default(), settings)?;
+    /// assert!(SliderCrank::MODEL.step_flops(2).is_some_and(|flops| flops < 10_000));
+    /// for tick in 0..1000 {
+    ///     let force = if tick < 500 { 1.0 } else { -1.0 };
+    ///     simulation.set_input("drive_force", force)?;
+    ///     simulation.step()?;
+    /// }
+    /// assert!(simulation.report().holonomic_error < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fixed_iterations: Option<usize>,
 }
 
 impl Default for Settings {
@@ -158,6 +192,7 @@ impl Default for Settings {
             flow: None,
             constraint_tolerance: 1e-13,
             max_iterations: 25,
+            fixed_iterations: None,
         }
     }
 }
@@ -202,6 +237,12 @@ impl Settings {
         positive("max_iterations", self.max_iterations as f64)?;
         let known = ORDERS.contains(&self.order);
         require("order", self.order.into(), known, "2, 4, 6 or 8")?;
+        if let Some(count) = self.fixed_iterations {
+            let free = self.tolerance.is_none() && matches!(self.method, Method::TwoLevel);
+            let wanted = "`None` with a tolerance or another method than the two-level one";
+            require("fixed_iterations", count as f64, free, wanted)?;
+            require("fixed_iterations", count as f64, count > 0, "1 or more")?;
+        }
         if let Some(tolerance) = self.tolerance {
             let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&tolerance);
             require(

@@ -34,7 +34,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let placed = self.settings.placement && h >= REMAINDER * self.nominal();
+        let free = self.settings.placement && self.settings.fixed_iterations.is_none();
+        let placed = free && h >= REMAINDER * self.nominal();
         if !placed {
             self.advance(h)?;
             return Ok(h);
