@@ -28,8 +28,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(length)
     }
 
+    /// The clearance below which a step suffers from a singular pose.
+    pub(super) fn clear(&self) -> f64 {
+        self.clearances()[0]
+    }
+
+    /// The clearance that is left as it is, and the one that is looked for.
+    fn clearances(&self) -> [f64; 2] {
+        match (self.settings.method, self.settings.order) {
+            (Method::Projected, _) => CLEAR_EXPLICIT,
+            (_, 2) => [CLEAR_SECOND, CLEAR],
+            _ => [CLEAR, CLEAR],
+        }
+    }
+
     fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let placed = self.settings.placement && h >= REMAINDER * self.settings.step;
+        let free = self.settings.placement && self.settings.fixed_iterations.is_none();
+        let placed = free && h >= REMAINDER * self.nominal();
         if !placed {
             self.advance(h)?;
             return Ok(h);
@@ -37,16 +52,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.before.copy_from(self.integrator.state());
         let (report, power) = (self.report, self.power);
         let first = self.advance(h);
-        let [wanted, clear] = match (self.settings.method, self.settings.order) {
-            (Method::Projected, _) => CLEAR_EXPLICIT,
-            (_, 2) => [CLEAR_SECOND, CLEAR],
-            _ => [CLEAR, CLEAR],
-        };
+        let wanted = self.clear();
         match first {
             Ok(clearance) if !(clearance < wanted) => Ok(h),
             // Without a clearance nothing is known of singular poses.
             Err(error) if !matches!(error, SimulationError::NotConverged { .. }) => Err(error),
-            _ => self.choose(h, left, first, clear, (report, power)),
+            _ => self.choose(h, left, first, (report, power)),
         }
     }
 
@@ -58,7 +69,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         h: f64,
         left: f64,
         first: Result<f64, SimulationError>,
-        clear: f64,
         start: (crate::Report, f64),
     ) -> Result<f64, SimulationError> {
         let (mut best, mut length) = match &first {
@@ -77,7 +87,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Ok(clearance) if clearance > best => (best, length) = (clearance, trial),
                 _ => {}
             }
-            if best >= clear {
+            if best >= self.clearances()[1] {
                 break;
             }
         }
