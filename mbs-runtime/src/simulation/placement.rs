@@ -4,7 +4,7 @@
 //! beginning or ending a stage right beside it does. A step that would is taken again with another length.
 
 use super::Simulation;
-use crate::{SimulationError, System};
+use crate::{Method, SimulationError, System};
 
 /// The least clearance of a landing, as a fraction of its stage, that is looked for.
 const CLEAR: f64 = 0.15;
@@ -26,7 +26,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let placed = self.settings.placement && h >= REMAINDER * self.settings.step;
+        let placed = self.settings.placement
+            && self.settings.method == Method::TwoLevel
+            && h >= REMAINDER * self.settings.step;
         if !placed {
             self.advance(h)?;
             return Ok(h);
