@@ -6,6 +6,7 @@ pub mod differences;
 pub mod fixtures;
 pub mod interpreted;
 pub mod laws;
+pub mod pages;
 pub mod random;
 pub mod reference;
 pub mod stages;
