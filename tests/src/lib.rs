@@ -28,6 +28,15 @@ mod redundancy {}
 #[doc = include_str!("../../book/src/coordinates.md")]
 mod coordinates {}
 
+#[doc = include_str!("../../book/src/driving.md")]
+mod driving {}
+
+#[doc = include_str!("../../book/src/reactions.md")]
+mod reactions {}
+
+#[doc = include_str!("../../book/src/assembly.md")]
+mod assembly {}
+
 /// Runs a test where there is room on the stack: unoptimised code moves the matrices of the largest scene about, and a
 /// test's thread has 2 MiB only.
 pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {

@@ -100,7 +100,10 @@ fn formula(
         ..RenderConfig::default()
     };
     let events = events.into_iter().map(Ok::<_, fmt::Error>);
-    push_mathml(out, events, config).map_err(|error| mistake(latex, error.to_string()))?;
+    let mut mathml = String::new();
+    push_mathml(&mut mathml, events, config).map_err(|error| mistake(latex, error.to_string()))?;
+    // Named entities do not survive what mdBook does to HTML.
+    out.push_str(&mathml.replace("&nbsp;", "\u{a0}"));
     Ok(end + 2 * marks.len())
 }
 
