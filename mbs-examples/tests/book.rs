@@ -100,3 +100,42 @@ fn command_lines_work() {
     }
     assert!(run >= 5, "{run} command lines were run");
 }
+
+/// Each option that the help tells, with its command, on the page of the command line.
+#[test]
+fn every_option_is_on_its_page() {
+    let page = fs::read_to_string(root().join("book/src/command-line.md")).expect("the page");
+    let help = |command: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_mbs"))
+            .args(command)
+            .arg("--help")
+            .output()
+            .expect("mbs starts");
+        String::from_utf8(output.stdout).expect("UTF-8")
+    };
+    let all = help(&[]);
+    let commands = all
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .map_while(|line| line.split_whitespace().next())
+        .filter(|command| *command != "help");
+    for command in commands {
+        let section = page.split("\n## ").find(|section| {
+            let heading = section.lines().next().unwrap_or_default();
+            heading.starts_with(&format!("`mbs {command}"))
+        });
+        let section = section.unwrap_or_else(|| panic!("`mbs {command}` has no section"));
+        let text = help(&[command]);
+        let options = text
+            .split(|c: char| c.is_whitespace() || c == ',')
+            .filter(|word| word.starts_with("--") && word.len() > 2 && *word != "--help");
+        for option in options {
+            let option = option.trim_end_matches(|c: char| !c.is_alphanumeric());
+            assert!(
+                section.contains(&format!("`{option}")),
+                "`mbs {command} {option}` is not on its page"
+            );
+        }
+    }
+}

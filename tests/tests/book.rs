@@ -151,3 +151,17 @@ fn has_word(text: &str, word: &str) -> bool {
     text.split(|c: char| !(c.is_alphanumeric() || c == '_'))
         .any(|other| other == word)
 }
+
+/// Pages with Rust of their own are documentation tests; what they only include is compiled where it is.
+#[test]
+fn every_page_with_code_is_compiled() {
+    let library = fs::read_to_string(root().join("tests/src/lib.rs")).expect("UTF-8");
+    for page in pages() {
+        let path = page.path.display().to_string();
+        let compiled = library.contains(&format!("include_str!(\"../../{path}\")"));
+        assert!(
+            compiled || page.code("rust").is_empty(),
+            "{path} has code that nothing compiles; name it in tests/src/lib.rs"
+        );
+    }
+}
