@@ -15,7 +15,7 @@ mod stretches;
 
 use crate::derivatives::Derived;
 use crate::symbolic::Expr;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 pub use stretches::Stretch;
 
@@ -187,16 +187,5 @@ impl Elimination {
     fn factor_operations(&self) -> usize {
         let columns = self.columns.iter().map(|column| column.below.len());
         columns.map(|below| below * (below + 2) + 5).sum()
-    }
-
-    /// Entries below the pivots, by row and column; for tests.
-    pub fn entries(&self) -> BTreeMap<(usize, usize), usize> {
-        let columns = self.columns.iter().enumerate();
-        columns
-            .flat_map(|(j, column)| {
-                let below = column.below.iter().enumerate();
-                below.map(move |(place, &(i, _))| ((i, j), column.pivot + 1 + place))
-            })
-            .collect()
     }
 }
