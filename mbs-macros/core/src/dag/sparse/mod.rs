@@ -22,7 +22,7 @@ pub use stretches::Stretch;
 /// With fewer rows dense arrays, held in registers and caches, are the faster.
 const FEWEST_ROWS: usize = 16;
 /// Code longer than this costs more to compile than it gains: mechanisms that are large, irregular and little sparse.
-const LONGEST: usize = 10_000;
+const LONGEST: usize = 20_000;
 /// Solutions with each factor in a step.
 const SOLUTIONS: usize = 3;
 
