@@ -63,11 +63,13 @@ mod any;
 mod assembly;
 mod baselines;
 mod energy;
+mod ensemble;
 mod error;
 mod flow;
 #[doc(hidden)]
 pub mod generated;
 mod integrator;
+mod known_cost;
 mod linear;
 mod mechanism;
 mod model;
@@ -87,6 +89,7 @@ pub use baselines::{
     BaselineStepper, BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings,
     ProjectionSettings,
 };
+pub use ensemble::simulate_ensemble;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::{Mechanism, System};
@@ -100,4 +103,4 @@ pub use settings::{Flow, Method, PaperSettings, Settings};
 pub use simulation::Simulation;
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
-pub use state::{Ledger, State, ThreeFields};
+pub use state::{Ledger, Pace, State, ThreeFields};

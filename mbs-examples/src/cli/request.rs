@@ -20,13 +20,14 @@ pub struct Request {
 impl Request {
     /// Checks the arguments against the scene and fills in its defaults.
     pub fn new(arguments: &Simulate, scene: &Scene) -> Result<Self, Failure> {
-        if arguments.tolerance.is_some() {
-            return Err(Failure(
-                "--tolerance is not available yet: steps are constant; give their length with --step"
-                    .to_owned(),
-            ));
+        let tolerance = arguments.tolerance.as_deref().map(tolerance).transpose()?;
+        let mut settings = match tolerance {
+            Some(tolerance) => Settings::for_tolerance(tolerance, scene.model),
+            None => Settings::default(),
+        };
+        if let Some(text) = &arguments.order {
+            settings.order = order(text)?;
         }
-        let order = order(&arguments.order)?;
         let duration = positive("--time", arguments.time.as_deref(), scene.duration)?;
         let step = positive("--step", arguments.step.as_deref(), scene.step)?;
         if duration / step > 1e15 {
@@ -34,15 +35,11 @@ impl Request {
                 "--step {step:e} is too small for --time {duration:e}: time would not advance; take a longer step"
             )));
         }
-        let method = method(&arguments.method)?;
+        settings.method = method(&arguments.method)?;
+        settings.step = step;
         let mut request = Request {
             duration,
-            settings: Settings {
-                method,
-                order,
-                step,
-                ..Settings::default()
-            },
+            settings,
             parameters: Vec::new(),
             inputs: Vec::new(),
         };
@@ -94,6 +91,15 @@ fn order(text: &str) -> Result<u8, Failure> {
         "8" => Ok(8),
         _ => Err(Failure(format!(
             "order {text} is not available; available: --order 2, 4, 6 and 8"
+        ))),
+    }
+}
+
+fn tolerance(text: &str) -> Result<f64, Failure> {
+    match finite("--tolerance", text)? {
+        value if (1e-12..=0.1).contains(&value) => Ok(value),
+        _ => Err(Failure(format!(
+            "--tolerance {text}: give a part of the motion from 1e-12 to 0.1, or a constant step with --step"
         ))),
     }
 }

@@ -71,6 +71,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 because: "forces depend on velocities, or the implicit flow was asked for: stages that run back in time would feed dissipation backwards, and the implicit step is not symmetric",
             });
         }
+        let explicit = flow == Flow::Leapfrog && S::STRUCTURE.holonomic_rows == R;
+        if let (Some(count), false) = (settings.fixed_iterations, explicit) {
+            return Err(SimulationError::Setting {
+                name: "fixed_iterations",
+                value: count as f64,
+                wanted: "`None` here: only kicks with the leapfrog flow and without nonholonomic rows have a known cost",
+            });
+        }
         let stages = composition::stages(settings.order);
         let mut state = state;
         state.make_room(stages.len());
