@@ -57,6 +57,7 @@ fn main() {
     }
     andrews();
     every_scene();
+    growth();
 }
 
 /// The same integrator on the equations written by hand and on the generated ones.
@@ -123,6 +124,33 @@ fn every_scene() {
             scene.model.velocities.len(),
             scene.model.rows.len(),
             taken.map_or_else(String::new, |operations| operations.to_string())
+        );
+    }
+}
+
+/// How instructions grow with the number of loops in a row of four-bars: the exponent between each two lengths, for each
+/// step.
+fn growth() {
+    let chains = [
+        ("double-four-bar", 2.0_f64),
+        ("four-bar-10", 10.0),
+        ("four-bar-40", 40.0),
+    ];
+    println!();
+    println!("exponent of the instructions of a step in the number of loops");
+    println!(
+        "{:>8} {:>10} {:>10} {:>10}",
+        "h, s", "2 to 10", "10 to 40", "2 to 40"
+    );
+    for step in [1e-3, 1e-2] {
+        let counts = chains.map(|(name, _)| count(name, step, SHORT).unwrap_or(f64::NAN));
+        let exponent =
+            |i: usize, j: usize| (counts[j] / counts[i]).ln() / (chains[j].1 / chains[i].1).ln();
+        println!(
+            "{step:>8} {:>10.3} {:>10.3} {:>10.3}",
+            exponent(0, 1),
+            exponent(1, 2),
+            exponent(0, 2)
         );
     }
 }
