@@ -43,9 +43,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let free = self.settings.placement
-            && self.settings.method == Method::TwoLevel
-            && self.settings.fixed_iterations.is_none();
+        let watches = matches!(self.settings.method, Method::TwoLevel | Method::Projected);
+        let free = self.settings.placement && watches && self.settings.fixed_iterations.is_none();
         let placed = free && h >= REMAINDER * self.nominal();
         if !placed {
             self.advance(h)?;
