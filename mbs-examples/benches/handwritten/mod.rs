@@ -2,7 +2,7 @@
 //! code. Keep them as they are.
 
 // Each bench uses its own part.
-#![allow(dead_code)]
+#![allow(dead_code, unused_imports)]
 
 mod andrews;
 mod double_four_bar;
