@@ -297,10 +297,26 @@ fn what_is_not_built_is_refused_with_what_is() {
             &["simulate", &name, "--order", "3"],
             &["order 3", "--order 2, 4, 6 and 8"],
         );
-        refused(&["simulate", &name, "--tolerance", "1e-6"], &["--step"]);
+        for tolerance in ["0", "-1", "nan", "1", "1e-20", "abc", ""] {
+            refused(
+                &["simulate", &name, "--tolerance", tolerance],
+                &["--tolerance"],
+            );
+        }
         refused(
-            &["simulate", &name, "--method", "m-alf"],
-            &["m-alf", "two-level"],
+            &[
+                "simulate",
+                &name,
+                "--tolerance",
+                "1e-6",
+                "--method",
+                "alf3f-paper",
+            ],
+            &["two-level"],
+        );
+        refused(
+            &["simulate", &name, "--method", "euler"],
+            &["euler", "two-level", "generalized-alpha"],
         );
         refused(
             &["simulate", &name, "--method", "two-levels"],

@@ -41,6 +41,10 @@ any_simulation! {
     fn time(&) -> f64;
     /// Runs to `time`.
     fn run_until(&mut, time: f64) -> Result<(), SimulationError>;
+    /// Takes whole steps until `time` is reached or passed, none of them beyond `latest`.
+    fn run_past(&mut, time: f64, latest: f64) -> Result<(), SimulationError>;
+    /// Shows the simulation at an instant of its last step, and leaves it where it is.
+    fn look_at(&mut, time: f64, look: &mut dyn FnMut(&dyn AnySimulation)) -> Result<(), SimulationError>;
     /// Runs to a sign change of `event`.
     fn run_to_event(&mut, event: &str, latest: f64) -> Result<Option<f64>, SimulationError>;
     /// One step.

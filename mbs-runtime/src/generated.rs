@@ -3,10 +3,12 @@
 use crate::{MatrixSink, Model, ParameterError, Structure, System, TensorSink, World};
 
 pub use cholesky::Cholesky;
+pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 
 mod cholesky;
+mod elimination;
 mod principal;
 mod rotation;
 mod spin;

@@ -23,7 +23,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
             Method::TwoLevel => {
                 TwoLevelStepper::new(system, state, settings).map(Integrator::TwoLevel)
             }
-            Method::Paper(_) => PaperStepper::new(system, state, settings).map(Integrator::Paper),
+            Method::Paper(_) | Method::MAlf(_) => {
+                PaperStepper::new(system, state, settings).map(Integrator::Paper)
+            }
             _ => BaselineStepper::new(system, state, settings).map(Integrator::Baseline),
         }
     }
@@ -66,7 +68,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     }
 
     /// How much each row takes part in what is nearest to a loss of independence.
-    pub(crate) fn weakest_rows(&self) -> [f64; R] {
+    pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
         match self {
             Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
             Integrator::Paper(_) | Integrator::Baseline(_) => [0.0; R],
@@ -108,7 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     /// To be called after the state or an input was changed.
     pub(crate) fn refresh(&mut self, settings: &Settings) -> Result<(), SimulationError> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.core.refresh(),
+            Integrator::TwoLevel(stepper) => stepper.refresh(),
             Integrator::Paper(stepper) => stepper.refresh(),
             Integrator::Baseline(stepper) => stepper.refresh(),
         }
@@ -124,9 +126,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 let core = &stepper.core;
                 Trace {
                     phi: &core.work.phi,
-                    rates: core
-                        .start
-                        .velocity_rows(&core.system, &core.state.velocities),
+                    rates: stepper.rates(),
                 }
             }
             Integrator::Paper(stepper) => Trace {

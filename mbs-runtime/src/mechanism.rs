@@ -16,6 +16,7 @@
 //! Derivatives with respect to q are taken along velocities, D_j f = ∂f/∂q · G_j, and have N columns. In the plane G is
 //! the identity and Q = N.
 
+use crate::generated::Elimination;
 use crate::{MatrixSink, Model, ParameterError, Structure, TensorSink, UnknownName};
 
 /// A declared mechanism: its parameters, before anything was computed from them.
@@ -55,6 +56,8 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
     const ROTATIONS: &'static [usize];
     /// A factor of M(q): nothing where M is constant (its inverse is in the system), else a Cholesky factor.
     type Mass: Clone;
+    /// Elimination without zeros, for large mechanisms to which it applies.
+    const ELIMINATION: Option<&'static Elimination<N, R>> = None;
 
     /// The current values of the `Input`s, in the order of [`Model::inputs`].
     fn inputs(&self) -> &[f64];
@@ -122,6 +125,18 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
         a: &mut impl MatrixSink,
         b: &mut [f64; R],
     );
+    /// The same with A in the array of K, where there is an [`Self::ELIMINATION`].
+    #[inline(always)]
+    fn sparse_constraints(
+        &self,
+        t: f64,
+        q: &[f64; Q],
+        phi: &mut [f64; R],
+        k: &mut [f64],
+        b: &mut [f64; R],
+    ) {
+        let _ = (t, q, phi, k, b);
+    }
     /// Ȧ along v, and γ = d(A v + b)/dt at constant v: the rows at acceleration level are A v̇ + γ = 0.
     fn constraint_rates(
         &self,

@@ -2,9 +2,12 @@
 
 use crate::alf3f::ORDERS;
 use crate::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings, ProjectionSettings,
-    SimulationError,
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Model, PenaltySettings,
+    ProjectionSettings, SimulationError,
 };
+
+/// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
+const TOLERANCES: [f64; 2] = [1e-12, 0.1];
 
 /// Which integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -14,6 +17,9 @@ pub enum Method {
     TwoLevel,
     /// Algorithm 1 of the paper.
     Paper(PaperSettings),
+    /// The modified augmented Lagrangian that the paper compares with (section 7.2): the same algorithm with rows that have
+    /// neither mass nor damping. Start from [`PaperSettings::m_alf`]: its penalties have another scale.
+    MAlf(PaperSettings),
     /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
     Baumgarte(BaumgarteSettings),
     /// The same without stabilisation, positions and velocities projected onto the rows after each step.
@@ -35,6 +41,7 @@ impl Method {
     pub const NAMES: &'static [&'static str] = &[
         "two-level",
         "alf3f-paper",
+        "m-alf",
         "index3-projections",
         "generalized-alpha",
         "bdf",
@@ -49,6 +56,7 @@ impl Method {
         Some(match name {
             "two-level" => Method::TwoLevel,
             "alf3f-paper" => Method::Paper(PaperSettings::default()),
+            "m-alf" => Method::MAlf(PaperSettings::m_alf()),
             "baumgarte" => Method::Baumgarte(BaumgarteSettings::default()),
             "projected" => Method::Projected,
             "rattle" => Method::Rattle,
@@ -65,6 +73,7 @@ impl Method {
         match self {
             Method::TwoLevel => "two-level",
             Method::Paper(_) => "alf3f-paper",
+            Method::MAlf(_) => "m-alf",
             Method::Baumgarte(_) => "baumgarte",
             Method::Projected => "projected",
             Method::Rattle => "rattle",
@@ -106,12 +115,24 @@ impl Flow {
 pub struct Settings {
     /// The integrator.
     pub method: Method,
-    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 9 or 17 stages, some of which
+    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 13 or 17 stages, some of which
     /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`]. Of the explicit Runge–Kutta
     /// methods it chooses the one of order 4 (also for 2), 6 or 8.
     pub order: u8,
-    /// Step h, s.
+    /// Step h, s; with a tolerance the first one that is tried.
     pub step: f64,
+    /// Lets the runtime choose the steps of the two-level method: the error of two steps, in positions as far as the next
+    /// step will carry it, stays below a fiftieth of this part of the way they lead. A way counts in sizes of the
+    /// mechanism (the extent of its points at the start) and in radians, and no slower than at the greatest speed so far.
+    ///
+    /// Errors add up over a run and grow with the motion's own instability; the fiftieth allows for both. The largest
+    /// error of a position over the run, in sizes and radians and as a multiple of the tolerance, beside the references
+    /// of the scenes (`cargo run --release -p mbs-examples --example tolerances`; 10 s, for andrews 0.05 s):
+    ///
+    /// TABLE
+    ///
+    /// Between 1e-12 and 0.1. [`Settings::for_tolerance`] chooses the order with it.
+    pub tolerance: Option<f64>,
     /// Whether a step of the two-level method that would land beside a singular pose is given another length (0.5 to
     /// 1.15 times h), so that it does not. At second order only where the landing costs digits.
     /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event end where
@@ -124,6 +145,40 @@ pub struct Settings {
     pub constraint_tolerance: f64,
     /// Iterations after which a step is given up.
     pub max_iterations: usize,
+    /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ through one factorisation, and
+    /// takes what they leave of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)) instead of going on or
+    /// failing; the next one starts from there and does not let it grow. [`Model::step_flops`] bounds the work. Steps are
+    /// not placed. For the leapfrog flow without nonholonomic rows; refused elsewhere, and with a tolerance.
+    ///
+    /// A loop at 1 kHz, in which a step never takes more than it always takes:
+    ///
+    /// ```
+    /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+    /// mechanism!(SliderCrank {
+    ///     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    ///     drive_force: Input(unit = N),
+    ///     crank: Bar(mass = 1.0_kg, length = 0.15_m, angle = 60.0_deg),
+    ///     rod: Bar(mass = 0.5_kg, length = 0.4_m, angle = -20.0_deg),
+    ///     main_bearing: Revolute(ground.origin, crank.a),
+    ///     crank_pin: Revolute(crank.b, rod.a),
+    ///     liner: PointOnLine(rod.b, ground.origin, axis = X),
+    ///     drive: Force(on = rod.b, value = [drive_force, 0.0]),
+    /// });
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let settings = Settings { step: 1e-3, fixed_iterations: Some(2), ..Settings::default() };
+    /// let mut simulation = Simulation::with_settings(SliderCrank::default(), settings)?;
+    /// assert!(SliderCrank::MODEL.step_flops(2).is_some_and(|flops| flops < 10_000));
+    /// for tick in 0..1000 {
+    ///     let force = if tick < 500 { 1.0 } else { -1.0 };
+    ///     simulation.set_input("drive_force", force)?;
+    ///     simulation.step()?;
+    /// }
+    /// assert!(simulation.report().holonomic_error < 1e-9);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fixed_iterations: Option<usize>,
 }
 
 impl Default for Settings {
@@ -132,15 +187,49 @@ impl Default for Settings {
             method: Method::TwoLevel,
             order: 2,
             step: 1e-3,
+            tolerance: None,
             placement: true,
             flow: None,
             constraint_tolerance: 1e-13,
             max_iterations: 25,
+            fixed_iterations: None,
         }
     }
 }
 
 impl Settings {
+    /// Steps chosen by a [tolerance](Settings::tolerance), at the order that reaches it with the least work: 4 down to
+    /// 3e-4, 6 down to 3e-6, then 8; always 2 where forces depend on velocities.
+    ///
+    /// ```
+    /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+    /// # mechanism!(Pendulum {
+    /// #     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    /// #     rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 0.0_deg),
+    /// #     pivot: Revolute(ground.origin, rod.a),
+    /// # });
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let settings = Settings::for_tolerance(1e-8, Pendulum::MODEL);
+    /// let mut simulation = Simulation::with_settings(Pendulum {}, settings)?;
+    /// simulation.run_until(10.0)?;
+    /// assert!(simulation.energy().error.abs() < 1e-7);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn for_tolerance(tolerance: f64, model: &Model) -> Self {
+        let order = match tolerance {
+            _ if model.structure.velocity_forces => 2,
+            t if t > 3e-4 => 4,
+            t if t > 3e-6 => 6,
+            _ => 8,
+        };
+        Settings {
+            order,
+            tolerance: Some(tolerance),
+            ..Settings::default()
+        }
+    }
+
     /// Refuses values that no integration can be done with.
     pub(crate) fn check(&self) -> Result<(), SimulationError> {
         positive("step", self.step)?;
@@ -148,6 +237,24 @@ impl Settings {
         positive("max_iterations", self.max_iterations as f64)?;
         let known = ORDERS.contains(&self.order);
         require("order", self.order.into(), known, "2, 4, 6 or 8")?;
+        if let Some(count) = self.fixed_iterations {
+            let free = self.tolerance.is_none() && matches!(self.method, Method::TwoLevel);
+            let wanted = "`None` with a tolerance or another method than the two-level one";
+            require("fixed_iterations", count as f64, free, wanted)?;
+            require("fixed_iterations", count as f64, count > 0, "1 or more")?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&tolerance);
+            require(
+                "tolerance",
+                tolerance,
+                possible,
+                "a value from 1e-12 to 0.1",
+            )?;
+            let paced = matches!(self.method, Method::TwoLevel);
+            let wanted = "`None` with this method: only the two-level one chooses its steps";
+            require("tolerance", tolerance, paced, wanted)?;
+        }
         match &self.method {
             Method::TwoLevel | Method::Projected => Ok(()),
             Method::Baumgarte(baumgarte) => baumgarte.check(),
@@ -173,11 +280,11 @@ impl Settings {
                 "from 0 to 1",
             ),
             Method::Bdf(bdf) => bdf.check(),
-            Method::Paper(_) if self.order > 2 => Err(SimulationError::Order {
+            Method::Paper(_) | Method::MAlf(_) if self.order > 2 => Err(SimulationError::Order {
                 order: self.order,
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
             }),
-            Method::Paper(paper) => paper.check(),
+            Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
         }
     }
 }
@@ -239,6 +346,16 @@ impl Default for PaperSettings {
 }
 
 impl PaperSettings {
+    /// Those that suit [`Method::MAlf`]: its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
+    pub fn m_alf() -> Self {
+        PaperSettings {
+            penalty: 1e10,
+            max_penalty: 1e14,
+            restart_multipliers: false,
+            ..PaperSettings::default()
+        }
+    }
+
     fn check(&self) -> Result<(), SimulationError> {
         positive("newton_tolerance", self.newton_tolerance)?;
         positive("velocity_tolerance", self.velocity_tolerance)?;

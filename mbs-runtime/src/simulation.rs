@@ -1,10 +1,15 @@
 //! A mechanism in motion.
 
+mod dense;
+mod hermite;
 mod passages;
 mod placement;
 mod run;
+mod tolerance;
+mod yardstick;
 
 use self::passages::Passages;
+use self::yardstick::Yardstick;
 use crate::alf3f::Passage;
 use crate::assembly::assemble;
 use crate::integrator::Integrator;
@@ -38,6 +43,11 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     passages: Passages,
     /// Where a step that is tried began.
     before: Box<State<Q, N, R>>,
+    /// Where the last step began that can be looked into; at infinity where there is none.
+    behind: Box<State<Q, N, R>>,
+    /// Where steps that are compared began.
+    pair: Box<State<Q, N, R>>,
+    yardstick: Box<Yardstick<N>>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
     events: Vec<f64>,
 }
@@ -111,6 +121,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let stages = crate::alf3f::stages(settings.order).len();
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_room(stages)),
+            pair: Box::new(integrator.state().with_room(stages)),
+            behind: Box::new(State {
+                time: f64::INFINITY,
+                ..integrator.state().with_room(stages)
+            }),
+            yardstick: Box::new(Yardstick::new(&[], &[])),
             integrator,
             settings,
             assembly,
@@ -120,6 +136,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             passages: Passages::new(),
             events: vec![0.0; S::MODEL.events.len()],
         };
+        simulation.yardstick = Box::new(Yardstick::new(S::MODEL.velocities, &simulation.points()));
         simulation.take_stock();
         if simulation.state().ledger.initial.is_none() {
             let energy = simulation.energy();
@@ -171,13 +188,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         &self.state().velocities
     }
 
-    /// One step of [`Settings::step`], or of another length beside singular poses ([`Settings::placement`]).
+    /// One step of [`Settings::step`], or of another length beside singular poses ([`Settings::placement`]). With a
+    /// tolerance one step of the length it calls for, or two.
     ///
     /// # Errors
     /// A row that does not converge, even with much smaller steps, or a state that is not finite; the message names the
     /// row and the time.
     pub fn step(&mut self) -> Result<(), SimulationError> {
-        self.place(self.settings.step, f64::INFINITY).map(drop)
+        self.forward(self.nominal(), f64::INFINITY)
     }
 
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
@@ -279,6 +297,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
+        // What lies behind was another motion.
+        self.behind.time = f64::INFINITY;
         Ok(())
     }
 

@@ -87,6 +87,19 @@ pub enum SimulationError {
         /// The row that did not converge, or `equations of motion`.
         row: &'static str,
     },
+    /// [`Settings::tolerance`](crate::Settings::tolerance) cannot be met.
+    Tolerance {
+        /// Time at the start of the step, s.
+        time: f64,
+        /// The last step tried, s.
+        step: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// The estimated error as a multiple of what the tolerance allows.
+        times: f64,
+        /// The velocity, as the model names it, whose coordinate is worst.
+        velocity: &'static str,
+    },
     /// A value that an input cannot take.
     Input {
         /// The input.
@@ -213,6 +226,16 @@ impl fmt::Display for SimulationError {
             StepUnderflow { time, step, row } => write!(
                 out,
                 "`{row}` cannot be satisfied beyond t = {time} s, not even with a step of {step:.1e} s; loosen the tolerance (for Algorithm 1 `velocity_tolerance`), or use the two-level method, which passes singular poses"
+            ),
+            Tolerance {
+                time,
+                step,
+                tolerance,
+                times,
+                velocity,
+            } => write!(
+                out,
+                "the tolerance {tolerance:.1e} cannot be met beyond t = {time} s: with a step of {step:.1e} s the error along `{velocity}` is still {times:.1e} times what it allows; loosen the tolerance, or look for a force that jumps there"
             ),
             Input { name, value } => {
                 write!(

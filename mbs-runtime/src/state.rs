@@ -22,6 +22,8 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub stage_multipliers: Vec<[[f64; R]; 2]>,
     /// Accumulated work.
     pub ledger: Ledger,
+    /// What the choice of steps remembers, where there is a tolerance.
+    pub pace: Pace,
     /// The fields that only Algorithm 1 carries from step to step.
     pub fields: ThreeFields<N, R>,
 }
@@ -88,6 +90,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         self.multiplier_changes = other.multiplier_changes;
         self.stage_multipliers.clone_from(&other.stage_multipliers);
         self.ledger = other.ledger;
+        self.pace = other.pace;
         self.fields = other.fields;
     }
 
@@ -122,6 +125,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             multiplier_changes: [0.0; R],
             stage_multipliers: Vec::new(),
             ledger: Ledger::default(),
+            pace: Pace::default(),
             fields: ThreeFields::default(),
         }
     }
@@ -136,6 +140,25 @@ pub struct Ledger {
     pub nonconservative_work: f64,
     /// Work of the rheonomic rows.
     pub drive_work: f64,
+}
+
+/// What the choice of steps by a tolerance remembers from step to step.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pace {
+    /// The step in use, s; zero: none was chosen yet.
+    pub step: f64,
+    /// Comparisons in a row that would have allowed a longer step …
+    pub quiet: u32,
+    /// … and by how much all of them would, in powers of 2^¼.
+    pub allowed: f64,
+    /// How many it takes.
+    pub patience: u32,
+    /// Whether the last change was to a longer step.
+    pub raised: bool,
+    /// Whether the first length is still being looked for.
+    pub eager: bool,
+    /// The greatest speed so far, in sizes of the mechanism and radians a second.
+    pub speed: f64,
 }
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.

@@ -8,8 +8,8 @@ use common::scenes::*;
 use common::spatial::{HeavyTop, RollingDisk, Sprung};
 use common::{Hand, Parameters, Scene};
 use mbs_runtime::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PenaltySettings, Settings,
-    Simulation, SimulationError,
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,
+    PenaltySettings, Settings, Simulation, SimulationError,
 };
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
@@ -124,6 +124,24 @@ fn rattle_is_of_second_order() {
     slope(SliderCrankAngles, by_name("rattle", 2, 0.01), 2.0, 0.24);
     slope(Shaken, by_name("rattle", 2, 0.01), 2.0, 0.48);
     slope(HeavyTop, by_name("rattle", 2, 1e-3), 2.0, 0.1);
+}
+
+/// Its rows hold to a tolerance; with a tight one the order shows.
+#[test]
+fn the_modified_augmented_lagrangian_is_of_second_order() {
+    let by = |step| Settings {
+        method: Method::MAlf(PaperSettings {
+            velocity_tolerance: 1e-8,
+            update_tolerance: 1e-9,
+            ..PaperSettings::m_alf()
+        }),
+        step,
+        ..Settings::default()
+    };
+    slope(SliderCrank, by(0.01), 2.0, 0.24);
+    slope(SliderCrankAngles, by(0.01), 2.0, 0.24);
+    slope(Shaken, by(0.01), 2.0, 0.48);
+    slope(Sleigh::default(), by(0.05), 2.0, 2.0);
 }
 
 #[test]

@@ -120,6 +120,7 @@ mechanisms! {
     slider_crank: scenes::slider_crank::SliderCrank;
     driven_slider_crank: scenes::driven_slider_crank::DrivenSliderCrank;
     double_four_bar: scenes::double_four_bar::DoubleFourBar;
+    four_bar_10: scenes::four_bar_10::FourBar10;
     four_bar_40: scenes::four_bar_40::FourBar40;
     andrews: scenes::andrews::Andrews;
     chaplygin_sleigh: scenes::chaplygin_sleigh::ChaplyginSleigh;

@@ -367,6 +367,8 @@ mod program {
             forces: Vec::new(),
             power: zero,
             rows: Vec::new(),
+            idle: Vec::new(),
+            pull: None,
             reactions: Vec::new(),
             outputs: outputs.to_vec(),
             events: Vec::new(),

@@ -7,8 +7,6 @@ use super::failure::Failure;
 use super::find::unknown;
 use super::simulate::Simulate;
 
-const PLANNED: &[&str] = &["m-alf"];
-
 /// A run that makes sense.
 pub struct Request {
     /// Up to this time, s.
@@ -22,13 +20,14 @@ pub struct Request {
 impl Request {
     /// Checks the arguments against the scene and fills in its defaults.
     pub fn new(arguments: &Simulate, scene: &Scene) -> Result<Self, Failure> {
-        if arguments.tolerance.is_some() {
-            return Err(Failure(
-                "--tolerance is not available yet: steps are constant; give their length with --step"
-                    .to_owned(),
-            ));
+        let tolerance = arguments.tolerance.as_deref().map(tolerance).transpose()?;
+        let mut settings = match tolerance {
+            Some(tolerance) => Settings::for_tolerance(tolerance, scene.model),
+            None => Settings::default(),
+        };
+        if let Some(text) = &arguments.order {
+            settings.order = order(text)?;
         }
-        let order = order(&arguments.order)?;
         let duration = positive("--time", arguments.time.as_deref(), scene.duration)?;
         let step = positive("--step", arguments.step.as_deref(), scene.step)?;
         if duration / step > 1e15 {
@@ -36,15 +35,11 @@ impl Request {
                 "--step {step:e} is too small for --time {duration:e}: time would not advance; take a longer step"
             )));
         }
-        let method = method(&arguments.method)?;
+        settings.method = method(&arguments.method)?;
+        settings.step = step;
         let mut request = Request {
             duration,
-            settings: Settings {
-                method,
-                order,
-                step,
-                ..Settings::default()
-            },
+            settings,
             parameters: Vec::new(),
             inputs: Vec::new(),
         };
@@ -100,21 +95,18 @@ fn order(text: &str) -> Result<u8, Failure> {
     }
 }
 
+fn tolerance(text: &str) -> Result<f64, Failure> {
+    match finite("--tolerance", text)? {
+        value if (1e-12..=0.1).contains(&value) => Ok(value),
+        _ => Err(Failure(format!(
+            "--tolerance {text}: give a part of the motion from 1e-12 to 0.1, or a constant step with --step"
+        ))),
+    }
+}
+
 fn method(name: &str) -> Result<Method, Failure> {
-    if let Some(method) = Method::by_name(name) {
-        return Ok(method);
-    }
-    match name {
-        planned if PLANNED.contains(&planned) => Err(Failure(format!(
-            "method `{planned}` is not available yet; available: {}",
-            Method::NAMES.join(", ")
-        ))),
-        other => Err(Failure(unknown(
-            "method",
-            other,
-            Method::NAMES.iter().copied(),
-        ))),
-    }
+    let known = Method::NAMES.iter().copied();
+    Method::by_name(name).ok_or_else(|| Failure(unknown("method", name, known)))
 }
 
 fn positive(option: &str, text: Option<&str>, default: f64) -> Result<f64, Failure> {

@@ -19,6 +19,8 @@ use super::summary;
 
 /// Instants that are recorded at most, give or take one.
 const MOST_SAMPLES: f64 = 2000.0;
+/// Instants that are looked at, at least, where they fall between steps.
+const LOOKS: f64 = 500.0;
 
 /// Arguments of `mbs simulate`. Numbers are read as text, so that all of them are checked in one place.
 #[derive(Args)]
@@ -28,19 +30,19 @@ pub struct Simulate {
     /// Simulated time, s [default: the scene's].
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub time: Option<String>,
-    /// Step, s [default: the scene's].
+    /// Step, s [default: the scene's]; with --tolerance the first one that is tried.
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub step: Option<String>,
-    /// Step-size control: not available yet.
-    #[arg(long, value_name = "X", hide = true, allow_hyphen_values = true)]
+    /// Chooses the steps, and the order too: the accuracy wanted, relative to the size of the mechanism, for example 1e-6.
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
-    /// Integrator: two-level, alf3f-paper, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
+    /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
     /// penalty.
     #[arg(long, value_name = "M", default_value = "two-level")]
     pub method: String,
-    /// Order of the method: 2, 4, 6 or 8.
-    #[arg(long, value_name = "N", default_value = "2")]
-    pub order: String,
+    /// Order of the method: 2, 4, 6 or 8 [default: 2, or what suits --tolerance].
+    #[arg(long, value_name = "N")]
+    pub order: Option<String>,
     /// Value of a parameter or an input; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]
     pub set: Vec<String>,
@@ -124,15 +126,17 @@ fn integrate(
     mut results: Option<&mut Results>,
 ) -> Result<(), Failure> {
     let progress = Progress::new(run.scene.name, end);
-    let mut record = |run: &mut Run| {
-        let frame = Frame::record(run.simulation.as_ref());
+    let mut record = |frames: &mut Vec<Frame>, simulation: &dyn AnySimulation| {
+        let frame = Frame::record(simulation);
         if let Some(results) = results.as_deref_mut() {
             results.record(&frame)?;
         }
-        run.frames.push(frame);
+        frames.push(frame);
         Ok::<(), Failure>(())
     };
-    record(run)?;
+    record(&mut run.frames, run.simulation.as_ref())?;
+    // Steps that a tolerance calls for go past the samples, which are then looked back at.
+    let between = run.simulation.settings().tolerance.is_some();
     let samples = (end / interval - 1e-6).ceil().max(1.0) as u64;
     for sample in 1..=samples {
         let until = if sample == samples {
@@ -141,7 +145,10 @@ fn integrate(
             sample as f64 * interval
         };
         let started = ProcessTime::now();
-        let advanced = run.simulation.run_until(until);
+        let advanced = match between && sample < samples {
+            true => run.simulation.run_past(until, end),
+            false => run.simulation.run_until(until),
+        };
         run.cpu += started.elapsed().as_secs_f64();
         if let Err(error) = advanced {
             run.stopped = Some(error);
@@ -151,24 +158,38 @@ fn integrate(
                 .last()
                 .is_some_and(|frame| frame.time < run.simulation.time())
             {
-                record(run)?;
+                record(&mut run.frames, run.simulation.as_ref())?;
             }
             break;
         }
-        record(run)?;
+        let mut recorded = Ok(());
+        let frames = &mut run.frames;
+        let looked = run.simulation.look_at(until, &mut |simulation| {
+            recorded = record(frames, simulation);
+        });
+        recorded?;
+        if let Err(error) = looked {
+            run.stopped = Some(error);
+            break;
+        }
         progress.at(until);
     }
     progress.finish();
     Ok(())
 }
 
-/// A whole number of steps, so that sampling shortens none; of these one that meets the reference's instants.
+/// Where a tolerance chooses the steps a part of the reference's interval, else a whole number of steps, so that sampling shortens none; of these one that meets the reference's instants.
 fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64 {
+    let wanted = reference.and_then(ReferenceTable::interval);
+    if request.settings.tolerance.is_some() {
+        let interval = wanted.unwrap_or(request.duration).min(request.duration);
+        let parts = (interval / request.duration * LOOKS).ceil();
+        return interval / parts.max(1.0);
+    }
     let step = request.settings.step;
     let fewest = (request.duration / step / MOST_SAMPLES).ceil().max(1.0);
     let whole = |ratio: f64| ratio > 0.5 && (ratio - ratio.round()).abs() < 1e-6 * ratio;
     let meets = |steps: &f64| {
-        let wanted = reference.and_then(ReferenceTable::interval);
         wanted.is_some_and(|wanted| whole(wanted / (steps * step)) || whole(steps * step / wanted))
     };
     let mut candidates = (0..=fewest as u64).map(|more| fewest + more as f64);

@@ -35,7 +35,8 @@ pub fn json(run: &Run) -> String {
         // Algorithm 1 has its own discretisation.
         "flow": matches!(settings.method, Method::TwoLevel).then(|| run.simulation.flow().name()),
         "order": settings.order,
-        "step_s": run.simulation.settings().step,
+        "step_s": step(run),
+        "tolerance": settings.tolerance,
         "coordinates": model.coordinates.len(),
         "velocities": run.simulation.velocities().len(),
         "rows": model.rows.len(),
@@ -56,6 +57,14 @@ pub fn json(run: &Run) -> String {
         "reference": reference,
     });
     format!("{object:#}\n")
+}
+
+/// The step, s; where a tolerance chose it, the average one.
+fn step(run: &Run) -> f64 {
+    match run.simulation.settings().tolerance {
+        Some(_) => run.simulation.time() / run.simulation.report().steps.max(1) as f64,
+        None => run.simulation.settings().step,
+    }
 }
 
 /// Singular poses passed.
@@ -119,10 +128,17 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
         ),
         _ => settings.method.name().to_owned(),
     };
+    let steps = match settings.tolerance {
+        Some(tolerance) => format!(
+            "tolerance {tolerance:e}, steps of {:.3e} s on average",
+            step(run)
+        ),
+        None => format!("step {} s", settings.step),
+    };
     writeln!(
         out,
-        "  method       {method}, order {}, step {} s",
-        settings.order, settings.step
+        "  method       {method}, order {}, {steps}",
+        settings.order
     )?;
     writeln!(
         out,

@@ -8,6 +8,7 @@ pub mod double_four_bar;
 pub mod double_pendulum;
 pub mod driven_slider_crank;
 pub mod flyball_governor;
+pub mod four_bar_10;
 pub mod four_bar_40;
 pub mod heavy_top;
 pub mod knife_edge;
@@ -33,6 +34,7 @@ static SCENES: &[Scene] = &[
     slider_crank::SCENE,
     driven_slider_crank::SCENE,
     double_four_bar::SCENE,
+    four_bar_10::SCENE,
     four_bar_40::SCENE,
     andrews::SCENE,
     andrews::IFTOMM,

@@ -34,11 +34,11 @@ pub(crate) fn choose(
     errors: &mut Errors,
 ) -> Option<Analysis> {
     let first = requested.unwrap_or(Formulation::Natural);
-    let model = model::resolve(declaration, first, errors);
+    let model = model::resolve(declaration, first, &[], errors);
     if !errors.is_empty() {
         return None;
     }
-    let mut best = match derive(model?) {
+    let mut best = match derive(declaration, model?) {
         Ok(best) => best,
         Err(open) => {
             refusals::refuse_open(declaration, &open, errors);
@@ -55,7 +55,7 @@ pub(crate) fn choose(
     for formulation in [Formulation::Reference, Formulation::Joint] {
         // What is wrong with a declaration was found already; a description that does not apply is passed over.
         let mut passed_over = Errors::new();
-        let model = model::resolve(declaration, formulation, &mut passed_over);
+        let model = model::resolve(declaration, formulation, &[], &mut passed_over);
         let (Some(mut model), true) = (model, passed_over.is_empty()) else {
             continue;
         };
@@ -83,7 +83,7 @@ pub(crate) fn choose(
             });
             continue;
         }
-        let Ok(mut other) = derive(model) else {
+        let Ok(mut other) = derive(declaration, model) else {
             continue;
         };
         let own = candidate(&mut other);
@@ -97,7 +97,42 @@ pub(crate) fn choose(
     Some(best)
 }
 
-fn derive(mut model: Model) -> Result<Analysis, Open> {
+/// A description with its equations. Where redundancy leaves the reaction of a solved row open, the row is taken back: so
+/// those who share a load are named, and share it by least norm.
+fn derive(declaration: &Declaration, model: Model) -> Result<Analysis, Open> {
+    let formulation = model.formulation;
+    let mut analysis = derived(model)?;
+    let mut keep: Vec<String> = Vec::new();
+    if analysis.mobility.is_none() {
+        // What cannot be closed is told best with all rows at hand.
+        let rows = analysis.model.solved.rows.iter();
+        let joints: Vec<String> = rows.map(|(joint, _)| joint.clone()).collect();
+        let mut none = Errors::new();
+        let model = model::resolve(declaration, formulation, &joints, &mut none);
+        if let (Some(model), false, true) = (model, joints.is_empty(), none.is_empty()) {
+            derived(model)?;
+        }
+    }
+    loop {
+        let open = analysis.mobility.iter().flat_map(|m| &m.undetermined);
+        let solved = &analysis.model.solved;
+        let shared: Vec<String> = open
+            .filter(|joint| solved.touches(joint))
+            .cloned()
+            .collect();
+        if shared.is_empty() {
+            return Ok(analysis);
+        }
+        keep.extend(shared);
+        let mut none = Errors::new();
+        match model::resolve(declaration, formulation, &keep, &mut none) {
+            Some(model) if none.is_empty() => analysis = derived(model)?,
+            _ => return Ok(analysis),
+        }
+    }
+}
+
+fn derived(mut model: Model) -> Result<Analysis, Open> {
     let system = equations::derive(&mut model);
     let mut derived = derivatives::derive(system);
     let mobility = mobility::analyse(&model, &derived)?;

@@ -79,6 +79,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             work,
             scale,
             counters,
+            ..
         } = core;
         let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
         let mut weights = scale.weights;

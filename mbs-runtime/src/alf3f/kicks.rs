@@ -43,6 +43,7 @@ where
         system,
         state,
         max_iterations,
+        fixed_iterations,
         start,
         end,
         work,
@@ -50,6 +51,7 @@ where
         counters,
     } = core;
     let (t0, t1) = (state.time, state.time + h);
+    let fixed = *fixed_iterations;
     let weights = &scale.weights;
 
     let mut kappa = state.expected_impulse(h);
@@ -61,7 +63,8 @@ where
     let rate = 1.0 / h;
     let weak_start = work.symmetric.weak;
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    let mut matrix = if flow.is_direct() && !weak_start {
+    // Where their number is fixed B is factored once, for all of them.
+    let mut matrix = if flow.is_direct() && !weak_start && fixed.is_none() {
         Matrix::Start
     } else {
         Matrix::None
@@ -73,11 +76,14 @@ where
         flow.positions(system, &va, &mut q)?;
         system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
         let residual = residual_of(&work.phi, weights);
-        if residual <= 1.0 {
-            break;
+        match fixed {
+            None if residual <= 1.0 => break,
+            Some(count) if iterations == count && residual.is_finite() => break,
+            _ => {}
         }
         // Renewed where one more correction at the present rate would not do.
         let slow = !(residual * residual <= last) && iterations > 0;
+        let slow = slow && (fixed.is_none() || !residual.is_finite());
         if matrix == Matrix::None || slow {
             let taken = if work.dual.regularised {
                 scale.lost
@@ -87,7 +93,7 @@ where
             if matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
                 break;
             }
-            if iterations == *max_iterations || !residual.is_finite() {
+            if (iterations == *max_iterations && fixed.is_none()) || !residual.is_finite() {
                 return Err(not_converged(&work.phi, weights, iterations));
             }
             let directions = flow.directions(system, &va, &start.w)?;

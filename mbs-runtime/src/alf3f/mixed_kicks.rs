@@ -35,6 +35,7 @@ where
         work,
         scale,
         counters,
+        ..
     } = core;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();

@@ -10,6 +10,7 @@ mod node;
 mod paper;
 mod paper_rows;
 mod passage;
+mod sparse_kicks;
 mod two_level;
 
 pub(crate) use self::core::{Counters, RowScale};

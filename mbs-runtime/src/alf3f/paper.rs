@@ -7,11 +7,16 @@
 //! q₁ = q₀ ⊕ h/2 (v₀ + v₁),    λ₁ = λ₀ + h/2 (μ₀ + μ₁)                               (28), (29)
 //! ```
 //!
+//! The modified augmented Lagrangian (M-ALF) that section 7.2 compares with is the same algorithm with other coefficients
+//! ([`RowMotion::Static`]). Its rows feel λ alone, so that λ₁ follows μ₁ within Newton's method, multipliers are never
+//! reset, and the first ones are those of the equations at acceleration level. The term Ξφ of λ̄ is left out: where ψ̇ = 0
+//! decides, it would only displace λ.
+//!
 //! The numbers in the comments are the lines of Algorithm 1. At singular poses the impulse acts along the row of
 //! mid-step and the row is tested at the end of the step: with a tight tolerance the step underflows there.
 
 use super::core::Counters;
-use super::paper_rows::{Instant, Jacobian, Unknowns};
+use super::paper_rows::{Instant, Jacobian, RowMotion, Unknowns};
 use super::{Fault, kicks};
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest};
@@ -25,6 +30,7 @@ pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     start: Box<Instant<S, Q, N, R>>,
     end: Box<Instant<S, Q, N, R>>,
     jacobian: Box<(Jacobian<N>, Pivoted<N>)>,
+    motion: RowMotion,
     /// Work of each row against b during the last step, J.
     drive: [f64; R],
     counters: Counters,
@@ -41,12 +47,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
-        let paper = match settings.method {
-            Method::Paper(paper) => paper,
-            _ => PaperSettings::default(),
+        let (motion, paper) = match settings.method {
+            Method::MAlf(paper) => (RowMotion::Static, paper),
+            Method::Paper(paper) => (RowMotion::Own, paper),
+            _ => (RowMotion::Own, PaperSettings::default()),
         };
         let instant = |system: &S| {
-            Instant::new(system, &state.positions)
+            Instant::new(system, &state.positions, motion)
                 .map(Box::new)
                 .map_err(|fault| {
                     SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
@@ -56,6 +63,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             start: instant(&system)?,
             end: instant(&system)?,
             jacobian: Box::new((Jacobian::new(), Pivoted::new())),
+            motion,
             drive: [0.0; R],
             counters: Counters::default(),
             settings: paper,
@@ -104,6 +112,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// Recomputes what is known of the current instant.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
+        if self.motion == RowMotion::Static && !self.state.fields.started {
+            self.begin()?;
+        }
         let State {
             time,
             positions,
@@ -112,6 +123,24 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         } = &self.state;
         self.start
             .place(&self.system, &self.settings, *time, positions, velocities)
+    }
+
+    /// Multipliers that satisfy the rows at acceleration level, for a start without history.
+    fn begin(&mut self) -> Result<(), Fault> {
+        let reactions = crate::reactions::reactions(&self.system, &self.state)?;
+        let State {
+            positions,
+            velocities,
+            fields,
+            ..
+        } = &mut self.state;
+        let multipliers = fields.lambda.iter_mut().zip(reactions.multipliers);
+        multipliers.for_each(|(lambda, multiplier)| *lambda = multiplier);
+        fields.mu = [0.0; R];
+        self.system
+            .momentum(positions, velocities, &mut fields.momentum);
+        fields.started = true;
+        Ok(())
     }
 
     /// Lines 1 and 2 with the step control around the algorithm: halve on failure, double back after success.
@@ -161,7 +190,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     fn try_step(&mut self, h: f64) -> Result<(), Fault> {
         let (t0, q0, v0) = (self.state.time, self.state.positions, self.state.velocities);
         let settings = self.settings;
-        let restart = settings.restart_multipliers || !self.state.fields.started;
+        let restart = self.motion == RowMotion::Own
+            && (settings.restart_multipliers || !self.state.fields.started);
         let (mu0, lambda0) = if restart {
             ([0.0; R], [0.0; R])
         } else {
@@ -182,7 +212,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             v: v0,
             q: self.system.advance(&q0, &v0, h),
             mu: mu0,
-            lambda: lambda0,
+            lambda: match self.motion {
+                RowMotion::Own => lambda0,
+                RowMotion::Static => std::array::from_fn(|i| lambda0[i] + h * mu0[i]),
+            },
             penalty: [settings.penalty; R],
         };
         let t1 = t0 + h;
@@ -193,7 +226,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             let settled = self.satisfy_rows(t1, h, &known, &mut x)?;
             // 30
             x.q = trapezoid(&self.system, &q0, &v0, &x.v, h);
-            for i in 0..S::STRUCTURE.holonomic_rows {
+            let integrated = match self.motion {
+                RowMotion::Own => S::STRUCTURE.holonomic_rows,
+                RowMotion::Static => R,
+            };
+            for i in 0..integrated {
                 x.lambda[i] = lambda0[i] + 0.5 * h * (mu0[i] + x.mu[i]);
             }
             k += 1;
@@ -261,7 +298,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             // 15–27
             if (0..R).all(augmentable) {
                 for i in 0..R {
-                    x.mu[i] -= x.penalty[i] * rates[i];
+                    let change = -x.penalty[i] * rates[i];
+                    x.mu[i] += change;
+                    if self.motion == RowMotion::Static {
+                        x.lambda[i] += 0.5 * h * change;
+                    }
                 }
             } else {
                 for i in (0..R).filter(|&i| !augmentable(i)) {
@@ -292,8 +333,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         for _ in 0..self.settings.max_newton_iterations {
             let rates = self.end.node.velocity_rows(&self.system, &x.v);
             let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
-            let lambda: [f64; R] =
-                std::array::from_fn(|r| x.lambda[r] - x.penalty[r] * self.end.phi[r]);
+            let lambda: [f64; R] = std::array::from_fn(|r| match self.motion {
+                RowMotion::Own => x.lambda[r] - x.penalty[r] * self.end.phi[r],
+                RowMotion::Static => x.lambda[r] + 0.5 * h * (mu[r] - x.mu[r]),
+            });
             let force = self
                 .end
                 .total_force(&self.system, t1, &x.q, &x.v, &mu, &lambda);

@@ -5,6 +5,16 @@ use crate::linear::{Matrix, clear, dot};
 use crate::sink::Discard;
 use crate::{PaperSettings, System};
 
+/// The equation of motion that each row has, (16).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum RowMotion {
+    /// m̄, c̄, k̄ and f̄ of (18)–(20): ALF-3F.
+    Own,
+    /// m̄ = c̄ = f̄ = 0 and k̄ = 1 in (16), m̄ = 1 in (22): the modified augmented Lagrangian (M-ALF) of section 7.2, as
+    /// formulations before had it. λ is the force of the row.
+    Static,
+}
+
 /// The unknowns at the end of a step.
 pub(super) struct Unknowns<const Q: usize, const N: usize, const R: usize> {
     pub(super) v: [f64; N],
@@ -16,6 +26,7 @@ pub(super) struct Unknowns<const Q: usize, const N: usize, const R: usize> {
 
 /// One instant of Algorithm 1.
 pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    motion: RowMotion,
     pub(super) node: Box<Node<S, Q, N, R>>,
     pub(super) phi: [f64; R],
     /// m̄ of (18), times the scale of the settings.
@@ -37,8 +48,9 @@ pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, co
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant<S, Q, N, R> {
-    pub(super) fn new(system: &S, q: &[f64; Q]) -> Result<Self, Fault> {
+    pub(super) fn new(system: &S, q: &[f64; Q], motion: RowMotion) -> Result<Self, Fault> {
         Ok(Instant {
+            motion,
             node: Node::new(system, q)?,
             phi: [0.0; R],
             constraint_mass: [0.0; R],
@@ -67,6 +79,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         system.constraints(t, q, phi, &mut *node.a, &mut node.b);
         node.metric(system, t, q)?;
         system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
+        if self.motion == RowMotion::Static {
+            self.constraint_stiffness = [1.0; R];
+            return Ok(());
+        }
         let omega = settings.stabilisation_frequency;
         for i in 0..R {
             let length_squared = self.node.gram[i][i];
@@ -117,6 +133,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
 
     /// c̄μ + k̄λ − f̄ of a row, with the f of the last `total_force`.
     pub(super) fn row_force(&self, i: usize, mu: &[f64; R], lambda: &[f64; R]) -> f64 {
+        if self.motion == RowMotion::Static {
+            return lambda[i];
+        }
         let length_squared = self.node.gram[i][i];
         self.constraint_damping[i] * mu[i] + self.constraint_stiffness[i] * lambda[i]
             - dot(&self.node.w[i], &self.applied) / length_squared
@@ -141,7 +160,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         momentum
     }
 
-    /// J = M + Aᵀ(M̄ + h/2 C̄)ΞA − h/2 ∂f/∂v, (79).
+    /// J = M + Aᵀ(M̄ + h/2 C̄)ΞA − h/2 ∂f/∂v, (79); with h²/4 K̄ in place of M̄ and C̄ where rows have none.
     pub(super) fn jacobian(
         &self,
         system: &S,
@@ -161,8 +180,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         }
         for r in 0..R {
             let row = &self.node.a[r];
-            let weight =
-                (self.constraint_mass[r] + 0.5 * h * self.constraint_damping[r]) * x.penalty[r];
+            let weight = match self.motion {
+                RowMotion::Own => self.constraint_mass[r] + 0.5 * h * self.constraint_damping[r],
+                RowMotion::Static => 0.25 * h * h * self.constraint_stiffness[r],
+            } * x.penalty[r];
             for i in 0..N {
                 if row[i] == 0.0 {
                     continue;

@@ -2,6 +2,7 @@
 
 use super::core::{Core, Counters};
 use super::implicit_step::{ImplicitStep, Outcome};
+use super::sparse_kicks::SparseKicks;
 use super::{Fault, Passage, composition, kicks, mixed_kicks};
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
 use crate::linear::Independence;
@@ -23,6 +24,8 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
 /// The flow and its workspace.
 enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Leapfrog(Leapfrog<Q, N, R>),
+    /// The second is for steps near singular poses.
+    Sparse(Box<SparseKicks<N, R>>, Leapfrog<Q, N, R>),
     Midpoint(Box<Midpoint<Q, N, R>>),
     Trapezoid(Box<Trapezoid<Q, N, R>>),
     /// The second is for steps near singular poses.
@@ -68,20 +71,32 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 because: "forces depend on velocities, or the implicit flow was asked for: stages that run back in time would feed dissipation backwards, and the implicit step is not symmetric",
             });
         }
+        let explicit = flow == Flow::Leapfrog && S::STRUCTURE.holonomic_rows == R;
+        if let (Some(count), false) = (settings.fixed_iterations, explicit) {
+            return Err(SimulationError::Setting {
+                name: "fixed_iterations",
+                value: count as f64,
+                wanted: "`None` here: only kicks with the leapfrog flow and without nonholonomic rows have a known cost",
+            });
+        }
         let stages = composition::stages(settings.order);
         let mut state = state;
         state.make_room(stages.len());
         let before = state.with_room(stages.len());
-        let core = Core::new(system, state, settings)
+        let mut core = Core::new(system, state, settings)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
+        let flow = match flow {
+            Flow::Leapfrog => match SparseKicks::new(&mut core) {
+                Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
+                None => Stepping::Leapfrog(Leapfrog::new::<S>()),
+            },
+            Flow::Midpoint => Stepping::Midpoint(Midpoint::new()),
+            Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
+            Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
+        };
         Ok(TwoLevelStepper {
             core,
-            flow: match flow {
-                Flow::Leapfrog => Stepping::Leapfrog(Leapfrog::new::<S>()),
-                Flow::Midpoint => Stepping::Midpoint(Midpoint::new()),
-                Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
-                Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
-            },
+            flow,
             stages,
             before,
         })
@@ -117,15 +132,43 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// How independent the holonomic rows are where it stands; `None` without such rows.
     pub(crate) fn independence(&mut self) -> Option<Independence> {
         let rows = S::STRUCTURE.holonomic_rows;
+        if let Stepping::Sparse(kicks, _) = &self.flow {
+            return Some(kicks.independence());
+        }
         let Core { start, work, .. } = &mut self.core;
         (rows > 0).then(|| work.symmetric.independence(&start.gram, rows))
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
-    pub(crate) fn weakest_rows(&self) -> [f64; R] {
-        let Core { start, work, .. } = &self.core;
+    pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
         let rows = S::STRUCTURE.holonomic_rows;
+        if let Stepping::Sparse(kicks, _) = &mut self.flow {
+            return kicks.weakest_rows();
+        }
+        let Core { start, work, .. } = &self.core;
         work.symmetric.combination(&start.gram, rows)
+    }
+
+    /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
+    pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
+        match &mut self.flow {
+            Stepping::Sparse(kicks, _) => {
+                kicks.refresh(&mut self.core);
+                Ok(())
+            }
+            _ => self.core.refresh(),
+        }
+    }
+
+    /// A v + b at the current instant.
+    pub(crate) fn rates(&self) -> [f64; R] {
+        let core = &self.core;
+        match &self.flow {
+            Stepping::Sparse(kicks, _) => kicks.rates(core),
+            _ => core
+                .start
+                .velocity_rows(&core.system, &core.state.velocities),
+        }
     }
 
     /// A step in its stages. Each begins with its own multipliers of the last step: as forces they change smoothly from
@@ -143,7 +186,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             if let Err(fault) = self.try_step(fraction * h) {
                 if several {
                     self.core.state.copy_from(&self.before);
-                    self.core.refresh()?;
+                    self.refresh()?;
                 }
                 return Err(fault);
             }
@@ -177,6 +220,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let core = &mut self.core;
         match &mut self.flow {
             Stepping::Leapfrog(flow) => kick_flow_kick(core, flow, h),
+            Stepping::Sparse(kicks, flow) => kicks.step(core, flow, h),
             Stepping::Midpoint(flow) => kick_flow_kick(core, &mut **flow, h),
             Stepping::Trapezoid(flow) => kick_flow_kick(core, &mut **flow, h),
             Stepping::Implicit(step, kicks) => match step.step(core, h)? {
@@ -199,7 +243,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// The flow in use.
     pub fn flow(&self) -> Flow {
         match self.flow {
-            Stepping::Leapfrog(_) => Flow::Leapfrog,
+            Stepping::Leapfrog(_) | Stepping::Sparse(..) => Flow::Leapfrog,
             Stepping::Midpoint(_) => Flow::Midpoint,
             Stepping::Trapezoid(_) => Flow::Trapezoid,
             Stepping::Implicit(..) => Flow::Implicit,

@@ -75,7 +75,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 Rule::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(alpha)))
             }
             Method::Bdf(bdf) => Rule::Bdf(Box::new(Bdf::new(bdf))),
-            Method::TwoLevel | Method::Paper(_) => {
+            Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) => {
                 return Err(SimulationError::Setting {
                     name: "method",
                     value: f64::NAN,

@@ -1,4 +1,4 @@
-//! Small dense kernels on fixed-size arrays. None allocates; all accept size 0.
+//! Small dense kernels on fixed-size arrays, and elimination without zeros. None allocates; all accept size 0.
 
 mod independence;
 mod ldlt;
@@ -6,6 +6,7 @@ mod lu;
 mod pivoted;
 mod proximal;
 mod rank;
+mod sparse;
 mod vector;
 
 pub(crate) use independence::Independence;
@@ -13,6 +14,7 @@ pub(crate) use ldlt::SymmetricDual;
 pub(crate) use lu::Dual;
 pub(crate) use pivoted::Pivoted;
 pub(crate) use rank::dependence;
+pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 pub(crate) use vector::{accumulate, dot, finite, largest};
 
 /// A matrix of fixed size on the heap: large systems are built on small stacks.

@@ -25,8 +25,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(length)
     }
 
+    /// The clearance below which a step suffers from a singular pose.
+    pub(super) fn clear(&self) -> f64 {
+        match self.settings.order {
+            2 => CLEAR_SECOND,
+            _ => CLEAR,
+        }
+    }
+
     fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let placed = self.settings.placement && h >= REMAINDER * self.settings.step;
+        let free = self.settings.placement && self.settings.fixed_iterations.is_none();
+        let placed = free && h >= REMAINDER * self.nominal();
         if !placed {
             self.advance(h)?;
             return Ok(h);
@@ -34,11 +43,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.before.copy_from(self.integrator.state());
         let (report, power) = (self.report, self.power);
         let first = self.advance(h);
-        let wanted = if self.settings.order == 2 {
-            CLEAR_SECOND
-        } else {
-            CLEAR
-        };
+        let wanted = self.clear();
         match first {
             Ok(clearance) if !(clearance < wanted) => Ok(h),
             // Without a clearance nothing is known of singular poses.

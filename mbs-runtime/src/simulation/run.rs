@@ -1,11 +1,16 @@
 //! Running to a time or to an event.
 
 use super::Simulation;
-use crate::{Report, SimulationError, State, System, UnknownName};
+use super::hermite::Hermite;
+use crate::{Report, SimulationError, System, UnknownName};
 
 /// A remainder of this fraction of a step is merged with the last step instead of being taken as a sliver. It covers the
 /// rounding of a clock that has added up 1e8 steps.
 const SLIVER: f64 = 1e-6;
+/// Bisections on the cubic of a step: its own error is larger than what they leave.
+const BISECTIONS: usize = 40;
+/// By how much a correction of the foreseen instant is exaggerated.
+const BEYOND: f64 = 1.5;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Runs to `time` and lands exactly on it: the last step is shortened.
@@ -15,16 +20,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub fn run_until(&mut self, time: f64) -> Result<(), SimulationError> {
         self.check_target(time)?;
         while let Some(h) = self.next_step(time) {
-            self.place(h, time - self.time())?;
+            self.forward(h, time - self.time())?;
         }
         self.land(time);
         Ok(())
     }
 
     /// Refuses times that cannot be run to.
-    fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
+    pub(super) fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
         let now = self.time();
-        let step = self.settings.step;
+        let step = self.nominal();
         if !(wanted.is_finite() && wanted >= now - SLIVER * step) {
             return Err(SimulationError::Time { now, wanted });
         }
@@ -41,9 +46,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The step to take towards `time`; `None` on arrival.
-    fn next_step(&self, time: f64) -> Option<f64> {
+    pub(super) fn next_step(&self, time: f64) -> Option<f64> {
         let left = time - self.time();
-        let step = self.settings.step;
+        let step = self.nominal();
         // Beside a large time the clock itself is coarser than a sliver.
         let sliver = (SLIVER * step).max(4.0 * f64::EPSILON * time.abs());
         if left <= sliver {
@@ -56,7 +61,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Removes the rounding of the sum of steps from the clock.
-    fn land(&mut self, time: f64) {
+    pub(super) fn land(&mut self, time: f64) {
         if self.next_step(time).is_none() {
             self.integrator.state_mut().time = time;
         }
@@ -81,13 +86,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.check_target(latest)?;
         let mut before = self.event(index);
         while let Some(h) = self.next_step(latest) {
-            let state = self.state().clone();
+            self.behind.copy_from(self.integrator.state());
             let report = self.report;
-            let h = self.place(h, latest - self.time())?;
+            self.forward(h, latest - self.time())?;
             self.land(latest);
             let after = self.event(index);
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
-                self.locate(index, &state, report, h, before, after)?;
+                self.locate(index, report, before, after)?;
+                // The end of the step, where it led to, is no longer ahead.
+                self.behind.time = f64::INFINITY;
                 return Ok(Some(self.time()));
             }
             before = after;
@@ -95,20 +102,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(None)
     }
 
-    /// Steps again from `state`, with steps shorter than h, until the sign change is bracketed to round-off.
+    /// Steps again from the beginning of the last step, with shorter ones, until the sign change is bracketed to
+    /// round-off. Where to look first is seen on the cubic between the ends.
     fn locate(
         &mut self,
         index: usize,
-        state: &State<Q, N, R>,
         report: Report,
-        h: f64,
         before: f64,
         after: f64,
     ) -> Result<(), SimulationError> {
+        let h = self.time() - self.behind.time;
         let (mut low, mut high) = (0.0, h);
         let (mut f_low, mut f_high) = (before, after);
-        let resolution = 1e-12 * state.time.abs().max(h);
+        let resolution = 1e-12 * self.behind.time.abs().max(h);
+        let mut guess = self.foreseen(index, before, after);
         let mut current = h;
+        let mut last = None;
         for iteration in 0..200 {
             if high - low <= resolution || f_high == 0.0 {
                 break;
@@ -116,32 +125,60 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             // Illinois' false position; every third step a bisection, so that the bracket shrinks surely.
             let secant = low + (high - low) * f_low / (f_low - f_high);
             let middle = 0.5 * (low + high);
-            let inside = secant > low && secant < high && iteration % 3 != 2;
-            current = if inside { secant } else { middle };
+            let tried = guess.take().unwrap_or(secant);
+            let inside = tried > low && tried < high && iteration % 4 != 3;
+            current = if inside { tried } else { middle };
             if current <= low || current >= high {
                 break;
             }
-            self.rewind(state, report)?;
-            self.advance(current)?;
+            self.rewind(report)?;
+            self.reach(current)?;
             let value = self.event(index);
-            if before * value > 0.0 {
+            if iteration == 0 {
+                // The cubic is off by a little: a step beyond its own error brackets the change tightly.
+                guess = Some(current - BEYOND * value * (high - low) / (f_high - f_low));
+            }
+            let raised = before * value > 0.0;
+            // An end that stays for a second time loses weight.
+            let weight = if last == Some(raised) { 0.5 } else { 1.0 };
+            last = Some(raised);
+            if raised {
                 (low, f_low) = (current, value);
-                f_high *= 0.5;
+                f_high *= weight;
             } else {
                 (high, f_high) = (current, value);
-                f_low *= 0.5;
+                f_low *= weight;
             }
         }
         if current != high {
-            self.rewind(state, report)?;
-            self.advance(high)?;
+            self.rewind(report)?;
+            self.reach(high)?;
         }
         self.watch();
         Ok(())
     }
 
-    fn rewind(&mut self, state: &State<Q, N, R>, report: Report) -> Result<(), SimulationError> {
-        *self.integrator.state_mut() = state.clone();
+    /// When the event happens on the cubic of the last step, s after its beginning.
+    fn foreseen(&mut self, index: usize, before: f64, after: f64) -> Option<f64> {
+        let cubic = Hermite::new(self.system(), &self.behind, self.state());
+        let h = self.time() - self.behind.time;
+        let (mut low, mut high) = (0.0, 1.0);
+        if after == 0.0 {
+            return None;
+        }
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            let (t, q, v) = cubic.at(self.system(), middle);
+            match before * self.event_at(index, t, &q, &v) > 0.0 {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Some(0.5 * (low + high) * h)
+    }
+
+    fn rewind(&mut self, report: Report) -> Result<(), SimulationError> {
+        self.integrator.state_mut().copy_from(&self.behind);
         self.report = report;
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
@@ -150,10 +187,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// The value of an event expression now.
     fn event(&mut self, index: usize) -> f64 {
+        let (t, q, v) = (self.time(), *self.positions(), *self.velocities());
+        self.event_at(index, t, &q, &v)
+    }
+
+    fn event_at(&mut self, index: usize, t: f64, q: &[f64; Q], v: &[f64; N]) -> f64 {
         let mut values = std::mem::take(&mut self.events);
-        let state = self.state();
-        self.system()
-            .events(state.time, &state.positions, &state.velocities, &mut values);
+        self.system().events(t, q, v, &mut values);
         self.events = values;
         self.events.get(index).copied().unwrap_or(0.0)
     }

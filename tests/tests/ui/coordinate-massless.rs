@@ -6,7 +6,7 @@ mechanism!(Wrong {
     bar: Bar(mass = 1.0_kg, length = 1.0_m),
     pivot: Revolute(ground.origin, bar.a),
     theta: Coordinate(0.0_rad),
-    same: Coupling(bar.b.x, theta, ratio = 1.0_rad / 1.0_m),
+    same: Holonomic(bar.b.x / 1.0_m - theta.sin()),
 });
 
 fn main() {}

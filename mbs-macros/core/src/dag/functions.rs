@@ -3,7 +3,7 @@
 use super::accelerations::accelerations;
 use super::kernels::kernels;
 use super::lower::{Hoisted, Lowering};
-use super::{Constant, Function, Operand, Place, Program, Structure, Turning};
+use super::{Constant, Function, Operand, Place, Program, Sparse, Structure, Turning};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
@@ -14,6 +14,7 @@ pub fn lower(derived: &Derived) -> Program {
     let mut graph = system.graph.clone();
     let mut hoisted = Hoisted::new(system.layout.clone());
     let structure = structure(derived);
+    let sparse = Sparse::of(derived);
     let mut functions = Vec::new();
     {
         let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
@@ -68,13 +69,15 @@ pub fn lower(derived: &Derived) -> Program {
                 matrix(f, "p_q", &derived.momentum_by_position);
             });
         }
-        make("acceleration", &mut |f| {
-            vector(
-                f,
-                "acceleration",
-                derived.acceleration.as_deref().unwrap_or(&[]),
-            )
-        });
+        if !sparse.as_ref().is_some_and(|sparse| sparse.forces_vary) {
+            make("acceleration", &mut |f| {
+                vector(
+                    f,
+                    "acceleration",
+                    derived.acceleration.as_deref().unwrap_or(&[]),
+                )
+            });
+        }
         if !system.windings.is_empty() {
             make("windings", &mut |f| vector(f, "angles", &system.windings));
         }
@@ -140,6 +143,7 @@ pub fn lower(derived: &Derived) -> Program {
             .map(|r| (r.joint.clone(), r.component.clone(), r.unit.clone()))
             .collect(),
         structure,
+        sparse,
     }
 }
 

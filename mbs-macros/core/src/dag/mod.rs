@@ -12,6 +12,7 @@ mod kernels;
 mod lower;
 mod reciprocals;
 mod run;
+mod sparse;
 mod text;
 
 use crate::symbolic::{Function as Elementary, Number, Symbol};
@@ -19,6 +20,7 @@ use crate::symbolic::{Function as Elementary, Number, Symbol};
 pub use cost::Cost;
 pub use functions::lower;
 pub use run::Run;
+pub use sparse::{Elimination, Sparse, Stretch};
 
 /// All generated functions of a mechanism.
 #[derive(Debug)]
@@ -49,6 +51,8 @@ pub struct Program {
     pub reactions: Vec<(String, String, String)>,
     /// What the integrator may rely on.
     pub structure: Structure,
+    /// Elimination without zeros, where that is the cheaper.
+    pub sparse: Option<Sparse>,
 }
 
 /// A rotation: a unit quaternion and three angular velocities in body axes.

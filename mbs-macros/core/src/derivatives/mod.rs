@@ -83,6 +83,17 @@ pub fn derive(mut system: System) -> Derived {
             .mass
             .values()
             .any(|&entry| graph.depends_on(entry, is_state));
+    if let (true, Some(pull)) = (constant_mass, system.pull.take()) {
+        let inverse = InverseMass::new(size, &system.mass);
+        let [positions, velocities] = pull.map(|pull| inverse.apply(graph, &pull));
+        for (i, (position, velocity)) in positions.into_iter().zip(velocities).enumerate() {
+            let layout = &mut system.layout;
+            let guess = &mut layout.coordinates[layout.slots[i]].guess;
+            *guess = graph.add(*guess, position);
+            let guess = &mut layout.velocities[i].guess;
+            *guess = graph.add(*guess, velocity);
+        }
+    }
     let (momentum, kinetic) = match &system.kinetic {
         Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),
         None => {

@@ -1,7 +1,7 @@
 //! The methods of `System`: one for each function of the program.
 
 use super::body::Body;
-use super::motion;
+use super::{motion, sparse};
 use crate::dag::{Function, Program};
 use crate::symbolic::Graph;
 use std::fmt::Write;
@@ -247,6 +247,7 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
             );
         }
     }
+    sparse::methods(&mut out, graph, program);
     for kernel in KERNELS {
         let (name, signature) = (kernel.name, sized(kernel.signature, program));
         if let Some(function) = find(name) {

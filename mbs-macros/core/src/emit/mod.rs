@@ -10,6 +10,7 @@ mod methods;
 mod motion;
 mod names;
 mod parameters;
+mod sparse;
 mod system;
 
 use crate::compile::Analysis;

@@ -1,6 +1,6 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
-use super::{doc, metadata, methods, tokens};
+use super::{doc, metadata, methods, sparse, tokens};
 use crate::dag::Program;
 use crate::model::Model;
 use crate::symbolic::Graph;
@@ -60,6 +60,18 @@ pub(super) fn emit(
     let structure = tokens(&metadata::structure(program));
     let (metadata, full) = (tokens(metadata), tokens(&full));
     let mass = mass_type(program);
+    let (elimination, eliminating) = sparse::emit(program);
+    let elimination = tokens(&elimination);
+    let eliminating = (!eliminating.is_empty()).then(|| {
+        let functions = tokens(&eliminating);
+        quote! {
+            #[allow(clippy::all, unused)]
+            #[cfg(not(rust_analyzer))]
+            impl #name {
+                #functions
+            }
+        }
+    });
     quote! {
         #doc
         #[doc(hidden)]
@@ -88,8 +100,11 @@ pub(super) fn emit(
                 const STRUCTURE: ::mbs_runtime::Structure = #structure;
                 const ROTATIONS: &'static [usize] = &[#( #rotations ),*];
                 #mass
+                #elimination
                 #full
             }
+
+            #eliminating
 
             // Editors resolve names against these signatures and never see the long bodies.
             #[cfg(rust_analyzer)]

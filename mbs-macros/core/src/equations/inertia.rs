@@ -153,7 +153,11 @@ pub(super) fn global_mass(
 }
 
 /// The generalized velocities on which that of a local coordinate depends, with its slopes.
-fn slopes(graph: &mut Graph, reduction: &Substitution, local: u32) -> Vec<(usize, Expr)> {
+pub(super) fn slopes(
+    graph: &mut Graph,
+    reduction: &Substitution,
+    local: u32,
+) -> Vec<(usize, Expr)> {
     let Some(rate) = reduction.get(Symbol::LocalVelocity(local)) else {
         return Vec::new();
     };

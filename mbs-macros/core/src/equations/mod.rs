@@ -8,6 +8,7 @@ mod idle;
 mod inertia;
 pub mod joints;
 mod reactions;
+mod start;
 
 use crate::model::{Dimension, Layout, Model, Solved, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
@@ -47,6 +48,8 @@ pub struct System {
     pub points: Vec<Vector>,
     /// Coordinates and velocities with their guesses, rotations.
     pub layout: Layout,
+    /// What pulls the guesses of positions and of velocities towards rows that were solved, where M is constant.
+    pub pull: Option<[Vec<Expr>; 2]>,
     /// Counted joint angles, in the order of their memories.
     pub windings: Vec<Expr>,
 }
@@ -186,6 +189,7 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
+    let pull = start::pull(&mut graph, &mut reduction, model, &inertia);
     let kinetic = inertia::kinetic(&mut graph, &mut reduction, model, &inertia)
         .map(|energy| Kinetic::new(&mut graph, size, energy));
     let mass = match &kinetic {
@@ -213,6 +217,7 @@ pub fn derive(model: &mut Model) -> System {
         events,
         points,
         layout: model.layout.clone(),
+        pull,
         windings,
     }
 }

@@ -102,11 +102,8 @@ impl Balance<'_> {
         let mut sums: Vec<Vec<Expr>> = vec![Vec::new(); coordinates.len()];
         for coordinate in coordinates {
             let needed = self.needed_along(graph, coordinate.local);
-            for (row, terms) in sums.iter_mut().enumerate() {
-                let residual = Symbol::Multiplier(row as u32);
-                if let Some(&answer) = coordinate.value.terms.get(&residual) {
-                    terms.push(graph.mul(answer, needed));
-                }
+            for (terms, &answer) in sums.iter_mut().zip(&coordinate.answers) {
+                terms.push(graph.mul(answer, needed));
             }
         }
         sums.into_iter().map(|terms| graph.sum(terms)).collect()

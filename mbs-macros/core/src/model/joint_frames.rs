@@ -33,6 +33,8 @@ pub struct Winding {
     pub joint: String,
     /// The counted angle, in local coordinates.
     pub angle: Expr,
+    /// The same within one turn.
+    pub within: Expr,
 }
 
 impl JointFrames {
@@ -128,6 +130,7 @@ impl Resolver<'_> {
         self.windings.push(Winding {
             joint: joint.name.clone(),
             angle: counted,
+            within: angle,
         });
         counted
     }

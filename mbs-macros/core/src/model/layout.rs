@@ -152,7 +152,8 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
         });
         layout.slots.push(slot);
     }
-    for winding in &resolver.windings {
+    for &index in &reduction.windings {
+        let winding = &resolver.windings[index];
         let guess = resolver.graph.zero();
         layout
             .windings

@@ -6,6 +6,8 @@
 mod advice;
 mod arguments;
 mod check;
+mod coordinates;
+mod counted;
 mod dimension;
 mod drawing;
 mod elements;
@@ -22,6 +24,7 @@ mod parts;
 mod placement;
 mod reduce;
 mod resolve;
+mod solve;
 mod solved;
 mod tree;
 mod turning;

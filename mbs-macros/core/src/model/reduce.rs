@@ -1,13 +1,15 @@
 //! The reduction: points that a revolute joins become one, and points joined to the ground become constants.
 
+use super::coordinates::Merged;
 use super::elements::JointElement;
 use super::geometry::{Owner, Point, Vector};
-use super::kinematics::Walk;
-use super::parts::Part;
+use super::parts::Representation;
+use super::placement::Guesses;
 use super::resolve::Resolver;
-use super::solved::{self, Solved};
+use super::solve::{self, Conditions};
+use super::solved::Solved;
 use super::tree::{Motion, Tree};
-use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+use crate::symbolic::{Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
 /// A joint that left no row: its points were merged.
@@ -31,10 +33,12 @@ pub(super) struct Reduction {
     pub motions: Vec<Motion>,
     /// Rows that were solved, and the coordinates that followed from them.
     pub solved: Solved,
+    /// Counted joint angles that need a memory.
+    pub windings: Vec<usize>,
     /// Joints of the tree: they left no rows.
     carried: Vec<String>,
     /// Local coordinates that stay, in order: (local, name).
-    kept: Vec<(u32, String)>,
+    pub kept: Vec<(u32, String)>,
 }
 
 /// A set of joined points: ends of parts, and at most one place of the ground.
@@ -45,11 +49,13 @@ struct Cluster {
     joints: Vec<usize>,
 }
 
-/// Merges what revolutes between free points join.
+/// Merges what revolutes between free points join, and solves rows but those of the joints in `keep`.
 pub(super) fn reduce(
     resolver: &mut Resolver,
     joints: &[JointElement],
     tree: &Tree,
+    keep: &[String],
+    guesses: &Guesses,
 ) -> Option<Reduction> {
     let mut clusters = Clusters::default();
     for (index, element) in joints.iter().enumerate() {
@@ -79,6 +85,7 @@ pub(super) fn reduce(
         sentences: Vec::new(),
         motions: Vec::new(),
         solved: Solved::default(),
+        windings: Vec::new(),
         carried: tree
             .joints
             .iter()
@@ -110,7 +117,15 @@ pub(super) fn reduce(
         tree,
     };
     let (by_leaders, free) = merged.by_leaders(resolver);
-    reduction.solved = solved::solve(resolver, joints, &mut reduction, by_leaders, free);
+    let mut parts = resolver.parts.iter();
+    let follows = parts.any(|part| part.representation == Representation::Prescribed);
+    let conditions = Conditions {
+        keep,
+        guesses,
+        varying: !tree.joints.is_empty() || follows,
+        free,
+    };
+    reduction.solved = solve::solve(resolver, joints, &mut reduction, by_leaders, conditions);
     merged.by_coordinates(resolver, &mut reduction);
     Some(reduction)
 }
@@ -256,150 +271,6 @@ fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoin
         joint: joints[joint].name.clone(),
         child: reach(child),
         parent: reach(parent),
-    }
-}
-
-/// What became of the local coordinates of points that are joined.
-struct Merged<'a> {
-    /// The first coordinate of each end, and that of the end that stands for it.
-    leaders: &'a BTreeMap<u32, u32>,
-    /// Ends that the ground holds.
-    fixed: &'a BTreeMap<u32, Vector>,
-    tree: &'a Tree,
-}
-
-/// A local coordinate after points were merged.
-enum Place {
-    Fixed(Expr),
-    /// As this local coordinate.
-    As(u32),
-}
-
-impl Merged<'_> {
-    /// All locals but those that the tree carries, each with its place.
-    fn places(&self, resolver: &Resolver) -> Vec<(u32, Place)> {
-        let mut places = Vec::new();
-        for (part_index, part) in resolver.parts.iter().enumerate() {
-            let dropped = self.tree.dropped(part_index, part);
-            for (slot, &local) in part.locals.iter().enumerate() {
-                if dropped.contains(&local) {
-                    continue;
-                }
-                let component = match part.representation.is_points() {
-                    true => slot % resolver.world.dimension(),
-                    false => 0,
-                };
-                let first = local - component as u32;
-                let leader = self.leaders.get(&first);
-                let place = match self.fixed.get(&first) {
-                    Some(place) => Place::Fixed(place[component]),
-                    None => Place::As(leader.map_or(local, |leader| leader + component as u32)),
-                };
-                places.push((local, place));
-            }
-        }
-        places.extend(self.tree.locals().map(|local| (local, Place::As(local))));
-        places
-    }
-
-    /// Local coordinates in terms of those that stand for them, and the number of the latter.
-    fn by_leaders(&self, resolver: &mut Resolver) -> (Substitution, usize) {
-        let mut substitution = Substitution::default();
-        let mut free = 0;
-        for (local, place) in self.places(resolver) {
-            let graph = &mut resolver.graph;
-            match place {
-                Place::As(leader) if leader == local => free += 1,
-                Place::As(leader) => set(
-                    &mut substitution,
-                    local,
-                    solved::local_symbols(leader).map(|symbol| graph.symbol(symbol)),
-                ),
-                Place::Fixed(place) => {
-                    let zero = graph.zero();
-                    set(&mut substitution, local, [place, zero, zero]);
-                }
-            }
-        }
-        self.walk(resolver, &mut substitution);
-        (substitution, free)
-    }
-
-    /// Local coordinates in terms of generalized ones.
-    fn by_coordinates(&self, resolver: &mut Resolver, reduction: &mut Reduction) {
-        let places = self.places(resolver);
-        let rotations: Vec<u32> = resolver.parts.iter().filter_map(Part::rotation).collect();
-        let graph = &mut resolver.graph;
-        let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
-        for (local, place) in &places {
-            let Place::As(leader) = *place else { continue };
-            if index_of.contains_key(&leader) || reduction.solved.value(leader).is_some() {
-                continue;
-            }
-            let name = &resolver.locals[leader as usize].name;
-            let index = keep(graph, leader, name, &mut reduction.kept);
-            index_of.insert(leader, index);
-            if rotations.contains(local) {
-                rotate(graph, *local, index, &mut reduction.substitution);
-            }
-        }
-        let symbols = |local: u32| {
-            let index = index_of.get(&local).copied().unwrap_or_default();
-            [
-                Symbol::Coordinate(index),
-                Symbol::Velocity(index),
-                Symbol::Acceleration(index),
-            ]
-        };
-        let zero = graph.zero();
-        for (local, place) in places {
-            let values = match place {
-                Place::Fixed(place) => [place, zero, zero],
-                Place::As(leader) => match reduction.solved.value(leader) {
-                    Some(value) => solved::combination(graph, value, symbols),
-                    None => symbols(leader).map(|symbol| graph.symbol(symbol)),
-                },
-            };
-            set(&mut reduction.substitution, local, values);
-        }
-        reduction.motions = self.walk(resolver, &mut reduction.substitution);
-    }
-
-    fn walk(&self, resolver: &mut Resolver, substitution: &mut Substitution) -> Vec<Motion> {
-        let walk = Walk {
-            graph: &mut resolver.graph,
-            world: resolver.world,
-            parts: &resolver.parts,
-            substitution,
-        };
-        { walk }.run(self.tree)
-    }
-}
-
-fn set(substitution: &mut Substitution, local: u32, values: [Expr; 3]) {
-    for (symbol, value) in solved::local_symbols(local).into_iter().zip(values) {
-        substitution.insert(symbol, value);
-    }
-}
-
-/// A local that stays becomes the next generalized coordinate.
-fn keep(graph: &mut Graph, local: u32, name: &str, kept: &mut Vec<(u32, String)>) -> u32 {
-    let index = kept.len() as u32;
-    kept.push((local, name.to_owned()));
-    graph.set_name(Symbol::Coordinate(index), name);
-    graph.set_name(Symbol::Velocity(index), format!("{name}'"));
-    graph.set_name(Symbol::Acceleration(index), format!("{name}''"));
-    index
-}
-
-/// The entries of a part's rotation matrix become those of a generalized rotation.
-fn rotate(graph: &mut Graph, local: u32, index: u32, substitution: &mut Substitution) {
-    for entry in 0..9u8 {
-        let name = graph.name(Symbol::LocalRotation(local, entry));
-        let symbol = Symbol::Rotation(index, entry);
-        graph.set_name(symbol, name);
-        let value = graph.symbol(symbol);
-        substitution.insert(Symbol::LocalRotation(local, entry), value);
     }
 }
 

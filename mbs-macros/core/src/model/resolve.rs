@@ -16,13 +16,14 @@ use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
 use std::collections::{HashMap, HashSet};
 
-/// Resolves a declaration.
+/// Resolves a declaration; no row of the joints in `keep` is solved.
 ///
 /// # Errors
 /// Everything that is wrong with it is recorded in `errors`; the model is then incomplete and must not be used.
 pub fn resolve(
     declaration: &Declaration,
     formulation: Formulation,
+    keep: &[String],
     errors: &mut Errors,
 ) -> Option<Model> {
     let mut resolver = Resolver::new(declaration, formulation, errors);
@@ -46,16 +47,16 @@ pub fn resolve(
         Formulation::Joint => Tree::grow(&mut resolver, &joints),
         _ => Tree::default(),
     };
-    let mut reduction = reduce::reduce(&mut resolver, &joints, &tree)?;
+    let guesses = match resolver.world {
+        World::Planar => placement::place(&mut resolver, &joints),
+        World::Spatial => home::guesses(&mut resolver, &joints, &tree),
+    };
+    let mut reduction = reduce::reduce(&mut resolver, &joints, &tree, keep, &guesses)?;
     let idle = idle::rows(&mut resolver, &joints, &tree, &mut reduction);
     // A joint coordinate moves all that comes after it.
     if tree.joints.is_empty() {
         check::massive(&mut resolver, &reduction);
     }
-    let guesses = match resolver.world {
-        World::Planar => placement::place(&mut resolver, &joints),
-        World::Spatial => home::guesses(&mut resolver, &joints, &tree),
-    };
     let layout = layout::layout(&mut resolver, &reduction, &guesses);
     let drawing = resolver.drawing(&joints, &forces);
     let up = resolver.up(gravity);

@@ -1,7 +1,7 @@
 //! Affine expressions, and the exact elimination of unknowns from systems of them.
 //!
-//! The unknowns are local positions; coefficients depend on parameters at most. Each row carries the symbol of its own
-//! multiplier as what it is off by, so that a solution also says how it answers to that: this is what recovers the
+//! The unknowns are local positions; their coefficients depend on parameters at most. Each row carries the symbol of its
+//! own multiplier as what it is off by, so that a solution also says how it answers to that: this is what recovers the
 //! multipliers of rows that were solved.
 
 use super::{Expr, Graph, Map, Node, Symbol};
@@ -12,12 +12,12 @@ use std::collections::BTreeMap;
 pub struct Affine {
     /// In parameters.
     pub constant: Expr,
-    /// Coefficients in parameters; none is structurally zero.
+    /// Coefficients, those of unknowns in parameters; none is structurally zero.
     pub terms: BTreeMap<Symbol, Expr>,
 }
 
 impl Affine {
-    fn constant(constant: Expr) -> Affine {
+    pub(crate) fn constant(constant: Expr) -> Affine {
         let terms = BTreeMap::new();
         Affine { constant, terms }
     }
@@ -27,7 +27,7 @@ impl Affine {
         self.terms.keys().any(|symbol| symbol.is_local_position())
     }
 
-    /// The rows whose residuals occur.
+    /// The names of the rows whose residuals occur.
     pub fn residuals(&self) -> impl Iterator<Item = usize> {
         self.terms.keys().filter_map(|symbol| match symbol {
             Symbol::Multiplier(row) => Some(*row as usize),
@@ -36,7 +36,7 @@ impl Affine {
     }
 
     /// self + factor · other
-    fn add(&mut self, graph: &mut Graph, factor: Expr, other: &Affine) {
+    pub(crate) fn add(&mut self, graph: &mut Graph, factor: Expr, other: &Affine) {
         let constant = graph.mul(factor, other.constant);
         self.constant = graph.add(self.constant, constant);
         for (&symbol, &coefficient) in &other.terms {
@@ -136,22 +136,22 @@ pub struct Elimination {
     pub dependent: Vec<Vec<usize>>,
 }
 
-/// Gauss–Jordan elimination of as many rows = 0 as have a pivot. Divisions are by numbers alone, so that no choice of
+/// Gauss–Jordan elimination of as many rows = 0 as have a pivot, each with a number as its name. Divisions are by numbers alone, so that no choice of
 /// parameters makes one fail: a row whose coefficients all depend on parameters stays.
 ///
 /// The pivot is a coefficient ±1 if there is one, else the largest number, and of several the last. `vanishes` tells a
 /// coefficient that is zero but for rounding.
 pub fn eliminate(
     graph: &mut Graph,
-    rows: &[Affine],
+    rows: &[(usize, Affine)],
     vanishes: impl Fn(&Graph, Expr) -> bool,
 ) -> Elimination {
     let mut done = Elimination::default();
-    for (index, row) in rows.iter().enumerate() {
+    for (name, row) in rows {
         let mut row = row.clone();
         let minus_one = graph.constant(-1.0);
         row.terms
-            .insert(Symbol::Multiplier(index as u32), minus_one);
+            .insert(Symbol::Multiplier(*name as u32), minus_one);
         for (&unknown, value) in &done.values {
             row.replace(graph, unknown, value);
         }
@@ -180,7 +180,7 @@ pub fn eliminate(
             known.replace(graph, unknown, &value);
         }
         done.values.insert(unknown, value);
-        done.pivots.push((index, unknown));
+        done.pivots.push((*name, unknown));
     }
     done
 }

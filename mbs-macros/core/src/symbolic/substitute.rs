@@ -15,6 +15,11 @@ impl Substitution {
         self.map.insert(symbol, expr);
     }
 
+    /// Replaces a whole expression from now on (to be called before the first use).
+    pub fn equate(&mut self, expr: Expr, value: Expr) {
+        self.done.insert(expr, value);
+    }
+
     /// What a symbol is replaced by.
     pub fn get(&self, symbol: Symbol) -> Option<Expr> {
         self.map.get(&symbol).copied()

@@ -1,0 +1,202 @@
+//! Elimination without zeros, for systems too large for dense arrays.
+//!
+//! The kicks and projections of a step are solutions with
+//!
+//! ```text
+//! K = [ M  A₀ᵀ ]    K [ δv ] = [ 0 ]
+//!     [ A₁  0  ]      [ −κ ]   [ r ]
+//! ```
+//!
+//! which is as sparse as the mechanism, while M⁻¹, and with it A₁M⁻¹A₀ᵀ, is full for a chain. The order of elimination and
+//! with it the place of every entry and of all fill are chosen here, once; the code that runs knows no indices.
+
+mod order;
+mod stretches;
+
+use crate::derivatives::Derived;
+use crate::symbolic::Expr;
+use std::collections::{BTreeMap, BTreeSet};
+
+pub use stretches::Stretch;
+
+/// With fewer rows dense arrays, held in registers and caches, are the faster.
+const FEWEST_ROWS: usize = 16;
+/// Solutions with each factor in a step.
+const SOLUTIONS: usize = 3;
+
+/// The elimination of a sparse symmetric pattern.
+#[derive(Debug, Clone)]
+pub struct Elimination {
+    /// Where each unknown stands in the order: the velocities, then the rows.
+    pub positions: Vec<usize>,
+    /// What each turn eliminates.
+    pub columns: Vec<Column>,
+    /// Length of the array of entries: of each column the pivot, then what is below it.
+    pub slots: usize,
+    /// The columns as loops.
+    pub stretches: Vec<Stretch>,
+}
+
+/// A column of the factor.
+#[derive(Debug, Clone)]
+pub struct Column {
+    /// Whether it belongs to a row of A (its pivot is negative).
+    pub is_row: bool,
+    /// Positions of the entries below the pivot, ascending, and whether they belong to rows of A.
+    pub below: Vec<(usize, bool)>,
+    /// Slot of the pivot.
+    pub pivot: usize,
+}
+
+/// What a large mechanism is solved with.
+#[derive(Debug, Clone)]
+pub struct Sparse {
+    /// K.
+    pub rows: Elimination,
+    /// M by itself.
+    pub mass: Elimination,
+    /// Places of the entries of M, upper triangle.
+    pub mass_entries: Vec<(usize, usize)>,
+    /// The entries of A that are not zero, row by row.
+    pub jacobian: Vec<(usize, usize)>,
+    /// Whether forces depend on more than parameters.
+    pub forces_vary: bool,
+    /// N.
+    pub size: usize,
+    /// R.
+    pub row_count: usize,
+}
+
+impl Sparse {
+    /// The elimination of a mechanism, if that is cheaper than dense arrays.
+    pub fn of(derived: &Derived) -> Option<Self> {
+        let (system, rows) = (&derived.system, derived.system.rows.len());
+        let applies = derived.constant_mass
+            && derived.applied_by_velocity.is_empty()
+            && system.layout.rotations.is_empty()
+            && system.holonomic_rows() == rows
+            && rows >= FEWEST_ROWS;
+        if !applies {
+            return None;
+        }
+        let size = system.size;
+        let mass: Vec<(usize, usize)> = system.mass.keys().copied().collect();
+        let jacobian: Vec<(usize, usize)> = derived.jacobian.keys().copied().collect();
+        let coupled = jacobian.iter().map(|&(row, column)| (size + row, column));
+        let varies = |&force: &Expr| {
+            system
+                .graph
+                .depends_on(force, |symbol| !symbol.is_parameter_like())
+        };
+        let sparse = Sparse {
+            rows: Elimination::new(size, rows, mass.iter().copied().chain(coupled)),
+            mass: Elimination::new(size, 0, mass.iter().copied()),
+            mass_entries: mass,
+            jacobian,
+            forces_vary: system.forces.iter().any(varies),
+            size,
+            row_count: rows,
+        };
+        let dense = 2 * rows * rows * rows + 2 * size * rows * rows;
+        (sparse.operations() < dense).then_some(sparse)
+    }
+
+    /// Operations of a step, less those of the functions it evaluates.
+    pub fn operations(&self) -> usize {
+        let solve = 4 * self.rows.slots;
+        self.rows.factor_operations()
+            + 2 * self.rows.factor_operations()
+            + 2 * SOLUTIONS * solve
+            + 4 * self.mass.slots
+            + 2 * SOLUTIONS * self.jacobian.len()
+    }
+}
+
+impl Elimination {
+    /// Chooses the order for `velocities` + `rows` unknowns with these couplings.
+    fn new(
+        velocities: usize,
+        rows: usize,
+        couplings: impl Iterator<Item = (usize, usize)>,
+    ) -> Self {
+        let mut neighbours = vec![BTreeSet::new(); velocities + rows];
+        for (i, j) in couplings.filter(|(i, j)| i != j) {
+            neighbours[i].insert(j);
+            neighbours[j].insert(i);
+        }
+        let order = order::minimum_degree(neighbours.clone(), velocities);
+        let mut positions = vec![0; order.len()];
+        for (position, &unknown) in order.iter().enumerate() {
+            positions[unknown] = position;
+        }
+        // What a column holds below its first entry, that entry's column holds too: fill.
+        let mut below: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); order.len()];
+        for (position, &unknown) in order.iter().enumerate() {
+            let later = neighbours[unknown].iter().map(|&other| positions[other]);
+            below[position].extend(later.filter(|&other| other > position));
+            let mut fill = below[position].iter().copied();
+            if let Some(first) = fill.next() {
+                let fill: Vec<usize> = fill.collect();
+                below[first].extend(fill);
+            }
+        }
+        let mut slots = 0;
+        let is_row = |position: usize| order[position] >= velocities;
+        let columns: Vec<Column> = below
+            .into_iter()
+            .enumerate()
+            .map(|(position, below)| {
+                let pivot = slots;
+                slots += 1 + below.len();
+                Column {
+                    is_row: is_row(position),
+                    below: below.into_iter().map(|i| (i, is_row(i))).collect(),
+                    pivot,
+                }
+            })
+            .collect();
+        let mut elimination = Elimination {
+            positions,
+            columns,
+            slots,
+            stretches: Vec::new(),
+        };
+        elimination.stretches = stretches::find(&elimination);
+        elimination
+    }
+
+    /// The slot of the entry at two positions.
+    ///
+    /// # Panics
+    /// If the entry is zero.
+    pub fn slot(&self, i: usize, j: usize) -> usize {
+        let (column, row) = (&self.columns[i.min(j)], i.max(j));
+        if i == j {
+            return column.pivot;
+        }
+        let place = column.below.binary_search_by_key(&row, |&(i, _)| i);
+        column.pivot + 1 + place.expect("an entry or fill")
+    }
+
+    /// The slot of the entry at two unknowns.
+    pub fn slot_of(&self, i: usize, j: usize) -> usize {
+        self.slot(self.positions[i], self.positions[j])
+    }
+
+    /// Multiplications and additions of a symmetric factorisation.
+    fn factor_operations(&self) -> usize {
+        let columns = self.columns.iter().map(|column| column.below.len());
+        columns.map(|below| below * (below + 2) + 5).sum()
+    }
+
+    /// Entries below the pivots, by row and column; for tests.
+    pub fn entries(&self) -> BTreeMap<(usize, usize), usize> {
+        let columns = self.columns.iter().enumerate();
+        columns
+            .flat_map(|(j, column)| {
+                let below = column.below.iter().enumerate();
+                below.map(move |(place, &(i, _))| ((i, j), column.pivot + 1 + place))
+            })
+            .collect()
+    }
+}

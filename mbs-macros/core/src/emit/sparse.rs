@@ -1,0 +1,444 @@
+//! Elimination without zeros as Rust: one loop for each stretch of columns that repeats.
+//!
+//! The functions know every place as a number: in a loop as a number within a window that moves along.
+
+use crate::dag::{Elimination, Function, Output, Place, Program, Sparse, Stretch};
+use crate::symbolic::Graph;
+use std::fmt::Write;
+
+/// A function of stage 5 that writes A into the array of K.
+pub(super) fn constraints(sparse: &Sparse, function: &Function) -> Function {
+    let place = |output: &Output| match output.place {
+        Place::Entry(row, column) if output.sink == "a" => Output {
+            sink: "k",
+            place: Place::Element(sparse.rows.slot_of(sparse.size + row, column)),
+            ..*output
+        },
+        _ => *output,
+    };
+    let zero = crate::dag::Operand::number(0.0);
+    let kept = |output: &&Output| output.sink != "a" || output.value != zero;
+    Function {
+        name: "sparse_constraints",
+        outputs: function.outputs.iter().filter(kept).map(place).collect(),
+        ..function.clone()
+    }
+}
+
+/// The constant of `System`, and the functions it refers to; nothing for small systems.
+pub(super) fn emit(program: &Program) -> (String, String) {
+    let Some(sparse) = &program.sparse else {
+        return (String::new(), String::new());
+    };
+    let (rows, mass) = (&sparse.rows, &sparse.mass);
+    let (n, r) = (sparse.size, sparse.row_count);
+    let entries = |elimination: &Elimination| {
+        let slots = sparse.mass_entries.iter().map(|&(i, j)| {
+            let slot = elimination.slot_of(i, j);
+            format!("({i}, {j}, {slot})")
+        });
+        slots.collect::<Vec<_>>().join(", ")
+    };
+    let pivots: Vec<String> = rows.positions[n..]
+        .iter()
+        .map(|&position| format!("({position}, {})", rows.columns[position].pivot))
+        .collect();
+    let constant = format!(
+        "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{
+            unknowns: {}, slots: {}, mass_slots: {}, mass: &[{}], mass_alone: &[{}], pivots: &[{}], forces_vary: {},
+            rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve,
+            factor_pair: Self::sparse_factor_pair, solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
+        rows.columns.len(),
+        rows.slots,
+        mass.slots,
+        entries(rows),
+        entries(mass),
+        pivots.join(", "),
+        sparse.forces_vary
+    );
+    let mut out = String::new();
+    rates(&mut out, sparse);
+    impulse(&mut out, sparse);
+    factor(&mut out, "sparse_factor", rows);
+    factor(&mut out, "sparse_factor_mass", mass);
+    factor_pair(&mut out, rows);
+    let rows_in = spread(rows, n, |row| format!("rows[{row}]"), r);
+    let rows_out = collect(rows, n, r);
+    let _ = writeln!(
+        out,
+        "fn sparse_solve(f: &[f64], rows: &[f64; {r}], x: &mut [f64], v: &mut [f64; {n}], kappa: &mut [f64; {r}]) {{
+            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{}>()) else {{ return }};
+            {rows_in} {} {rows_out} }}",
+        rows.slots,
+        rows.columns.len(),
+        passes(rows, &["f"], symmetric_forward, symmetric_backward)
+    );
+    let _ = writeln!(
+        out,
+        "fn sparse_solve_pair(f: &[f64], g: &[f64], rows: &[f64; {r}], x: &mut [f64], v: &mut [f64; {n}], kappa: &mut [f64; {r}]) {{
+            let (Some(f), Some(g), Some(x)) = (f.first_chunk::<{0}>(), g.first_chunk::<{0}>(), x.first_chunk_mut::<{1}>()) else {{ return }};
+            {rows_in} {2} {rows_out} }}",
+        rows.slots,
+        rows.columns.len(),
+        passes(rows, &["f", "g"], forward, backward)
+    );
+    let mut into = String::new();
+    let mut back = String::new();
+    for (i, position) in mass.positions.iter().enumerate() {
+        let _ = writeln!(into, "x[{position}] = v[{i}];");
+        let _ = writeln!(back, "v[{i}] = x[{position}];");
+    }
+    let _ = writeln!(
+        out,
+        "fn sparse_solve_mass(f: &[f64], x: &mut [f64], v: &mut [f64; {n}]) {{
+            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{n}>()) else {{ return }};
+            {into} {} {back} }}",
+        mass.slots,
+        passes(mass, &["f"], symmetric_forward, symmetric_backward)
+    );
+    (constant, out)
+}
+
+/// The method that writes A into the array of K.
+pub(super) fn signature(sparse: &Sparse) -> String {
+    format!(
+        "(&self, t: f64, q: &[f64; {0}], phi: &mut [f64; {1}], k: &mut [f64], b: &mut [f64; {1}])",
+        sparse.size, sparse.row_count
+    )
+}
+
+/// A v.
+fn rates(out: &mut String, sparse: &Sparse) {
+    let (n, r, slots) = (sparse.size, sparse.row_count, sparse.rows.slots);
+    let mut body = String::new();
+    for row in 0..r {
+        let terms = sparse.jacobian.iter().filter(|entry| entry.0 == row);
+        let terms: Vec<String> = terms
+            .map(|&(_, j)| format!("k[{}] * v[{j}]", sparse.rows.slot_of(n + row, j)))
+            .collect();
+        if !terms.is_empty() {
+            let _ = writeln!(body, "rates[{row}] = {};", terms.join(" + "));
+        }
+    }
+    let _ = writeln!(
+        out,
+        "fn sparse_rates(k: &[f64], v: &[f64; {n}], rates: &mut [f64; {r}]) {{
+            let Some(k) = k.first_chunk::<{slots}>() else {{ return }}; {body} }}"
+    );
+}
+
+/// Aᵀκ.
+fn impulse(out: &mut String, sparse: &Sparse) {
+    let (n, r, slots) = (sparse.size, sparse.row_count, sparse.rows.slots);
+    let mut body = String::new();
+    for column in 0..n {
+        let terms = sparse.jacobian.iter().filter(|entry| entry.1 == column);
+        let terms: Vec<String> = terms
+            .map(|&(i, _)| format!("k[{}] * kappa[{i}]", sparse.rows.slot_of(n + i, column)))
+            .collect();
+        if !terms.is_empty() {
+            let _ = writeln!(body, "p[{column}] = {};", terms.join(" + "));
+        }
+    }
+    let _ = writeln!(
+        out,
+        "fn sparse_impulse(k: &[f64], kappa: &[f64; {r}], p: &mut [f64; {n}]) {{
+            let Some(k) = k.first_chunk::<{slots}>() else {{ return }}; {body} }}"
+    );
+}
+
+/// A vector in the order of elimination: zero for the velocities, and the right-hand sides of the rows.
+fn spread(e: &Elimination, n: usize, row: impl Fn(usize) -> String, r: usize) -> String {
+    let mut out = String::new();
+    for i in 0..n {
+        let _ = writeln!(out, "x[{}] = 0.0;", e.positions[i]);
+    }
+    for i in 0..r {
+        let _ = writeln!(out, "x[{}] = {};", e.positions[n + i], row(i));
+    }
+    out
+}
+
+/// Adds the solution.
+fn collect(e: &Elimination, n: usize, r: usize) -> String {
+    let mut out = String::new();
+    for i in 0..n {
+        let _ = writeln!(out, "v[{i}] += x[{}];", e.positions[i]);
+    }
+    for i in 0..r {
+        let _ = writeln!(out, "kappa[{i}] -= x[{}];", e.positions[n + i]);
+    }
+    out
+}
+
+/// Where the windows of a loop begin, and how far they reach.
+struct Window {
+    /// Slot and position that count as zero.
+    slot: usize,
+    position: usize,
+}
+
+/// Writes a column's part of a function.
+type Column = fn(&mut String, &Elimination, usize, &Window);
+
+/// The stretches one after the other, each as a loop over windows of the arrays; those in `changed` are written to.
+fn stretches(
+    e: &Elimination,
+    arrays: &[&str],
+    vectors: &[&str],
+    changed: &[&str],
+    backward: bool,
+    give_up: &str,
+    column: Column,
+) -> String {
+    let mut out = String::new();
+    let mut list: Vec<Stretch> = e.stretches.clone();
+    if backward {
+        list.reverse();
+    }
+    for Stretch {
+        first,
+        period,
+        times,
+    } in list
+    {
+        let mut columns: Vec<usize> = (first..first + period).collect();
+        if backward {
+            columns.reverse();
+        }
+        if times == 1 {
+            let all = Window {
+                slot: 0,
+                position: 0,
+            };
+            for position in columns {
+                column(&mut out, e, position, &all);
+            }
+            continue;
+        }
+        let window = Window {
+            slot: e.columns[first].pivot,
+            position: first,
+        };
+        let (width, reach) = extent(e, first, period);
+        let turns = if backward { ".rev()" } else { "" };
+        let stride = e.columns[first + period].pivot - window.slot;
+        let _ = writeln!(
+            out,
+            "for turn in (0..{times}_usize){turns} {{ let (slot, position) = ({} + {stride} * turn, {first} + {period} * turn);",
+            window.slot
+        );
+        let all = arrays.iter().map(|array| (array, "slot", width));
+        for (array, from, length) in all.chain(vectors.iter().map(|x| (x, "position", reach))) {
+            let (get, chunk) = match changed.contains(array) {
+                true => ("get_mut", "first_chunk_mut"),
+                false => ("get", "first_chunk"),
+            };
+            let _ = writeln!(
+                out,
+                "let Some({array}) = {array}.{get}({from}..).and_then(|rest| rest.{chunk}::<{length}>()) else {{ {give_up} }};"
+            );
+        }
+        for position in columns {
+            column(&mut out, e, position, &window);
+        }
+        out.push_str("}\n");
+    }
+    out
+}
+
+/// How many slots, and positions, a group of columns reaches over.
+fn extent(e: &Elimination, first: usize, period: usize) -> (usize, usize) {
+    let (mut slot, mut position) = (0, 0);
+    for k in first..first + period {
+        let column = &e.columns[k];
+        slot = slot.max(column.pivot + column.below.len());
+        position = position.max(k);
+        for &(i, _) in &column.below {
+            position = position.max(i);
+            for &(j, _) in &column.below {
+                slot = slot.max(e.slot(i, j));
+            }
+        }
+    }
+    (slot - e.columns[first].pivot + 1, position - first + 1)
+}
+
+fn passes(e: &Elimination, arrays: &[&str], forward: Column, backward: Column) -> String {
+    stretches(e, arrays, &["x"], &["x"], false, "return", forward)
+        + &stretches(e, arrays, &["x"], &["x"], true, "return", backward)
+}
+
+/// K = U ᵀD⁻¹U in place of its lower triangle: inverse pivots, and below them the columns of D U.
+fn factor(out: &mut String, name: &str, e: &Elimination) {
+    let body = stretches(
+        e,
+        &["f"],
+        &["c"],
+        &["f", "c"],
+        false,
+        "return f64::INFINITY",
+        symmetric_column,
+    );
+    let _ = writeln!(
+        out,
+        "fn {name}(f: &mut [f64], c: &mut [f64]) -> f64 {{
+            let (Some(f), Some(c)) = (f.first_chunk_mut::<{}>(), c.first_chunk_mut::<{}>()) else {{ return f64::INFINITY }};
+            let mut most = 0.0; c.fill(0.0); {body} most }}",
+        e.slots,
+        e.columns.len()
+    );
+}
+
+fn symmetric_column(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let (column, at) = (&e.columns[k], k - window.position);
+    let pivot = column.pivot - window.slot;
+    let entry = |place: usize| pivot + 1 + place;
+    if column.is_row {
+        let _ = writeln!(
+            out,
+            "let inverse = if -f[{pivot}] > ::mbs_runtime::generated::DEPENDENT * c[{at}] {{ 1.0 / f[{pivot}] }} else {{ most = f64::INFINITY; 0.0 }};
+            if -c[{at}] * inverse > most {{ most = -c[{at}] * inverse; }}"
+        );
+    } else {
+        let _ = writeln!(out, "let inverse = 1.0 / f[{pivot}];");
+    }
+    let _ = writeln!(out, "f[{pivot}] = inverse;");
+    for (a, &(j, is_row)) in column.below.iter().enumerate() {
+        let _ = writeln!(out, "let l = f[{}] * inverse;", entry(a));
+        for (b, &(i, _)) in column.below.iter().enumerate().skip(a) {
+            let target = e.slot(i, j) - window.slot;
+            if a == b && is_row && !column.is_row {
+                let _ = writeln!(
+                    out,
+                    "let s = l * f[{0}]; f[{target}] -= s; c[{1}] += s;",
+                    entry(b),
+                    j - window.position
+                );
+            } else {
+                let _ = writeln!(out, "f[{target}] -= l * f[{}];", entry(b));
+            }
+        }
+    }
+}
+
+/// K = L D U in place: in `f` inverse pivots and L, in `g` the rows of D U.
+fn factor_pair(out: &mut String, e: &Elimination) {
+    let body = stretches(
+        e,
+        &["f", "g"],
+        &["c"],
+        &["f", "g"],
+        false,
+        "return f64::INFINITY",
+        pair_column,
+    );
+    let _ = writeln!(
+        out,
+        "fn sparse_factor_pair(f: &mut [f64], g: &mut [f64], c: &[f64]) -> f64 {{
+            let (Some(f), Some(g), Some(c)) = (f.first_chunk_mut::<{0}>(), g.first_chunk_mut::<{0}>(), c.first_chunk::<{1}>()) else {{ return f64::INFINITY }};
+            let mut most = 0.0; {body} most }}",
+        e.slots,
+        e.columns.len()
+    );
+}
+
+fn pair_column(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let (column, at) = (&e.columns[k], k - window.position);
+    let pivot = column.pivot - window.slot;
+    let entry = |place: usize| pivot + 1 + place;
+    if column.is_row {
+        let _ = writeln!(
+            out,
+            "let inverse = if f[{pivot}].abs() > ::mbs_runtime::generated::DEPENDENT * c[{at}] {{ 1.0 / f[{pivot}] }} else {{ most = f64::INFINITY; 0.0 }};
+            if c[{at}] * inverse.abs() > most {{ most = c[{at}] * inverse.abs(); }}"
+        );
+    } else {
+        let _ = writeln!(out, "let inverse = 1.0 / f[{pivot}];");
+    }
+    let _ = writeln!(out, "f[{pivot}] = inverse;");
+    for (a, &(i, _)) in column.below.iter().enumerate() {
+        let _ = writeln!(out, "let l = f[{0}] * inverse; f[{0}] = l;", entry(a));
+        for (b, &(j, _)) in column.below.iter().enumerate() {
+            let target = e.slot(i, j) - window.slot;
+            let array = if i >= j { "f" } else { "g" };
+            let _ = writeln!(out, "{array}[{target}] -= l * g[{}];", entry(b));
+        }
+    }
+}
+
+fn symmetric_forward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let pivot = e.columns[k].pivot - window.slot;
+    let _ = writeln!(out, "let y = x[{}] * f[{pivot}];", k - window.position);
+    subtract(out, e, k, window);
+}
+
+fn symmetric_backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    upward(out, e, k, window, "f");
+}
+
+fn forward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let _ = writeln!(out, "let y = x[{}];", k - window.position);
+    subtract(out, e, k, window);
+}
+
+fn backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    upward(out, e, k, window, "g");
+}
+
+/// x ← x − y · column.
+fn subtract(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let column = &e.columns[k];
+    for (place, &(i, _)) in column.below.iter().enumerate() {
+        let slot = column.pivot + 1 + place - window.slot;
+        let _ = writeln!(out, "x[{}] -= y * f[{slot}];", i - window.position);
+    }
+}
+
+/// x_k ← (x_k − row · x) / pivot.
+fn upward(out: &mut String, e: &Elimination, k: usize, window: &Window, array: &str) {
+    let column = &e.columns[k];
+    let (at, pivot) = (k - window.position, column.pivot - window.slot);
+    let _ = write!(out, "x[{at}] = (x[{at}]");
+    for (place, &(i, _)) in column.below.iter().enumerate() {
+        let _ = write!(
+            out,
+            " - {array}[{}] * x[{}]",
+            pivot + 1 + place,
+            i - window.position
+        );
+    }
+    let _ = writeln!(out, ") * f[{pivot}];");
+}
+
+/// The methods of large mechanisms, as text: A into the array of K, and M⁻¹f where its symbolic form, which is as full as
+/// M⁻¹, would be long.
+pub(super) fn methods(out: &mut String, graph: &Graph, program: &Program) {
+    let Some(sparse) = &program.sparse else {
+        return;
+    };
+    if sparse.forces_vary {
+        let n = sparse.size;
+        let _ = writeln!(
+            out,
+            "fn acceleration(&self, t: f64, q: &[f64; {n}], acceleration: &mut [f64; {n}]) {{
+                self.applied_forces(t, q, &[0.0; {n}], acceleration);
+                ::mbs_runtime::generated::multiply(&self.inverse_mass, acceleration); }}"
+        );
+    }
+    let constraints_of = |function: &&Function| function.name == "constraints";
+    if let Some(function) = program.functions.iter().find(constraints_of) {
+        let function = constraints(sparse, function);
+        let body = super::body::Body::of_method(graph, &function);
+        let _ = writeln!(
+            out,
+            "#[inline]\nfn sparse_constraints{} {{
+                let Some(k) = k.first_chunk_mut::<{}>() else {{ return }};
+                {}{} }}",
+            signature(sparse),
+            sparse.rows.slots,
+            body.statements(),
+            body.writes()
+        );
+    }
+}

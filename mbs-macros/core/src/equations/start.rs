@@ -1,0 +1,43 @@
+//! The start where declared guesses contradict a row that was solved.
+//!
+//! Of all states that fulfil the rows the one that changes the guess least, weighted by mass, is also the one closest to
+//! the guess's projection onto those that fulfil the solved rows. With q = T q' + c and the guess g of all coordinates
+//! this projection is q' = g' + M'⁻¹ Tᵀ M (g − T g' − c): nothing changes where the guess fulfils these rows.
+
+use super::inertia::{LocalMass, slopes};
+use crate::model::Model;
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+
+/// Tᵀ M δ of positions and of velocities, δ = g − T g' − c; `None` where the guess fulfils all solved rows. For a constant M.
+pub(super) fn pull(
+    graph: &mut Graph,
+    reduction: &mut Substitution,
+    model: &Model,
+    inertia: &LocalMass,
+) -> Option<[Vec<Expr>; 2]> {
+    let solved = &model.solved;
+    let gaps: Vec<[Expr; 2]> = solved.coordinates.iter().map(|c| c.gap).collect();
+    if gaps.iter().flatten().all(|&gap| graph.is_zero(gap)) {
+        return None;
+    }
+    let size = model.layout.velocities.len();
+    let mut terms = [0, 1].map(|_| vec![Vec::new(); size]);
+    for (&(i, k), &mass) in inertia {
+        let own = Symbol::LocalVelocity(k);
+        let rate = solved.merged.get(own);
+        let rate = rate.unwrap_or_else(|| graph.symbol(own));
+        for (coordinate, gap) in solved.coordinates.iter().zip(&gaps) {
+            let by = graph.derivative(rate, Symbol::LocalVelocity(coordinate.local));
+            if graph.is_zero(by) {
+                continue;
+            }
+            let mass = graph.substitute(mass, reduction);
+            for (j, slope) in slopes(graph, reduction, i) {
+                for (terms, &gap) in terms.iter_mut().zip(gap) {
+                    terms[j].push(graph.product(&[(mass, 1), (slope, 1), (by, 1), (gap, 1)]));
+                }
+            }
+        }
+    }
+    Some(terms.map(|list| list.into_iter().map(|terms| graph.sum(terms)).collect()))
+}

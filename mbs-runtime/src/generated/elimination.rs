@@ -1,0 +1,51 @@
+//! Elimination without zeros: the functions that generated code brings for large mechanisms.
+
+/// A pivot below this part of its row's own length is round-off: the row depends on others.
+pub const DEPENDENT: f64 = 1e-11;
+
+/// The elimination of
+///
+/// ```text
+/// K = [ M  A₀ᵀ ]
+///     [ A₁  0  ]
+/// ```
+///
+/// in an order that was chosen when the mechanism was compiled. K, and then its factor, is an array of its entries and of
+/// the fill: in each column the pivot and what is below it. Above it stand the same places of another array, or the same
+/// entries where A₀ is A₁. The pivot of a row that depends on others is left out: its multiplier is zero.
+pub struct Elimination<const N: usize, const R: usize> {
+    /// N + R.
+    pub unknowns: usize,
+    /// Length of the array of K.
+    pub slots: usize,
+    /// The same for M by itself.
+    pub mass_slots: usize,
+    /// Row, column and slot of the entries of M, lower or upper triangle, in the array of K …
+    pub mass: &'static [(usize, usize, usize)],
+    /// … and in that of M by itself.
+    pub mass_alone: &'static [(usize, usize, usize)],
+    /// Position in the order of elimination, and slot of the pivot, of each row of A, in the order of rows.
+    pub pivots: &'static [(usize, usize)],
+    /// Whether M⁻¹f is not a constant.
+    pub forces_vary: bool,
+    /// A v, from K.
+    pub rates: Rates<N, R>,
+    /// Aᵀκ, from K.
+    pub impulse: fn(&[f64], &[f64; R], &mut [f64; N]),
+    /// Factors K where A₀ is A₁. Receives in the second array, by position, a M⁻¹aᵀ of each row before other rows were
+    /// eliminated; returns the largest ratio of these to the pivots (infinite where a row was left out).
+    pub factor: fn(&mut [f64], &mut [f64]) -> f64,
+    /// From a factor and the right-hand sides of the rows, by way of an array of N + R: adds δv and δκ.
+    pub solve: fn(&[f64], &[f64; R], &mut [f64], &mut [f64; N], &mut [f64; R]),
+    /// Factors K from its lower and its upper triangle, where the ratio is taken to the lengths given.
+    pub factor_pair: fn(&mut [f64], &mut [f64], &[f64]) -> f64,
+    /// The same as `solve`, with both triangles.
+    pub solve_pair: fn(&[f64], &[f64], &[f64; R], &mut [f64], &mut [f64; N], &mut [f64; R]),
+    /// Factors M.
+    pub factor_mass: fn(&mut [f64], &mut [f64]) -> f64,
+    /// x ← M⁻¹x by way of an array of N.
+    pub solve_mass: fn(&[f64], &mut [f64], &mut [f64; N]),
+}
+
+/// A v, from K.
+pub type Rates<const N: usize, const R: usize> = fn(&[f64], &[f64; N], &mut [f64; R]);

@@ -1,0 +1,285 @@
+//! K of a large mechanism at one instant, and its factor.
+
+use super::{Independence, SMALL_PIVOT, WEAK_PIVOT, clear};
+use crate::System;
+use crate::generated::Elimination;
+
+/// An array whose length generated code knows.
+pub(crate) type Slots = Box<[f64]>;
+
+/// K where A₀ is A₁.
+#[derive(Clone)]
+pub(crate) struct Bordered {
+    /// M and A.
+    pub(crate) entries: Slots,
+    factor: Slots,
+    /// a M⁻¹aᵀ of each row, by its position in the elimination.
+    lengths: Slots,
+    /// The largest ratio of these to the pivots.
+    most: f64,
+}
+
+/// K where A₀ and A₁ belong to different instants.
+pub(crate) struct Pair {
+    lower: Slots,
+    upper: Slots,
+}
+
+/// M by itself.
+pub(crate) struct SparseMass {
+    factor: Slots,
+}
+
+/// What pivots tell of the rows they belong to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Rows {
+    Independent,
+    /// Solutions lose digits that an iteration on the residual restores.
+    Weak,
+    /// A row is about to lose its direction.
+    Lost,
+}
+
+fn zeros(length: usize) -> Slots {
+    vec![0.0; length].into_boxed_slice()
+}
+
+/// The verdict on pivots whose sizes relative to the lengths of their rows are given; zero for those left out, of which
+/// there may be `redundant`.
+fn judge(most: f64, relative: impl Iterator<Item = f64>, redundant: Option<usize>) -> Rows {
+    if most < 1.0 / WEAK_PIVOT {
+        return Rows::Independent;
+    }
+    let (mut least, mut left_out) = (f64::INFINITY, 0);
+    for pivot in relative {
+        if pivot == 0.0 {
+            left_out += 1;
+        } else {
+            least = least.min(pivot);
+        }
+    }
+    if least <= SMALL_PIVOT || redundant.is_some_and(|redundant| redundant != left_out) {
+        Rows::Lost
+    } else if least < WEAK_PIVOT {
+        Rows::Weak
+    } else {
+        Rows::Independent
+    }
+}
+
+impl Bordered {
+    /// K with M and no rows, not factored.
+    pub(crate) fn new<const N: usize, const R: usize>(
+        plan: &Elimination<N, R>,
+        mass: &[[f64; N]; N],
+    ) -> Self {
+        let mut entries = zeros(plan.slots);
+        for &(i, j, slot) in plan.mass {
+            entries[slot] = mass[i][j];
+        }
+        Bordered {
+            factor: entries.clone(),
+            entries,
+            lengths: zeros(plan.unknowns),
+            most: f64::INFINITY,
+        }
+    }
+
+    pub(crate) fn factor<const N: usize, const R: usize>(&mut self, plan: &Elimination<N, R>) {
+        self.factor.copy_from_slice(&self.entries);
+        self.most = (plan.factor)(&mut self.factor, &mut self.lengths);
+    }
+
+    /// Pivots of the rows, relative to their lengths.
+    fn relative<'a, const N: usize, const R: usize>(
+        &'a self,
+        plan: &'a Elimination<N, R>,
+    ) -> impl Iterator<Item = f64> + 'a {
+        relative(plan, &self.factor, &self.lengths)
+    }
+
+    #[inline]
+    pub(crate) fn rows<const N: usize, const R: usize>(&self, plan: &Elimination<N, R>) -> Rows {
+        judge(self.most, self.relative(plan), None)
+    }
+
+    /// How independent the rows are.
+    #[inline]
+    pub(crate) fn independence<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+    ) -> Independence {
+        let sigma = 1.0 / self.most.sqrt();
+        let mut independence = Independence {
+            sigma,
+            weakest: sigma,
+            lost: 0,
+            least: sigma,
+            dependent: 0,
+        };
+        if self.most < 1.0 / SMALL_PIVOT {
+            return independence;
+        }
+        let (mut small, mut least) = (f64::INFINITY, f64::INFINITY);
+        for pivot in self.relative(plan) {
+            if pivot > 0.0 {
+                least = least.min(pivot);
+            } else {
+                independence.dependent += 1;
+            }
+            if pivot > SMALL_PIVOT {
+                small = small.min(pivot);
+            } else {
+                independence.lost += 1;
+            }
+        }
+        (independence.sigma, independence.least) = (small.sqrt(), least.sqrt());
+        independence
+    }
+
+    /// The combination of the rows, each taken with unit length, that comes closest to none: a step of inverse iteration
+    /// from the row with the smallest pivot.
+    pub(crate) fn combination<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        x: &mut [f64],
+    ) -> [f64; R] {
+        let pivots = self.relative(plan).enumerate();
+        let independent = pivots.filter(|&(_, pivot)| pivot > 0.0);
+        let weakest = independent.min_by(|a, b| a.1.total_cmp(&b.1));
+        let mut combination = [0.0; R];
+        if let Some((weakest, _)) = weakest {
+            let mut rates = [0.0; R];
+            rates[weakest] = 1.0;
+            self.solve(plan, &rates, x, (&mut [0.0; N], &mut combination));
+        }
+        let lengths = plan
+            .pivots
+            .iter()
+            .map(|&(position, _)| self.lengths[position].sqrt());
+        combination
+            .iter_mut()
+            .zip(lengths)
+            .for_each(|(part, length)| *part *= length);
+        combination
+    }
+
+    /// v and κ change so that A v changes by `rates`.
+    #[inline]
+    pub(crate) fn solve<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        rates: &[f64; R],
+        x: &mut [f64],
+        (v, kappa): (&mut [f64; N], &mut [f64; R]),
+    ) {
+        (plan.solve)(&self.factor, rates, x, v, kappa);
+    }
+}
+
+fn relative<'a, const N: usize, const R: usize>(
+    plan: &'a Elimination<N, R>,
+    factor: &'a [f64],
+    lengths: &'a [f64],
+) -> impl Iterator<Item = f64> + 'a {
+    plan.pivots.iter().map(move |&(position, slot)| {
+        let inverse = factor[slot].abs();
+        if inverse == 0.0 {
+            0.0
+        } else {
+            1.0 / (inverse * lengths[position])
+        }
+    })
+}
+
+impl Pair {
+    pub(crate) fn new<const N: usize, const R: usize>(plan: &Elimination<N, R>) -> Self {
+        Pair {
+            lower: zeros(plan.slots),
+            upper: zeros(plan.slots),
+        }
+    }
+
+    /// Factors K with A₁ of `end` and A₀ of `start`, which is factored itself.
+    pub(crate) fn factor<const N: usize, const R: usize>(
+        &mut self,
+        plan: &Elimination<N, R>,
+        start: &Bordered,
+        end: &Bordered,
+    ) -> Rows {
+        self.lower.copy_from_slice(&end.entries);
+        self.upper.copy_from_slice(&start.entries);
+        let most = (plan.factor_pair)(&mut self.lower, &mut self.upper, &start.lengths);
+        let redundant = start.relative(plan).filter(|&pivot| pivot == 0.0).count();
+        let relative = relative(plan, &self.lower, &start.lengths);
+        judge(most, relative, Some(redundant))
+    }
+
+    #[inline]
+    pub(crate) fn solve<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        rates: &[f64; R],
+        x: &mut [f64],
+        (v, kappa): (&mut [f64; N], &mut [f64; R]),
+    ) {
+        (plan.solve_pair)(&self.lower, &self.upper, rates, x, v, kappa);
+    }
+}
+
+impl SparseMass {
+    /// M factored.
+    pub(crate) fn new<const N: usize, const R: usize>(
+        plan: &Elimination<N, R>,
+        mass: &[[f64; N]; N],
+    ) -> Self {
+        let mut factor = zeros(plan.mass_slots);
+        for &(i, j, slot) in plan.mass_alone {
+            factor[slot] = mass[i][j];
+        }
+        (plan.factor_mass)(&mut factor, &mut zeros(N));
+        SparseMass { factor }
+    }
+
+    /// x ← M⁻¹x.
+    #[inline]
+    pub(crate) fn solve<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        work: &mut [f64],
+        x: &mut [f64; N],
+    ) {
+        (plan.solve_mass)(&self.factor, work, x);
+    }
+
+    /// M⁻¹f of the forces at (t, q), which do not depend on velocities.
+    #[inline]
+    pub(crate) fn weigh_forces<S, const Q: usize, const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        system: &S,
+        (t, q): (f64, &[f64; Q]),
+        work: &mut [f64],
+        acceleration: &mut [f64; N],
+    ) where
+        S: System<Q, N, R>,
+    {
+        if plan.forces_vary {
+            system.applied_forces(t, q, &[0.0; N], acceleration);
+            self.solve(plan, work, acceleration);
+        } else {
+            system.acceleration(t, q, acceleration);
+        }
+    }
+}
+
+/// M of a system whose mass matrix is constant.
+#[inline(never)]
+pub(crate) fn constant_mass<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    q: &[f64; Q],
+) -> super::Matrix<N, N> {
+    let mut mass = clear();
+    system.mass_matrix(q, &mut mass);
+    mass
+}

@@ -1,0 +1,149 @@
+//! Instants between steps.
+//!
+//! The state between the ends of a step is what a shorter step from its beginning leads to: of the order of the method,
+//! on the constraints, with its energy balance, and joined to the next step without a gap. The steps themselves do not
+//! feel that somebody looked.
+
+use super::Simulation;
+use crate::{AnySimulation, SimulationError, System};
+
+/// An end of a step.
+#[derive(Clone, Copy)]
+enum From {
+    Begin,
+    End,
+}
+
+/// Ways to an instant, where it lies beside a singular pose or a stage on the way does: from an end of the step, with the
+/// first part of the way as a step of its own.
+const WAYS: [(From, f64); 5] = [
+    (From::Begin, 1.0),
+    (From::End, 1.0),
+    (From::Begin, 0.4),
+    (From::End, 0.4),
+    (From::Begin, 0.7),
+];
+/// Steps grow by up to this where they are placed, and are not divided for it.
+const STRETCH: f64 = 1.2;
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// Takes whole steps until `time` is reached or passed, none of them beyond `latest`.
+    ///
+    /// [`Simulation::look_at`] then shows any instant of the last step.
+    ///
+    /// # Errors
+    /// As [`Simulation::run_until`], which lands on `time`.
+    pub fn run_past(&mut self, time: f64, latest: f64) -> Result<(), SimulationError> {
+        if time <= self.time() {
+            return Ok(());
+        }
+        let latest = latest.max(time);
+        self.check_target(latest)?;
+        while self.time() < time
+            && let Some(h) = self.next_step(latest)
+        {
+            self.behind.copy_from(self.integrator.state());
+            self.forward(h, latest - self.time())?;
+        }
+        self.land(latest);
+        Ok(())
+    }
+
+    /// Shows the simulation at an instant of its last step, and leaves it where it is.
+    ///
+    /// ```
+    /// # use mbs_runtime::{Settings, Simulation, mechanism};
+    /// mechanism!(Pendulum {
+    ///     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    ///     rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 0.0_deg),
+    ///     pivot: Revolute(ground.origin, rod.a),
+    /// });
+    ///
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let settings = Settings { tolerance: Some(1e-6), order: 6, ..Settings::default() };
+    /// let mut simulation = Simulation::with_settings(Pendulum {}, settings)?;
+    /// for instant in 1..=100 {
+    ///     let time = 0.01 * f64::from(instant);
+    ///     simulation.run_past(time, 1.0)?;
+    ///     simulation.look_at(time, &mut |simulation| assert_eq!(simulation.time(), time))?;
+    /// }
+    /// assert!(simulation.report().steps < 100);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// A time that is not in the last step of [`Simulation::run_past`]; otherwise as [`Simulation::step`].
+    pub fn look_at(
+        &mut self,
+        time: f64,
+        look: &mut dyn FnMut(&dyn AnySimulation),
+    ) -> Result<(), SimulationError> {
+        let now = self.time();
+        if time == now {
+            look(self);
+            return Ok(());
+        }
+        if !(time < now && time >= self.behind.time && self.behind.time.is_finite()) {
+            return Err(SimulationError::Time { now, wanted: time });
+        }
+        self.before.copy_from(self.integrator.state());
+        let kept = (self.report, self.power, self.independence);
+        let shown = self.show(time);
+        if shown.is_ok() {
+            self.integrator.state_mut().time = time;
+            look(self);
+        }
+        self.integrator.state_mut().copy_from(&self.before);
+        (self.report, self.power, self.independence) = kept;
+        self.integrator.refresh(&self.settings)?;
+        shown
+    }
+
+    /// To an instant of the last step, on the first way that keeps clear of singular poses or else the best.
+    fn show(&mut self, time: f64) -> Result<(), SimulationError> {
+        let mut best = (f64::NEG_INFINITY, WAYS[0]);
+        let mut error = None;
+        for way in WAYS {
+            match self.approach(time, way) {
+                Ok(clearance) if clearance >= self.clear() => return Ok(()),
+                Ok(clearance) if clearance > best.0 => best = (clearance, way),
+                Ok(_) => {}
+                Err(other) => error = Some(other),
+            }
+        }
+        match error {
+            Some(error) if best.0 == f64::NEG_INFINITY => Err(error),
+            _ => self.approach(time, best.1).map(drop),
+        }
+    }
+
+    /// To an instant of the last step on one of the [`WAYS`]; the least clearance on it.
+    fn approach(&mut self, time: f64, (from, first): (From, f64)) -> Result<f64, SimulationError> {
+        let start = match from {
+            From::Begin => &self.behind,
+            From::End => &self.before,
+        };
+        let span = time - start.time;
+        self.integrator.state_mut().copy_from(start);
+        self.integrator.refresh(&self.settings)?;
+        self.take_stock();
+        let clearance = self.reach(first * span)?;
+        match first < 1.0 {
+            true => Ok(self.reach((1.0 - first) * span)?.min(clearance)),
+            false => Ok(clearance),
+        }
+    }
+
+    /// Steps over `span` seconds, negative for back in time, in parts no longer than the step in use; returns the least
+    /// clearance on the way.
+    pub(super) fn reach(&mut self, span: f64) -> Result<f64, SimulationError> {
+        let longest = STRETCH * self.nominal();
+        let parts = (span.abs() / longest).ceil().max(1.0);
+        let mut clearance = f64::INFINITY;
+        for _ in 0..parts as u64 {
+            clearance = clearance.min(self.advance(span / parts)?);
+        }
+        Ok(clearance)
+    }
+}

@@ -1,0 +1,279 @@
+//! Steps chosen by a tolerance ([`Settings::tolerance`](crate::Settings::tolerance)).
+//!
+//! Steps come in pairs. Each pair is compared with other steps over the same time, as a rule with a single one of 2h: of
+//! order p it has 2ᵖ times the error e of the pair, so that the two differ by (2ᵖ − 1) e. The pair is kept where
+//!
+//! ```text
+//! e ≤ share · tolerance · max(|Δq|, 2h · greatest speed so far)
+//! ```
+//!
+//! with h |Δv| counted like Δq, and its h is kept too until a comparison asks for a shorter one, or several in a row for
+//! a longer one: a symmetric method keeps its long-time behaviour as long as its steps do not follow the motion (E.
+//! Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are powers of 2^¼ times
+//! the first one.
+//!
+//! A comparison that lands beside a singular pose has an error of its own. It is then made with two unequal steps, and
+//! after these with a shorter pair.
+
+use super::Simulation;
+use crate::{Pace, SimulationError, System};
+
+/// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
+const SHARE: f64 = 0.02;
+/// Comparisons in a row that allow a longer step before one is taken, at first and at most: twice as many after each
+/// longer step that was given back, so that the step settles where a motion recurs.
+const PATIENCE: [u32; 2] = [8, 4096];
+/// log₂ of the ratio of neighbouring lengths is one over this.
+const NOTCHES: f64 = 4.0;
+/// Notches by which a step is lengthened or shortened at once, at most.
+const LEAP: f64 = 8.0;
+/// Notches that a longer step has to promise, so that it is not given back soon.
+const PROMISE: f64 = 2.0;
+/// A difference of this part of the way tells nothing of the order of an error.
+const UNLIKE: f64 = 0.3;
+/// What a pair is compared with: a step of its whole length, then others that end with a landing elsewhere.
+const PARTITIONS: [f64; 4] = [1.0, 0.3, 0.7, 0.2];
+/// Steps whose error exceeds that of the pair by less than this part of it tell nothing.
+const TELLING: f64 = 0.2;
+/// Pairs that are tried where every comparison suffers from a singular pose, as fractions of h.
+const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
+/// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
+const WEAKEST: f64 = 1e-5;
+/// Steps shorter than this part of the first one are not tried.
+const SHORTEST: f64 = 1e-9;
+
+/// What a comparison found.
+struct Found {
+    /// Error over what is allowed; NaN where singular poses hide it.
+    excess: f64,
+    /// The velocity whose coordinate is worst.
+    worst: usize,
+    /// Sizes and radians a second.
+    speed: f64,
+    /// Whether the pair had its two equal steps.
+    even: bool,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// The step in use, s.
+    pub(super) fn nominal(&self) -> f64 {
+        match self.settings.tolerance {
+            Some(_) if self.state().pace.step > 0.0 => self.state().pace.step,
+            _ => self.settings.step,
+        }
+    }
+
+    /// A step of h or, with a tolerance, a pair of what it calls for; `left` at most.
+    pub(super) fn forward(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
+        match self.settings.tolerance {
+            None => self.place(h, left).map(drop),
+            Some(tolerance) => self.pair(tolerance, left),
+        }
+    }
+
+    /// Two steps of h, and of shorter ones until their error is small enough.
+    fn pair(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
+        let mut pace = self.state().pace;
+        if pace.step == 0.0 {
+            pace = Pace::starting(self.settings.step);
+        }
+        let (mut report, power) = (self.report, self.power);
+        self.pair.copy_from(self.integrator.state());
+        let sigma = self.sigma();
+        let mut sidestep = 0;
+        loop {
+            let h = SIDESTEPS[sidestep] * pace.step.min(0.5 * left);
+            let last = sidestep + 1 == SIDESTEPS.len();
+            let found = self.compare(tolerance, h, left, (pace.speed, sigma), last);
+            let (excess, error) = match found {
+                Ok(found) => {
+                    let notches = notches(self.settings.order, found.excess);
+                    if found.excess <= 1.0 {
+                        pace.speed = pace.speed.max(found.speed);
+                        if h == pace.step && found.even {
+                            pace.lengthen(notches);
+                        }
+                        self.integrator.state_mut().pace = pace;
+                        return Ok(());
+                    }
+                    let velocity = S::MODEL.velocities.get(found.worst);
+                    let error = SimulationError::Tolerance {
+                        time: self.pair.time,
+                        step: h,
+                        tolerance,
+                        times: found.excess,
+                        velocity: velocity.map_or("", |velocity| velocity.name),
+                    };
+                    (found.excess, error)
+                }
+                Err(
+                    error @ (SimulationError::NotConverged { .. }
+                    | SimulationError::NonFinite { .. }),
+                ) => (LEAP.exp2(), error),
+                Err(error) => return Err(error),
+            };
+            report.rejected_steps += 1;
+            self.integrator.state_mut().copy_from(&self.pair);
+            (self.report, self.power, self.independence) = (report, power, None);
+            self.integrator.refresh(&self.settings)?;
+            if excess.is_nan() {
+                sidestep += 1;
+                continue;
+            }
+            sidestep = 0;
+            pace.shorten(h, notches(self.settings.order, excess));
+            let clock = 1e-13 * self.pair.time.abs();
+            if !(pace.step > SHORTEST * self.settings.step && pace.step > clock) {
+                return Err(error);
+            }
+        }
+    }
+
+    /// Two steps of h, which stay, and others over the same time to compare them with.
+    fn compare(
+        &mut self,
+        tolerance: f64,
+        h: f64,
+        left: f64,
+        (speed, sigma): (f64, f64),
+        last: bool,
+    ) -> Result<Found, SimulationError> {
+        let first = self.place(h, left)?;
+        let second = self.place(h, left - first)?;
+        let noise = self.settings.constraint_tolerance / self.sigma().min(sigma).max(WEAKEST);
+        self.before.copy_from(self.integrator.state());
+        let kept = (self.report, self.power, self.independence);
+
+        let length = first + second;
+        let moved = self
+            .system()
+            .difference(&self.pair.positions, self.positions());
+        let mut found = Found {
+            excess: f64::NAN,
+            worst: 0,
+            speed: self.yardstick.measure(&moved) / length,
+            even: first == h && second == h,
+        };
+        let way = length * found.speed.max(speed);
+        let allowed = (SHARE * tolerance * way).max(noise);
+        let order = i32::from(self.settings.order);
+        let error = |steps: [f64; 2]| steps.map(|h| h.powi(order + 1)).iter().sum::<f64>();
+        let mut converged = false;
+        for fraction in PARTITIONS {
+            let steps = [fraction * length, (1.0 - fraction) * length];
+            let ratio = error(steps) / error([first, second]) - 1.0;
+            if ratio < TELLING {
+                continue;
+            }
+            let Some(clearance) = self.others(steps)? else {
+                continue;
+            };
+            converged = true;
+            let (apart, worst) = self.apart(h);
+            let excess = match apart > UNLIKE * way {
+                true => LEAP.exp2(),
+                false => apart / (ratio * allowed),
+            };
+            if excess <= 1.0 || last || !(clearance < self.clear()) {
+                (found.excess, found.worst) = (excess, worst);
+                break;
+            }
+        }
+        if !converged {
+            found.excess = LEAP.exp2();
+        }
+        self.integrator.state_mut().copy_from(&self.before);
+        (self.report, self.power, self.independence) = kept;
+        self.integrator.refresh(&self.settings)?;
+        Ok(found)
+    }
+
+    /// How far the rows are from losing their independence, 1 at most.
+    fn sigma(&mut self) -> f64 {
+        let known = self.independence;
+        let now = known.or_else(|| self.integrator.independence());
+        now.map_or(1.0, |now| now.least.min(1.0))
+    }
+
+    /// From the beginning of the pair in other steps; their least clearance, or `None` if one does not converge.
+    fn others(&mut self, steps: [f64; 2]) -> Result<Option<f64>, SimulationError> {
+        self.integrator.state_mut().copy_from(&self.pair);
+        self.independence = None;
+        self.integrator.refresh(&self.settings)?;
+        let rejected = self.report.rejected_steps;
+        let mut least = f64::INFINITY;
+        for step in steps.into_iter().filter(|step| *step > 0.0) {
+            match self.advance(step) {
+                Ok(clearance) => least = least.min(clearance),
+                Err(SimulationError::NotConverged { .. } | SimulationError::NonFinite { .. }) => {
+                    return Ok(None);
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok((self.report.rejected_steps == rejected).then_some(least))
+    }
+
+    /// How far the other steps led from the pair, in sizes and radians, and the velocity that tells most.
+    fn apart(&self, h: f64) -> (f64, usize) {
+        let (pair, other) = (&self.before, self.state());
+        let q = self.system().difference(&pair.positions, &other.positions);
+        let v: [f64; N] = std::array::from_fn(|i| h * (other.velocities[i] - pair.velocities[i]));
+        let (moved, carried) = (self.yardstick.measure(&q), self.yardstick.measure(&v));
+        match moved >= carried {
+            true => (moved, self.yardstick.worst(&q)),
+            false => (carried, self.yardstick.worst(&v)),
+        }
+    }
+}
+
+/// How much longer a step could be with this error, as a power of 2^¼.
+fn notches(order: u8, excess: f64) -> f64 {
+    (NOTCHES / f64::from(order) * -excess.log2()).floor()
+}
+
+impl Pace {
+    /// Before the first comparison.
+    fn starting(step: f64) -> Self {
+        Pace {
+            step,
+            eager: true,
+            allowed: LEAP,
+            patience: PATIENCE[0],
+            ..Pace::default()
+        }
+    }
+
+    /// A step of h was too long by some (negative) notches.
+    fn shorten(&mut self, h: f64, notches: f64) {
+        self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
+        if std::mem::take(&mut self.raised) {
+            self.patience = (2 * self.patience).min(PATIENCE[1]);
+        }
+        self.settle();
+    }
+
+    /// Takes note of a comparison that would allow a step longer by some notches.
+    fn lengthen(&mut self, notches: f64) {
+        if notches < PROMISE {
+            return self.settle();
+        }
+        self.quiet += 1;
+        self.allowed = self.allowed.min(notches - 1.0);
+        if self.eager || self.quiet >= self.patience {
+            self.step *= (self.allowed / NOTCHES).exp2();
+            if std::mem::replace(&mut self.raised, !self.eager) {
+                self.patience = (self.patience / 2).max(PATIENCE[0]);
+            }
+            self.quiet = 0;
+            self.allowed = LEAP;
+        }
+    }
+
+    /// The step is right, for now.
+    fn settle(&mut self) {
+        self.quiet = 0;
+        self.allowed = LEAP;
+        self.eager = false;
+    }
+}

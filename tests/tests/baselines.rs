@@ -1,0 +1,126 @@
+//! The integrators of the literature follow the references of scenes that are within their reach.
+
+use mbs_examples::scenes::scenes;
+use mbs_runtime::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,
+    PenaltySettings, Settings, SimulationError,
+};
+use mbs_tests::reference::{deviation, table};
+use mbs_tests::with_room;
+
+/// A scene away from singular poses, with the step and the bounds of the position error of methods of order two, of order
+/// four, and of those that control their error.
+struct Case {
+    scene: &'static str,
+    step: f64,
+    until: f64,
+    second: f64,
+    fourth: f64,
+    controlled: f64,
+}
+
+const CASES: &[Case] = &[
+    Case {
+        scene: "andrews",
+        step: 5e-6,
+        until: 0.01,
+        second: 2e-5,
+        fourth: 1e-10,
+        controlled: 2e-6,
+    },
+    Case {
+        scene: "double-four-bar",
+        step: 2.5e-3,
+        until: 0.5,
+        second: 1e-4,
+        fourth: 5e-8,
+        controlled: 5e-6,
+    },
+    Case {
+        scene: "heavy-top",
+        step: 2.5e-5,
+        until: 0.1,
+        second: 1e-3,
+        fourth: 5e-9,
+        controlled: 1e-4,
+    },
+];
+
+fn methods() -> Vec<(Method, fn(&Case) -> f64)> {
+    let by_name = |name| Method::by_name(name).expect(name);
+    let tight = PaperSettings {
+        velocity_tolerance: 1e-7,
+        update_tolerance: 1e-9,
+        ..PaperSettings::m_alf()
+    };
+    vec![
+        (by_name("rattle"), |case| case.second),
+        (by_name("index3-projections"), |case| case.second),
+        (by_name("generalized-alpha"), |case| case.second),
+        (
+            Method::GeneralizedAlpha(GeneralizedAlphaSettings {
+                stabilised: true,
+                ..GeneralizedAlphaSettings::default()
+            }),
+            |case| case.second,
+        ),
+        (Method::MAlf(tight), |case| case.second),
+        (
+            Method::Penalty(PenaltySettings {
+                penalty: 1e12,
+                ..PenaltySettings::default()
+            }),
+            |case| case.second,
+        ),
+        (by_name("baumgarte"), |case| case.fourth),
+        (by_name("projected"), |case| case.fourth),
+        (
+            Method::Baumgarte(BaumgarteSettings {
+                adaptive: Some(1e-8),
+                ..BaumgarteSettings::default()
+            }),
+            |case| case.controlled,
+        ),
+        (
+            Method::Bdf(BdfSettings {
+                tolerance: 1e-8,
+                ..BdfSettings::default()
+            }),
+            |case| case.controlled,
+        ),
+    ]
+}
+
+#[test]
+fn references_are_met() {
+    with_room(|| CASES.iter().for_each(check));
+}
+
+fn check(case: &Case) {
+    let scene = scenes().iter().find(|scene| scene.name == case.scene);
+    let scene = scene.expect(case.scene);
+    let trusted = table(scene.reference.expect("a reference").file);
+    let mut wrong = Vec::new();
+    for (method, bound) in methods() {
+        let error = |step: f64| -> Result<f64, SimulationError> {
+            let settings = Settings {
+                method,
+                step,
+                ..Settings::default()
+            };
+            let mut simulation = (scene.build)(&[], settings)?;
+            Ok(deviation(simulation.as_mut(), scene, &trusted, case.until))
+        };
+        match error(case.step) {
+            Ok(error) => {
+                println!("{} {}: {error:.2e}", case.scene, method.name());
+                if !(error <= bound(case)) {
+                    wrong.push((method.name(), error));
+                }
+            }
+            Err(SimulationError::Method { .. }) => {}
+            Err(error) => panic!("{} {}: {error}", case.scene, method.name()),
+        }
+    }
+    assert!(wrong.is_empty(), "{}: {wrong:?}", case.scene);
+}
