@@ -35,7 +35,7 @@ enum Command {
     Simulate(simulate::Simulate),
     /// Say what was modelled in a scene.
     Explain(explain::Explain),
-    /// Compare the methods: speed against accuracy.
+    /// Compare the methods: speed against accuracy, stability, what a model costs.
     Chart(chart::Chart),
 }
 

@@ -46,7 +46,8 @@ impl Points {
     /// A bar over so many points.
     pub fn new(chart: &'static str, points: u64) -> Self {
         let bar = ProgressBar::new(points);
-        let style = ProgressStyle::with_template("{prefix} {bar:40} {pos} of {len} {msg}  {eta} left");
+        let style =
+            ProgressStyle::with_template("{prefix} {bar:40} {pos} of {len} {msg}  {eta} left");
         if let Ok(style) = style {
             bar.set_style(style);
         }

@@ -3,7 +3,7 @@
 use super::svg::{Anchor, GRID, INK, Marker, Svg};
 use super::work_precision::Point;
 
-const SIZE: [f64; 2] = [1000.0, 640.0];
+const SIZE: [f64; 2] = [1060.0, 640.0];
 const LEFT: f64 = 92.0;
 const RIGHT: f64 = 760.0;
 const TOP: f64 = 92.0;
@@ -50,6 +50,7 @@ fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
         "two-level 4" => ("#14507d", Marker::Square, "9 3", 2.6),
         "two-level 6" => ("#14507d", Marker::Triangle, "5 3", 2.6),
         "two-level 8" => ("#14507d", Marker::Diamond, "2 3", 2.6),
+        "two-level tolerance" => ("#2f9be0", Marker::Ring, "", 2.2),
         "projected 4" => ("#e08e2e", Marker::Square, "9 3", 2.0),
         "projected 6" => ("#e08e2e", Marker::Triangle, "5 3", 2.0),
         "projected 8" => ("#e08e2e", Marker::Diamond, "2 3", 2.0),
@@ -87,7 +88,13 @@ impl Axes {
 }
 
 /// The diagram of a scene; `labels` are the methods in the order of the legend.
-pub fn draw(title: &str, note: &str, labels: &[&str], points: &[Point], measure: Measure) -> String {
+pub fn draw(
+    title: &str,
+    note: &str,
+    labels: &[&str],
+    points: &[Point],
+    measure: Measure,
+) -> String {
     let value = |point: &Point| point.errors[measure.index].max(FLOOR);
     let ok: Vec<&Point> = points
         .iter()
@@ -142,27 +149,53 @@ fn legend(svg: &mut Svg, i: usize, label: &str, ok: usize, failed: usize) {
 fn frame(svg: &mut Svg, axes: &Axes, title: &str, note: &str, measure: Measure) {
     svg.text([LEFT, 32.0], 20.0, Anchor::Start, INK, title);
     svg.text([LEFT, 56.0], 13.0, Anchor::Start, "#5b6169", note);
-    svg.rect(
-        [LEFT, TOP],
-        [RIGHT - LEFT, FAILED],
-        "#f3e3e1",
+    svg.rect([LEFT, TOP], [RIGHT - LEFT, FAILED], "#f3e3e1");
+    svg.text(
+        [LEFT + 6.0, TOP - 6.0],
+        13.0,
+        Anchor::Start,
+        "#5b6169",
+        "failed runs are in this band",
     );
-    svg.text([LEFT + 6.0, TOP - 6.0], 13.0, Anchor::Start, "#5b6169", "failed runs: in the band below");
     let every = |[low, high]: [i32; 2]| ((high - low) as usize).div_ceil(9).max(1);
     for decade in (axes.x[0]..=axes.x[1]).step_by(every(axes.x)) {
         let [x, _] = axes.place(10_f64.powi(decade), 1.0);
         svg.line([x, TOP], [x, BOTTOM], GRID, 1.0);
-        svg.text([x, BOTTOM + 22.0], 15.0, Anchor::Middle, INK, &power(decade));
+        svg.text(
+            [x, BOTTOM + 22.0],
+            15.0,
+            Anchor::Middle,
+            INK,
+            &power(decade),
+        );
     }
     for decade in (axes.y[0]..=axes.y[1]).step_by(every(axes.y)) {
         let [_, y] = axes.place(1.0, 10_f64.powi(decade));
         svg.line([LEFT, y], [RIGHT, y], GRID, 1.0);
-        svg.text([LEFT - 8.0, y + 5.0], 15.0, Anchor::End, INK, &power(decade));
+        svg.text(
+            [LEFT - 8.0, y + 5.0],
+            15.0,
+            Anchor::End,
+            INK,
+            &power(decade),
+        );
     }
-    let corners = [[LEFT, TOP], [RIGHT, TOP], [RIGHT, BOTTOM], [LEFT, BOTTOM], [LEFT, TOP]];
+    let corners = [
+        [LEFT, TOP],
+        [RIGHT, TOP],
+        [RIGHT, BOTTOM],
+        [LEFT, BOTTOM],
+        [LEFT, TOP],
+    ];
     svg.path(&corners, INK, 1.2, "");
     let middle = 0.5 * (LEFT + RIGHT);
-    svg.text([middle, BOTTOM + 50.0], 16.0, Anchor::Middle, INK, "processor time of the run, ms");
+    svg.text(
+        [middle, BOTTOM + 50.0],
+        16.0,
+        Anchor::Middle,
+        INK,
+        "processor time of the run, ms",
+    );
     svg.upright([26.0, 0.5 * (TOP + BOTTOM)], 16.0, measure.axis);
 }
 

@@ -64,14 +64,14 @@ pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64)
     let report = simulation.report();
     errors.cpu = start.elapsed().as_secs_f64();
     errors.steps = report.steps;
-    let (largest, at_end) = yardstick.distances(&frames);
+    let largest = yardstick.distance(&frames);
     if errors.outcome == Outcome::Ok {
         errors.position = largest;
         errors.energy = report.energy_error;
         errors.reaction = reaction;
-        if !(at_end <= ASTRAY * yardstick.size) {
+        if !(largest <= ASTRAY * yardstick.size) {
             errors.outcome = Outcome::WrongBranch;
-            errors.detail = format!("{at_end:.1e} from the reference at the end");
+            errors.detail = format!("{largest:.1e} from the reference");
         }
     }
     errors

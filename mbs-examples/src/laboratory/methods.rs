@@ -1,7 +1,8 @@
 //! The methods that are compared, each tuned as its users would.
 
 use mbs_runtime::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PenaltySettings, Settings,
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, PenaltySettings,
+    Settings,
 };
 
 /// What makes a method finer.
@@ -30,8 +31,10 @@ pub struct Entry {
     pub label: &'static str,
     /// With its settings.
     pub method: Method,
-    /// [`Settings::order`].
+    /// [`Settings::order`], where the method has orders to choose from.
     pub order: u8,
+    /// Whether the two-level method chooses its steps and its order by a tolerance.
+    pub tolerant: bool,
 }
 
 impl Entry {
@@ -42,12 +45,14 @@ impl Entry {
             label,
             method,
             order,
+            tolerant: false,
         })
     }
 
     /// What makes it finer.
     pub fn control(&self) -> Control {
         match self.method {
+            _ if self.tolerant => Control::Tolerance,
             Method::Bdf(_)
             | Method::Baumgarte(BaumgarteSettings {
                 adaptive: Some(_), ..
@@ -56,12 +61,18 @@ impl Entry {
         }
     }
 
-    /// Its settings for a run of `duration` seconds; `control` is a step (s) or a tolerance.
+    /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance.
     ///
     /// What has the unit of a frequency follows the duration: a user gives a mechanism of milliseconds a stiffer
     /// stabilisation than one of seconds. Runs of ten seconds have the default values.
-    pub fn settings(&self, duration: f64, control: f64) -> Settings {
+    pub fn settings(&self, model: &Model, duration: f64, control: f64) -> Settings {
         let pace = 10.0 / duration;
+        if self.tolerant {
+            return Settings {
+                step: duration / 1000.0,
+                ..Settings::for_tolerance(control, model)
+            };
+        }
         let method = match self.method {
             Method::Baumgarte(settings) => Method::Baumgarte(BaumgarteSettings {
                 gain: pace * settings.gain,
@@ -106,6 +117,7 @@ pub fn entries() -> Vec<Entry> {
             label,
             method,
             order: 2,
+            tolerant: false,
         })
     };
     [
@@ -113,6 +125,12 @@ pub fn entries() -> Vec<Entry> {
         Entry::named("two-level 4", "two-level", 4),
         Entry::named("two-level 6", "two-level", 6),
         Entry::named("two-level 8", "two-level", 8),
+        Some(Entry {
+            label: "two-level tolerance",
+            method: Method::TwoLevel,
+            order: 2,
+            tolerant: true,
+        }),
         Entry::named("alf3f-paper", "alf3f-paper", 2),
         Entry::named("m-alf", "m-alf", 2),
         Entry::named("index3-projections", "index3-projections", 2),

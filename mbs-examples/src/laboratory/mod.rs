@@ -6,9 +6,12 @@
 pub mod diagram;
 pub mod measure;
 pub mod methods;
+pub mod model_size;
 pub mod outcome;
+pub mod outcome_map;
 pub mod page;
 pub mod provenance;
+pub mod stability;
 pub mod store;
 pub mod svg;
 pub mod work_precision;

@@ -19,7 +19,12 @@ pub struct Picture {
 /// The page.
 pub fn page(title: &str, note: &str, pictures: &[Picture]) -> String {
     let mut html = HEAD.replace("TITLE", &escape(title));
-    let _ = write!(html, "<h1>{}</h1>\n<p>{}</p>\n<p>", escape(title), escape(note));
+    let _ = write!(
+        html,
+        "<h1>{}</h1>\n<p>{}</p>\n<p>",
+        escape(title),
+        escape(note)
+    );
     for (id, label, values) in [
         ("scene", "Scene", distinct(pictures, |p| &p.scene)),
         ("measure", "Error of", distinct(pictures, |p| &p.measure)),
@@ -51,7 +56,10 @@ pub fn page(title: &str, note: &str, pictures: &[Picture]) -> String {
     html + SCRIPT
 }
 
-fn distinct<'a>(pictures: &'a [Picture], of: impl Fn(&'a Picture) -> &'a String) -> Vec<&'a String> {
+fn distinct<'a>(
+    pictures: &'a [Picture],
+    of: impl Fn(&'a Picture) -> &'a String,
+) -> Vec<&'a String> {
     let mut values: Vec<&String> = Vec::new();
     for value in pictures.iter().map(of) {
         if !values.contains(&value) {
@@ -65,7 +73,7 @@ const HEAD: &str = r#"<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>TITLE</title><style>
 :root { color-scheme: light dark; font: 16px/1.45 system-ui, sans-serif }
-body { margin: 0 auto; max-width: 1040px; padding: 12px }
+body { margin: 0 auto; max-width: 1100px; padding: 12px }
 h1 { font-size: 1.3rem }
 select { font: inherit; padding: 4px; margin-right: 12px }
 label { display: inline-block; margin: 4px 0 }

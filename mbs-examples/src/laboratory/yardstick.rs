@@ -11,16 +11,14 @@ use crate::scene::Scene;
 /// Instants at which runs are compared.
 pub const INSTANTS: u32 = 50;
 
-/// A mechanism with its parameters, and what its runs are held against.
+/// A mechanism and what its runs are held against.
 pub struct Yardstick {
     /// The mechanism.
     pub scene: &'static Scene,
-    /// By name.
-    pub parameters: Vec<(String, f64)>,
     /// s
     pub duration: f64,
-    /// Trusted positions, if there are any.
-    pub reference: Option<ReferenceTable>,
+    /// Trusted positions.
+    pub reference: ReferenceTable,
     /// The largest position in the reference, in its unit (m or rad).
     pub size: f64,
     /// Reactions at the instants, N and N m, of a fine run of our own; none where no method could make it.
@@ -40,9 +38,8 @@ impl Yardstick {
             .ok_or_else(|| format!("{} was not found", reference.file))?;
         let mut yardstick = Yardstick {
             scene,
-            parameters: Vec::new(),
             duration: scene.duration,
-            reference: Some(table),
+            reference: table,
             size: 1.0,
             reactions: Vec::new(),
             source: "none".to_owned(),
@@ -50,7 +47,7 @@ impl Yardstick {
         let at_origin: Vec<Frame> = (0..=INSTANTS)
             .map(|i| yardstick.frame(yardstick.instant(i), vec![0.0; scene.model.outputs.len()]))
             .collect();
-        yardstick.size = yardstick.distances(&at_origin).0;
+        yardstick.size = yardstick.distance(&at_origin);
         yardstick.find_reactions();
         Ok(yardstick)
     }
@@ -64,7 +61,10 @@ impl Yardstick {
         entry: &Entry,
         control: f64,
     ) -> Result<Box<dyn AnySimulation>, SimulationError> {
-        (self.scene.build)(&self.parameters, entry.settings(self.duration, control))
+        (self.scene.build)(
+            &[],
+            entry.settings(self.scene.model, self.duration, control),
+        )
     }
 
     /// The i-th instant, s.
@@ -87,21 +87,13 @@ impl Yardstick {
         }
     }
 
-    /// The largest position error over the frames and that at the end, m or rad; infinite without a number.
-    pub fn distances(&self, frames: &[Frame]) -> (f64, f64) {
-        let Some(table) = &self.reference else {
-            return (f64::NAN, f64::NAN);
-        };
-        let deviations = table.compare(frames);
+    /// The largest position error over the frames, m or rad; infinite where it is not a number.
+    pub fn distance(&self, frames: &[Frame]) -> f64 {
+        let deviations = self.reference.compare(frames);
         let positions = deviations
             .iter()
             .filter(|d| d.column.ends_with("_m") || d.column.ends_with("_rad"));
-        let (mut largest, mut at_end): (f64, f64) = (0.0, 0.0);
-        for deviation in positions {
-            largest = worse(largest, deviation.largest);
-            at_end = worse(at_end, deviation.at_end.unwrap_or(f64::INFINITY));
-        }
-        (largest, at_end)
+        positions.fold(0.0, |most, deviation| worse(most, deviation.largest))
     }
 
     /// The run of our own that is nearest to the reference gives the reactions.
@@ -114,7 +106,7 @@ impl Yardstick {
                 let Ok((frames, reactions)) = self.follow(&entry, step) else {
                     continue;
                 };
-                let error = self.distances(&frames).0;
+                let error = self.distance(&frames);
                 if error < best {
                     best = error;
                     self.reactions = reactions;
@@ -139,9 +131,5 @@ impl Yardstick {
 
 /// The larger error; what is not a number is the largest.
 pub fn worse(a: f64, b: f64) -> f64 {
-    if b.is_nan() {
-        f64::INFINITY
-    } else {
-        a.max(b)
-    }
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

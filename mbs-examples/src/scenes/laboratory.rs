@@ -111,10 +111,7 @@ mechanism!(SliderCrankByAngle {
 
 mechanism!(SliderCrankByPoints {
     doc: "The slider-crank with two equal rods by the ends of its rods.",
-    world: Planar(
-        gravity = [0.0, -9.81_m_per_s2],
-        coordinates = Natural
-    ),
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
 
     /// Length of each rod.
     length: Param(1.0_m),
@@ -145,10 +142,7 @@ mechanism!(SliderCrankByPoints {
 
 mechanism!(SliderCrankByBodies {
     doc: "The slider-crank with two equal rods by centres and angles: every joint is rows.",
-    world: Planar(
-        gravity = [0.0, -9.81_m_per_s2],
-        coordinates = Reference
-    ),
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
 
     /// Length of each rod.
     length: Param(1.0_m),
