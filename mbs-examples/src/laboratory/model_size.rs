@@ -115,10 +115,11 @@ fn coarsest(model: &Yardstick, method: &Entry, bound: f64, key: &[&str; KEYS]) -
         method.settings(scene.model, model.duration, scene.step),
     )
     .map_or(0, |simulation| simulation.assembly().rank);
-    let chosen = scene.model.candidates.iter();
-    let chosen = chosen
-        .filter(|candidate| candidate.formulation == scene.model.formulation)
-        .find_map(|candidate| candidate.operations);
+    // Of all functions, each once.
+    let operations = scene.model.operations.iter();
+    let operations: usize = operations
+        .map(|cost| cost.additions + cost.multiplications + cost.divisions + cost.calls)
+        .sum();
     let mut row: Row = key.iter().map(|&cell| cell.to_owned()).collect();
     row.extend(
         [
@@ -129,7 +130,7 @@ fn coarsest(model: &Yardstick, method: &Entry, bound: f64, key: &[&str; KEYS]) -
         ]
         .map(|number| number.to_string()),
     );
-    row.push(chosen.map_or("-".to_owned(), |operations| operations.to_string()));
+    row.push(operations.to_string());
     row.push("1".to_owned());
     match found {
         Some((step, error)) => {

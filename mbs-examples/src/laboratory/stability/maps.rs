@@ -44,8 +44,8 @@ pub fn maps(quick: bool) -> Vec<Map> {
         by_step(
             "near-singular",
             "Nearly singular: a parallelogram 1e-6 off",
-            &[0.1, 0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3],
-            vec![Problem::new(&laboratory::NEAR_PARALLELOGRAM, 10.0)],
+            &[0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5],
+            vec![Problem::new(&laboratory::NEAR_PARALLELOGRAM, 2.0)],
         ),
         mass_ratio(),
         stiff_spring(),

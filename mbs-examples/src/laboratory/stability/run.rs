@@ -17,8 +17,11 @@ const LOOKS: u32 = 200;
 const POSES: u32 = 2000;
 /// It is followed for so long, s: every mechanism here has come round by then.
 const FOLLOWED: f64 = 10.0;
-/// With a step of order 8 that is this part of that time.
+/// With a step of order 8 that is this part of that time,
 const FINE: f64 = 1.0 / 8000.0;
+/// divided by four so many times at most, until two runs differ by no more than this part of the size.
+const REFINEMENTS: i32 = 3;
+const AGREED: f64 = 1e-2;
 
 /// Named points of a pose.
 type Pose = Vec<[f64; 3]>;
@@ -34,44 +37,59 @@ struct Motion {
 }
 
 impl Motion {
-    fn new(problem: &Problem) -> Result<Self, SimulationError> {
-        let entry = entry("two-level 8").expect("the first methods are ours");
+    /// From runs with ever finer steps, until two agree.
+    fn new(problem: &Problem) -> Result<Self, String> {
+        let mut motion = Self::follow(problem, FINE)?;
+        if !problem.one_degree_of_freedom {
+            motion.poses.clear();
+            return Ok(motion);
+        }
+        for finer in 1..=REFINEMENTS {
+            let better = Self::follow(problem, FINE / 4_f64.powi(finer))?;
+            let pairs = motion.poses.iter().zip(&better.poses);
+            let apart = pairs.fold(0.0, |most: f64, (a, b)| most.max(apart(a, b)));
+            motion = better;
+            if apart <= AGREED * motion.size {
+                return Ok(motion);
+            }
+        }
+        Err("fine runs do not agree about it".to_owned())
+    }
+
+    fn follow(problem: &Problem, part: f64) -> Result<Self, String> {
+        let entry = entry("two-level 8").ok_or("two-level is no method")?;
         let followed = problem.duration.min(FOLLOWED);
-        let mut simulation =
-            problem.build(entry.settings(problem.scene.model, followed, followed * FINE))?;
+        let settings = entry.settings(problem.scene.model, followed, followed * part);
+        let words = |error: SimulationError| error.to_string();
+        let mut simulation = problem.build(settings).map_err(words)?;
         let mut motion = Motion {
             poses: vec![simulation.points()],
             size: 0.0,
             energy: simulation.energy().kinetic,
         };
         for i in 1..=POSES {
-            simulation.run_until(followed * f64::from(i) / f64::from(POSES))?;
+            let until = followed * f64::from(i) / f64::from(POSES);
+            simulation.run_until(until).map_err(words)?;
             motion.poses.push(simulation.points());
             motion.energy = motion.energy.max(simulation.energy().kinetic);
         }
         motion.size = extent(&motion.poses);
-        if !problem.one_degree_of_freedom {
-            motion.poses.clear();
-        }
         Ok(motion)
     }
 
     /// How far a pose is from all of the motion's, m.
     fn distance(&self, pose: &Pose) -> f64 {
-        let apart = |other: &Pose| {
-            let pairs = pose.iter().zip(other);
-            pairs.fold(0.0, |most: f64, (a, b)| {
-                let square: f64 = a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum();
-                most.max(square)
-            })
-        };
-        let nearest = self.poses.iter().map(apart).fold(f64::INFINITY, f64::min);
-        if self.poses.is_empty() {
-            0.0
-        } else {
-            nearest.sqrt()
-        }
+        let distances = self.poses.iter().map(|other| apart(pose, other));
+        let nearest = distances.fold(f64::INFINITY, f64::min);
+        if self.poses.is_empty() { 0.0 } else { nearest }
     }
+}
+
+/// The largest distance between the same points of two poses, m.
+fn apart(a: &Pose, b: &Pose) -> f64 {
+    let pairs = a.iter().zip(b);
+    let square = pairs.map(|(a, b)| a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum());
+    square.fold(0.0, f64::max).sqrt()
 }
 
 /// The longest edge of the box around all points.
