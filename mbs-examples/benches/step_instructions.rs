@@ -1,4 +1,4 @@
-//! Instructions of a step of the double four-bar, hand-written and generated, and of every scene, counted by valgrind's callgrind: exact and
+//! Instructions of a step of the double four-bar and of Andrews' mechanism, hand-written and generated, and of every scene, counted by valgrind's callgrind: exact and
 //! repeatable, whatever else the machine is doing.
 //!
 //! `cargo bench -p mbs-examples --bench step_instructions` (needs valgrind on the path)
@@ -7,8 +7,8 @@
 mod handwritten;
 
 use mbs_examples::scene::Scene;
-use mbs_examples::scenes::{double_four_bar::DoubleFourBar, scenes};
-use mbs_runtime::{Mechanism, Settings, Simulation, TwoLevelStepper};
+use mbs_examples::scenes::{andrews::Andrews, double_four_bar::DoubleFourBar, scenes};
+use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper};
 use std::hint::black_box;
 use std::process::Command;
 
@@ -55,7 +55,51 @@ fn main() {
             }
         }
     }
+    andrews();
     every_scene();
+    growth();
+}
+
+/// The same integrator on the equations written by hand and on the generated ones.
+fn andrews() {
+    const STEP: f64 = 1e-6;
+    println!();
+    println!(
+        "Andrews' mechanism: after {} steps the two agree to {:.1e} rad",
+        SHORT[1],
+        andrews_disagreement(STEP, SHORT[1])
+    );
+    let counts = ["andrews-hand", "andrews-generated"].map(|name| count(name, STEP, SHORT));
+    if let [Some(hand), Some(generated)] = counts {
+        println!(
+            "{STEP:>8} {hand:>14.1} {generated:>12.1} {:>8.3}",
+            generated / hand
+        );
+    }
+}
+
+fn andrews_disagreement(step: f64, steps: u64) -> f64 {
+    let settle = |end: Option<[f64; 7]>| end.unwrap_or([f64::NAN; 7]);
+    let hand = settle(run_andrews(handwritten::Andrews, step, steps));
+    let generated = Andrews::default().prepare().ok();
+    let generated = settle(generated.and_then(|system| run_andrews(system, step, steps)));
+    let pairs = hand.iter().zip(&generated);
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// The angles after some steps from the scene's start.
+fn run_andrews<S: System<7, 7, 6>>(system: S, step: f64, steps: u64) -> Option<[f64; 7]> {
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    let simulation = Simulation::with_settings(Andrews::default(), settings).ok()?;
+    let start = simulation.state().clone();
+    let mut stepper = TwoLevelStepper::new(system, start, &settings).ok()?;
+    for _ in 0..steps {
+        stepper.step(black_box(step)).ok()?;
+    }
+    Some(stepper.state().positions)
 }
 
 /// Instructions of a step of every scene at its own step size, beside what the compiler expects.
@@ -80,6 +124,33 @@ fn every_scene() {
             scene.model.velocities.len(),
             scene.model.rows.len(),
             taken.map_or_else(String::new, |operations| operations.to_string())
+        );
+    }
+}
+
+/// How instructions grow with the number of loops in a row of four-bars: the exponent between each two lengths, for each
+/// step.
+fn growth() {
+    let chains = [
+        ("double-four-bar", 2.0_f64),
+        ("four-bar-10", 10.0),
+        ("four-bar-40", 40.0),
+    ];
+    println!();
+    println!("exponent of the instructions of a step in the number of loops");
+    println!(
+        "{:>8} {:>10} {:>10} {:>10}",
+        "h, s", "2 to 10", "10 to 40", "2 to 40"
+    );
+    for step in [1e-3, 1e-2] {
+        let counts = chains.map(|(name, _)| count(name, step, SHORT).unwrap_or(f64::NAN));
+        let exponent =
+            |i: usize, j: usize| (counts[j] / counts[i]).ln() / (chains[j].1 / chains[i].1).ln();
+        println!(
+            "{step:>8} {:>10.3} {:>10.3} {:>10.3}",
+            exponent(0, 1),
+            exponent(1, 2),
+            exponent(0, 2)
         );
     }
 }
@@ -136,6 +207,18 @@ fn run(name: &str, step: f64, steps: u64) {
             mechanism.step(black_box(step));
         }
         println!("{}", mechanism.energy());
+        return;
+    }
+    if name == "andrews-hand" {
+        println!("{:?}", run_andrews(handwritten::Andrews, step, steps));
+        return;
+    }
+    if name == "andrews-generated" {
+        let system = Andrews::default().prepare().ok();
+        println!(
+            "{:?}",
+            system.and_then(|system| run_andrews(system, step, steps))
+        );
         return;
     }
     if let Some(scene) = scenes().iter().find(|scene| scene.name == name) {

@@ -108,7 +108,7 @@ fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
             distances.sort_by(f64::total_cmp);
             let within = ratios.iter().filter(|ratio| **ratio <= 3.0).count();
             println!(
-                "| {name} | {order} | {} | {} | {failed} | {astray} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.2} | {:.2} | {:.1} | {:.1e} | {:.1} % |",
+                "| {name} | {order} | {} | {} | {failed} | {astray} | {:.1e} | {:.1e} | {:.1e} | {:.1e} | {:.2} | {:.2} | {:.1} | {:.1} | {:.1} % |",
                 if placement { "yes" } else { "no" },
                 count * PHASES_OF_A_STEP,
                 at(&errors, 0.5),

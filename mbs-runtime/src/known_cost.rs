@@ -2,6 +2,7 @@
 //! ([`Settings::fixed_iterations`](crate::Settings::fixed_iterations)).
 
 use crate::Model;
+use crate::alf3f::FIXED_REFINEMENTS;
 
 /// What a division and an elementary function cost, in additions.
 const DIVISION: usize = 5;
@@ -12,7 +13,7 @@ const TANGENT: usize = 60;
 /// Proximal passes of a solve, at most.
 const PASSES: usize = 16;
 /// Solves on the velocity rows: the first, and refinements.
-const VELOCITY_SOLVES: usize = 1 + 10;
+const VELOCITY_SOLVES: usize = 1 + FIXED_REFINEMENTS;
 
 impl Model {
     /// Operations of a step of second order with this many corrections, at most; `None` where no such step exists
@@ -20,7 +21,7 @@ impl Model {
     /// and 8. A division counts as 5 and an elementary function as 20.
     ///
     /// ```text
-    /// (n + 1) (constraints + flight) + n (solve + κ₁) + metric + gram + B + S + 11 (solve + rates + κ₂) + acceleration + books
+    /// (n + 1) (constraints + flight) + n (solve + κ₁) + metric + gram + B + S + 3 (solve + rates + κ₂) + acceleration + books
     /// ```
     ///
     /// with the counts of [`Model::operations`], and for factorisations and solves the fall-back that beside a singular

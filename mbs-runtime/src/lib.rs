@@ -58,6 +58,7 @@
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
+mod affinities;
 pub mod alf3f;
 mod any;
 mod assembly;

@@ -75,7 +75,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::start(system, settings, state, assembly)
     }
 
-    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same.
+    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same, and the method
+    /// remembers no more than the state. ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3 projections do, and
+    /// begin anew.)
     ///
     /// # Errors
     /// As [`Simulation::with_settings`], and a state that is not finite or violates the constraints.

@@ -270,6 +270,55 @@ fn backward_differentiation_holds_its_tolerance() {
     all(RollingDisk, 1.0, 300.0);
 }
 
+/// The steps that a tolerance takes tell the order.
+#[test]
+fn backward_differentiation_has_the_orders_one_to_five() {
+    for max_order in 1..=5 {
+        let steps = |tolerance: f64| {
+            let settings = Settings {
+                method: Method::Bdf(BdfSettings {
+                    tolerance,
+                    max_order,
+                }),
+                step: 0.5,
+                ..Settings::default()
+            };
+            run(Shaken, settings, 2.0).report().stages as f64
+        };
+        let tolerance = if max_order < 3 { 1e-5 } else { 1e-7 };
+        let growth = steps(0.01 * tolerance) / steps(tolerance);
+        let expected = 100.0_f64.powf(1.0 / f64::from(max_order + 1));
+        println!("order {max_order}: {growth:.2}, expected {expected:.2}");
+        assert!((growth / expected - 1.0).abs() < 0.2, "{growth}");
+    }
+}
+
+/// The energy balance counts the works of drives and dampers.
+#[test]
+fn energy_balances() {
+    fn balances<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        scene: T,
+        name: &str,
+        step: f64,
+    ) {
+        let by = |step| by_name(name, 2, step);
+        let error = |step: f64| run(scene.clone(), by(step), 0.24).report().energy_error;
+        let (coarse, half) = (error(step), error(0.5 * step));
+        println!("{name}: {coarse:.2e} {half:.2e}");
+        assert!(coarse > 3.0 * half || coarse < 1e-9, "{name}");
+    }
+    for name in [
+        "baumgarte",
+        "projected",
+        "index3-projections",
+        "generalized-alpha",
+    ] {
+        balances(Shaken, name, 0.01);
+        balances(DampedSliderCrank, name, 0.01);
+    }
+    balances(Shaken, "rattle", 0.01);
+}
+
 #[test]
 fn what_a_method_cannot_do_is_refused() {
     let refused = |error: Option<SimulationError>| {

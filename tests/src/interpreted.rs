@@ -231,7 +231,7 @@ fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
             }
         }
     }
-    for (&(i, j, k), &value) in &derived.affinities {
+    for (&(i, j, k), &value) in derived.affinities.iter().flatten() {
         list.push((("affinities", "gamma", [i, j, k]), value));
     }
     for (i, point) in system.points.iter().enumerate() {

@@ -6,6 +6,7 @@ pub mod differences;
 pub mod fixtures;
 pub mod interpreted;
 pub mod laws;
+pub mod pages;
 pub mod random;
 pub mod reference;
 pub mod stages;
@@ -26,6 +27,15 @@ mod redundancy {}
 
 #[doc = include_str!("../../book/src/coordinates.md")]
 mod coordinates {}
+
+#[doc = include_str!("../../book/src/driving.md")]
+mod driving {}
+
+#[doc = include_str!("../../book/src/reactions.md")]
+mod reactions {}
+
+#[doc = include_str!("../../book/src/assembly.md")]
+mod assembly {}
 
 /// Runs a test where there is room on the stack: unoptimised code moves the matrices of the largest scene about, and a
 /// test's thread has 2 MiB only.

@@ -179,7 +179,7 @@ fn derived(derived: &Derived) -> String {
     let _ = writeln!(text.out, "constant mass: {}", derived.constant_mass);
     text.vector("p", &derived.momentum);
     text.scalar("T", derived.kinetic);
-    for (&(i, j, k), &value) in &derived.affinities {
+    for (&(i, j, k), &value) in derived.affinities.iter().flatten() {
         text.scalar(&format!("Γ[{i}][{j}][{k}]"), value);
     }
     text.matrix("A", &derived.jacobian);

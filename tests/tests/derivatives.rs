@@ -126,6 +126,7 @@ mechanisms! {
     chaplygin_sleigh: scenes::chaplygin_sleigh::ChaplyginSleigh;
     knife_edge: scenes::knife_edge::KnifeEdge;
     workshop: fixtures::Workshop;
+    whip: fixtures::Whip;
     spherical_pendulum: scenes::spherical_pendulum::SphericalPendulum;
     heavy_top: scenes::heavy_top::HeavyTop;
     bricard: scenes::bricard::Bricard;

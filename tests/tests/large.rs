@@ -1,6 +1,10 @@
 //! Large mechanisms: elimination without zeros takes the same steps as dense arrays.
 
+#[allow(dead_code)]
+mod common;
+
 use mbs_examples::scenes::four_bar_10::FourBar10;
+use mbs_macros_core::dag::{self, Sparse};
 use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper, mechanism};
 use mbs_tests::tampered::Tampered;
 
@@ -181,6 +185,41 @@ fn energy_is_kept_through_singular_poses() {
         for crank in 1..=10 {
             let (x, y) = (q[2 * crank] - crank as f64, q[2 * crank + 1]);
             assert!((x - q[0]).abs() < 1e-6 && (y - q[1]).abs() < 1e-6);
+        }
+    }
+}
+
+/// How a scene is eliminated.
+fn elimination(name: &str) -> Sparse {
+    let declarations = common::declarations();
+    let found = declarations.into_iter().find(|(known, _)| known == name);
+    let (_, analysis) = mbs_macros_core::analyse(found.expect("declared").1);
+    let program = dag::lower(&analysis.expect("correct").derived);
+    program.sparse.expect("a large mechanism")
+}
+
+#[test]
+fn a_chain_is_eliminated_in_loops() {
+    let [short, long] = ["FourBar10", "FourBar40"].map(|name| elimination(name).rows);
+    let written = |e: &dag::Elimination| e.stretches.iter().map(|s| s.period).sum::<usize>();
+    assert_eq!(written(&short), written(&long));
+    // Four unknowns a loop, and fill that does not grow.
+    assert_eq!(long.columns.len() - short.columns.len(), 30 * 4);
+    assert_eq!(long.slots - short.slots, 30 * 21);
+    assert!(long.columns.iter().all(|column| column.below.len() <= 6));
+}
+
+#[test]
+fn a_row_is_eliminated_after_the_velocities_it_couples() {
+    for name in ["FourBar10", "FourBar40"] {
+        let Sparse {
+            rows,
+            jacobian,
+            size,
+            ..
+        } = elimination(name);
+        for (row, column) in jacobian {
+            assert!(rows.positions[size + row] > rows.positions[column]);
         }
     }
 }

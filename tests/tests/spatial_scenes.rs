@@ -94,7 +94,8 @@ fn the_second_joint_of_a_cardan_shaft_undoes_what_the_first_does() {
         assert!(turned > std::f64::consts::TAU, "{turned}");
         worst
     });
-    of_second_order("cardan shaft", errors, 3e-6);
+    // By two angles for each joint; by bodies and rows the error is a fifth of this, and the step several times as long.
+    of_second_order("cardan shaft", errors, 2e-5);
 }
 
 /// The complete elliptic integral K(k), by the arithmetic and the geometric mean.

@@ -210,6 +210,11 @@ fn step(program: &Program) -> usize {
     let (n, r) = (program.size, program.rows.len());
     let structure = program.structure;
     let explicit = structure.constant_mass && !structure.velocity_forces;
+    if let Some(sparse) = &program.sparse {
+        // With sparse M, accelerations are among its solutions.
+        let functions = (1 + PASSES) * cost("constraints") + cost("applied_forces");
+        return functions + 2 * (1 + PASSES) * n + sparse.operations();
+    }
     let gram = of("gram").unwrap_or(2 * n * r * r);
     let metric = of("metric").unwrap_or_else(|| {
         let rows = of("solve_mass_rows").unwrap_or(2 * n * n * r);

@@ -4,8 +4,9 @@ use super::{Fault, Node};
 use crate::linear::{Dual, SymmetricDual, dot, largest};
 use crate::{Settings, State, System};
 
-/// Most passes of the iteration on the velocity rows.
+/// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
 const REFINEMENTS: usize = 10;
+pub(crate) const FIXED_REFINEMENTS: usize = 2;
 
 /// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so
 /// close to a singular pose that its multiplier has no direction; the next step closes it.
@@ -165,6 +166,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             end,
             work,
             counters,
+            fixed_iterations,
             ..
         } = self;
         work.symmetric.factor(&end.gram);
@@ -174,7 +176,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
         work.impulse[1] = multiplier;
         if work.symmetric.weak {
             counters.regularised += u64::from(work.symmetric.regularised);
-            refine(system, end, work, v);
+            let passes = fixed_iterations.map_or(REFINEMENTS, |_| FIXED_REFINEMENTS);
+            refine(system, end, work, v, passes);
         }
     }
 }
@@ -188,10 +191,11 @@ fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     end: &Node<S, Q, N, R>,
     work: &mut Work<R>,
     v: &mut [f64; N],
+    passes: usize,
 ) {
     let tolerance = 1e-14 * largest(&v[..]);
     let mut last = f64::INFINITY;
-    for _ in 0..REFINEMENTS {
+    for _ in 0..passes {
         let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
         let residual = largest(&multiplier);
         if residual <= tolerance || residual > 0.9 * last {

@@ -13,7 +13,7 @@ mod passage;
 mod sparse_kicks;
 mod two_level;
 
-pub(crate) use self::core::{Counters, RowScale};
+pub(crate) use self::core::{Counters, FIXED_REFINEMENTS, RowScale};
 pub(crate) use composition::{ORDERS, stages};
 pub(crate) use fault::Fault;
 pub(crate) use kicks::{not_converged, residual_of};

@@ -86,10 +86,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let mut core = Core::new(system, state, settings)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let flow = match flow {
-            Flow::Leapfrog => match SparseKicks::new(&mut core) {
-                Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
-                None => Stepping::Leapfrog(Leapfrog::new::<S>()),
-            },
+            Flow::Leapfrog => {
+                // The cost that is known is that of dense arrays, which steps beside singular poses need.
+                let free = settings.fixed_iterations.is_none();
+                match free.then(|| SparseKicks::new(&mut core)).flatten() {
+                    Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
+                    None => Stepping::Leapfrog(Leapfrog::new::<S>()),
+                }
+            }
             Flow::Midpoint => Stepping::Midpoint(Midpoint::new()),
             Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
             Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),

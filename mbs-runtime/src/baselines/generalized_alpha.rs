@@ -152,7 +152,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                 .saddle
                 .factor(&self.motion.jacobian, &node.a, &self.moved)
             {
-                return Err(Fault::Mass);
+                return Err(progress.lost());
             }
             bench.counters.regularised += u64::from(self.saddle.left_out() > 0);
             self.saddle.solve(&mut change, &mut rows, &self.moved);

@@ -38,8 +38,16 @@ pub(crate) struct Index3<const N: usize, const R: usize> {
     motion: Motion<N>,
     factors: Box<Pivoted<N>>,
     moved: Matrix<R, N>,
-    /// v̇ and λ where the state is.
-    history: Option<([f64; N], [f64; R])>,
+    history: Option<History<N, R>>,
+}
+
+/// What is known where the state is.
+#[derive(Clone, Copy)]
+struct History<const N: usize, const R: usize> {
+    acceleration: [f64; N],
+    lambda: [f64; R],
+    /// λ of the works: that of index 3 is of first order.
+    consistent: [f64; R],
 }
 
 impl<const N: usize, const R: usize> Index3<N, R> {
@@ -62,10 +70,18 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
-        let (before, old_lambda) = match self.history {
+        let old = match self.history {
             Some(history) => history,
-            None => consistent(bench)?,
+            None => {
+                let (acceleration, lambda) = consistent(bench)?;
+                History {
+                    acceleration,
+                    lambda,
+                    consistent: lambda,
+                }
+            }
         };
+        let before = old.acceleration;
         bench.settle()?;
         // ξ m̄, that is h²/4 α.
         let lengths = bench.node.lengths_squared();
@@ -78,7 +94,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         );
         let t1 = t0 + h;
 
-        let (mut after, mut lambda) = (before, old_lambda);
+        let (mut after, mut lambda) = (before, old.lambda);
         let mut progress = Progress::new();
         let (q, mut v) = loop {
             let v: [f64; N] = std::array::from_fn(|i| v0[i] + 0.5 * h * (before[i] + after[i]));
@@ -116,7 +132,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 }
             }
             if !self.factors.factor(&self.motion.jacobian) {
-                return Err(Fault::Mass);
+                return Err(progress.lost());
             }
             self.factors.solve(&mut change);
             for i in 0..N {
@@ -141,9 +157,19 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         }
         self.project(&node.a, &weights, &gamma, &mut after);
 
-        bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), [&old_lambda, &lambda]);
         bench.commit(t1, q, v, false)?;
-        self.history = Some((after, lambda));
+        let consistent = if S::STRUCTURE.time_dependent {
+            consistent(bench)?.1
+        } else {
+            lambda
+        };
+        let forces = [&old.consistent, &consistent];
+        bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), forces);
+        self.history = Some(History {
+            acceleration: after,
+            lambda,
+            consistent,
+        });
         Ok(())
     }
 

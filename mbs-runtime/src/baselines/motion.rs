@@ -163,6 +163,14 @@ impl Progress {
         Ok(false)
     }
 
+    /// The iteration cannot go on: its matrix is singular or not finite.
+    pub(crate) fn lost(&self) -> Fault {
+        Fault::Flow {
+            residual: self.last,
+            iterations: self.count,
+        }
+    }
+
     pub(crate) fn count(&self) -> u64 {
         self.count as u64
     }

@@ -122,7 +122,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             pull(&mut change, bench, 0.5 * h, &force);
             self.jacobian(bench, &rows, &v0, &v, h);
             if !self.factors.factor(&self.motion.jacobian) {
-                return Err(Fault::Mass);
+                return Err(progress.lost());
             }
             self.factors.solve(&mut change);
             for i in 0..N {

@@ -4,7 +4,7 @@
 //! beginning or ending a stage right beside it does. A step that would is taken again with another length.
 
 use super::Simulation;
-use crate::{SimulationError, System};
+use crate::{Method, SimulationError, System};
 
 /// The least clearance of a landing, as a fraction of its stage, that is looked for.
 const CLEAR: f64 = 0.15;
@@ -34,7 +34,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let free = self.settings.placement && self.settings.fixed_iterations.is_none();
+        let free = self.settings.placement
+            && self.settings.method == Method::TwoLevel
+            && self.settings.fixed_iterations.is_none();
         let placed = free && h >= REMAINDER * self.nominal();
         if !placed {
             self.advance(h)?;

@@ -25,11 +25,13 @@ pub fn lower(derived: &Derived) -> Program {
         let holonomic = structure.holonomic_rows;
         make("mass_matrix", &mut |f| mass(f, &system.mass));
         make("momentum", &mut |f| vector(f, "p", &derived.momentum));
-        make("affinities", &mut |f| {
-            for (&(i, j, k), &value) in &derived.affinities {
-                f.output("gamma", Place::Tensor(i, j, k), value);
-            }
-        });
+        if let Some(affinities) = &derived.affinities {
+            make("affinities", &mut |f| {
+                for (&(i, j, k), &value) in affinities {
+                    f.output("gamma", Place::Tensor(i, j, k), value);
+                }
+            });
+        }
         make("holonomic", &mut |f| {
             for (i, row) in system.rows[..holonomic].iter().enumerate() {
                 f.output("phi", Place::Element(i), row.expr);

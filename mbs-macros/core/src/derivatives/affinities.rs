@@ -21,18 +21,21 @@ pub(super) fn momentum(graph: &mut Graph, size: usize, mass: &Matrix) -> Vec<Exp
     terms.into_iter().map(|terms| graph.sum(terms)).collect()
 }
 
-/// T = ½ p·v.
-pub(super) fn kinetic(graph: &mut Graph, momentum: &[Expr]) -> Expr {
-    let terms: Vec<Expr> = momentum
-        .iter()
-        .enumerate()
-        .map(|(i, &p)| {
-            let velocity = graph.symbol(Symbol::Velocity(i as u32));
-            graph.mul(velocity, p)
-        })
-        .collect();
-    let sum = graph.sum(terms);
-    graph.scale(0.5, sum)
+/// T = Σ v_i (½ M_ii v_i + Σ_{j>i} M_ij v_j): each entry of M once, so that slopes of T have each of its slopes once.
+pub(super) fn kinetic(graph: &mut Graph, size: usize, mass: &Matrix) -> Expr {
+    let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); size];
+    for (&(i, j), &entry) in mass {
+        let velocity = graph.symbol(Symbol::Velocity(j as u32));
+        let term = graph.mul(entry, velocity);
+        terms[i].push(graph.scale(if i == j { 0.5 } else { 1.0 }, term));
+    }
+    let mut rows = Vec::new();
+    for (i, terms) in terms.into_iter().enumerate() {
+        let velocity = graph.symbol(Symbol::Velocity(i as u32));
+        let sum = graph.sum(terms);
+        rows.push(graph.mul(velocity, sum));
+    }
+    graph.sum(rows)
 }
 
 /// Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i).

@@ -23,6 +23,10 @@ use std::collections::BTreeMap;
 
 pub use inverse_mass::InverseMass;
 
+/// The most velocities with which affinities are derived one by one: there are as many as the cube of their number. No
+/// integrator needs them, as ∂T/∂q and ∂p/∂q say the same; beyond this the runtime reads them off ∂p/∂q.
+pub const AFFINITIES: usize = 10;
+
 /// A sparse matrix of expressions, in row order.
 pub type Matrix = BTreeMap<(usize, usize), Expr>;
 
@@ -38,7 +42,8 @@ pub struct Derived {
     /// T = ½ v·M v.
     pub kinetic: Expr,
     /// Christoffel affinities of the first kind, (i, j, k).
-    pub affinities: BTreeMap<(usize, usize, usize), Expr>,
+    /// `None` beyond [`AFFINITIES`] velocities.
+    pub affinities: Option<BTreeMap<(usize, usize, usize), Expr>>,
     /// Constraint Jacobian A.
     pub jacobian: Matrix,
     /// b of φ̇ = A v + b.
@@ -98,17 +103,16 @@ pub fn derive(mut system: System) -> Derived {
         Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),
         None => {
             let momentum = affinities::momentum(graph, size, &system.mass);
-            let kinetic = affinities::kinetic(graph, &momentum);
+            let kinetic = affinities::kinetic(graph, size, &system.mass);
             (momentum, kinetic)
         }
     };
-    let mut affinities = affinities::christoffel(graph, size, &system.mass);
-    affinities::gyroscopic(
-        graph,
-        &system.layout.rotations,
-        &system.mass,
-        &mut affinities,
-    );
+    let affinities = (size <= AFFINITIES).then(|| {
+        let mut affinities = affinities::christoffel(graph, size, &system.mass);
+        let rotations = &system.layout.rotations;
+        affinities::gyroscopic(graph, rotations, &system.mass, &mut affinities);
+        affinities
+    });
     let mut inertial: Vec<Expr> = match &system.kinetic {
         Some(kinetic) => kinetic.slopes.clone(),
         None => (0..size as u32)

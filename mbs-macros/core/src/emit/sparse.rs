@@ -2,7 +2,14 @@
 //!
 //! The functions know every place as a number: in a loop as a number within a window that moves along.
 
-use crate::dag::{Elimination, Function, Output, Place, Program, Sparse, Stretch};
+mod columns;
+mod windows;
+
+use self::columns::{
+    backward, forward, pair_column, symmetric_backward, symmetric_column, symmetric_forward,
+};
+use self::windows::{Column, stretches};
+use crate::dag::{Elimination, Function, Output, Place, Program, Sparse};
 use crate::symbolic::Graph;
 use std::fmt::Write;
 
@@ -171,99 +178,6 @@ fn collect(e: &Elimination, n: usize, r: usize) -> String {
     out
 }
 
-/// Where the windows of a loop begin, and how far they reach.
-struct Window {
-    /// Slot and position that count as zero.
-    slot: usize,
-    position: usize,
-}
-
-/// Writes a column's part of a function.
-type Column = fn(&mut String, &Elimination, usize, &Window);
-
-/// The stretches one after the other, each as a loop over windows of the arrays; those in `changed` are written to.
-fn stretches(
-    e: &Elimination,
-    arrays: &[&str],
-    vectors: &[&str],
-    changed: &[&str],
-    backward: bool,
-    give_up: &str,
-    column: Column,
-) -> String {
-    let mut out = String::new();
-    let mut list: Vec<Stretch> = e.stretches.clone();
-    if backward {
-        list.reverse();
-    }
-    for Stretch {
-        first,
-        period,
-        times,
-    } in list
-    {
-        let mut columns: Vec<usize> = (first..first + period).collect();
-        if backward {
-            columns.reverse();
-        }
-        if times == 1 {
-            let all = Window {
-                slot: 0,
-                position: 0,
-            };
-            for position in columns {
-                column(&mut out, e, position, &all);
-            }
-            continue;
-        }
-        let window = Window {
-            slot: e.columns[first].pivot,
-            position: first,
-        };
-        let (width, reach) = extent(e, first, period);
-        let turns = if backward { ".rev()" } else { "" };
-        let stride = e.columns[first + period].pivot - window.slot;
-        let _ = writeln!(
-            out,
-            "for turn in (0..{times}_usize){turns} {{ let (slot, position) = ({} + {stride} * turn, {first} + {period} * turn);",
-            window.slot
-        );
-        let all = arrays.iter().map(|array| (array, "slot", width));
-        for (array, from, length) in all.chain(vectors.iter().map(|x| (x, "position", reach))) {
-            let (get, chunk) = match changed.contains(array) {
-                true => ("get_mut", "first_chunk_mut"),
-                false => ("get", "first_chunk"),
-            };
-            let _ = writeln!(
-                out,
-                "let Some({array}) = {array}.{get}({from}..).and_then(|rest| rest.{chunk}::<{length}>()) else {{ {give_up} }};"
-            );
-        }
-        for position in columns {
-            column(&mut out, e, position, &window);
-        }
-        out.push_str("}\n");
-    }
-    out
-}
-
-/// How many slots, and positions, a group of columns reaches over.
-fn extent(e: &Elimination, first: usize, period: usize) -> (usize, usize) {
-    let (mut slot, mut position) = (0, 0);
-    for k in first..first + period {
-        let column = &e.columns[k];
-        slot = slot.max(column.pivot + column.below.len());
-        position = position.max(k);
-        for &(i, _) in &column.below {
-            position = position.max(i);
-            for &(j, _) in &column.below {
-                slot = slot.max(e.slot(i, j));
-            }
-        }
-    }
-    (slot - e.columns[first].pivot + 1, position - first + 1)
-}
-
 fn passes(e: &Elimination, arrays: &[&str], forward: Column, backward: Column) -> String {
     stretches(e, arrays, &["x"], &["x"], false, "return", forward)
         + &stretches(e, arrays, &["x"], &["x"], true, "return", backward)
@@ -290,38 +204,6 @@ fn factor(out: &mut String, name: &str, e: &Elimination) {
     );
 }
 
-fn symmetric_column(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    let (column, at) = (&e.columns[k], k - window.position);
-    let pivot = column.pivot - window.slot;
-    let entry = |place: usize| pivot + 1 + place;
-    if column.is_row {
-        let _ = writeln!(
-            out,
-            "let inverse = if -f[{pivot}] > ::mbs_runtime::generated::DEPENDENT * c[{at}] {{ 1.0 / f[{pivot}] }} else {{ most = f64::INFINITY; 0.0 }};
-            if -c[{at}] * inverse > most {{ most = -c[{at}] * inverse; }}"
-        );
-    } else {
-        let _ = writeln!(out, "let inverse = 1.0 / f[{pivot}];");
-    }
-    let _ = writeln!(out, "f[{pivot}] = inverse;");
-    for (a, &(j, is_row)) in column.below.iter().enumerate() {
-        let _ = writeln!(out, "let l = f[{}] * inverse;", entry(a));
-        for (b, &(i, _)) in column.below.iter().enumerate().skip(a) {
-            let target = e.slot(i, j) - window.slot;
-            if a == b && is_row && !column.is_row {
-                let _ = writeln!(
-                    out,
-                    "let s = l * f[{0}]; f[{target}] -= s; c[{1}] += s;",
-                    entry(b),
-                    j - window.position
-                );
-            } else {
-                let _ = writeln!(out, "f[{target}] -= l * f[{}];", entry(b));
-            }
-        }
-    }
-}
-
 /// K = L D U in place: in `f` inverse pivots and L, in `g` the rows of D U.
 fn factor_pair(out: &mut String, e: &Elimination) {
     let body = stretches(
@@ -341,74 +223,6 @@ fn factor_pair(out: &mut String, e: &Elimination) {
         e.slots,
         e.columns.len()
     );
-}
-
-fn pair_column(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    let (column, at) = (&e.columns[k], k - window.position);
-    let pivot = column.pivot - window.slot;
-    let entry = |place: usize| pivot + 1 + place;
-    if column.is_row {
-        let _ = writeln!(
-            out,
-            "let inverse = if f[{pivot}].abs() > ::mbs_runtime::generated::DEPENDENT * c[{at}] {{ 1.0 / f[{pivot}] }} else {{ most = f64::INFINITY; 0.0 }};
-            if c[{at}] * inverse.abs() > most {{ most = c[{at}] * inverse.abs(); }}"
-        );
-    } else {
-        let _ = writeln!(out, "let inverse = 1.0 / f[{pivot}];");
-    }
-    let _ = writeln!(out, "f[{pivot}] = inverse;");
-    for (a, &(i, _)) in column.below.iter().enumerate() {
-        let _ = writeln!(out, "let l = f[{0}] * inverse; f[{0}] = l;", entry(a));
-        for (b, &(j, _)) in column.below.iter().enumerate() {
-            let target = e.slot(i, j) - window.slot;
-            let array = if i >= j { "f" } else { "g" };
-            let _ = writeln!(out, "{array}[{target}] -= l * g[{}];", entry(b));
-        }
-    }
-}
-
-fn symmetric_forward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    let pivot = e.columns[k].pivot - window.slot;
-    let _ = writeln!(out, "let y = x[{}] * f[{pivot}];", k - window.position);
-    subtract(out, e, k, window);
-}
-
-fn symmetric_backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    upward(out, e, k, window, "f");
-}
-
-fn forward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    let _ = writeln!(out, "let y = x[{}];", k - window.position);
-    subtract(out, e, k, window);
-}
-
-fn backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    upward(out, e, k, window, "g");
-}
-
-/// x ← x − y · column.
-fn subtract(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    let column = &e.columns[k];
-    for (place, &(i, _)) in column.below.iter().enumerate() {
-        let slot = column.pivot + 1 + place - window.slot;
-        let _ = writeln!(out, "x[{}] -= y * f[{slot}];", i - window.position);
-    }
-}
-
-/// x_k ← (x_k − row · x) / pivot.
-fn upward(out: &mut String, e: &Elimination, k: usize, window: &Window, array: &str) {
-    let column = &e.columns[k];
-    let (at, pivot) = (k - window.position, column.pivot - window.slot);
-    let _ = write!(out, "x[{at}] = (x[{at}]");
-    for (place, &(i, _)) in column.below.iter().enumerate() {
-        let _ = write!(
-            out,
-            " - {array}[{}] * x[{}]",
-            pivot + 1 + place,
-            i - window.position
-        );
-    }
-    let _ = writeln!(out, ") * f[{pivot}];");
 }
 
 /// The methods of large mechanisms, as text: A into the array of K, and M⁻¹f where its symbolic form, which is as full as

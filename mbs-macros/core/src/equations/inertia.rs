@@ -104,7 +104,7 @@ fn prescribed(graph: &mut Graph, part: &Part, mass: &mut LocalMass) {
         .collect();
     for (i, a) in followed.iter().zip(&slopes) {
         for (k, b) in followed.iter().zip(&slopes) {
-            let square = graph.dot(a.0, b.0);
+            let square = graph.planar_dot(a.0, b.0);
             let translation = graph.mul(part.mass, square);
             let rotation = graph.product(&[(part.inertia[2][2], 1), (a.1, 1), (b.1, 1)]);
             let value = graph.add(translation, rotation);

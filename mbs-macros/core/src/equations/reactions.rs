@@ -10,6 +10,7 @@ use super::inertia::{LocalMass, center_of};
 use super::joints::JointEquations;
 use super::{Reaction, Row, multipliers};
 use crate::model::{Dimension, MergedJoint, Model, Part, Representation, TreeJoint, Vector};
+use crate::schema::World;
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 
 /// Everything that acts on the parts, in their own coordinates.
@@ -177,8 +178,12 @@ fn tree_reactions(
     joint: &TreeJoint,
 ) -> Vec<Reaction> {
     let model = balance.model;
-    let about = joint.link.child.point.position;
-    let sign = if joint.link.forwards { 1.0 } else { -1.0 };
+    // What the partner that was declared second is held by, at its own point.
+    let (held, sign) = match joint.link.forwards {
+        true => (&joint.link.child, 1.0),
+        false => (&joint.link.parent, -1.0),
+    };
+    let about = held.point.position;
     let mut sums = [[graph.zero(); 3]; 2];
     for part in model.tree.carried_by(joint.child) {
         let wrench = balance.wrench(graph, &model.parts[part], about);
@@ -191,11 +196,16 @@ fn tree_reactions(
     let kinds = if joint.link.free_rotation { 1 } else { 2 };
     let mut reactions = Vec::new();
     for kind in 0..kinds {
-        for k in 0..model.world.dimension() {
+        // In the plane there is one torque.
+        let (components, names) = match (kind, model.world) {
+            (1, World::Planar) => (2..3, ["", "", "torque"]),
+            _ => (0..model.world.dimension(), names[kind]),
+        };
+        for k in components {
             let signed = graph.scale(sign, sums[kind][k]);
             reactions.push(Reaction {
                 joint: joint.joint.clone(),
-                component: names[kind][k].to_owned(),
+                component: names[k].to_owned(),
                 unit: dimensions[kind].unit(),
                 expr: graph.substitute(signed, reduction),
             });

@@ -190,8 +190,17 @@ fn joint_guess(
         let angle = graph.atan2(sin, cos);
         let relative = graph.vector_sub(child.3, parent.3);
         let rate = graph.dot(parent.1[2], relative);
-        let angle = resolver.settled(angle);
-        guesses.set(local, angle, rate);
+        if let (Some(between), Some(second)) = (joint.link.second, joint.second_angle) {
+            let rates = [rate, graph.dot(child.1[2], relative)];
+            let angles = two_angles(graph, &parent.1, &between, &child.1);
+            for ((local, angle), rate) in [local, second].into_iter().zip(angles).zip(rates) {
+                let angle = resolver.settled(angle);
+                guesses.set(local, angle, rate);
+            }
+        } else {
+            let angle = resolver.settled(angle);
+            guesses.set(local, angle, rate);
+        }
     }
     for (&axis, &local) in joint.link.slides.iter().zip(&joint.strokes) {
         let graph = &mut resolver.graph;
@@ -205,6 +214,29 @@ fn joint_guess(
         let stroke = resolver.settled(stroke);
         guesses.set(local, stroke, speed);
     }
+}
+
+/// The angles of two turns one after the other: about the third axis of `parent`, then about the third of `between`, which is
+/// given in the axes that the first has turned, and is that of `child`.
+fn two_angles(graph: &mut Graph, parent: &Axes, between: &Axes, child: &Axes) -> [Expr; 2] {
+    let pin = child[2];
+    let start = graph.turn(parent, between[2]);
+    let across = graph.cross(parent[2], start);
+    let (sin, cos) = (graph.dot(across, pin), graph.dot(start, pin));
+    let middle = [between[0], between[1]].map(|[x, y, z]| {
+        let turned = [
+            [(cos, x, 1.0), (sin, y, -1.0)],
+            [(sin, x, 1.0), (cos, y, 1.0)],
+        ];
+        let [x, y] = turned.map(|terms| {
+            let terms = terms.map(|(a, b, sign)| (graph.mul(a, b), sign));
+            graph.linear(0.0, &terms)
+        });
+        graph.turn(parent, [x, y, z])
+    });
+    let first = graph.atan2(sin, cos);
+    let [along, square] = middle.map(|axis| graph.dot(axis, child[0]));
+    [first, graph.atan2(square, along)]
 }
 
 /// The velocity of an end of a slender bar, which has no declared one: that of a part joined there, straight or by way of

@@ -1,14 +1,14 @@
 //! Where a spatial joint takes hold of its partners: two frames that coincide in the home pose, z along the joint's axis.
 
+use super::Arguments;
 use super::geometry::{Attachment, Axes, Owner, Point, Vector};
+use super::joint_motion::Motion;
 use super::resolve::Resolver;
 use super::tree::Link;
 use super::value::Value;
-use super::{Arguments, Dimension};
 use crate::diagnostics::Place;
-use crate::symbolic::{Expr, Function, Symbol};
+use crate::symbolic::Expr;
 use crate::syntax::Entry;
-use proc_macro2::Span;
 
 /// The two frames of a joint.
 #[derive(Debug, Clone)]
@@ -25,18 +25,6 @@ pub struct JointFrames {
     pub letters: [&'static str; 3],
 }
 
-/// A joint angle that is counted over full turns: `atan2` answers within one turn, and the coordinate that remembers the
-/// last angle says which.
-#[derive(Debug, Clone)]
-pub struct Winding {
-    /// The joint.
-    pub joint: String,
-    /// The counted angle, in local coordinates.
-    pub angle: Expr,
-    /// The same within one turn.
-    pub within: Expr,
-}
-
 impl JointFrames {
     /// What the joint leaves free: see [`Link`].
     pub fn link(&self, turns: bool, slides: &[usize], free_rotation: bool) -> Link {
@@ -44,6 +32,8 @@ impl JointFrames {
             parent: self.parent.clone(),
             child: self.child.clone(),
             turns,
+            second: None,
+            offset: None,
             slides: slides.to_vec(),
             free_rotation,
             forwards: true,
@@ -97,94 +87,6 @@ impl Resolver<'_> {
             local: axes,
             axes: self.graph.compose(&frame.axes, &axes),
         }
-    }
-
-    /// How far the child has slid along the axis, m.
-    pub(super) fn stroke(&mut self, joint: &JointFrames) -> Expr {
-        let gap = self
-            .graph
-            .vector_sub(joint.child.point.position, joint.parent.point.position);
-        self.graph.dot(joint.parent.axes[2], gap)
-    }
-
-    /// The angle of the child against the parent about the axis, counted over full turns, rad.
-    pub(super) fn joint_angle(&mut self, joint: &JointFrames) -> Expr {
-        if let Some(known) = self.windings.iter().find(|known| known.joint == joint.name) {
-            return known.angle;
-        }
-        let [x, y, _] = joint.parent.axes;
-        let turned = joint.child.axes[0];
-        let (sin, cos) = (self.graph.dot(y, turned), self.graph.dot(x, turned));
-        let angle = self.graph.atan2(sin, cos);
-        let index = self.windings.len() as u32;
-        let symbol = Symbol::Winding(index);
-        self.graph.set_name(symbol, format!("{}.angle", joint.name));
-        // angle + 2π round((last − angle)/2π)
-        let last = self.graph.symbol(symbol);
-        let behind = self.graph.sub(last, angle);
-        let turns = self.graph.scale(0.5 / std::f64::consts::PI, behind);
-        let turns = self.graph.function(Function::Round, turns);
-        let counted = self
-            .graph
-            .linear(0.0, &[(angle, 1.0), (turns, 2.0 * std::f64::consts::PI)]);
-        self.windings.push(Winding {
-            joint: joint.name.clone(),
-            angle: counted,
-            within: angle,
-        });
-        counted
-    }
-
-    /// The angular velocity of the child against the parent about the axis.
-    pub(super) fn joint_rate(&mut self, joint: &JointFrames) -> Expr {
-        let spins =
-            [joint.child.point.owner, joint.parent.point.owner].map(|owner| self.frame(owner).spin);
-        let relative = self.graph.vector_sub(spins[0], spins[1]);
-        self.graph.dot(joint.parent.axes[2], relative)
-    }
-
-    /// `angle`, `rate`, `stroke`, `speed` of a joint.
-    pub(super) fn joint_member(
-        &mut self,
-        joint: &JointFrames,
-        member: &str,
-        span: Span,
-    ) -> Option<Value> {
-        let mut known = Vec::new();
-        if joint.turns() {
-            known.extend(["angle", "rate"]);
-        }
-        if joint.slides() {
-            known.extend(["stroke", "speed"]);
-        }
-        if !known.contains(&member) {
-            let advice = match (member, known.is_empty()) {
-                (_, true) => format!("a `{}` leaves no single motion to name", joint.kind),
-                ("angle" | "rate", _) if !joint.turns() => {
-                    format!("a `{}` does not turn", joint.kind)
-                }
-                ("stroke" | "speed", _) if !joint.slides() => {
-                    format!("a `{}` does not slide", joint.kind)
-                }
-                _ => String::new(),
-            };
-            return self.no_such_member(
-                &Value::Joint(Box::new(joint.clone())),
-                member,
-                &known,
-                &advice,
-                span,
-            );
-        }
-        Some(match member {
-            "angle" => Value::Scalar(self.joint_angle(joint), Some(Dimension::NONE)),
-            "rate" => Value::Scalar(self.joint_rate(joint), Some(Dimension::RATE)),
-            "stroke" => Value::Scalar(self.stroke(joint), Some(Dimension::LENGTH)),
-            _ => {
-                let stroke = self.stroke(joint);
-                Value::Scalar(self.graph.rate(stroke), Some(Dimension::VELOCITY))
-            }
-        })
     }
 }
 
@@ -314,6 +216,27 @@ impl Arguments<'_, '_> {
         Some(())
     }
 
+    /// The z axis of a frame in the home pose.
+    pub fn home_direction(&mut self, frame: &Attachment) -> Vector {
+        let resolver = self.resolver();
+        let home = resolver.home(frame.point.owner);
+        resolver.graph.turn(&home.axes, frame.local[2])
+    }
+
+    /// A frame at the same point, with other axes of the home pose.
+    pub fn reattached(&mut self, frame: &Attachment, axes: Axes) -> Attachment {
+        let owner = frame.point.owner;
+        let resolver = self.resolver();
+        let home = resolver.home(owner);
+        let local = axes.map(|axis| resolver.graph.components(&home.axes, axis));
+        let outside = resolver.frame(owner);
+        Attachment {
+            point: frame.point.clone(),
+            local,
+            axes: resolver.graph.compose(&outside.axes, &local),
+        }
+    }
+
     /// A joint named by another entry.
     pub fn joint(&mut self, field: &str) -> Option<JointFrames> {
         let syntax = self.syntax(field)?;
@@ -355,17 +278,17 @@ impl Arguments<'_, '_> {
 
     /// The angle of the child against the parent about the axis, counted over full turns, rad.
     pub fn joint_angle(&mut self, joint: &JointFrames) -> Expr {
-        self.resolver().joint_angle(joint)
+        self.resolver().joint_motion(joint, Motion::Angle)
     }
 
     /// The angular velocity of the child against the parent about the axis, rad/s.
     pub fn joint_rate(&mut self, joint: &JointFrames) -> Expr {
-        self.resolver().joint_rate(joint)
+        self.resolver().joint_motion(joint, Motion::Rate)
     }
 
     /// How far the child has slid along the axis, m.
     pub fn stroke(&mut self, joint: &JointFrames) -> Expr {
-        self.resolver().stroke(joint)
+        self.resolver().joint_motion(joint, Motion::Stroke)
     }
 
     /// Right-handed axes whose third is a direction in parameters.

@@ -13,6 +13,8 @@ struct State {
     /// Centre of mass.
     place: Vector,
     axes: Axes,
+    /// In the plane.
+    angle: Expr,
     /// Velocity of the centre of mass: in body axes in space, in the ground's axes in the plane.
     velocity: Vector,
     /// Angular velocity in body axes.
@@ -72,6 +74,7 @@ impl Walk<'_> {
         State {
             place: zero,
             axes: self.graph.ground_axes(),
+            angle: self.graph.zero(),
             velocity: zero,
             omega: zero,
             acceleration: zero,
@@ -134,9 +137,14 @@ impl Walk<'_> {
             World::Planar => rates,
             World::Spatial => rates.map(|rate| self.graph.components(&axes, rate)),
         };
+        let angle = match self.world {
+            World::Planar => self.symbol(Symbol::LocalPosition(part.locals[2])),
+            World::Spatial => self.graph.zero(),
+        };
         State {
             place,
             axes,
+            angle,
             velocity,
             omega,
             acceleration,
@@ -211,6 +219,7 @@ impl Walk<'_> {
         State {
             place,
             axes,
+            angle: parent.angle,
             velocity,
             omega: turn[0],
             acceleration,
@@ -218,58 +227,52 @@ impl Walk<'_> {
         }
     }
 
-    /// The axes of the child, which turns about z at most, its angular velocity and acceleration, and the joint's velocity
-    /// and acceleration in its axes.
+    /// The axes of the child, which turns about axes of the joint at most, its angular velocity and acceleration, and the
+    /// joint's velocity and acceleration in its axes.
     fn carried(&mut self, joint: &TreeJoint, parent: &State, rates: Rates) -> (Axes, Rates, Rates) {
         let (outer, inner) = (joint.link.parent.local, joint.link.child.local);
         let mut axes = self.graph.compose(&parent.axes, &outer);
         let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
         let mut vectors = vectors.map(|v| self.graph.components(&outer, v));
         if let Some(local) = joint.angle {
-            (axes, vectors) = self.turned(joint, local, axes, vectors);
+            (axes, vectors) = self.turned(&joint.joint, local, axes, vectors);
+        }
+        if let (Some(between), Some(local)) = (joint.link.second, joint.second_angle) {
+            axes = self.graph.compose(&axes, &between);
+            vectors = vectors.map(|v| self.graph.components(&between, v));
+            let name = format!("{}_second", joint.joint);
+            (axes, vectors) = self.turned(&name, local, axes, vectors);
         }
         // The child's axes are those whose composition with its attachment gives the joint's.
         let axes = std::array::from_fn(|k| {
             let components = [inner[0][k], inner[1][k], inner[2][k]];
             self.graph.turn(&axes, components)
         });
-        let [mut omega, mut alpha, velocity, acceleration] =
-            vectors.map(|v| self.graph.turn(&inner, v));
-        if let Some(local) = joint.angle {
-            let [rate, second] = [
-                self.symbol(Symbol::LocalVelocity(local)),
-                self.symbol(Symbol::LocalAcceleration(local)),
-            ];
-            let graph = &mut *self.graph;
-            let (own, push) = (
-                graph.vector_scale(rate, inner[2]),
-                graph.vector_scale(second, inner[2]),
-            );
-            // α = α_p + θ̈ z + ω × θ̇ z
-            let deflection = graph.cross(omega, own);
-            omega = graph.vector_add(omega, own);
-            alpha = graph.vector_add(alpha, push);
-            alpha = graph.vector_add(alpha, deflection);
-        }
+        let [omega, alpha, velocity, acceleration] = vectors.map(|v| self.graph.turn(&inner, v));
         (axes, [omega, alpha], [velocity, acceleration])
     }
 
-    /// Axes turned about their z by the angle of a joint, and vectors of the former in components of the latter.
+    /// Axes turned about their z by an angle, and vectors in components of the former in those of the latter: ω, α, to which
+    /// the turn adds its own, a velocity and an acceleration.
     fn turned(
         &mut self,
-        joint: &TreeJoint,
+        name: &str,
         local: u32,
         [x, y, z]: Axes,
         vectors: [Vector; 4],
     ) -> (Axes, [Vector; 4]) {
         let angle = self.symbol(Symbol::LocalPosition(local));
+        let [rate, second] = [
+            self.symbol(Symbol::LocalVelocity(local)),
+            self.symbol(Symbol::LocalAcceleration(local)),
+        ];
         let graph = &mut *self.graph;
         let (cos, sin) = (
             graph.function(Function::Cos, angle),
             graph.function(Function::Sin, angle),
         );
-        graph.suggest_name(cos, format!("cos_{}", joint.joint));
-        graph.suggest_name(sin, format!("sin_{}", joint.joint));
+        graph.suggest_name(cos, format!("cos_{name}"));
+        graph.suggest_name(sin, format!("sin_{name}"));
         let mut mixed = |a: Expr, b: Expr| {
             let (first, second) = (graph.mul(cos, a), graph.mul(sin, b));
             let sum = graph.add(first, second);
@@ -278,20 +281,52 @@ impl Walk<'_> {
         };
         let pairs: [(Expr, Expr); 3] = std::array::from_fn(|k| mixed(x[k], y[k]));
         let axes = [pairs.map(|pair| pair.0), pairs.map(|pair| pair.1), z];
-        let vectors = vectors.map(|[x, y, z]| {
+        let [mut omega, mut alpha, velocity, acceleration] = vectors.map(|[x, y, z]| {
             let (along, across) = mixed(x, y);
             [along, across, z]
         });
-        (axes, vectors)
+        // α = α_p + θ̈ z + ω × θ̇ z
+        let [p, q] = [omega[0], omega[1]].map(|x| graph.mul(rate, x));
+        alpha = [
+            graph.add(alpha[0], q),
+            graph.sub(alpha[1], p),
+            graph.add(alpha[2], second),
+        ];
+        omega[2] = graph.add(omega[2], rate);
+        (axes, [omega, alpha, velocity, acceleration])
     }
 
     fn planar(&mut self, joint: &TreeJoint, parent: &State) -> State {
         let link = &joint.link;
         let part = &self.parts[joint.child];
-        let arm = self.off_center(link.parent.point.owner, link.parent.point.local);
+        let mut arm = self.off_center(link.parent.point.owner, link.parent.point.local);
+        // The sliding against the parent, in the parent's axes.
+        let mut slide = [self.graph.zero_vector(); 2];
+        for (&axis, &local) in link.slides.iter().zip(&joint.strokes) {
+            let direction = link.parent.local[axis];
+            let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
+                let stroke = walk.symbol(symbol);
+                let along = walk.graph.vector_scale(stroke, direction);
+                walk.graph.vector_add(before, along)
+            };
+            arm = along(self, Symbol::LocalPosition(local), arm);
+            slide[0] = along(self, Symbol::LocalVelocity(local), slide[0]);
+            slide[1] = along(self, Symbol::LocalAcceleration(local), slide[1]);
+        }
         let arm = self.graph.turn(&parent.axes, arm);
         let turn = [parent.omega, parent.alpha];
-        let rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
+        let mut rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
+        if !link.slides.is_empty() {
+            // … with the acceleration of Coriolis, 2 ω × ṡ.
+            let [speed, push] = slide.map(|v| self.graph.turn(&parent.axes, v));
+            let twice = speed.map(|x| self.graph.scale(2.0, x));
+            let deflection = self.graph.cross(parent.omega, twice);
+            let push = self.graph.vector_add(push, deflection);
+            rates = [
+                self.graph.vector_add(rates[0], speed),
+                self.graph.vector_add(rates[1], push),
+            ];
+        }
         let place = self.graph.vector_add(parent.place, arm);
         if part.representation == Representation::FreePoint {
             return State {
@@ -300,6 +335,22 @@ impl Walk<'_> {
                 acceleration: rates[1],
                 ..*parent
             };
+        }
+        let angle = part.locals[2];
+        if let (false, Some(offset)) = (link.free_rotation, link.offset) {
+            let offset = match link.forwards {
+                true => offset,
+                false => self.graph.neg(offset),
+            };
+            let turned = self.graph.add(parent.angle, offset);
+            let [rate, second] = turn.map(|v| v[2]);
+            for (symbol, value) in [
+                (Symbol::LocalPosition(angle), turned),
+                (Symbol::LocalVelocity(angle), rate),
+                (Symbol::LocalAcceleration(angle), second),
+            ] {
+                self.substitution.insert(symbol, value);
+            }
         }
         let (axes, turn) = self.own_rotation(part);
         let back = self.off_center(link.child.point.owner, link.child.point.local);
@@ -310,6 +361,7 @@ impl Walk<'_> {
         State {
             place,
             axes,
+            angle: self.symbol(Symbol::LocalPosition(angle)),
             velocity,
             omega: turn[0],
             acceleration,

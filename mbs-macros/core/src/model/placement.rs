@@ -7,7 +7,8 @@ use super::elements::JointElement;
 use super::geometry::{Axes, Owner, Point, Vector};
 use super::parts::{Part, Representation};
 use super::resolve::Resolver;
-use crate::symbolic::{Expr, Graph};
+use super::tree::Tree;
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::HashMap;
 
 /// Guesses of local coordinates and their rates, in parameters.
@@ -112,6 +113,30 @@ pub(super) fn place(resolver: &mut Resolver, joints: &[JointElement]) -> Guesses
         }
     }
     guesses
+}
+
+/// The strokes of the tree's joints in the plane, from the places of their partners.
+pub(super) fn strokes(resolver: &mut Resolver, tree: &Tree, guesses: &mut Guesses) {
+    for joint in &tree.joints {
+        for (&axis, &local) in joint.link.slides.iter().zip(&joint.strokes) {
+            let graph = &mut resolver.graph;
+            let (parent, child) = (&joint.link.parent, &joint.link.child);
+            let gap = graph.vector_sub(child.point.position, parent.point.position);
+            let stroke = graph.dot(parent.axes[axis], gap);
+            let speed = graph.rate(stroke);
+            let mut known = Substitution::default();
+            for symbol in graph.symbols([stroke, speed]) {
+                let value = match symbol {
+                    Symbol::LocalPosition(local) => guesses.position(local, graph),
+                    Symbol::LocalVelocity(local) => guesses.velocity(local, graph),
+                    _ => continue,
+                };
+                known.insert(symbol, value);
+            }
+            let [stroke, speed] = [stroke, speed].map(|x| graph.substitute(x, &mut known));
+            guesses.set(local, stroke, speed);
+        }
+    }
 }
 
 /// The points of a part that its joints place: (local coordinates in the part, position and velocity).

@@ -116,7 +116,8 @@ pub(super) fn reduce(
         fixed: &fixed,
         tree,
     };
-    let (by_leaders, free) = merged.by_leaders(resolver);
+    let (mut by_leaders, free) = merged.by_leaders(resolver);
+    resolver.name_motions(tree, &mut by_leaders);
     let mut parts = resolver.parts.iter();
     let follows = parts.any(|part| part.representation == Representation::Prescribed);
     let conditions = Conditions {
@@ -127,6 +128,7 @@ pub(super) fn reduce(
     };
     reduction.solved = solve::solve(resolver, joints, &mut reduction, by_leaders, conditions);
     merged.by_coordinates(resolver, &mut reduction);
+    resolver.name_motions(tree, &mut reduction.substitution);
     Some(reduction)
 }
 

@@ -1,7 +1,7 @@
 //! Name resolution: entries are evaluated when first asked for, so that they may stand in any order.
 
 use super::geometry::{Owner, Point, Vector};
-use super::joint_frames::Winding;
+use super::joint_motion::{JointMotion, Winding};
 use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
@@ -48,7 +48,11 @@ pub fn resolve(
         _ => Tree::default(),
     };
     let guesses = match resolver.world {
-        World::Planar => placement::place(&mut resolver, &joints),
+        World::Planar => {
+            let mut guesses = placement::place(&mut resolver, &joints);
+            placement::strokes(&mut resolver, &tree, &mut guesses);
+            guesses
+        }
         World::Spatial => home::guesses(&mut resolver, &joints, &tree),
     };
     let mut reduction = reduce::reduce(&mut resolver, &joints, &tree, keep, &guesses)?;
@@ -128,6 +132,8 @@ pub struct Resolver<'d> {
     pub(super) laws: Vec<Law>,
     /// Joint angles that are counted over full turns, by the name of their joint.
     pub(super) windings: Vec<Winding>,
+    /// Motions of joints that some expression has asked for.
+    pub(super) joint_motions: Vec<JointMotion>,
     /// Names that some expression has asked for.
     pub(super) used: HashSet<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
@@ -155,6 +161,7 @@ impl<'d> Resolver<'d> {
             parts: Vec::new(),
             laws: Vec::new(),
             windings: Vec::new(),
+            joint_motions: Vec::new(),
             used: HashSet::new(),
             misplaced: HashSet::new(),
             turning: turning(declaration),

@@ -5,17 +5,19 @@
 //! |---|---|---|
 //! | revolute, prismatic, fixed | angle; stroke; none | nothing |
 //! | cylindrical, planar | angle and stroke; angle and two strokes | nothing |
+//! | universal | two angles | nothing |
 //! | spherical | none | its rotation |
 //! | planar revolute | none | its angle |
 //!
 //! A joint that closes a loop stays a set of rows.
 
 use super::elements::JointElement;
-use super::geometry::{Attachment, Owner, Point, Vector};
+use super::geometry::{Attachment, Axes, Owner, Point, Vector};
 use super::parts::{Part, Representation};
 use super::reduce::mergeable;
 use super::resolve::Resolver;
 use crate::schema::World;
+use crate::symbolic::Expr;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What a joint leaves free between two frames.
@@ -27,6 +29,10 @@ pub struct Link {
     pub child: Attachment,
     /// Rotation about z.
     pub turns: bool,
+    /// A second rotation after it, about the third of these axes, which are given in those that the first has turned.
+    pub second: Option<Axes>,
+    /// In the plane, the angle of the child against the parent, in the order of the declaration.
+    pub offset: Option<Expr>,
     /// Sliding along these axes of the parent's frame.
     pub slides: Vec<usize>,
     /// The child keeps its own orientation.
@@ -48,6 +54,8 @@ pub struct TreeJoint {
     pub link: Link,
     /// Local coordinate of the angle.
     pub angle: Option<u32>,
+    /// Local coordinate of the second angle.
+    pub second_angle: Option<u32>,
     /// Local coordinates of the strokes.
     pub strokes: Vec<u32>,
 }
@@ -125,6 +133,7 @@ impl Tree {
                             link.reversed()
                         },
                         angle: None,
+                        second_angle: None,
                         strokes: Vec::new(),
                     };
                     next.insert(child, (*rows, joint));
@@ -155,6 +164,8 @@ impl Tree {
             let planar = resolver.world == World::Planar;
             joint.angle = (joint.link.turns && !planar)
                 .then(|| resolver.local(format!("{name}.angle"), "rad"));
+            joint.second_angle = (joint.link.second.is_some())
+                .then(|| resolver.local(format!("{name}.second_angle"), "rad"));
             joint.strokes = joint
                 .link
                 .slides
@@ -191,9 +202,10 @@ impl Tree {
 
     /// The locals that joints bring.
     pub(super) fn locals(&self) -> impl Iterator<Item = u32> {
-        self.joints
-            .iter()
-            .flat_map(|joint| joint.angle.iter().chain(&joint.strokes).copied())
+        self.joints.iter().flat_map(|joint| {
+            let angles = joint.angle.iter().chain(&joint.second_angle);
+            angles.chain(&joint.strokes).copied()
+        })
     }
 
     /// The joints from the ground, or from a root, to a part.
@@ -226,6 +238,14 @@ impl Tree {
 }
 
 impl TreeJoint {
+    /// The local coordinate of the stroke along an axis of the parent's frame.
+    pub fn stroke_along(&self, axis: usize) -> Option<u32> {
+        let mut slides = self.link.slides.iter().zip(&self.strokes);
+        slides
+            .find(|(own, _)| **own == axis)
+            .map(|(_, &local)| local)
+    }
+
     /// How the part that it carries is modelled, in words.
     pub fn describe(&self, carried: Representation) -> String {
         let name = &self.joint;
@@ -234,6 +254,7 @@ impl TreeJoint {
             (true, Representation::Rigid) => "its unit quaternion; angular velocity in body axes",
             _ => match (self.angle.is_some(), self.strokes.len()) {
                 (false, 0) => return format!("joint coordinates (none; `{name}` carries it)"),
+                (true, 0) if self.second_angle.is_some() => "two angles",
                 (true, 0) => "angle",
                 (false, _) => "stroke",
                 (true, 1) => "angle and stroke",
@@ -259,6 +280,8 @@ impl Link {
             parent: attached(parent),
             child: attached(child),
             turns: false,
+            second: None,
+            offset: None,
             slides: Vec::new(),
             free_rotation: true,
             forwards: true,
@@ -271,6 +294,9 @@ impl Link {
             parent: self.child.clone(),
             child: self.parent.clone(),
             forwards: !self.forwards,
+            second: self
+                .second
+                .map(|axes| std::array::from_fn(|i| std::array::from_fn(|k| axes[k][i]))),
             ..self.clone()
         }
     }

@@ -166,6 +166,7 @@ impl Graph {
             }
             Function::Abs => self.function(Function::Sign, x),
             Function::Sign | Function::Step | Function::Round => self.zero(),
+            Function::Same => self.one(),
         };
         self.mul(outer, inner)
     }

@@ -20,6 +20,7 @@ impl Function {
             Function::Tanh => x.tanh(),
             Function::Abs => x.abs(),
             Function::Round => x.round(),
+            Function::Same => x,
             Function::Sign => {
                 if x == 0.0 {
                     0.0

@@ -12,6 +12,7 @@ mod gradient;
 mod latex;
 mod map;
 mod number;
+mod phasor;
 mod print;
 mod rate;
 mod rotation;
@@ -150,6 +151,8 @@ pub enum Function {
     Step,
     /// The nearest integer
     Round,
+    /// Its argument: marks what the reduction may know by a shorter name. No substitution leaves it.
+    Same,
 }
 
 /// The operation at a node. Construct nodes through [`Graph`]'s methods only: they keep the canonical form.

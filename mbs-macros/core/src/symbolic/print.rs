@@ -22,6 +22,7 @@ impl Function {
             Function::Sign => "sign",
             Function::Step => "step",
             Function::Round => "round",
+            Function::Same => "",
         }
     }
 }

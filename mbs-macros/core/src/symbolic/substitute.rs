@@ -1,6 +1,6 @@
 //! Replacement of symbols by expressions.
 
-use super::{Expr, Graph, Map, Node, Symbol};
+use super::{Expr, Function, Graph, Map, Node, Symbol};
 
 /// A substitution with its memory, so that many expressions can share the work.
 #[derive(Debug, Clone, Default)]
@@ -49,6 +49,8 @@ impl Graph {
                     .collect();
                 self.product(&factors)
             }
+            // The mark has done its work: see `Substitution::equate`.
+            Node::Function(Function::Same, x) => self.substitute(x, substitution),
             Node::Function(function, x) => {
                 let x = self.substitute(x, substitution);
                 self.function(function, x)

@@ -15,12 +15,14 @@ mod stretches;
 
 use crate::derivatives::Derived;
 use crate::symbolic::Expr;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 pub use stretches::Stretch;
 
 /// With fewer rows dense arrays, held in registers and caches, are the faster.
 const FEWEST_ROWS: usize = 16;
+/// Code longer than this costs more to compile than it gains: mechanisms that are large, irregular and little sparse.
+const LONGEST: usize = 20_000;
 /// Solutions with each factor in a step.
 const SOLUTIONS: usize = 3;
 
@@ -98,7 +100,8 @@ impl Sparse {
             row_count: rows,
         };
         let dense = 2 * rows * rows * rows + 2 * size * rows * rows;
-        (sparse.operations() < dense).then_some(sparse)
+        let pays = sparse.operations() < dense && sparse.rows.statements() < LONGEST;
+        pays.then_some(sparse)
     }
 
     /// Operations of a step, less those of the functions it evaluates.
@@ -183,20 +186,19 @@ impl Elimination {
         self.slot(self.positions[i], self.positions[j])
     }
 
+    /// Statements of both factorisations and their solutions, as they are written: once for each loop.
+    fn statements(&self) -> usize {
+        let written = self.stretches.iter().flat_map(|stretch| {
+            let first = stretch.first;
+            &self.columns[first..first + stretch.period]
+        });
+        let below = written.map(|column| column.below.len());
+        below.map(|below| below * (3 * below + 9) / 2).sum()
+    }
+
     /// Multiplications and additions of a symmetric factorisation.
     fn factor_operations(&self) -> usize {
         let columns = self.columns.iter().map(|column| column.below.len());
         columns.map(|below| below * (below + 2) + 5).sum()
-    }
-
-    /// Entries below the pivots, by row and column; for tests.
-    pub fn entries(&self) -> BTreeMap<(usize, usize), usize> {
-        let columns = self.columns.iter().enumerate();
-        columns
-            .flat_map(|(j, column)| {
-                let below = column.below.iter().enumerate();
-                below.map(move |(place, &(i, _))| ((i, j), column.pivot + 1 + place))
-            })
-            .collect()
     }
 }

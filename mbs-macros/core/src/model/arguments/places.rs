@@ -97,12 +97,17 @@ impl Arguments<'_, '_> {
             && self.resolver.parts[part].representation == Representation::Natural
     }
 
-    /// A direction of unit length in the axes of `owner` (X where it was not given), turned into the ground's axes.
+    /// A direction of unit length in the axes of the part that it is fixed in; X where it was not given.
+    pub fn own_axis(&mut self, field: &str) -> Option<Vector> {
+        match self.syntax(field) {
+            None => Some(self.resolver.graph.ground_axes()[0]),
+            Some(syntax) => self.direction_of(field, syntax),
+        }
+    }
+
+    /// The same of `owner`, turned into the ground's axes.
     pub fn axis(&mut self, field: &str, owner: Owner) -> Option<Vector> {
-        let components = match self.syntax(field) {
-            None => self.resolver.graph.ground_axes()[0],
-            Some(syntax) => self.direction_of(field, syntax)?,
-        };
+        let components = self.own_axis(field)?;
         let frame = self.resolver.frame(owner);
         Some(self.resolver.graph.turn(&frame.axes, components))
     }

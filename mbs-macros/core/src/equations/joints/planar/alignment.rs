@@ -1,7 +1,7 @@
 //! The row that keeps the angle between two frames.
 
 use super::{JointRow, row};
-use crate::model::{Arguments, Dimension, Frame, Point};
+use crate::model::{Arguments, Attachment, Dimension, Frame, Link, Point, Vector};
 use crate::symbolic::{Expr, Graph};
 
 /// Two frames that keep an angle.
@@ -36,6 +36,39 @@ pub(super) fn read(arguments: &mut Arguments, parent: &Point, child: &Point) -> 
 }
 
 impl Alignment {
+    /// What is left free between two points whose frames keep this angle: sliding along `axis`, a direction in the parent's
+    /// axes, or nothing.
+    pub(super) fn link(
+        &self,
+        graph: &mut Graph,
+        points: [&Point; 2],
+        axis: Option<Vector>,
+    ) -> Link {
+        let x = axis.unwrap_or_else(|| graph.ground_axes()[0]);
+        let turned = graph.direction(self.angle);
+        let turned = graph.planar_axes(turned);
+        let directions = [x, graph.components(&turned, x)];
+        let frames = [&self.parent, &self.child];
+        let [parent, child] = [0, 1].map(|side| {
+            let local = graph.planar_axes(directions[side]);
+            Attachment {
+                point: points[side].clone(),
+                axes: graph.compose(&frames[side].axes, &local),
+                local,
+            }
+        });
+        Link {
+            parent,
+            child,
+            turns: false,
+            second: None,
+            offset: Some(self.angle),
+            slides: axis.iter().map(|_| 0).collect(),
+            free_rotation: false,
+            forwards: true,
+        }
+    }
+
     /// θ_child − θ_parent − angle where both frames have an angle; else sin of the same from the directions. Either way
     /// the multiplier is the torque on the child.
     pub(super) fn row(&self, graph: &mut Graph) -> JointRow {

@@ -2,7 +2,7 @@
 
 use super::alignment::{self, Alignment};
 use super::{Joint, JointEquations, coincidence, torque};
-use crate::model::{Arguments, Point};
+use crate::model::{Arguments, Link, Point};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -10,16 +10,19 @@ struct Fixed {
     parent: Point,
     child: Point,
     alignment: Alignment,
+    link: Link,
 }
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let alignment = alignment::read(arguments, &parent, &child)?;
+    let link = alignment.link(arguments.graph(), [&parent, &child], None);
     Some(Box::new(Fixed {
         parent,
         child,
         alignment,
+        link,
     }))
 }
 
@@ -29,6 +32,10 @@ impl Joint for Fixed {
         equations.rows.push(self.alignment.row(graph));
         equations.reactions.push(torque(graph, 2));
         equations
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.link.clone())
     }
 
     fn points(&self) -> Vec<&Point> {

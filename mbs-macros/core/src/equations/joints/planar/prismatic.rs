@@ -2,7 +2,7 @@
 
 use super::alignment::{self, Alignment};
 use super::{Joint, JointEquations, across, torque};
-use crate::model::{Arguments, Point, Vector};
+use crate::model::{Arguments, Link, Point, Vector};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -11,18 +11,22 @@ struct Prismatic {
     child: Point,
     axis: Vector,
     alignment: Alignment,
+    link: Link,
 }
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let alignment = alignment::read(arguments, &parent, &child)?;
+    let own = arguments.own_axis("axis")?;
     let axis = arguments.axis("axis", parent.owner)?;
+    let link = alignment.link(arguments.graph(), [&parent, &child], Some(own));
     Some(Box::new(Prismatic {
         parent,
         child,
         axis,
         alignment,
+        link,
     }))
 }
 
@@ -33,6 +37,10 @@ impl Joint for Prismatic {
         equations.rows.push(self.alignment.row(graph));
         equations.reactions.push(torque(graph, 1));
         equations
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.link.clone())
     }
 
     fn points(&self) -> Vec<&Point> {

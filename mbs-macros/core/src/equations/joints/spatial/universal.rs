@@ -1,7 +1,7 @@
 //! Two points coincide, and two crossed pins, one held by each partner, stay at right angles.
 
 use super::{Builder, Joint, JointEquations, partners};
-use crate::model::{Arguments, Dimension, JointFrames, Point, Vector};
+use crate::model::{Arguments, Dimension, JointFrames, Link, Point, Vector};
 use crate::symbolic::Graph;
 
 #[derive(Debug)]
@@ -9,6 +9,7 @@ struct Universal {
     frames: JointFrames,
     /// The child's pin.
     pin: Vector,
+    link: Link,
 }
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
@@ -29,7 +30,27 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Box<dyn Joint>> {
         );
     }
     let pin = arguments.fixed_direction(second, frames.child.point.owner);
-    Some(Box::new(Universal { frames, pin }))
+    let link = link(arguments, &frames, second);
+    Some(Box::new(Universal { frames, pin, link }))
+}
+
+/// A turn about the parent's pin z, then one about the child's p: in the home pose the frames are (p, z × p, z), and after
+/// the first turn (z × p, z, p).
+fn link(arguments: &mut Arguments, frames: &JointFrames, pin: Vector) -> Link {
+    let axis = arguments.home_direction(&frames.parent);
+    let graph = arguments.graph();
+    let across = graph.cross(axis, pin);
+    let [x, y, z] = graph.ground_axes();
+    Link {
+        parent: arguments.reattached(&frames.parent, [pin, across, axis]),
+        child: arguments.reattached(&frames.child, [across, axis, pin]),
+        turns: true,
+        second: Some([y, z, x]),
+        offset: None,
+        slides: Vec::new(),
+        free_rotation: false,
+        forwards: true,
+    }
 }
 
 impl Joint for Universal {
@@ -42,6 +63,10 @@ impl Joint for Universal {
         let torque = builder.graph.cross(self.pin, axis);
         builder.acts(row, None, Some(torque));
         builder.finish()
+    }
+
+    fn link(&self) -> Option<Link> {
+        Some(self.link.clone())
     }
 
     fn points(&self) -> Vec<&Point> {

@@ -1,0 +1,179 @@
+//! `angle`, `rate`, `stroke` and `speed` of a joint of space: from the frames of its partners, or, where the tree has made
+//! the joint a coordinate, that coordinate itself.
+
+use super::Dimension;
+use super::joint_frames::JointFrames;
+use super::resolve::Resolver;
+use super::tree::Tree;
+use super::value::Value;
+use crate::symbolic::{Expr, Function, Substitution, Symbol};
+use proc_macro2::Span;
+
+/// A motion of a joint that has a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Motion {
+    Angle,
+    Rate,
+    Stroke,
+    Speed,
+}
+
+/// A motion that some expression has asked for.
+#[derive(Debug)]
+pub(super) struct JointMotion {
+    joint: String,
+    motion: Motion,
+    /// In local coordinates, marked (see [`Function::Same`]).
+    expr: Expr,
+}
+
+/// A joint angle that is counted over full turns: `atan2` answers within one turn, and the coordinate that remembers the
+/// last angle says which.
+#[derive(Debug, Clone)]
+pub struct Winding {
+    /// The joint.
+    pub joint: String,
+    /// The counted angle, in local coordinates.
+    pub angle: Expr,
+    /// The same within one turn.
+    pub within: Expr,
+}
+
+impl Resolver<'_> {
+    /// A motion of the child against the parent: the angle about the axis, counted over full turns, rad; its rate; how far
+    /// the child has slid along the axis, m; its rate.
+    pub(super) fn joint_motion(&mut self, joint: &JointFrames, motion: Motion) -> Expr {
+        let mut asked = self.joint_motions.iter();
+        if let Some(known) = asked.find(|known| known.joint == joint.name && known.motion == motion)
+        {
+            return known.expr;
+        }
+        let expr = match motion {
+            Motion::Angle => self.counted_angle(joint),
+            Motion::Rate => self.turning_rate(joint),
+            Motion::Stroke => self.slide(joint),
+            Motion::Speed => {
+                let stroke = self.slide(joint);
+                self.graph.rate(stroke)
+            }
+        };
+        let expr = self.graph.function(Function::Same, expr);
+        self.joint_motions.push(JointMotion {
+            joint: joint.name.clone(),
+            motion,
+            expr,
+        });
+        expr
+    }
+
+    fn slide(&mut self, joint: &JointFrames) -> Expr {
+        let gap = self
+            .graph
+            .vector_sub(joint.child.point.position, joint.parent.point.position);
+        self.graph.dot(joint.parent.axes[2], gap)
+    }
+
+    fn counted_angle(&mut self, joint: &JointFrames) -> Expr {
+        let [x, y, _] = joint.parent.axes;
+        let turned = joint.child.axes[0];
+        let (sin, cos) = (self.graph.dot(y, turned), self.graph.dot(x, turned));
+        let angle = self.graph.atan2(sin, cos);
+        let index = self.windings.len() as u32;
+        let symbol = Symbol::Winding(index);
+        self.graph.set_name(symbol, format!("{}.angle", joint.name));
+        // angle + 2π round((last − angle)/2π)
+        let last = self.graph.symbol(symbol);
+        let behind = self.graph.sub(last, angle);
+        let turns = self.graph.scale(0.5 / std::f64::consts::PI, behind);
+        let turns = self.graph.function(Function::Round, turns);
+        let counted = self
+            .graph
+            .linear(0.0, &[(angle, 1.0), (turns, 2.0 * std::f64::consts::PI)]);
+        self.windings.push(Winding {
+            joint: joint.name.clone(),
+            angle: counted,
+            within: angle,
+        });
+        counted
+    }
+
+    fn turning_rate(&mut self, joint: &JointFrames) -> Expr {
+        let spins =
+            [joint.child.point.owner, joint.parent.point.owner].map(|owner| self.frame(owner).spin);
+        let relative = self.graph.vector_sub(spins[0], spins[1]);
+        self.graph.dot(joint.parent.axes[2], relative)
+    }
+
+    /// Replaces the motions of joints that are coordinates by these.
+    pub(super) fn name_motions(&mut self, tree: &Tree, substitution: &mut Substitution) {
+        for known in &self.joint_motions {
+            let mut joints = tree.joints.iter();
+            let Some(joint) = joints.find(|joint| joint.joint == known.joint) else {
+                continue;
+            };
+            let local = match known.motion {
+                Motion::Angle | Motion::Rate => joint.angle,
+                Motion::Stroke | Motion::Speed => joint.stroke_along(2),
+            };
+            let Some(local) = local else { continue };
+            let symbol = match known.motion {
+                Motion::Angle | Motion::Stroke => Symbol::LocalPosition(local),
+                Motion::Rate | Motion::Speed => Symbol::LocalVelocity(local),
+            };
+            let coordinate = match substitution.get(symbol) {
+                Some(coordinate) => coordinate,
+                None => self.graph.symbol(symbol),
+            };
+            let value = match joint.link.forwards {
+                true => coordinate,
+                false => self.graph.neg(coordinate),
+            };
+            substitution.equate(known.expr, value);
+        }
+    }
+
+    /// `angle`, `rate`, `stroke`, `speed` of a joint.
+    pub(super) fn joint_member(
+        &mut self,
+        joint: &JointFrames,
+        member: &str,
+        span: Span,
+    ) -> Option<Value> {
+        let mut known = Vec::new();
+        if joint.turns() {
+            known.extend(["angle", "rate"]);
+        }
+        if joint.slides() {
+            known.extend(["stroke", "speed"]);
+        }
+        if !known.contains(&member) {
+            let advice = match (member, known.is_empty()) {
+                (_, true) => format!("a `{}` leaves no single motion to name", joint.kind),
+                ("angle" | "rate", _) if !joint.turns() => {
+                    format!("a `{}` does not turn", joint.kind)
+                }
+                ("stroke" | "speed", _) if !joint.slides() => {
+                    format!("a `{}` does not slide", joint.kind)
+                }
+                _ => String::new(),
+            };
+            return self.no_such_member(
+                &Value::Joint(Box::new(joint.clone())),
+                member,
+                &known,
+                &advice,
+                span,
+            );
+        }
+        let (motion, dimension) = match member {
+            "angle" => (Motion::Angle, Dimension::NONE),
+            "rate" => (Motion::Rate, Dimension::RATE),
+            "stroke" => (Motion::Stroke, Dimension::LENGTH),
+            _ => (Motion::Speed, Dimension::VELOCITY),
+        };
+        Some(Value::Scalar(
+            self.joint_motion(joint, motion),
+            Some(dimension),
+        ))
+    }
+}
