@@ -139,7 +139,7 @@ fn coarsest(model: &Yardstick, method: &Entry, bound: f64, key: &[&str; KEYS]) -
             row.push(Outcome::Ok.name().to_owned());
         }
         None => {
-            row.extend(["-", "-", "-", Outcome::WrongBranch.name()].map(str::to_owned));
+            row.extend(["-", "-", "-", "not reached"].map(str::to_owned));
         }
     }
     row
