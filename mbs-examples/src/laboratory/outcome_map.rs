@@ -4,7 +4,7 @@ use super::outcome::Outcome;
 use super::stability::{Cell, Map};
 use super::svg::{Anchor, INK, Svg};
 
-const LEFT: f64 = 250.0;
+const LEFT: f64 = 292.0;
 const TOP: f64 = 70.0;
 const CELL: [f64; 2] = [84.0, 24.0];
 const MUTED: &str = "#5b6169";
