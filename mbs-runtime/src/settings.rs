@@ -126,7 +126,7 @@ pub struct Settings {
     /// mechanism (the extent of its points at the start) and in radians, and no slower than at the greatest speed so far.
     ///
     /// Errors add up over a run and grow with the motion's own instability; the fiftieth allows for both. Over the runs of
-    /// the scenes beside their references the largest error of a position, in sizes and radians, was 0.02 to 5 times the
+    /// the scenes beside their references the largest error of a position, in sizes and radians, was 0.01 to 5 times the
     /// tolerance, from 1e-3 to 1e-9 (at the order of [`Settings::for_tolerance`]; table in the book).
     ///
     /// Between 1e-12 and 0.1. [`Settings::for_tolerance`] chooses the order with it.
