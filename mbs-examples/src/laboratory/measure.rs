@@ -26,17 +26,29 @@ pub struct Errors {
     pub detail: String,
 }
 
+impl Errors {
+    /// Of a run without numbers.
+    fn of(outcome: Outcome, detail: String) -> Self {
+        Errors {
+            outcome,
+            cpu: 0.0,
+            steps: 0,
+            position: f64::NAN,
+            energy: f64::NAN,
+            reaction: f64::NAN,
+            detail,
+        }
+    }
+
+    /// Of a run that was not tried, and why.
+    pub fn too_slow(why: String) -> Self {
+        Self::of(Outcome::TooSlow, why)
+    }
+}
+
 /// Runs to the end of the yardstick and compares; gives up after `patience` seconds of processor time.
 pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64) -> Errors {
-    let mut errors = Errors {
-        outcome: Outcome::Ok,
-        cpu: 0.0,
-        steps: 0,
-        position: f64::NAN,
-        energy: f64::NAN,
-        reaction: f64::NAN,
-        detail: String::new(),
-    };
+    let mut errors = Errors::of(Outcome::Ok, String::new());
     let mut simulation = match yardstick.build(entry, control) {
         Ok(simulation) => simulation,
         Err(error) => {

@@ -61,6 +61,11 @@ impl Entry {
         }
     }
 
+    /// Whether one of its steps may take any number of smaller ones, so that nobody can stop it in between.
+    pub fn halves_without_end(&self) -> bool {
+        matches!(self.method, Method::Paper(_) | Method::MAlf(_))
+    }
+
     /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance.
     ///
     /// What has the unit of a frequency follows the duration: a user gives a mechanism of milliseconds a stiffer
