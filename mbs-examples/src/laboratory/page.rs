@@ -37,9 +37,9 @@ pub fn page(title: &str, note: &str, pictures: &[Picture]) -> String {
     }
     html += "</p>\n";
     for picture in pictures {
-        let _ = write!(
+        let _ = writeln!(
             html,
-            "<section data-scene=\"{}\" data-measure=\"{}\" hidden><div class=\"picture\">{}</div>\n",
+            "<section data-scene=\"{}\" data-measure=\"{}\" hidden><div class=\"picture\">{}</div>",
             escape(&picture.scene),
             escape(&picture.measure),
             picture.svg

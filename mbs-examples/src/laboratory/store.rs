@@ -78,7 +78,7 @@ impl Store {
     /// # Errors
     /// A file that cannot be written.
     pub fn compact(&mut self) -> io::Result<()> {
-        let text: String = self.rows.iter().map(|row| line(row)).collect();
+        let text: String = self.rows.iter().map(line).collect();
         let beside = self.path.with_extension("csv.part");
         fs::write(&beside, format!("{}{text}", self.head))?;
         fs::rename(&beside, &self.path)?;
