@@ -1,5 +1,6 @@
 //! Scenes with references, and what the command line `mbs` needs to run and show them.
 
+pub mod laboratory;
 pub mod plot;
 pub mod reference;
 pub mod scene;

@@ -37,6 +37,9 @@ mod reactions {}
 #[doc = include_str!("../../book/src/assembly.md")]
 mod assembly {}
 
+#[doc = include_str!("../../book/src/accuracy.md")]
+mod accuracy {}
+
 /// Runs a test where there is room on the stack: unoptimised code moves the matrices of the largest scene about, and a
 /// test's thread has 2 MiB only.
 pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {

@@ -152,7 +152,7 @@ fn has_word(text: &str, word: &str) -> bool {
         .any(|other| other == word)
 }
 
-/// Pages with Rust of their own are documentation tests; what they only include is compiled where it is.
+/// Pages with Rust of their own are documentation tests; what is not tested there is included from where it is compiled.
 #[test]
 fn every_page_with_code_is_compiled() {
     let library = fs::read_to_string(root().join("tests/src/lib.rs")).expect("UTF-8");
@@ -163,5 +163,16 @@ fn every_page_with_code_is_compiled() {
             compiled || page.code("rust").is_empty(),
             "{path} has code that nothing compiles; name it in tests/src/lib.rs"
         );
+        let written = fs::read_to_string(root().join(&page.path)).expect("UTF-8");
+        let mut lines = written.lines();
+        while let Some(line) = lines.next() {
+            if line.starts_with("```rust,") {
+                let next = lines.next().unwrap_or_default();
+                assert!(
+                    next.starts_with("{{#include "),
+                    "{path}: `{next}` is not compiled; include it, or drop `{line}`"
+                );
+            }
+        }
     }
 }

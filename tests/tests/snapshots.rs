@@ -17,6 +17,7 @@ const PENDULUM: &str = r#"Pendulum {
     tip: Output(bar.b),
 }"#;
 
+// ANCHOR: slider_crank
 const SLIDER_CRANK: &str = r#"SliderCrank {
     doc: "A crank, a rod and a massless slider.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -35,6 +36,7 @@ const SLIDER_CRANK: &str = r#"SliderCrank {
 
     stroke: Output(rod.b.x),
 }"#;
+// ANCHOR_END: slider_crank
 
 const SLEIGH: &str = r#"Sleigh {
     doc: "A body on a knife edge, tied to the ground by a spring and damper.",

@@ -1,5 +1,6 @@
 //! The command line. Every failure is a message with what to do on stderr, and exit code 1.
 
+mod chart;
 mod explain;
 mod failure;
 mod find;
@@ -34,6 +35,8 @@ enum Command {
     Simulate(simulate::Simulate),
     /// Say what was modelled in a scene.
     Explain(explain::Explain),
+    /// Compare the methods: speed against accuracy, stability, what a model costs.
+    Chart(chart::Chart),
 }
 
 /// Runs the command line of this process.
@@ -43,6 +46,7 @@ pub fn main() -> ExitCode {
             Command::List(list) => list.run(),
             Command::Simulate(simulate) => simulate.run(),
             Command::Explain(explain) => explain.run(),
+            Command::Chart(chart) => chart.run(),
         },
         // Asked for help or the version: not a failure.
         Err(message) if !message.use_stderr() => print::print(&message.to_string()),

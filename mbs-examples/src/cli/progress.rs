@@ -36,3 +36,37 @@ impl Progress {
         self.bar.finish_and_clear();
     }
 }
+
+/// How many points of a chart are known, and the time that the rest will take.
+pub struct Points {
+    bar: ProgressBar,
+}
+
+impl Points {
+    /// A bar over so many points.
+    pub fn new(chart: &'static str, points: u64) -> Self {
+        let bar = ProgressBar::new(points);
+        let style =
+            ProgressStyle::with_template("{prefix} {bar:40} {pos} of {len} {msg}  {eta} left");
+        if let Ok(style) = style {
+            bar.set_style(style);
+        }
+        bar.set_prefix(chart);
+        Points { bar }
+    }
+
+    /// Points of this are measured now.
+    pub fn at(&self, what: &'static str) {
+        self.bar.set_message(what);
+    }
+
+    /// One more is known.
+    pub fn tick(&self) {
+        self.bar.inc(1);
+    }
+
+    /// Removes the bar.
+    pub fn finish(self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -12,6 +12,7 @@ pub mod four_bar_10;
 pub mod four_bar_40;
 pub mod heavy_top;
 pub mod knife_edge;
+pub mod laboratory;
 pub mod pendulum;
 pub mod rattleback;
 pub mod rolling_disk;
@@ -25,7 +26,8 @@ pub fn scenes() -> &'static [Scene] {
     SCENES
 }
 
-const SCENES: &[Scene] = &[
+// A static: programs that ask for the scenes must not compile all of them again.
+static SCENES: &[Scene] = &[
     pendulum::SCENE,
     pendulum::BY_ANGLE,
     double_pendulum::SCENE,

@@ -1,0 +1,162 @@
+//! The methods that are compared, each tuned as its users would.
+
+use mbs_runtime::{
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, PenaltySettings,
+    Settings,
+};
+
+/// What makes a method finer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
+    /// The length of its steps.
+    Step,
+    /// The tolerance of its error control.
+    Tolerance,
+}
+
+impl Control {
+    /// `step_s` or `tolerance`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Control::Step => "step_s",
+            Control::Tolerance => "tolerance",
+        }
+    }
+}
+
+/// A method of one order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Entry {
+    /// Unique, for legends and files: `two-level 4`.
+    pub label: &'static str,
+    /// With its settings.
+    pub method: Method,
+    /// [`Settings::order`], where the method has orders to choose from.
+    pub order: u8,
+    /// Whether the two-level method chooses its steps and its order by a tolerance.
+    pub tolerant: bool,
+}
+
+impl Entry {
+    /// A method by its name on the command line.
+    fn named(label: &'static str, name: &str, order: u8) -> Option<Self> {
+        let method = Method::by_name(name)?;
+        Some(Entry {
+            label,
+            method,
+            order,
+            tolerant: false,
+        })
+    }
+
+    /// What makes it finer.
+    pub fn control(&self) -> Control {
+        match self.method {
+            _ if self.tolerant => Control::Tolerance,
+            Method::Bdf(_)
+            | Method::Baumgarte(BaumgarteSettings {
+                adaptive: Some(_), ..
+            }) => Control::Tolerance,
+            _ => Control::Step,
+        }
+    }
+
+    /// Whether one of its steps may take any number of smaller ones, so that nobody can stop it in between.
+    pub fn halves_without_end(&self) -> bool {
+        matches!(self.method, Method::Paper(_) | Method::MAlf(_))
+    }
+
+    /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance.
+    ///
+    /// What has the unit of a frequency follows the duration: a user gives a mechanism of milliseconds a stiffer
+    /// stabilisation than one of seconds. Runs of ten seconds have the default values.
+    pub fn settings(&self, model: &Model, duration: f64, control: f64) -> Settings {
+        let pace = 10.0 / duration;
+        if self.tolerant {
+            return Settings {
+                step: duration / 1000.0,
+                ..Settings::for_tolerance(control, model)
+            };
+        }
+        let method = match self.method {
+            Method::Baumgarte(settings) => Method::Baumgarte(BaumgarteSettings {
+                gain: pace * settings.gain,
+                adaptive: settings.adaptive.map(|_| control),
+            }),
+            Method::Penalty(settings) => Method::Penalty(PenaltySettings {
+                penalty: pace * pace * settings.penalty,
+                ..settings
+            }),
+            Method::Bdf(settings) => Method::Bdf(BdfSettings {
+                tolerance: control,
+                ..settings
+            }),
+            other => other,
+        };
+        let step = match self.control() {
+            Control::Step => control,
+            // The longest that it may take.
+            Control::Tolerance => duration / 50.0,
+        };
+        Settings {
+            method,
+            order: self.order,
+            step,
+            ..Settings::default()
+        }
+    }
+}
+
+/// Every method of the charts, ours first.
+pub fn entries() -> Vec<Entry> {
+    let stabilised = Method::GeneralizedAlpha(GeneralizedAlphaSettings {
+        stabilised: true,
+        ..GeneralizedAlphaSettings::default()
+    });
+    let adaptive = Method::Baumgarte(BaumgarteSettings {
+        adaptive: Some(1e-6),
+        ..BaumgarteSettings::default()
+    });
+    let with = |label, method| {
+        Some(Entry {
+            label,
+            method,
+            order: 2,
+            tolerant: false,
+        })
+    };
+    [
+        Entry::named("two-level 2", "two-level", 2),
+        Entry::named("two-level 4", "two-level", 4),
+        Entry::named("two-level 6", "two-level", 6),
+        Entry::named("two-level 8", "two-level", 8),
+        Some(Entry {
+            label: "two-level tolerance",
+            method: Method::TwoLevel,
+            order: 2,
+            tolerant: true,
+        }),
+        Entry::named("alf3f-paper", "alf3f-paper", 2),
+        Entry::named("m-alf", "m-alf", 2),
+        Entry::named("index3-projections", "index3-projections", 2),
+        Entry::named("generalized-alpha", "generalized-alpha", 2),
+        with("generalized-alpha stab.", stabilised),
+        Entry::named("bdf", "bdf", 2),
+        Entry::named("rattle", "rattle", 2),
+        Entry::named("projected 4", "projected", 4),
+        Entry::named("projected 6", "projected", 6),
+        Entry::named("projected 8", "projected", 8),
+        Entry::named("baumgarte 4", "baumgarte", 4),
+        Entry::named("baumgarte 8", "baumgarte", 8),
+        with("baumgarte adaptive", adaptive),
+        Entry::named("penalty", "penalty", 2),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The entry of this label.
+pub fn entry(label: &str) -> Option<Entry> {
+    entries().into_iter().find(|entry| entry.label == label)
+}

@@ -1,0 +1,81 @@
+//! How a run ended. The book states the criteria before the results (`results/criteria.md`).
+
+use mbs_runtime::SimulationError;
+
+/// Energy that may appear or vanish, as a part of the largest kinetic energy.
+pub const ENERGY: f64 = 0.1;
+/// Violation of a position row, as a part of the size of the mechanism.
+pub const DRIFT: f64 = 1e-3;
+/// Distance from the right motion, as a part of the size of the mechanism.
+pub const ASTRAY: f64 = 0.1;
+
+/// How a run ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Outcome {
+    /// To its end, on the right branch.
+    Ok,
+    /// In poses that the mechanism does not pass, or far from where it should be.
+    WrongBranch,
+    /// Rows violated, or energy lost.
+    Drift,
+    /// Energy gained, or no finite state.
+    EnergyGrowth,
+    /// The smallest step was not small enough.
+    StepUnderflow,
+    /// An iteration did not end.
+    NoConvergence,
+    /// It took too long and was given up.
+    TooSlow,
+    /// The method does not apply to such a mechanism.
+    Refused,
+}
+
+impl Outcome {
+    /// All of them, in the order of a legend.
+    pub const ALL: [Outcome; 8] = [
+        Outcome::Ok,
+        Outcome::WrongBranch,
+        Outcome::Drift,
+        Outcome::EnergyGrowth,
+        Outcome::StepUnderflow,
+        Outcome::NoConvergence,
+        Outcome::TooSlow,
+        Outcome::Refused,
+    ];
+
+    /// In files and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Outcome::Ok => "ok",
+            Outcome::WrongBranch => "wrong branch",
+            Outcome::Drift => "drift",
+            Outcome::EnergyGrowth => "energy growth",
+            Outcome::StepUnderflow => "step underflow",
+            Outcome::NoConvergence => "no convergence",
+            Outcome::TooSlow => "too slow",
+            Outcome::Refused => "not applicable",
+        }
+    }
+
+    /// The outcome of this name.
+    pub fn by_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|outcome| outcome.name() == name)
+    }
+
+    /// Whether the method was tried and failed.
+    pub fn is_failure(self) -> bool {
+        !matches!(self, Outcome::Ok | Outcome::TooSlow | Outcome::Refused)
+    }
+
+    /// What an error of a simulation means.
+    pub fn of_error(error: &SimulationError) -> Self {
+        match error {
+            SimulationError::StepUnderflow { .. } => Outcome::StepUnderflow,
+            SimulationError::NotConverged { .. } => Outcome::NoConvergence,
+            SimulationError::NonFinite { .. } | SimulationError::Mass { .. } => {
+                Outcome::EnergyGrowth
+            }
+            _ => Outcome::Refused,
+        }
+    }
+}

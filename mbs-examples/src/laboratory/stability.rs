@@ -1,0 +1,117 @@
+//! Outcome maps: a method and a step (or a penalty, a stiffness, a ratio of masses) to how runs end.
+
+mod maps;
+mod run;
+
+pub use maps::maps;
+pub use run::measure;
+
+use mbs_runtime::{AnySimulation, Settings, SimulationError};
+
+use super::outcome::Outcome;
+use super::store::Row;
+use crate::scene::Scene;
+
+/// The columns of `stability.csv`; the first three identify a cell.
+pub const COLUMNS: [&str; 8] = [
+    "map", "row", "column", "outcome", "runs", "failed", "cpu_s", "detail",
+];
+/// How many of them identify a cell.
+pub const KEYS: usize = 3;
+
+/// A mechanism with its parameters, for a time.
+#[derive(Debug, Clone)]
+pub struct Problem {
+    /// The mechanism.
+    pub scene: &'static Scene,
+    /// By name.
+    pub parameters: Vec<(String, f64)>,
+    /// s
+    pub duration: f64,
+    /// Whether one coordinate says all: then its poses are a curve, and a run that leaves it is on a wrong branch.
+    pub one_degree_of_freedom: bool,
+}
+
+impl Problem {
+    /// A mechanism of one degree of freedom with its default parameters.
+    pub fn new(scene: &'static Scene, duration: f64) -> Self {
+        Problem {
+            scene,
+            parameters: Vec::new(),
+            duration,
+            one_degree_of_freedom: true,
+        }
+    }
+
+    /// With a parameter.
+    pub fn with(mut self, name: &str, value: f64) -> Self {
+        self.parameters.push((name.to_owned(), value));
+        self
+    }
+
+    /// The simulation at its start.
+    ///
+    /// # Errors
+    /// As the scene's.
+    pub fn build(&self, settings: Settings) -> Result<Box<dyn AnySimulation>, SimulationError> {
+        (self.scene.build)(&self.parameters, settings)
+    }
+
+    /// Problems of the same key have the same right motion.
+    fn key(&self) -> String {
+        format!("{} {:?}", self.scene.name, self.parameters)
+    }
+}
+
+/// One run of a cell.
+pub struct Trial {
+    /// What is run.
+    pub problem: Problem,
+    /// And how.
+    pub settings: Settings,
+}
+
+/// A map.
+pub struct Map {
+    /// In file names.
+    pub name: &'static str,
+    /// For people.
+    pub title: &'static str,
+    /// What the columns are.
+    pub axis: &'static str,
+    /// Labels of the rows.
+    pub rows: Vec<String>,
+    /// Values of the columns.
+    pub columns: Vec<f64>,
+    /// The runs of a cell, by indices of row and column.
+    pub trials: Box<dyn Fn(usize, usize) -> Vec<Trial>>,
+}
+
+/// A cell that was read back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    /// Label of its row.
+    pub row: String,
+    /// Value of its column.
+    pub column: f64,
+    /// The most frequent outcome among runs that failed, or of all.
+    pub outcome: Outcome,
+    /// Runs, and how many failed.
+    pub runs: [usize; 2],
+    /// Of the first failure.
+    pub detail: String,
+}
+
+impl Cell {
+    /// From a row of the file; `None` if it is no such row.
+    pub fn read(row: &Row) -> Option<Self> {
+        let count = |i: usize| row.get(i)?.parse().ok();
+        Some(Cell {
+            row: row.get(1)?.clone(),
+            column: row.get(2)?.parse().ok()?,
+            outcome: Outcome::by_name(row.get(3)?)?,
+            runs: [count(4)?, count(5)?],
+            detail: row.get(7)?.clone(),
+        })
+    }
+}

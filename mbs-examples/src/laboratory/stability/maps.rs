@@ -1,0 +1,270 @@
+//! The maps: what methods are said to fail at, one thing each.
+
+use mbs_runtime::{Method, PaperSettings, PenaltySettings, ProjectionSettings, Settings};
+
+use super::super::methods::{Control, Entry, entries, entry};
+use super::{Map, Problem, Trial};
+use crate::scene::Scene;
+use crate::scenes::{laboratory, scenes};
+
+/// A scene of the list.
+fn listed(name: &str) -> &'static Scene {
+    let scene = scenes().iter().find(|scene| scene.name == name);
+    scene.expect("the scenes of the maps are listed")
+}
+
+/// All maps; fewer columns and phases if they have to be quick.
+pub fn maps(quick: bool) -> Vec<Map> {
+    let phases = if quick { 2 } else { 8 };
+    let mut maps = vec![
+        by_step(
+            "singular-slider-crank",
+            "Singular poses: slider-crank, random phases",
+            &[0.1, 0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3],
+            slider_cranks(phases),
+        ),
+        by_step(
+            "singular-double-four-bar",
+            "Singular poses: double four-bar, random phases",
+            &[0.1, 0.05, 0.02, 0.01, 5e-3, 2e-3, 1e-3],
+            double_four_bars(phases),
+        ),
+        by_step(
+            "redundant-joint",
+            "Redundant rows: Bricard's mechanism, 5 coordinates and 5 rows",
+            &[0.2, 0.1, 0.05, 0.02, 0.01, 5e-3],
+            vec![Problem::new(listed("bricard"), 10.0)],
+        ),
+        by_step(
+            "redundant-bodies",
+            "Redundant rows: Bricard's mechanism, 30 velocities and 30 rows",
+            &[0.1, 0.05, 0.02, 0.01],
+            vec![Problem::new(listed("bricard-reference"), 5.0)],
+        ),
+        by_step(
+            "near-singular",
+            "Nearly singular: a parallelogram 1e-6 off",
+            &[0.01, 3e-3, 1e-3, 3e-4, 1e-4, 3e-5, 1e-5],
+            vec![Problem::new(&laboratory::NEAR_PARALLELOGRAM, 2.0)],
+        ),
+        mass_ratio(),
+        stiff_spring(),
+        by_step(
+            "long-pendulum",
+            "Long run: pendulum, 2000 s",
+            &[0.1, 0.05, 0.02, 0.01, 5e-3],
+            vec![Problem::new(listed("pendulum"), 2000.0)],
+        ),
+        by_step(
+            "long-double-four-bar",
+            "Long run: double four-bar, 1000 s",
+            &[0.05, 0.02, 0.01, 5e-3],
+            vec![Problem::new(listed("double-four-bar"), 1000.0)],
+        ),
+        penalties(),
+        mass_scales(),
+    ];
+    if quick {
+        maps.retain(|map| !map.name.starts_with("long") && map.name != "redundant-bodies");
+        for map in &mut maps {
+            thin(map);
+        }
+    }
+    maps
+}
+
+/// Every third column.
+fn thin(map: &mut Map) {
+    let all = std::mem::take(&mut map.columns);
+    map.columns = all.into_iter().step_by(3).collect();
+    let trials = std::mem::replace(&mut map.trials, Box::new(|_, _| Vec::new()));
+    map.trials = Box::new(move |row, column| trials(row, 3 * column));
+}
+
+/// Methods of constant steps over steps; those that choose their steps take tolerances of the same number.
+fn by_step(name: &'static str, title: &'static str, steps: &[f64], problems: Vec<Problem>) -> Map {
+    let columns = steps.to_vec();
+    let entries = entries();
+    Map {
+        name,
+        title,
+        axis: "step, s (with error control: tolerance = (step / 1 s)²)",
+        rows: labels(&entries),
+        columns: columns.clone(),
+        trials: Box::new(move |row, column| {
+            let trial = |(phase, problem): (usize, &Problem)| Trial {
+                settings: at_step(&entries[row], problem, uneven(columns[column], phase)),
+                problem: problem.clone(),
+            };
+            problems.iter().enumerate().map(trial).collect()
+        }),
+    }
+}
+
+fn labels(entries: &[Entry]) -> Vec<String> {
+    entries.iter().map(|entry| entry.label.to_owned()).collect()
+}
+
+fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
+    let control = match entry.control() {
+        Control::Step => step,
+        Control::Tolerance => step * step,
+    };
+    // What has the unit of a frequency is that of ten seconds, however long the run.
+    let mut settings = entry.settings(problem.scene.model, problem.duration.min(10.0), control);
+    if entry.control() == Control::Tolerance {
+        settings.step = settings.step.min(0.1);
+    }
+    settings
+}
+
+/// Within 10 % of the step: singular poses fall anywhere between two instants. The first is the step itself.
+fn uneven(step: f64, phase: usize) -> f64 {
+    step * (0.9 + 0.2 * random(phase, 0.5))
+}
+
+/// Evenly spread over [0, 1): multiples of the golden section.
+fn random(i: usize, start: f64) -> f64 {
+    (start + 0.618_033_988_749_895 * i as f64).fract()
+}
+
+fn slider_cranks(phases: usize) -> Vec<Problem> {
+    let problem = |i| {
+        let start = (25.0 + 40.0 * random(i, 0.5)).to_radians();
+        Problem::new(listed("slider-crank"), 10.0).with("start", start)
+    };
+    (0..phases).map(problem).collect()
+}
+
+fn double_four_bars(phases: usize) -> Vec<Problem> {
+    let problem = |i| {
+        let turning = -0.6 - 0.8 * random(i, 0.5);
+        Problem::new(listed("double-four-bar"), 10.0).with("turning", turning)
+    };
+    (0..phases).map(problem).collect()
+}
+
+fn mass_ratio() -> Map {
+    let columns: Vec<f64> = (-6..=6).step_by(2).map(|e| 10_f64.powi(e)).collect();
+    let ratios = columns.clone();
+    let entries = entries();
+    Map {
+        name: "mass-ratio",
+        title: "Mass of the rod over that of the crank, step 0.01 s",
+        axis: "ratio of masses",
+        rows: labels(&entries),
+        columns,
+        trials: Box::new(move |row, column| {
+            let problem =
+                Problem::new(&laboratory::UNEQUAL_MASSES, 10.0).with("rod_mass", ratios[column]);
+            let settings = at_step(&entries[row], &problem, 0.01);
+            vec![Trial { problem, settings }]
+        }),
+    }
+}
+
+fn stiff_spring() -> Map {
+    const STEP: f64 = 0.01;
+    let columns: Vec<f64> = (-2..=4).map(|e| 10_f64.powi(e)).collect();
+    let stiffnesses = columns.clone();
+    let entries = entries();
+    Map {
+        name: "stiff-spring",
+        title: "Stiff spring on a bar, step 0.01 s",
+        axis: "ω h, with ω² = stiffness / mass",
+        rows: labels(&entries),
+        columns,
+        trials: Box::new(move |row, column| {
+            let stiffness = (stiffnesses[column] / STEP).powi(2);
+            let problem = Problem {
+                one_degree_of_freedom: false,
+                ..Problem::new(&laboratory::SPRING_PENDULUM, 10.0)
+            };
+            let problem = problem.with("stiffness", stiffness);
+            let settings = at_step(&entries[row], &problem, STEP);
+            vec![Trial { problem, settings }]
+        }),
+    }
+}
+
+/// Rows `method, scene` for the scenes of the paper.
+fn by_scene(
+    name: &'static str,
+    title: &'static str,
+    axis: &'static str,
+    columns: Vec<f64>,
+    names: &[&'static str],
+    set: fn(Method, f64) -> Method,
+) -> Map {
+    let scenes = ["pendulum", "slider-crank", "double-four-bar"].map(listed);
+    let pairs: Vec<(Entry, &'static Scene)> = names
+        .iter()
+        .filter_map(|name| entry(name))
+        .flat_map(|entry| scenes.map(|scene| (entry, scene)))
+        .collect();
+    let row = |(entry, scene): &(Entry, &Scene)| format!("{}: {}", entry.label, scene.name);
+    let values = columns.clone();
+    Map {
+        name,
+        title,
+        axis,
+        rows: pairs.iter().map(row).collect(),
+        columns,
+        trials: Box::new(move |row, column| {
+            let (entry, scene) = pairs[row];
+            let problem = Problem::new(scene, 10.0);
+            let mut settings = at_step(&entry, &problem, 1e-3);
+            settings.method = set(settings.method, values[column]);
+            vec![Trial { problem, settings }]
+        }),
+    }
+}
+
+fn penalties() -> Map {
+    by_scene(
+        "penalty",
+        "Penalties, step 0.001 s",
+        "penalty, in the unit of each method",
+        (0..=14).step_by(2).map(|e| 10_f64.powi(e)).collect(),
+        &["alf3f-paper", "m-alf", "index3-projections", "penalty"],
+        |method, value| match method {
+            Method::Paper(mut settings) => {
+                settings.penalty = value;
+                settings.max_penalty = settings.max_penalty.max(value);
+                Method::Paper(settings)
+            }
+            Method::MAlf(mut settings) => {
+                settings.penalty = value;
+                settings.max_penalty = settings.max_penalty.max(value);
+                Method::MAlf(settings)
+            }
+            Method::Index3Projections(_) => {
+                Method::Index3Projections(ProjectionSettings { penalty: value })
+            }
+            Method::Penalty(settings) => Method::Penalty(PenaltySettings {
+                penalty: value,
+                ..settings
+            }),
+            other => other,
+        },
+    )
+}
+
+fn mass_scales() -> Map {
+    by_scene(
+        "mass-scale",
+        "Factor on the effective masses of the rows, step 0.001 s",
+        "factor on m̄",
+        vec![0.0, 0.01, 0.1, 1.0, 10.0],
+        &["alf3f-paper"],
+        |method, value| match method {
+            // Without them it is M-ALF.
+            Method::Paper(_) if value == 0.0 => Method::MAlf(PaperSettings::m_alf()),
+            Method::Paper(mut settings) => {
+                settings.mass_scale = value;
+                Method::Paper(settings)
+            }
+            other => other,
+        },
+    )
+}

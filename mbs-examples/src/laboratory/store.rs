@@ -1,0 +1,105 @@
+//! A CSV file that grows by one row as each point is known, and from which interrupted work goes on.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// A point as text. The first cells identify it.
+pub type Row = Vec<String>;
+
+/// The file.
+pub struct Store {
+    path: PathBuf,
+    head: String,
+    columns: usize,
+    keys: usize,
+    rows: Vec<Row>,
+    file: File,
+}
+
+impl Store {
+    /// Opens the file for rows of these columns, the first `keys` of which identify a point. Rows that are there are kept
+    /// if the note above them is the same: the machine, the commit and the settings; otherwise the file is begun again.
+    ///
+    /// # Errors
+    /// A file that cannot be read or written.
+    pub fn open(path: &Path, note: &str, columns: &[&str], keys: usize) -> io::Result<Self> {
+        let head = format!("# {note}\n{}\n", columns.join(","));
+        let text = match fs::read_to_string(path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
+            Err(error) => return Err(error),
+        };
+        let mut store = Store {
+            path: path.to_owned(),
+            columns: columns.len(),
+            keys,
+            rows: Vec::new(),
+            file: OpenOptions::new().append(true).create(true).open(path)?,
+            head,
+        };
+        if let Some(body) = text.strip_prefix(&store.head) {
+            // What follows the last line end was being written when the work was interrupted.
+            for line in body.split_inclusive('\n').filter(|l| l.ends_with('\n')) {
+                let row: Row = line.trim_end().split(',').map(str::to_owned).collect();
+                if row.len() == store.columns {
+                    store.replace(row);
+                }
+            }
+        }
+        store.compact()?;
+        Ok(store)
+    }
+
+    /// The rows, in the order in which their points came first.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The row of a point.
+    pub fn find(&self, key: &[&str]) -> Option<&Row> {
+        self.rows.iter().find(|row| row[..self.keys] == *key)
+    }
+
+    /// Keeps a row, in place of an earlier one of the same point. It is on disk when this returns.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn put(&mut self, row: Row) -> io::Result<()> {
+        let row: Row = row.iter().map(|cell| clean(cell)).collect();
+        debug_assert_eq!(row.len(), self.columns);
+        self.file.write_all(line(&row).as_bytes())?;
+        self.replace(row);
+        Ok(())
+    }
+
+    /// Writes each point once.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn compact(&mut self) -> io::Result<()> {
+        let text: String = self.rows.iter().map(line).collect();
+        let beside = self.path.with_extension("csv.part");
+        fs::write(&beside, format!("{}{text}", self.head))?;
+        fs::rename(&beside, &self.path)?;
+        self.file = OpenOptions::new().append(true).open(&self.path)?;
+        Ok(())
+    }
+
+    fn replace(&mut self, row: Row) {
+        let keys = self.keys;
+        match self.rows.iter_mut().find(|r| r[..keys] == row[..keys]) {
+            Some(place) => *place = row,
+            None => self.rows.push(row),
+        }
+    }
+}
+
+fn line(row: &Row) -> String {
+    format!("{}\n", row.join(","))
+}
+
+/// Commas and line ends separate cells and rows: messages do without.
+fn clean(cell: &str) -> String {
+    cell.replace(',', ";").replace(['\n', '\r'], " ")
+}

@@ -1,0 +1,201 @@
+//! Processor time against accuracy, for every method over its steps or tolerances.
+
+use std::io;
+
+use super::measure::{Errors, errors, time};
+use super::methods::{Control, Entry, entries};
+use super::outcome::Outcome;
+use super::store::{Row, Store};
+use super::yardstick::{INSTANTS, Yardstick};
+
+/// The columns of `work-precision.csv`; the first four identify a point.
+pub const COLUMNS: [&str; 12] = [
+    "scene",
+    "method",
+    "control",
+    "value",
+    "repeats",
+    "outcome",
+    "cpu_s",
+    "steps",
+    "position_error",
+    "energy_error_J",
+    "reaction_error",
+    "detail",
+];
+/// How many of them identify a point.
+pub const KEYS: usize = 4;
+
+/// Algorithm 1 is not tried with more rows: one step of `four-bar-40` came to no end within 40 s.
+const MOST_ROWS: usize = 50;
+
+/// How much work a chart may be.
+#[derive(Debug, Clone, Copy)]
+pub struct Effort {
+    /// A run is given up after this processor time, s.
+    pub patience: f64,
+    /// Times are the least of so many interleaved repeats.
+    pub repeats: u32,
+    /// Steps are halved (tolerances divided by ten) so many times.
+    pub levels: u32,
+    /// Of the levels only each so-many-th is taken.
+    pub stride: u32,
+}
+
+impl Effort {
+    /// For a look, and for tests.
+    pub const QUICK: Effort = Effort {
+        patience: 0.1,
+        repeats: 2,
+        levels: 8,
+        stride: 3,
+    };
+    /// For results.
+    pub const FULL: Effort = Effort {
+        patience: 0.4,
+        repeats: 5,
+        levels: 13,
+        stride: 1,
+    };
+
+    fn levels(&self) -> impl Iterator<Item = u32> {
+        (0..self.levels).step_by(self.stride as usize)
+    }
+
+    /// Points of a scene at most, repeats counted.
+    pub fn points(&self) -> u64 {
+        entries().len() as u64 * self.levels().count() as u64 * u64::from(self.repeats)
+    }
+}
+
+/// A point that was read back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Label of the method.
+    pub method: String,
+    /// Step, s, or tolerance.
+    pub value: f64,
+    /// How the run ended.
+    pub outcome: Outcome,
+    /// s
+    pub cpu: f64,
+    /// Errors of position, energy (J) and reaction.
+    pub errors: [f64; 3],
+}
+
+impl Point {
+    /// From a row of the file; `None` if it is no such row.
+    pub fn read(row: &Row) -> Option<Self> {
+        let number = |i: usize| row.get(i)?.parse::<f64>().ok();
+        Some(Point {
+            method: row.get(1)?.clone(),
+            value: number(3)?,
+            outcome: Outcome::by_name(row.get(5)?)?,
+            cpu: number(6)?,
+            errors: [number(8)?, number(9)?, number(10)?],
+        })
+    }
+}
+
+/// Step or tolerance of a level.
+fn control(entry: &Entry, duration: f64, level: u32) -> f64 {
+    match entry.control() {
+        Control::Step => duration / f64::from(INSTANTS) / f64::from(1 << level),
+        Control::Tolerance => 10_f64.powi(-2 - level as i32),
+    }
+}
+
+/// Measures what the store does not hold yet of a scene. Methods take turns, from coarse to fine, and so do the repeats: a
+/// machine that is slow for a while is slow for all.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn measure(
+    yardstick: &Yardstick,
+    effort: &Effort,
+    store: &mut Store,
+    tick: &mut dyn FnMut(),
+) -> io::Result<()> {
+    let entries = entries();
+    let scene = yardstick.scene.name;
+    let mut open: Vec<bool> = vec![true; entries.len()];
+    for level in effort.levels() {
+        for (entry, open) in entries.iter().zip(&mut open) {
+            tick();
+            if !*open {
+                continue;
+            }
+            let value = control(entry, yardstick.duration, level);
+            let key = [
+                scene,
+                entry.label,
+                entry.control().name(),
+                &format!("{value:e}"),
+            ];
+            if store.find(&key).is_none() {
+                store.put(first(yardstick, entry, value, effort, &key))?;
+            }
+            let point = store.find(&key).and_then(Point::read);
+            *open = point.is_some_and(|point| {
+                let slower = f64::from(1 << effort.stride);
+                !matches!(point.outcome, Outcome::TooSlow | Outcome::Refused)
+                    && point.cpu * slower < effort.patience
+            });
+        }
+    }
+    for repeat in 1..effort.repeats {
+        for level in effort.levels() {
+            for entry in &entries {
+                tick();
+                let value = control(entry, yardstick.duration, level);
+                let text = format!("{value:e}");
+                let key = [scene, entry.label, entry.control().name(), &text];
+                let Some(row) = store.find(&key).cloned() else {
+                    continue;
+                };
+                if row[5] == Outcome::Ok.name() && row[4] == repeat.to_string() {
+                    store.put(again(yardstick, entry, value, row))?;
+                }
+            }
+        }
+    }
+    store.compact()
+}
+
+/// Errors and a first time.
+fn first(
+    yardstick: &Yardstick,
+    entry: &Entry,
+    value: f64,
+    effort: &Effort,
+    key: &[&str; KEYS],
+) -> Row {
+    let rows = yardstick.scene.model.rows.len();
+    let found = if entry.halves_without_end() && rows > MOST_ROWS {
+        Errors::too_slow(format!("steps are halved without end with {rows} rows"))
+    } else {
+        errors(yardstick, entry, value, effort.patience)
+    };
+    let cpu = match found.outcome {
+        Outcome::Ok => time(yardstick, entry, value).unwrap_or(f64::NAN),
+        _ => found.cpu,
+    };
+    let numbers = [cpu, found.steps as f64, found.position, found.energy];
+    let mut row: Row = key.iter().map(|&cell| cell.to_owned()).collect();
+    row.push("1".to_owned());
+    row.push(found.outcome.name().to_owned());
+    row.extend(numbers.iter().map(|number| format!("{number:.6e}")));
+    row.push(format!("{:.6e}", found.reaction));
+    row.push(found.detail);
+    row
+}
+
+/// One more time: the least counts.
+fn again(yardstick: &Yardstick, entry: &Entry, value: f64, mut row: Row) -> Row {
+    let before: f64 = row[6].parse().unwrap_or(f64::INFINITY);
+    let now = time(yardstick, entry, value).unwrap_or(f64::INFINITY);
+    let repeats: u32 = row[4].parse().unwrap_or(0);
+    row[4] = (repeats + 1).to_string();
+    row[6] = format!("{:.6e}", before.min(now));
+    row
+}
