@@ -12,6 +12,7 @@
 
 use super::bdf_history::{History, MOST_ORDER};
 use super::bench::Bench;
+use super::index1::Index1;
 use super::motion::{Motion, consistent};
 use super::saddle::Saddle;
 use crate::System;
@@ -146,7 +147,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
-        let (acceleration, lambda) = consistent(bench)?;
+        let (acceleration, lambda) = consistent(&mut Index1::new(0.0), bench)?;
         let state = &bench.state;
         let (q, v) = (state.positions, state.velocities);
         bench.system.momentum(&q, &v, &mut self.motion.p);

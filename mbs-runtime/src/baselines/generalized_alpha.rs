@@ -13,6 +13,7 @@
 //! A v₁ + b = 0 with λ and φ(q₁) = 0 with a further multiplier that moves q₁ along M⁻¹Aᵀ.
 
 use super::bench::Bench;
+use super::index1::Index1;
 use super::motion::{Motion, Progress, carry, consistent, move_rows};
 use super::saddle::Saddle;
 use crate::System;
@@ -92,7 +93,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         let old = match self.history {
             Some(history) => history,
             None => {
-                let (acceleration, lambda) = consistent(bench)?;
+                let (acceleration, lambda) = consistent(&mut Index1::new(0.0), bench)?;
                 History {
                     acceleration,
                     algorithmic: acceleration,

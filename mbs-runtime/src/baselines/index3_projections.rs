@@ -13,6 +13,7 @@
 //! ξ m̄ · 4/h², so that ξ tells how much heavier than the masses the rows weigh in the matrix.
 
 use super::bench::Bench;
+use super::index1::Index1;
 use super::motion::{Motion, Progress, consistent, move_rows};
 use crate::System;
 use crate::alf3f::Fault;
@@ -38,6 +39,7 @@ pub(crate) struct Index3<const N: usize, const R: usize> {
     motion: Motion<N>,
     factors: Box<Pivoted<N>>,
     moved: Matrix<R, N>,
+    equations: Index1<N, R>,
     history: Option<History<N, R>>,
 }
 
@@ -57,6 +59,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             motion: Motion::new(),
             factors: Box::new(Pivoted::new()),
             moved: clear(),
+            equations: Index1::new(0.0),
             history: None,
         }
     }
@@ -73,7 +76,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         let old = match self.history {
             Some(history) => history,
             None => {
-                let (acceleration, lambda) = consistent(bench)?;
+                let (acceleration, lambda) = consistent(&mut self.equations, bench)?;
                 History {
                     acceleration,
                     lambda,
@@ -159,7 +162,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
 
         bench.commit(t1, q, v, false)?;
         let consistent = if S::STRUCTURE.time_dependent {
-            consistent(bench)?.1
+            consistent(&mut self.equations, bench)?.1
         } else {
             lambda
         };

@@ -10,7 +10,7 @@ use crate::linear::{Matrix, clear, dot, largest};
 /// Corrections of the velocities below this fraction of them end an iteration …
 const CONVERGED: f64 = 1e-12;
 /// … or below this one, when they no longer shrink.
-const STILL: f64 = 1e-9;
+const STILL: f64 = 1e-7;
 
 /// p, F and the tangents at one instant.
 pub(crate) struct Motion<const N: usize> {
@@ -110,9 +110,9 @@ pub(crate) fn carry<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
 
 /// v̇ and λ that satisfy the rows at acceleration level at the state of the bench.
 pub(crate) fn consistent<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    equations: &mut Index1<N, R>,
     bench: &mut Bench<S, Q, N, R>,
 ) -> Result<([f64; N], [f64; R]), Fault> {
-    let mut equations = Index1::new(0.0);
     let (t, q, v) = (
         bench.state.time,
         bench.state.positions,
