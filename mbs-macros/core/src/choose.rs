@@ -103,13 +103,13 @@ fn derive(declaration: &Declaration, model: Model) -> Result<Analysis, Open> {
     let formulation = model.formulation;
     let mut analysis = derived(model)?;
     let mut keep: Vec<String> = Vec::new();
-    if analysis.mobility.is_none() {
+    let rows = analysis.model.solved.rows.iter();
+    let joints: Vec<String> = rows.map(|(joint, _)| joint.clone()).collect();
+    if analysis.mobility.is_none() && !joints.is_empty() {
         // What cannot be closed is told best with all rows at hand.
-        let rows = analysis.model.solved.rows.iter();
-        let joints: Vec<String> = rows.map(|(joint, _)| joint.clone()).collect();
         let mut none = Errors::new();
         let model = model::resolve(declaration, formulation, &joints, &mut none);
-        if let (Some(model), false, true) = (model, joints.is_empty(), none.is_empty()) {
+        if let (Some(model), true) = (model, none.is_empty()) {
             derived(model)?;
         }
     }
