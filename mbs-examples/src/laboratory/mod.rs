@@ -14,5 +14,6 @@ pub mod provenance;
 pub mod stability;
 pub mod store;
 pub mod svg;
+pub mod tables;
 pub mod work_precision;
 pub mod yardstick;

@@ -29,6 +29,9 @@ pub const KEYS: usize = 4;
 /// Algorithm 1 is not tried with more rows: one step of `four-bar-40` came to no end within 40 s.
 const MOST_ROWS: usize = 50;
 
+/// After so many runs in a row that were given up finer ones are not tried.
+const ENOUGH: u32 = 3;
+
 /// How much work a chart may be.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
@@ -118,11 +121,12 @@ pub fn measure(
 ) -> io::Result<()> {
     let entries = entries();
     let scene = yardstick.scene.name;
-    let mut open: Vec<bool> = vec![true; entries.len()];
+    // Runs in a row that were given up; with long steps every one may take many iterations.
+    let mut given_up: Vec<u32> = vec![0; entries.len()];
     for level in effort.levels() {
-        for (entry, open) in entries.iter().zip(&mut open) {
+        for (entry, given_up) in entries.iter().zip(&mut given_up) {
             tick();
-            if !*open {
+            if *given_up >= ENOUGH {
                 continue;
             }
             let value = control(entry, yardstick.duration, level);
@@ -136,11 +140,13 @@ pub fn measure(
                 store.put(first(yardstick, entry, value, effort, &key))?;
             }
             let point = store.find(&key).and_then(Point::read);
-            *open = point.is_some_and(|point| {
-                let slower = f64::from(1 << effort.stride);
-                !matches!(point.outcome, Outcome::TooSlow | Outcome::Refused)
-                    && point.cpu * slower < effort.patience
-            });
+            let slower = f64::from(1 << effort.stride);
+            *given_up = match point {
+                Some(point) if point.outcome == Outcome::TooSlow => *given_up + 1,
+                Some(point) if point.outcome == Outcome::Refused => ENOUGH,
+                Some(point) if point.cpu * slower < effort.patience => 0,
+                _ => ENOUGH,
+            };
         }
     }
     for repeat in 1..effort.repeats {

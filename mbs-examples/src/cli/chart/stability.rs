@@ -5,6 +5,7 @@ use std::path::Path;
 use mbs_examples::laboratory::outcome_map::draw;
 use mbs_examples::laboratory::page::{Picture, page};
 use mbs_examples::laboratory::stability::{COLUMNS, Cell, KEYS, Map, maps, measure};
+use mbs_examples::laboratory::tables::failed_cells;
 
 use super::super::failure::Failure;
 use super::super::find::unknown;
@@ -37,7 +38,7 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
     let cells = |map: &&Map| map.rows.len() * map.columns.len();
     let progress = Points::new("stability", wanted.iter().map(cells).sum::<usize>() as u64);
     let mut pictures = Vec::new();
-    let mut failed = 0;
+    let (mut failed, mut tables) = (0, String::new());
     for map in &wanted {
         progress.at(map.name);
         measure(map, patience, &mut store, &mut || progress.tick())
@@ -58,6 +59,12 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
             })
             .collect();
         failed += remarks.len();
+        tables += &format!(
+            "\n## {0}\n\n![{0}](stability-{1}.svg)\n\n{2}",
+            map.title,
+            map.name,
+            failed_cells(map, &cells)
+        );
         let picture = Picture {
             scene: map.name.to_owned(),
             measure: "outcome".to_owned(),
@@ -71,6 +78,7 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
         pictures.push(picture);
     }
     progress.finish();
+    write(&directory.join("stability-tables.txt"), &tables)?;
     let html = page("Where methods fail, and how", &note, &pictures);
     write(&directory.join("stability.html"), &html)?;
     print(&format!(

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use mbs_examples::laboratory::diagram::{MEASURES, draw};
+use mbs_examples::laboratory::diagram::{MEASURES, Measure, draw};
 use mbs_examples::laboratory::methods::entries;
 use mbs_examples::laboratory::page::{Picture, page};
-use mbs_examples::laboratory::store::Store;
+use mbs_examples::laboratory::store::{Row, Store};
+use mbs_examples::laboratory::tables;
 use mbs_examples::laboratory::work_precision::{COLUMNS, Effort, KEYS, Point, measure};
 use mbs_examples::laboratory::yardstick::Yardstick;
 use mbs_examples::scene::Scene;
@@ -52,6 +53,8 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
         let name = format!("work-precision-{}-{}.svg", picture.scene, picture.measure);
         write(&directory.join(name), &picture.svg)?;
     }
+    let text = tables(&yardsticks, &store);
+    write(&directory.join("work-precision-tables.txt"), &text)?;
     let html = page("Processor time against accuracy", &note, &pictures);
     write(&directory.join("work-precision.html"), &html)?;
     print(&format!(
@@ -61,6 +64,59 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
         pictures.len(),
         directory.display()
     ))
+}
+
+/// The points of a scene, each with its row.
+fn points<'s>(store: &'s Store, scene: &Scene) -> (Vec<&'s Row>, Vec<Point>) {
+    let rows = store.rows().iter().filter(|row| row[0] == scene.name);
+    rows.filter_map(|row| Some((row, Point::read(row)?)))
+        .unzip()
+}
+
+/// The tables of the book's page.
+fn tables(yardsticks: &[Yardstick], store: &Store) -> String {
+    let entries = entries();
+    let labels: Vec<&str> = entries.iter().map(|entry| entry.label).collect();
+    let (mut shown, mut others) = (String::new(), String::from("## The other scenes\n"));
+    let mut failures =
+        String::from("## Runs that failed\n\n| scene | method | runs |\n|---|---|---|\n");
+    let mut refused = Vec::new();
+    for yardstick in yardsticks {
+        let scene = yardstick.scene;
+        let (_, points) = points(store, scene);
+        let picture = |measure: &str| format!("work-precision-{}-{measure}.svg", scene.name);
+        if QUICK.contains(&scene.name) {
+            shown += &format!("\n## `{}`\n", scene.name);
+            for measure in ["energy", "position"] {
+                shown += &format!("\n![{measure} error]({})\n", picture(measure));
+            }
+            shown += &format!("\n{}", tables::front(&points, &tables::FINE_BOUNDS));
+        } else {
+            let measures = measures(scene);
+            let links: Vec<String> = measures
+                .map(|measure| format!("[{}]({})", measure.name, picture(measure.name)))
+                .collect();
+            let front = tables::front(&points, &tables::COARSE_BOUNDS);
+            others += &format!("\n`{}`: {}\n\n{front}", scene.name, links.join(", "));
+        }
+        failures += &tables::failures(scene.name, &points, &labels);
+        let list = tables::refused(&points, &labels);
+        if !list.is_empty() {
+            refused.push(format!("`{}`: {}", scene.name, list.join(", ")));
+        }
+    }
+    if !refused.is_empty() {
+        failures += &format!("\nNot applicable: {}.\n", refused.join("; "));
+    }
+    format!("{shown}\n{others}\n{failures}")
+}
+
+/// What there is to measure in a scene.
+fn measures(scene: &Scene) -> impl Iterator<Item = Measure> {
+    let reacts = !scene.model.reactions.is_empty();
+    MEASURES
+        .into_iter()
+        .filter(move |measure| measure.index != 2 || reacts)
 }
 
 fn wanted(chart: &Chart) -> Result<Vec<&'static Scene>, Failure> {
@@ -74,9 +130,7 @@ fn wanted(chart: &Chart) -> Result<Vec<&'static Scene>, Failure> {
 
 fn pictures(yardstick: &Yardstick, store: &Store) -> Vec<Picture> {
     let scene = yardstick.scene;
-    let rows = store.rows().iter().filter(|row| row[0] == scene.name);
-    let read = rows.filter_map(|row| Some((row, Point::read(row)?)));
-    let (rows, points): (Vec<_>, Vec<Point>) = read.unzip();
+    let (rows, points) = points(store, scene);
     let remarks: Vec<String> = rows
         .iter()
         .zip(&points)
@@ -92,10 +146,8 @@ fn pictures(yardstick: &Yardstick, store: &Store) -> Vec<Picture> {
     let labels: Vec<&str> = entries.iter().map(|entry| entry.label).collect();
     let title = format!("{}, {} s", scene.title, scene.duration);
     let note = format!("reactions against {}", yardstick.source);
-    MEASURES
-        .iter()
-        .filter(|measure| measure.index != 2 || !scene.model.reactions.is_empty())
-        .map(|&measure| Picture {
+    measures(scene)
+        .map(|measure| Picture {
             scene: scene.name.to_owned(),
             measure: measure.name.to_owned(),
             svg: draw(&title, &note, &labels, &points, measure),

@@ -1,0 +1,208 @@
+//! The charts as tables in Markdown, for the book: who is fastest for an accuracy, and what failed.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::outcome::Outcome;
+use super::stability::{Cell, Map};
+use super::work_precision::Point;
+
+/// Energy errors, J, for scenes that are shown in full, and for the others.
+pub const FINE_BOUNDS: [i32; 9] = [-1, -2, -3, -4, -5, -6, -7, -8, -9];
+/// For the others.
+pub const COARSE_BOUNDS: [i32; 3] = [-2, -5, -8];
+
+/// Families that are compared with the fastest.
+const FAMILIES: [&str; 2] = ["two-level", "projected"];
+
+/// Methods by the time, s, that an energy error takes: the fastest first.
+fn ranking<'a>(points: &'a [Point], bound: f64) -> Vec<(&'a str, f64)> {
+    let mut curves: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
+    for point in points {
+        curves.entry(&point.method).or_default().push(point);
+    }
+    let within = |point: &Point| point.outcome == Outcome::Ok && point.errors[1] <= bound;
+    let mut ranking = Vec::new();
+    for (method, mut curve) in curves {
+        curve.sort_by(|a, b| b.value.total_cmp(&a.value));
+        // A lucky step does not count: the next finer one has to be as good.
+        let kept = curve
+            .windows(2)
+            .filter(|pair| pair.iter().all(|p| within(p)));
+        let least = kept.map(|pair| pair[0].cpu).min_by(f64::total_cmp);
+        ranking.extend(least.map(|cpu| (method, cpu)));
+    }
+    ranking.sort_by(|a, b| a.1.total_cmp(&b.1));
+    ranking
+}
+
+/// The fastest method for each energy error, and the fastest of each family.
+pub fn front(points: &[Point], bounds: &[i32]) -> String {
+    let mut out = String::from("| energy error ≤, J | fastest | ms |");
+    for family in FAMILIES {
+        let _ = write!(out, " best `{family}` | ms | ratio |");
+    }
+    out += "\n|---|---|---|---|---|---|---|---|---|\n";
+    for &power in bounds {
+        let ranking = ranking(points, 10_f64.powi(power));
+        let Some(&(fastest, least)) = ranking.first() else {
+            let _ = writeln!(out, "| 1e{power} | – | – | – | – | – | – | – | – |");
+            continue;
+        };
+        let _ = write!(out, "| 1e{power} | `{fastest}` | {} |", short(1e3 * least));
+        for family in FAMILIES {
+            let best = ranking.iter().find(|(name, _)| name.starts_with(family));
+            let _ = match best {
+                Some((name, cpu)) => write!(
+                    out,
+                    " `{name}` | {} | {} |",
+                    short(1e3 * cpu),
+                    short(cpu / least)
+                ),
+                None => write!(out, " – | – | – |"),
+            };
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// Failures of each method, counted: rows of a table of scene, method and outcomes.
+pub fn failures(scene: &str, points: &[Point], labels: &[&str]) -> String {
+    let mut out = String::new();
+    for &label in labels {
+        let mut counts: BTreeMap<Outcome, usize> = BTreeMap::new();
+        for point in points.iter().filter(|point| point.method == label) {
+            if point.outcome.is_failure() {
+                *counts.entry(point.outcome).or_default() += 1;
+            }
+        }
+        let list: Vec<String> = counts
+            .iter()
+            .map(|(outcome, count)| format!("{count} × {}", outcome.name()))
+            .collect();
+        if !list.is_empty() {
+            let _ = writeln!(out, "| `{scene}` | {label} | {} |", list.join(", "));
+        }
+    }
+    out
+}
+
+/// Methods that do not apply to a scene.
+pub fn refused<'a>(points: &[Point], labels: &[&'a str]) -> Vec<&'a str> {
+    let refuses = |label: &&&str| {
+        let mut own = points.iter().filter(|point| point.method == **label);
+        own.any(|point| point.outcome == Outcome::Refused)
+    };
+    labels.iter().filter(refuses).copied().collect()
+}
+
+/// Every failed cell of a map: row, outcome, columns (with the number of runs where not all failed, or there were several).
+pub fn failed_cells(map: &Map, cells: &[Cell]) -> String {
+    let mut out = String::from("| row | outcome | columns |\n|---|---|---|\n");
+    let mut any = false;
+    for row in &map.rows {
+        let mut groups: Vec<(Outcome, Vec<String>)> = Vec::new();
+        for cell in cells.iter().filter(|cell| cell.row == *row) {
+            if !cell.outcome.is_failure() {
+                continue;
+            }
+            let [runs, failed] = cell.runs;
+            let text = match runs {
+                1 => short(cell.column),
+                _ => format!("{} ({failed}/{runs})", short(cell.column)),
+            };
+            match groups.iter_mut().find(|(known, _)| *known == cell.outcome) {
+                Some((_, list)) => list.push(text),
+                None => groups.push((cell.outcome, vec![text])),
+            }
+        }
+        for (outcome, columns) in groups {
+            any = true;
+            let _ = writeln!(
+                out,
+                "| {row} | {} | {} |",
+                outcome.name(),
+                columns.join(", ")
+            );
+        }
+    }
+    if any {
+        out
+    } else {
+        "No cell failed.\n".to_owned()
+    }
+}
+
+/// Three significant digits, as short as can be.
+fn short(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return x.to_string();
+    }
+    let digits = 2 - x.abs().log10().floor() as i32;
+    if !(-3..=6).contains(&digits) {
+        let text = format!("{x:.2e}");
+        return text.replace(".00e", "e").replace("0e", "e");
+    }
+    let text = format!("{x:.*}", digits.max(0) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(method: &str, value: f64, cpu: f64, energy: f64) -> Point {
+        Point {
+            method: method.to_owned(),
+            value,
+            outcome: Outcome::Ok,
+            cpu,
+            errors: [0.0, energy, 0.0],
+        }
+    }
+
+    #[test]
+    fn a_lucky_step_does_not_count() {
+        let points = [
+            point("projected 4", 0.1, 1e-5, 1e-4),
+            point("projected 4", 0.05, 2e-5, 1e-2),
+            point("projected 4", 0.025, 4e-5, 1e-5),
+            point("projected 4", 0.0125, 8e-5, 1e-6),
+            point("two-level 2", 0.1, 6e-5, 1e-4),
+            point("two-level 2", 0.05, 12e-5, 1e-5),
+        ];
+        assert_eq!(
+            ranking(&points, 1e-3),
+            [("projected 4", 4e-5), ("two-level 2", 6e-5)]
+        );
+        let table = front(&points, &[-3, -9]);
+        let last = table.lines().nth(2);
+        assert_eq!(
+            last,
+            Some(
+                "| 1e-3 | `projected 4` | 0.04 | `two-level 2` | 0.06 | 1.5 | `projected 4` | 0.04 | 1 |"
+            )
+        );
+        assert!(table.ends_with("| 1e-9 | – | – | – | – | – | – | – | – |\n"));
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        for (x, text) in [
+            (0.0673, "0.0673"),
+            (112.0, "112"),
+            (1e14, "1e14"),
+            (4.1, "4.1"),
+            (1.0, "1"),
+            (1234.0, "1234"),
+            (0.002, "0.002"),
+            (1e-8, "1e-8"),
+        ] {
+            assert_eq!(short(x), text);
+        }
+    }
+}
