@@ -116,6 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             counters: Counters::default(),
         };
         core.refresh()?;
+        (core.work.symmetric).expect_redundancy(&core.start.gram);
         Ok(core)
     }
 
@@ -174,6 +175,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
         work.symmetric.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
+        counters.regularised += u64::from(work.symmetric.reduced);
         if work.symmetric.weak {
             counters.regularised += u64::from(work.symmetric.regularised);
             let passes = fixed_iterations.map_or(REFINEMENTS, |_| FIXED_REFINEMENTS);

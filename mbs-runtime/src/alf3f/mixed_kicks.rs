@@ -110,7 +110,8 @@ where
             for length in &mut lengths[holonomic..] {
                 *length *= 2.0;
             }
-            work.dual.factor(&work.matrix, &lengths);
+            work.dual
+                .factor(&work.matrix, &lengths, &work.symmetric.idle);
             counters.regularised += u64::from(work.dual.regularised);
             fresh = true;
         } else {

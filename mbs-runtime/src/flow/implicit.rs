@@ -14,6 +14,12 @@ const STAGNATED: f64 = 1e-9;
 /// Round-off of positions, relative to the size of the mechanism.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
+/// J is singular, or not finite: with h → 0 it becomes M, so that a shorter step helps.
+const SINGULAR: Fault = Fault::Flow {
+    residual: f64::INFINITY,
+    iterations: 0,
+};
+
 /// A velocity that moves the end of a step of h by no more than the round-off of its positions. At rest the corrections
 /// stay of this size: 2φ/h, the rate that a row asks for, is no better known, and smaller steps make it worse.
 pub(crate) fn imperceptible(q: &[f64], h: f64) -> f64 {
@@ -148,11 +154,7 @@ impl<const N: usize> Implicit<N> {
             }
         }
         self.current = self.jacobian.factor(&jacobian);
-        if self.current {
-            Ok(())
-        } else {
-            Err(Fault::Mass)
-        }
+        if self.current { Ok(()) } else { Err(SINGULAR) }
     }
 
     /// M₁ − h/2 F_v₁ as of the last J, factored: the metric in which the velocities of the step follow an impulse.
@@ -166,7 +168,7 @@ impl<const N: usize> Implicit<N> {
         if metric.factor(&matrix) {
             Ok(())
         } else {
-            Err(Fault::Mass)
+            Err(SINGULAR)
         }
     }
 

@@ -13,7 +13,16 @@ pub(crate) struct SymmetricDual<const K: usize> {
     pub(crate) regularised: bool,
     /// Whether solutions of the last factorisation lose digits that an iteration on the residual restores.
     pub(crate) weak: bool,
+    /// Rows that follow from those before them wherever the mechanism is, as far as is known.
+    redundant: [bool; K],
+    /// Which of them did at the last factorisation: their multipliers are zero.
+    pub(crate) idle: [bool; K],
+    /// Whether there are any.
+    pub(crate) reduced: bool,
 }
+
+/// A relative pivot of a row that follows from those before it: round-off, over the smallest pivot that others may have.
+const REDUNDANT: f64 = 1e-10;
 
 /// A relative pivot that is round-off, after the `least` one so far, by which errors were divided.
 fn round_off(least: f64) -> f64 {
@@ -28,7 +37,23 @@ impl<const K: usize> SymmetricDual<K> {
             proximal: Proximal::new(),
             regularised: false,
             weak: false,
+            redundant: [false; K],
+            idle: [false; K],
+            reduced: false,
         }
+    }
+
+    /// Takes the rows that follow from others in `matrix` for redundant: from now on, where they still do, they get no
+    /// multiplier, and nothing else is done for their sake. (The proximal solve shares the load among rows, which matters
+    /// to reactions, not to motion.)
+    #[inline(never)]
+    pub(crate) fn expect_redundancy(&mut self, matrix: &[[f64; K]; K]) {
+        self.redundant = [true; K];
+        self.redundant = match self.eliminate(matrix) {
+            true => self.idle,
+            false => [false; K],
+        };
+        self.factor(matrix);
     }
 
     /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots.
@@ -45,6 +70,10 @@ impl<const K: usize> SymmetricDual<K> {
     #[inline(always)]
     fn eliminate(&mut self, matrix: &[[f64; K]; K]) -> bool {
         let mut weak = false;
+        if self.reduced {
+            self.idle = [false; K];
+            self.reduced = false;
+        }
         let upper = &mut self.upper;
         for i in 0..K {
             for j in i..K {
@@ -55,6 +84,12 @@ impl<const K: usize> SymmetricDual<K> {
             let pivot_row = upper[k];
             let pivot = pivot_row[k];
             if !(pivot > SMALL_PIVOT * matrix[k][k]) {
+                if self.redundant[k] && pivot.abs() <= REDUNDANT * matrix[k][k] {
+                    self.idle[k] = true;
+                    self.reduced = true;
+                    self.inverse_pivot[k] = 0.0;
+                    continue;
+                }
                 return false;
             }
             weak |= pivot < WEAK_PIVOT * matrix[k][k];

@@ -25,10 +25,15 @@ impl<const K: usize> Dual<K> {
         }
     }
 
-    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ.
+    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Idle rows get no multiplier.
     #[inline(always)]
-    pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) {
-        self.regularised = !self.eliminate(matrix, length_squared);
+    pub(crate) fn factor(
+        &mut self,
+        matrix: &[[f64; K]; K],
+        length_squared: &[f64; K],
+        idle: &[bool; K],
+    ) {
+        self.regularised = !self.eliminate(matrix, length_squared, idle);
         if self.regularised {
             self.proximal.factor(matrix, length_squared);
         }
@@ -36,12 +41,24 @@ impl<const K: usize> Dual<K> {
 
     /// Elimination; false at the first pivot that is small (or not a number).
     #[inline(always)]
-    fn eliminate(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) -> bool {
+    fn eliminate(
+        &mut self,
+        matrix: &[[f64; K]; K],
+        length_squared: &[f64; K],
+        idle: &[bool; K],
+    ) -> bool {
         *self.lu = *matrix;
         let lu = &mut self.lu;
         for k in 0..K {
             let pivot_row = lu[k];
             let pivot = pivot_row[k];
+            if idle[k] {
+                self.inverse_pivot[k] = 0.0;
+                for row in &mut lu[k + 1..] {
+                    row[k] = 0.0;
+                }
+                continue;
+            }
             if !(pivot.abs() > SMALL_PIVOT * length_squared[k]) {
                 return false;
             }
