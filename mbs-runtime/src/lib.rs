@@ -67,6 +67,7 @@ mod energy;
 mod ensemble;
 mod error;
 mod flow;
+mod free;
 #[doc(hidden)]
 pub mod generated;
 mod integrator;

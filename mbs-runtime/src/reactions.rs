@@ -1,6 +1,7 @@
 //! Multipliers and joint reactions at an instant, from the equations at acceleration level.
 
 use crate::alf3f::{Fault, Node};
+use crate::free::free;
 use crate::linear::{SymmetricDual, accumulate, dependence, dot, finite};
 use crate::sink::Discard;
 use crate::{Reactions, State, System};
@@ -16,17 +17,7 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     let mut node = Node::new(system, q)?;
     node.evaluate(system, t, q, &mut [0.0; R])?;
 
-    let mut acceleration = [0.0; N];
-    system.forces(t, q, v, &mut acceleration);
-    if !S::STRUCTURE.constant_mass {
-        let mut p_q = crate::linear::clear::<N, N>();
-        system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut *p_q);
-        for i in 0..N {
-            acceleration[i] -= dot(&p_q[i], v);
-        }
-    }
-    system.solve_mass(&node.mass, &mut acceleration);
-
+    let mut acceleration = free(system, &node.mass, t, q, v);
     let mut gamma = [0.0; R];
     system.constraint_rates(t, q, v, &mut Discard, &mut gamma);
     let mut solver = Box::new(SymmetricDual::new());

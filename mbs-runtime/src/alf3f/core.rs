@@ -5,7 +5,7 @@ use crate::linear::{Dual, SymmetricDual, dot, largest};
 use crate::{Settings, State, System};
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
-const REFINEMENTS: usize = 10;
+pub(super) const REFINEMENTS: usize = 10;
 pub(crate) const FIXED_REFINEMENTS: usize = 2;
 
 /// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so

@@ -12,7 +12,7 @@
 //! that step is taken by [`kicks`].
 
 use super::Fault;
-use super::core::Core;
+use super::core::{Core, REFINEMENTS};
 use super::kicks::{self, STAGNATED, residual_of};
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
@@ -21,8 +21,6 @@ use crate::{State, System};
 
 /// Corrections by the factor at the start of the step that are cheaper than another factor.
 const PATIENCE: i32 = 3;
-/// Most passes of the iteration on the velocity rows.
-const REFINEMENTS: usize = 10;
 
 /// The factors at both ends of a step, and its workspace.
 pub(crate) struct SparseKicks<const N: usize, const R: usize> {

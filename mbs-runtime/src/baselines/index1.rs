@@ -1,10 +1,11 @@
 //! The equations at acceleration level (index 1): M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0.
 
 use super::bench::Bench;
+use crate::System;
 use crate::alf3f::Fault;
+use crate::free::free;
 use crate::linear::{Independence, SymmetricDual, accumulate};
 use crate::sink::Discard;
-use crate::{MatrixSink, System};
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte where they are asked for:
 ///
@@ -172,45 +173,5 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         self.dual.solve(&mut self.lambda);
         accumulate(&mut acceleration, &node.w, &self.lambda);
         acceleration
-    }
-}
-
-/// M⁻¹(f − Γvv), the acceleration without rows.
-#[inline(always)]
-pub(crate) fn free<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    system: &S,
-    mass: &S::Mass,
-    t: f64,
-    q: &[f64; Q],
-    v: &[f64; N],
-) -> [f64; N] {
-    let mut result = [0.0; N];
-    if S::STRUCTURE.constant_mass && !S::STRUCTURE.velocity_forces && S::ROTATIONS.is_empty() {
-        system.acceleration(t, q, &mut result);
-        return result;
-    }
-    system.forces(t, q, v, &mut result);
-    if !S::STRUCTURE.constant_mass {
-        // ṗ = M v̇ + (∂p/∂q) v.
-        let mut change = Product {
-            v,
-            result: &mut result,
-        };
-        system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut change);
-    }
-    system.solve_mass(mass, &mut result);
-    result
-}
-
-/// Subtracts the product of the matrix written to it and v.
-struct Product<'a, const N: usize> {
-    v: &'a [f64; N],
-    result: &'a mut [f64; N],
-}
-
-impl<const N: usize> MatrixSink for Product<'_, N> {
-    #[inline(always)]
-    fn set(&mut self, row: usize, column: usize, value: f64) {
-        self.result[row] -= value * self.v[column];
     }
 }

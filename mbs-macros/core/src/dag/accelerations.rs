@@ -13,7 +13,7 @@
 //! redundant on the constraints is not quite so there: its pivot alone would not tell.)
 
 use super::elimination::{Factor, Rank, Sparse, Upper};
-use super::kernels::{gram, rows};
+use super::kernels::{Rows, gram, rows};
 use super::lower::{Hoisted, Lowering};
 use super::{Function, Operand, Place};
 use crate::derivatives::{Derived, InverseMass};
@@ -75,23 +75,22 @@ fn demand(graph: &mut Graph, derived: &Derived) -> Demand {
 /// M is constant: its inverse is known, and S comes straight from q.
 fn with_inverse(code: &mut Lowering, derived: &Derived, demand: &Demand) {
     let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
-    let rows = rows(derived);
+    let rows = rows_asked(derived);
     let free = inverse.apply(code.graph(), &demand.forces);
-    let count = rows.len();
     let upper: Upper = gram(code.graph(), &inverse, &rows)
         .into_iter()
         .map(|(place, entry)| (place, code.operand(entry)))
         .filter(|(_, entry)| *entry != Operand::number(0.0))
         .collect();
     let mut lambda = Sparse::new();
-    for (r, row) in rows.iter().enumerate() {
+    for (r, row) in asked(derived, &rows) {
         let graph = code.graph();
         let terms: Vec<Expr> = row.iter().map(|&(j, a)| graph.mul(a, free[j])).collect();
         let met = graph.sum(terms);
         let missing = graph.sub(demand.rows[r], met);
         lambda.insert(r, code.operand(missing));
     }
-    solve(code, count, &derived.redundant, upper, &mut lambda);
+    solve(code, derived, upper, &mut lambda);
     for (&r, &value) in &lambda {
         let symbol = code.graph().symbol(Symbol::Multiplier(r as u32));
         code.bind(symbol, value);
@@ -114,7 +113,7 @@ fn with_inverse(code: &mut Lowering, derived: &Derived, demand: &Demand) {
 
 /// M varies: it is factored, too. S = Σ y yᵀ/d with y = L⁻¹Aᵀ.
 fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
-    let (size, rows) = (derived.system.size, rows(derived));
+    let (size, rows) = (derived.system.size, rows_asked(derived));
     let mass: Upper = derived
         .system
         .mass
@@ -142,17 +141,17 @@ fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
         .collect();
     let mut upper = Upper::new();
     let mut lambda = Sparse::new();
-    for (r, [_, scaled]) in halves.iter().enumerate() {
+    for (r, [_, scaled]) in asked(derived, &halves) {
         for (s, [other, _]) in halves.iter().enumerate().skip(r) {
-            if let Some(entry) = dot(code, scaled, other) {
+            if let Some(entry) = code.dot(scaled, other) {
                 upper.insert((r, s), entry);
             }
         }
         let missing = code.operand(demand.rows[r]);
-        let met = dot(code, scaled, &free).unwrap_or(Operand::number(0.0));
+        let met = code.dot(scaled, &free).unwrap_or(Operand::number(0.0));
         lambda.insert(r, code.less(missing, met));
     }
-    solve(code, halves.len(), &derived.redundant, upper, &mut lambda);
+    solve(code, derived, upper, &mut lambda);
     mass.scale(code, &mut free);
     for (r, [_, scaled]) in halves.iter().enumerate() {
         for (&k, &z) in scaled {
@@ -167,17 +166,24 @@ fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
     }
 }
 
+/// The rows of A; those that follow from others are empty, so that nothing is computed for them.
+fn rows_asked(derived: &Derived) -> Rows {
+    let mut rows = rows(derived);
+    for &row in &derived.redundant {
+        rows[row].clear();
+    }
+    rows
+}
+
+/// What belongs to each row that does not follow from others.
+fn asked<'a, T>(derived: &'a Derived, list: &'a [T]) -> impl Iterator<Item = (usize, &'a T)> {
+    let rows = list.iter().enumerate();
+    rows.filter(|(row, _)| !derived.redundant.contains(row))
+}
+
 /// λ ← S⁻¹ λ, and how weak each row is beside those before it.
-fn solve(
-    code: &mut Lowering,
-    rows: usize,
-    redundant: &[usize],
-    mut upper: Upper,
-    lambda: &mut Sparse,
-) {
-    let kept = |row: &usize| !redundant.contains(row);
-    upper.retain(|(r, s), _| kept(r) && kept(s));
-    lambda.retain(|row, _| kept(row));
+fn solve(code: &mut Lowering, derived: &Derived, upper: Upper, lambda: &mut Sparse) {
+    let (rows, redundant) = (derived.system.rows.len(), &derived.redundant);
     let factor = Factor::new(code, rows, upper, Rank::MayBeLost, "pivot");
     factor.solve(code, lambda);
     for r in 0..rows {
@@ -192,18 +198,4 @@ fn solve(
         code.name(value, || format!("lambda_{r}"));
         code.write("lambda", Place::Element(r), value);
     }
-}
-
-/// Σ x y; `None` where it is zero by structure.
-fn dot(code: &mut Lowering, x: &Sparse, y: &Sparse) -> Option<Operand> {
-    let mut total = None;
-    for (k, &a) in x {
-        let Some(&b) = y.get(k) else { continue };
-        let product = code.times(a, b);
-        total = Some(match total {
-            Some(sum) => code.plus(sum, product),
-            None => product,
-        });
-    }
-    total
 }
