@@ -130,7 +130,8 @@ fn the_pendulum_has_the_same_digits_until_a_sine_is_rounded_differently() {
     assert!(worst < 1e-12, "{worst:e}");
 }
 
-/// The same with five angles: the differences are those of some hundred sines and cosines a step.
+/// The same with five angles and an implicit step, so with many sines and cosines in each. Against the C library of GNU one
+/// of them is first rounded differently in step 31, or 30; a module of another runtime is betrayed by its first step.
 #[test]
 fn bricard_has_the_same_digits_but_for_roundings_of_sines() {
     let mut both = Both::new();
@@ -151,6 +152,8 @@ fn bricard_has_the_same_digits_but_for_roundings_of_sines() {
             METHODS[method].0
         );
         assert!(worst < 1e-11, "{worst:e}");
+        let soon = cfg!(target_env = "gnu") && first.is_some_and(|step| step < 10);
+        assert!(!soon, "not the same runtime: build the module anew");
     }
 }
 
