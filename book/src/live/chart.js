@@ -32,8 +32,8 @@
       const left = 44, right = width - 8, top = 8, bottom = height - 20;
       const values = this.series.filter((_, i) => shown[i]).flatMap(({ bins }) => [...bins].filter((x) => x > FLOOR));
       if (!values.length) values.push(1e-8, 1);
-      // Four to fourteen decades.
-      const most = Math.max(-13, Math.ceil(Math.log10(Math.max(...values)) + 0.05));
+      // Four to fourteen decades. What has blown up leaves at the top.
+      const most = Math.max(-13, Math.min(4, Math.ceil(Math.log10(Math.max(...values)) + 0.05)));
       const least = Math.min(most - 4, Math.max(most - 14, Math.floor(Math.log10(Math.min(...values)))));
       const x = (bin) => left + (bin + 0.5) / BINS * (right - left);
       const y = (value) => bottom - (Math.log10(Math.max(value, FLOOR)) - least) / (most - least) * (bottom - top);

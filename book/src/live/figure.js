@@ -4,6 +4,8 @@
   const SPEEDS = [0.25, 1, 4, 16];
   // Of a frame, for integration: what is beyond makes the clock slower.
   const BUDGET = 10;
+  // Time between two instants of a trail, s.
+  const TRAIL = 0.02;
   const PLAY = "M4 2.5v11l9-5.5z", PAUSE = "M4 2.5h3v11H4zM9 2.5h3v11H9z", BACK = "M8 3a5 5 0 1 1-4.6 3M3 2v4h4";
 
   const element = (name, attributes = {}, ...children) => {
@@ -171,21 +173,25 @@
 
     run(time) {
       const deadline = performance.now() + BUDGET;
-      for (const run of [0, 1]) {
-        if (run && !this.comparing) continue;
-        this.attempt(run, () => {
-          const arrived = this.engine.advance(run, time, deadline + run * BUDGET);
-          const now = this.engine.read(run);
-          if (!arrived) time = Math.min(time, now.time);
-          if (now.time !== this.now[run].time) {
-            this.chart.push(run, now.time, now.worst);
-            if (!run) this.picture.remember(now.points);
-          }
-          this.now[run] = now;
-        });
+      // At high speed a frame has several instants.
+      for (let next = this.clock; next < time && !this.stopped[0] && performance.now() < deadline;) {
+        next = Math.min(time, next + TRAIL);
+        this.attempt(0, () => { if (!this.advance(0, next, deadline)) next = Math.min(next, this.now[0].time); });
+        if (this.comparing) this.attempt(1, () => this.advance(1, next, deadline + BUDGET));
+        this.clock = next;
       }
-      this.clock = time;
       if (this.stopped[0]) this.toggle();
+    }
+
+    // Whether it got there.
+    advance(run, time, deadline) {
+      const arrived = this.engine.advance(run, time, deadline), now = this.engine.read(run);
+      if (now.time !== this.now[run].time) {
+        this.chart.push(run, now.time, now.worst);
+        if (!run) this.picture.remember(now.points);
+      }
+      this.now[run] = now;
+      return arrived;
     }
 
     show() {
@@ -194,7 +200,8 @@
       this.time.textContent = `${(ours?.time ?? 0).toFixed(2)} s`;
       const named = [scene.methods[0], this.method.selectedOptions[0].textContent];
       const [here, there] = this.stopped;
-      this.trouble.textContent = here || (there && `${named[1]} stopped: ${there}`);
+      // A clock adds up steps, and shows it in its last digits.
+      this.trouble.textContent = (here || (there && `${named[1]} stopped: ${there}`)).replace(/\d+\.\d{8,}/g, (x) => +(+x).toFixed(6));
       [ours, other].forEach((now, i) => {
         const [name, energy, rows] = this.keys[i].children;
         this.keys[i].hidden = i > 0 && !this.comparing;

@@ -34,8 +34,7 @@ mod figure;
 mod mechanisms;
 mod refusal;
 #[path = "../../src/scene.rs"]
-#[allow(dead_code, missing_docs)]
-mod scene;
+pub mod scene;
 
 pub use figure::{Figure, HEAD, METHODS, STEPS};
 pub use mechanisms::{MECHANISMS, Mechanism};
