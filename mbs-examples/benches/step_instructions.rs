@@ -115,7 +115,7 @@ fn every_scene() {
         };
         let candidates = scene.model.candidates.iter();
         let taken = candidates
-            .filter(|candidate| candidate.formulation == scene.model.formulation)
+            .filter(|candidate| candidate.taken)
             .find_map(|candidate| candidate.operations);
         println!(
             "{:<22} {:>9} {:>10} {:>5} {instructions:>13.0} {:>11}",

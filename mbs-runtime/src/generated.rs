@@ -2,7 +2,7 @@
 
 use crate::{MatrixSink, Model, ParameterError, Structure, System, TensorSink, World};
 
-pub use cholesky::Cholesky;
+pub use cholesky::{Cholesky, positive};
 pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;

@@ -54,7 +54,8 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
     const STRUCTURE: Structure;
     /// For each unit quaternion, where its angular velocity begins in v.
     const ROTATIONS: &'static [usize];
-    /// A factor of M(q): nothing where M is constant (its inverse is in the system), else a Cholesky factor.
+    /// A factor of M(q): nothing where M is constant (its inverse is in the system), else D⁻¹ and the entries
+    /// of L of M = L D Lᵀ, or a Cholesky factor of a long one.
     type Mass: Clone;
     /// Elimination without zeros, for large mechanisms to which it applies.
     const ELIMINATION: Option<&'static Elimination<N, R>> = None;

@@ -97,6 +97,10 @@ pub struct Candidate {
     /// Operations of a step of second order, estimated: functions evaluated, factorisations and solutions. `None` where
     /// the factorisations alone exceed a whole step of another choice.
     pub operations: Option<usize>,
+    /// Joints that close the loops: each could carry a part, and leaves rows instead.
+    pub cut: &'static [&'static str],
+    /// Whether it is the one in use.
+    pub taken: bool,
 }
 
 /// What the rows leave free, determined at compile time. (Assembly repeats the check for the actual parameters:

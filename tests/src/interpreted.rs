@@ -6,7 +6,7 @@ use crate::table::{Key, Table, indices};
 use mbs_macros_core::dag::{self, Operand, Place, Program, Run};
 use mbs_macros_core::derivatives::Derived;
 use mbs_macros_core::model::{Law, Layout};
-use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, Symbol};
+use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, LawEvaluation, Symbol};
 use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::{Mechanism, System};
 
@@ -129,7 +129,10 @@ impl Interpreted {
         if let Some(mass) = system.factor_mass(&at.q) {
             system.solve_mass_rows(&mass, &a, &mut w);
         }
+        let laws = |law: u32, arguments: &[f64]| laws::call(&self.laws[law as usize], arguments);
+        let factor = self.factor(&at.q, &laws);
         let symbols = |symbol: Symbol| match symbol {
+            Symbol::FactorEntry(i) => factor[i as usize],
             Symbol::Time => at.time,
             Symbol::Input(i) => inputs[i as usize],
             Symbol::Stored(i) => at.q[i as usize],
@@ -143,8 +146,6 @@ impl Interpreted {
                 None => self.parameter(other),
             },
         };
-        let laws = |law: u32, arguments: &[f64]| laws::call(&self.laws[law as usize], arguments);
-
         let mut symbolic = Table::default();
         let mut evaluator = Evaluator::new(&self.graph, &symbols, &laws);
         for &(key, expr) in &self.expressions {
@@ -157,14 +158,37 @@ impl Interpreted {
             constants: &self.constants,
             laws: &laws,
         };
-        // Counted angles are no method of their own: `advance` writes them, and outputs show them.
+        // Counted angles are no method of their own: `advance` writes them, and outputs show them. The factor of M shows
+        // in what is solved with it.
+        let inner = ["windings", "factor_mass"];
         let methods = self.program.functions.iter();
-        for function in methods.filter(|function| function.name != "windings") {
+        for function in methods.filter(|function| !inner.contains(&function.name)) {
             for (output, value) in run.function(function) {
                 program.insert((function.name, output.sink, indices(output.place)), value);
             }
         }
         (symbolic, program)
+    }
+
+    /// The factor of M at q, where straight-line code computes it.
+    fn factor(&self, q: &[f64], laws: LawEvaluation) -> Vec<f64> {
+        let Some((function, entries)) = self.program.factor_entries() else {
+            return Vec::new();
+        };
+        let symbols = |symbol: Symbol| match symbol {
+            Symbol::Stored(i) => q[i as usize],
+            other => match self.layout.value(other, q) {
+                Some(value) => value,
+                None => self.parameter(other),
+            },
+        };
+        let run = Run {
+            symbols: &symbols,
+            constants: &self.constants,
+            laws,
+        };
+        let values = run.function(function).into_iter().map(|(_, value)| value);
+        values.take(entries).collect()
     }
 }
 

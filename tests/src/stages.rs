@@ -93,15 +93,18 @@ fn model(analysis: &Analysis) -> String {
         }
     }
     for candidate in candidates {
-        let taken = candidate.formulation == model.formulation;
+        let cut = match candidate.cut.is_empty() {
+            true => String::new(),
+            false => format!(" cut at {}", candidate.cut.join(", ")),
+        };
         let _ = writeln!(
             out,
-            "choice {}: {} velocities, {} rows, {:?} operations{}",
+            "choice {}{cut}: {} velocities, {} rows, {:?} operations{}",
             candidate.formulation.name(),
             candidate.velocities,
             candidate.rows,
             candidate.operations,
-            if taken { ", taken" } else { "" }
+            if candidate.taken { ", taken" } else { "" }
         );
     }
     for sentence in &model.reductions {

@@ -187,3 +187,144 @@ mod turns {
         assert!((value("lifting") - 0.1 * rate).abs() < 1e-9);
     }
 }
+
+mod cuts {
+    use super::{mechanism, *};
+
+    both!(Cuts, Spatial(gravity = [0.0, -3.0_m_per_s2, -9.81]),
+        crank: Body(mass = 1.0_kg, inertia = diag(0.01, 0.02, 0.025), at = [0.1, 0.0, 0.0]),
+        rod: Body(mass = 0.5_kg, inertia = diag(0.02, 0.01, 0.02), at = [0.2, 0.25, 0.0]),
+        block: Body(mass = 0.4_kg, inertia = diag(0.02, 0.03, 0.025), at = [0.2, 0.5, 0.0]),
+        axle: Revolute(ground, crank, at = [0.0, 0.0, 0.0], axis = Z),
+        cross: Universal(crank, rod, at = [0.2, 0.0, 0.0], axis = Z, second_axis = X),
+        sleeve: Cylindrical(rod, block, at = [0.2, 0.4, 0.0], axis = Y),
+        ball: Spherical(ground, block, at = [0.2, 0.6, 0.0]),
+        end: Output(crank.point(0.1, 0.0, 0.0)),
+        top: Output(block.point(0.1, 0.0, 0.2)),
+    );
+
+    #[test]
+    fn the_joint_with_most_freedoms_is_cut() {
+        // Reached as early as possible, the block would hang on the ball, and a joint of four rows would close the loop.
+        let rows: Vec<&str> = joints::Cuts::MODEL
+            .rows
+            .iter()
+            .map(|row| row.entry)
+            .collect();
+        assert_eq!(rows, ["ball"; 3]);
+        assert_eq!(size(joints::Cuts::MODEL), (5, 5, 3));
+        agree(
+            [&|h| run::<rows::Cuts, _, _, _, _>(h, 0.3), &|h| {
+                run::<joints::Cuts, _, _, _, _>(h, 0.3)
+            }],
+            2e-3,
+            1e-3,
+        );
+    }
+}
+
+mod equal_cuts {
+    use super::{mechanism, *};
+
+    // Five bars in a ring: two joints could be cut, and leave chains of two and three bars.
+    mechanism!(Ring {
+        world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Joint),
+        first: Bar(mass = 1.0_kg, length = 0.5_m, angle = 90.0_deg),
+        second: Bar(mass = 1.0_kg, length = 0.5_m, angle = 60.0_deg),
+        third: Bar(mass = 1.0_kg, length = 0.5_m, angle = 0.0_deg),
+        fourth: Bar(mass = 1.0_kg, length = 0.5_m, angle = -60.0_deg),
+        fifth: Bar(mass = 1.0_kg, length = 0.5_m, angle = -90.0_deg),
+        left: Revolute(ground.origin, first.a),
+        shoulder: Revolute(first.b, second.a),
+        top: Revolute(second.b, third.a),
+        crown: Revolute(third.b, fourth.a),
+        elbow: Revolute(fourth.b, fifth.a),
+        right: Revolute(fifth.b, ground.point(1.0_m, 0.0)),
+    });
+
+    #[test]
+    fn equal_cuts_are_counted() {
+        let candidates = Ring::MODEL.candidates;
+        let cuts: Vec<&[&str]> = candidates.iter().map(|choice| choice.cut).collect();
+        println!("{candidates:?}");
+        assert_eq!(cuts, [["crown"], ["top"]]);
+        assert_eq!(candidates.iter().filter(|choice| choice.taken).count(), 1);
+        let least = candidates
+            .iter()
+            .filter_map(|choice| choice.operations)
+            .min();
+        let taken = candidates.iter().find(|choice| choice.taken);
+        assert_eq!(taken.and_then(|choice| choice.operations), least);
+    }
+}
+
+mod own {
+    use super::*;
+
+    /// Two bars and a crosshead, whose coordinates are chosen for all and for each.
+    macro_rules! press {
+        ($module:ident, $all:ident, [$($crank:tt)*], [$($rod:tt)*]) => {
+            mod $module {
+                use mbs_runtime::mechanism;
+                mechanism!(Press {
+                    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = $all),
+                    crank: Bar(mass = 1.0_kg, length = 0.5_m, angle = 40.0_deg, rate = 3.0_rad_per_s $($crank)*),
+                    rod: Bar(mass = 2.0_kg, length = 0.8_m, angle = -0.4134185936318221_rad $($rod)*),
+                    bearing: Revolute(ground.origin, crank.a),
+                    pin: Revolute(crank.b, rod.a),
+                    guide: PointOnLine(rod.b, ground.origin, axis = X),
+                    head: Output(rod.b.x),
+                    knee: Output(crank.b),
+                });
+            }
+        };
+    }
+
+    press!(all_natural, Natural, [], []);
+    press!(rod_by_reference, Natural, [], [, coordinates = Reference]);
+    press!(crank_by_joint, Natural, [, coordinates = Joint], []);
+    press!(rod_by_points, Joint, [], [, coordinates = Natural]);
+    press!(rod_beside_joints, Joint, [], [, coordinates = Reference]);
+
+    #[test]
+    fn a_part_can_have_coordinates_of_its_own() {
+        // (x, y) of the knee and x of the head; the length of each bar.
+        assert_eq!(size(all_natural::Press::MODEL), (3, 3, 2));
+        // The knee; centre and angle. Length, pin, guide.
+        assert_eq!(size(rod_by_reference::Press::MODEL), (5, 5, 4));
+        // An angle; the ends of the rod. Pin, guide, length.
+        assert_eq!(size(crank_by_joint::Press::MODEL), (5, 5, 4));
+        assert_eq!(size(rod_by_points::Press::MODEL), (5, 5, 4));
+        // An angle; centre and angle. Pin, guide.
+        assert_eq!(size(rod_beside_joints::Press::MODEL), (4, 4, 3));
+        let natural = |h| run::<all_natural::Press, _, _, _, _>(h, 0.4);
+        agree(
+            [&natural, &|h| {
+                run::<rod_by_reference::Press, _, _, _, _>(h, 0.4)
+            }],
+            2e-3,
+            1e-3,
+        );
+        agree(
+            [&natural, &|h| {
+                run::<crank_by_joint::Press, _, _, _, _>(h, 0.4)
+            }],
+            2e-3,
+            1e-3,
+        );
+        agree(
+            [&natural, &|h| {
+                run::<rod_by_points::Press, _, _, _, _>(h, 0.4)
+            }],
+            2e-3,
+            1e-3,
+        );
+        agree(
+            [&natural, &|h| {
+                run::<rod_beside_joints::Press, _, _, _, _>(h, 0.4)
+            }],
+            2e-3,
+            1e-3,
+        );
+    }
+}

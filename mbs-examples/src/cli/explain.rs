@@ -40,9 +40,9 @@ impl Explain {
 /// The descriptions that were compared.
 fn candidates(out: &mut String, model: &Model) {
     let rows = model.candidates.iter().map(|candidate| {
-        let chosen = candidate.formulation == model.formulation;
         [
             candidate.formulation.to_owned(),
+            cut(candidate.cut),
             candidate.velocities.to_string(),
             candidate.rows.to_string(),
             candidate
@@ -51,7 +51,7 @@ fn candidates(out: &mut String, model: &Model) {
             candidate
                 .operations
                 .map_or_else(|| "more".to_owned(), |operations| operations.to_string()),
-            if chosen { "taken" } else { "" }.to_owned(),
+            if candidate.taken { "taken" } else { "" }.to_owned(),
         ]
     });
     section(
@@ -59,6 +59,7 @@ fn candidates(out: &mut String, model: &Model) {
         "Coordinates considered, with the estimated operations of a step",
         [
             ("choice", Left),
+            ("loops cut at", Left),
             ("velocities", Right),
             ("rows", Right),
             ("rank", Right),
@@ -67,6 +68,14 @@ fn candidates(out: &mut String, model: &Model) {
         ],
         rows,
     );
+}
+
+/// The joints that close loops; their number where there are many.
+fn cut(joints: &[&str]) -> String {
+    match joints.len() {
+        0..=3 => joints.join(", "),
+        many => format!("{many} joints"),
+    }
 }
 
 /// The equations of motion in LaTeX.

@@ -6,9 +6,10 @@ use crate::derivatives;
 use crate::diagnostics::Errors;
 use crate::equations;
 use crate::mobility::{self, Open};
-use crate::model::{self, Formulation, Model, Part, Representation};
+use crate::model::{self, Description, Formulation, Model, Part, Representation};
 use crate::refusals;
 use crate::syntax::Declaration;
+use std::collections::VecDeque;
 
 /// A description that was considered.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +26,14 @@ pub struct Candidate {
     pub rank: Option<usize>,
     /// Operations of a step; `None` where the linear algebra alone costs more than a whole step of another.
     pub operations: Option<usize>,
+    /// Joints that could carry a part, and close a loop instead.
+    pub cut: Vec<String>,
+    /// Whether it is the one in use.
+    pub taken: bool,
 }
+
+/// Mechanisms with more velocities are derived with one cut only.
+const MOST_FOR_OTHER_CUTS: usize = 12;
 
 /// Derives what is asked for, or the cheapest.
 pub(crate) fn choose(
@@ -33,12 +41,13 @@ pub(crate) fn choose(
     requested: Option<Formulation>,
     errors: &mut Errors,
 ) -> Option<Analysis> {
-    let first = requested.unwrap_or(Formulation::Natural);
-    let model = model::resolve(declaration, first, &[], errors);
+    let first = Description::from(requested.unwrap_or(Formulation::Natural));
+    let model = model::resolve(declaration, &first, errors);
     if !errors.is_empty() {
         return None;
     }
-    let mut best = match derive(declaration, model?) {
+    let mut waiting = other_cuts(&first, model.as_ref()?);
+    let mut best = match derive(declaration, &first, model?) {
         Ok(best) => best,
         Err(open) => {
             refusals::refuse_open(declaration, &open, errors);
@@ -48,14 +57,18 @@ pub(crate) fn choose(
     if let (true, Some(mobility)) = (declaration.deny_redundant, &best.mobility) {
         refusals::refuse_redundant(declaration, mobility, &best.derived, errors);
     }
-    if requested.is_some() {
+    if requested.is_none() {
+        waiting.extend([Formulation::Reference, Formulation::Joint].map(Description::from));
+    } else if waiting.is_empty() {
         return Some(best);
     }
     let mut candidates = vec![candidate(&mut best)];
-    for formulation in [Formulation::Reference, Formulation::Joint] {
+    let mut taken = 0;
+    while let Some(description) = waiting.pop_front() {
+        let formulation = description.formulation;
         // What is wrong with a declaration was found already; a description that does not apply is passed over.
         let mut passed_over = Errors::new();
-        let model = model::resolve(declaration, formulation, &[], &mut passed_over);
+        let model = model::resolve(declaration, &description, &mut passed_over);
         let (Some(mut model), true) = (model, passed_over.is_empty()) else {
             continue;
         };
@@ -80,35 +93,63 @@ pub(crate) fn choose(
                 rows,
                 rank: None,
                 operations: None,
+                cut: model.tree.cut,
+                taken: false,
             });
             continue;
         }
-        let Ok(mut other) = derive(declaration, model) else {
+        waiting.extend(other_cuts(&description, &model));
+        let Ok(mut other) = derive(declaration, &description, model) else {
             continue;
         };
         let own = candidate(&mut other);
         // Of two that cost the same the one tried first stays.
         if own.operations < cheapest {
             best = other;
+            taken = candidates.len();
         }
         candidates.push(own);
     }
-    best.candidates = candidates;
+    if candidates.len() > 1 || requested.is_none() {
+        candidates[taken].taken = true;
+        best.candidates = candidates;
+    }
     Some(best)
+}
+
+/// The same description with its loops cut elsewhere.
+fn other_cuts(description: &Description, model: &Model) -> VecDeque<Description> {
+    if model.layout.velocities.len() > MOST_FOR_OTHER_CUTS {
+        return VecDeque::new();
+    }
+    let alternatives = model.tree.alternatives.iter();
+    alternatives
+        .map(|cut| Description {
+            cut: Some(cut.clone()),
+            ..description.clone()
+        })
+        .collect()
 }
 
 /// A description with its equations. Where redundancy leaves the reaction of a solved row open, the row is taken back: so
 /// those who share a load are named, and share it by least norm.
-fn derive(declaration: &Declaration, model: Model) -> Result<Analysis, Open> {
-    let formulation = model.formulation;
+fn derive(
+    declaration: &Declaration,
+    description: &Description,
+    model: Model,
+) -> Result<Analysis, Open> {
+    let mut description = description.clone();
     let mut analysis = derived(model)?;
-    let mut keep: Vec<String> = Vec::new();
     let rows = analysis.model.solved.rows.iter();
     let joints: Vec<String> = rows.map(|(joint, _)| joint.clone()).collect();
     if analysis.mobility.is_none() && !joints.is_empty() {
         // What cannot be closed is told best with all rows at hand.
         let mut none = Errors::new();
-        let model = model::resolve(declaration, formulation, &joints, &mut none);
+        let all_rows = Description {
+            keep: joints,
+            ..description.clone()
+        };
+        let model = model::resolve(declaration, &all_rows, &mut none);
         if let (Some(model), true) = (model, none.is_empty()) {
             derived(model)?;
         }
@@ -123,9 +164,9 @@ fn derive(declaration: &Declaration, model: Model) -> Result<Analysis, Open> {
         if shared.is_empty() {
             return Ok(analysis);
         }
-        keep.extend(shared);
+        description.keep.extend(shared);
         let mut none = Errors::new();
-        match model::resolve(declaration, formulation, &keep, &mut none) {
+        match model::resolve(declaration, &description, &mut none) {
             Some(model) if none.is_empty() => analysis = derived(model)?,
             _ => return Ok(analysis),
         }
@@ -179,6 +220,8 @@ fn candidate(analysis: &mut Analysis) -> Candidate {
         rows: program.rows.len(),
         rank: analysis.mobility.as_ref().map(|mobility| mobility.rank),
         operations: Some(step(&program)),
+        cut: analysis.model.tree.cut.clone(),
+        taken: false,
     };
     analysis.program = Some(program);
     candidate
@@ -197,11 +240,7 @@ const FLIGHT: usize = 120;
 /// Operations of a step of second order: the functions it evaluates and the linear algebra between.
 fn step(program: &Program) -> usize {
     let of = |name: &str| {
-        let function = program
-            .functions
-            .iter()
-            .find(|function| function.name == name);
-        function.map(|function| {
+        program.function(name).map(|function| {
             let cost = function.cost();
             cost.additions + cost.multiplications + DIVISION * cost.divisions + CALL * cost.calls
         })
@@ -231,7 +270,8 @@ fn step(program: &Program) -> usize {
         let balance = of("balance").unwrap_or_else(|| cost("momentum") + cost("forces"));
         let tangents =
             of("balance_tangents").unwrap_or_else(|| cost("mass_matrix") + cost("force_tangents"));
-        PASSES * INNER_PASSES * balance + tangents + cost("mass_matrix")
+        let factor = of("factor_mass").unwrap_or_else(|| cost("mass_matrix") + n * n * n / 3);
+        PASSES * INNER_PASSES * balance + tangents + factor
     };
     rows + motion + linear_algebra(n, r, explicit)
 }
@@ -242,12 +282,12 @@ fn least(n: usize, r: usize) -> usize {
     linear_algebra(n, r, false) + weighted
 }
 
-/// Factorisations and their solutions: S and B of the rows, and J of an implicit flow.
+/// Factorisations and their solutions: S and B of the rows, and J of an implicit flow with the directions of the rows.
 fn linear_algebra(n: usize, r: usize, explicit: bool) -> usize {
     let rows = r * r * r + (2 + 2 * PASSES) * r * r;
     let flow = match explicit {
         true => 0,
-        false => n * n * n + PASSES * INNER_PASSES * 2 * n * n + 4 * n * n * r,
+        false => 2 * n * n * n / 3 + PASSES * INNER_PASSES * 2 * n * n + 2 * n * n * r,
     };
     rows + flow
 }

@@ -96,7 +96,7 @@ where
             if (iterations == *max_iterations && fixed.is_none()) || !residual.is_finite() {
                 return Err(not_converged(&work.phi, weights, iterations));
             }
-            let directions = flow.directions(system, &va, &start.w)?;
+            let directions = flow.directions(system, &va, start)?;
             system.gram(&end.a, directions, &mut work.matrix);
             work.dual.factor(&work.matrix, &start.lengths_squared());
             counters.regularised += u64::from(work.dual.regularised);

@@ -90,7 +90,7 @@ where
             if iterations == *max_iterations || !residual.is_finite() {
                 return Err(not_converged(&defect, &weights, iterations));
             }
-            let directions = flow.directions(system, &va, &start.w)?;
+            let directions = flow.directions(system, &va, start)?;
             system.gram(&end.a, directions, &mut work.matrix);
             let far = flow.far(&start.w);
             for j in 0..R {

@@ -99,7 +99,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
             if residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED) {
                 break;
             }
-            let directions = flow.directions(system, &va, &start.w)?;
+            let directions = flow.directions(system, &va, start)?;
             system.gram(&self.end.a, directions, &mut self.matrix);
             if iterations == bench.max_iterations
                 || !residual.is_finite()

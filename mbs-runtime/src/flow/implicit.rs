@@ -194,7 +194,14 @@ impl<const N: usize> Implicit<N> {
             let speed = largest(&vb[..]);
             let least = (STAGNATED * speed).max(imperceptible(&q1, self.h));
             let stagnated = fresh && size >= 0.5 * last && size <= least;
-            if size <= CONVERGED * speed || stagnated {
+            // At the rate of this correction the next one would be too small to matter.
+            let rate = if last.is_finite() {
+                (size / last).min(1.0)
+            } else {
+                1.0
+            };
+            let converged = size * rate <= CONVERGED * speed;
+            if converged || stagnated {
                 return Ok(trapezoid(system, q0, va, vb, self.h));
             }
             if !size.is_finite() {

@@ -80,11 +80,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         &'a mut self,
         system: &S,
         _: &[f64; N],
-        w0: &'a [[f64; N]; R],
+        start: &'a Node<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault> {
         match &mut self.drift {
-            Some(drift) if !S::ROTATIONS.is_empty() => Ok(drift.directions(system, w0)),
-            _ => Ok(w0),
+            Some(drift) if !S::ROTATIONS.is_empty() => Ok(drift.directions(system, &start.w)),
+            _ => Ok(&start.w),
         }
     }
 

@@ -29,7 +29,6 @@ pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
     /// v_m.
     vm: [f64; N],
     solver: Implicit<N>,
-    mass: Matrix<N, N>,
     /// (∂v_m/∂v_a) w, row by row.
     slopes: Matrix<R, N>,
     /// (∂v_b/∂v_a) w, row by row, as if M were constant over half a step.
@@ -49,7 +48,6 @@ impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
             middle: [0.0; Q],
             vm: [0.0; N],
             solver: Implicit::new(),
-            mass: clear(),
             slopes: clear(),
             far: clear(),
             directions: clear(),
@@ -84,15 +82,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         &'a mut self,
         system: &S,
         _: &[f64; N],
-        w0: &'a [[f64; N]; R],
+        start: &'a Node<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault> {
         let at_rest = [0.0; N];
         self.solver
             .refresh(system, &self.middle, &at_rest, &self.vm)?;
-        system.mass_matrix(&self.q0, &mut self.mass);
         for r in 0..R {
-            let w = &w0[r];
-            let mut slope: [f64; N] = std::array::from_fn(|i| crate::linear::dot(&self.mass[i], w));
+            let w = &start.w[r];
+            // M₀ w is the row of A₀ that w came from.
+            let mut slope = start.a[r];
             self.solver.jacobian.solve(&mut slope);
             self.slopes[r] = slope;
             self.far[r] = std::array::from_fn(|i| 2.0 * slope[i] - w[i]);

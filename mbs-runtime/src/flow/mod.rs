@@ -34,12 +34,12 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
     fn is_direct(&self) -> bool;
     /// q₁ for the kicked velocity v_a.
     fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault>;
-    /// Row by row (∂q₁/∂v_a) w / h for the rows w of `w0`.
+    /// Row by row (∂q₁/∂v_a) w / h for the rows w of W at the start.
     fn directions<'a>(
         &'a mut self,
         system: &S,
         va: &[f64; N],
-        w0: &'a [[f64; N]; R],
+        start: &'a Node<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault>;
     /// Row by row (∂v_b/∂v_a) w, after `directions` for the same rows.
     fn far<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R];

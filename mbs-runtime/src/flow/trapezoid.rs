@@ -23,17 +23,12 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     q1: [f64; Q],
     vb: [f64; N],
     solver: Implicit<N>,
-    tangents: Tangents<N>,
+    /// F_v₀.
+    by_velocity: Matrix<N, N>,
     /// (∂v_b/∂v_a) w, row by row.
     far: Matrix<R, N>,
     /// (∂q₁/∂v_a) w / h, row by row.
     directions: Matrix<R, N>,
-}
-
-/// What K needs beyond J.
-struct Tangents<const N: usize> {
-    mass: Matrix<N, N>,
-    f_v: Matrix<N, N>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
@@ -46,10 +41,7 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
             q1: [0.0; Q],
             vb: [0.0; N],
             solver: Implicit::new(),
-            tangents: Tangents {
-                mass: clear(),
-                f_v: clear(),
-            },
+            by_velocity: clear(),
             far: clear(),
             directions: clear(),
         })
@@ -79,25 +71,24 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         &'a mut self,
         system: &S,
         va: &[f64; N],
-        w0: &'a [[f64; N]; R],
+        start: &'a Node<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault> {
         let h = self.h;
         // The tangent is that of the end, and what is factored for it begins the next iteration.
         self.solver.refresh(system, &self.q1, va, &self.vb)?;
-        let Tangents { mass, f_v } = &mut self.tangents;
-        system.mass_matrix(&self.q0, mass);
+        let f_v = &mut self.by_velocity;
         self.solver
             .start_tangent(system, self.t0, &self.q0, va, f_v);
         for r in 0..R {
-            let w = &w0[r];
-            let mut far = [0.0; N];
+            let w = &start.w[r];
+            // M₀ w is the row of A₀ that w came from.
+            let mut far = start.a[r];
             for i in 0..N {
                 let mut sum = 0.0;
                 for j in 0..N {
-                    let change = f_v[i][j] - self.solver.by_end[i][j];
-                    sum += (mass[i][j] + 0.5 * h * change) * w[j];
+                    sum += (f_v[i][j] - self.solver.by_end[i][j]) * w[j];
                 }
-                far[i] = sum;
+                far[i] += 0.5 * h * sum;
             }
             self.solver.jacobian.solve(&mut far);
             self.far[r] = far;

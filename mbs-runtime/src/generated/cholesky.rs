@@ -1,5 +1,18 @@
 //! The factor of a mass matrix that depends on the configuration.
 
+/// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
+const WEAKEST: f64 = 1e14;
+
+/// Whether the pivots of M = L D Lᵀ are positive: D⁻¹ leads the factor, `weakness` is diag(M) D⁻¹.
+#[inline]
+pub fn positive<const N: usize>(factor: &[f64], weakness: &[f64; N]) -> bool {
+    let inverses = factor.iter().zip(weakness);
+    // Written so that NaN is refused, too.
+    inverses.fold(true, |all, (&inverse, &weakness)| {
+        all & (inverse > 0.0) & (weakness < WEAKEST)
+    })
+}
+
 /// M = L Lᵀ, with the inverse diagonal kept.
 #[derive(Debug, Clone)]
 pub struct Cholesky<const N: usize> {
@@ -17,7 +30,7 @@ impl<const N: usize> Cholesky<N> {
     /// The factor of M, of which the lower triangle is read.
     ///
     /// # Errors
-    /// The column at which M stops being positive definite (to 1e-14 of its diagonal).
+    /// The column at which M stops being positive definite (to 1/[`WEAKEST`] of its diagonal).
     #[inline]
     pub fn factor(mass: &[[f64; N]; N]) -> Result<Self, usize> {
         let mut lower = *mass;
@@ -28,7 +41,7 @@ impl<const N: usize> Cholesky<N> {
                 pivot -= lower[k][j] * lower[k][j];
             }
             // Written so that NaN is refused, too.
-            if !(pivot > 1e-14 * mass[k][k] && pivot.is_finite()) {
+            if !(pivot * WEAKEST > mass[k][k] && pivot.is_finite()) {
                 return Err(k);
             }
             let inverse = 1.0 / pivot.sqrt();
@@ -63,15 +76,6 @@ impl<const N: usize> Cholesky<N> {
                 value -= self.lower[j][i] * x[j];
             }
             x[i] = value * self.inverse_diagonal[i];
-        }
-    }
-
-    /// w = M⁻¹ a, row by row.
-    #[inline]
-    pub fn solve_rows<const R: usize>(&self, a: &[[f64; N]; R], w: &mut [[f64; N]; R]) {
-        for (w, a) in w.iter_mut().zip(a) {
-            *w = *a;
-            self.solve(w);
         }
     }
 }

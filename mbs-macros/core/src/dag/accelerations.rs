@@ -143,12 +143,12 @@ fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
     let mut lambda = Sparse::new();
     for (r, [_, scaled]) in asked(derived, &halves) {
         for (s, [other, _]) in halves.iter().enumerate().skip(r) {
-            if let Some(entry) = dot(code, scaled, other) {
+            if let Some(entry) = code.dot(scaled, other) {
                 upper.insert((r, s), entry);
             }
         }
         let missing = code.operand(demand.rows[r]);
-        let met = dot(code, scaled, &free).unwrap_or(Operand::number(0.0));
+        let met = code.dot(scaled, &free).unwrap_or(Operand::number(0.0));
         lambda.insert(r, code.less(missing, met));
     }
     solve(code, derived, upper, &mut lambda);
@@ -198,18 +198,4 @@ fn solve(code: &mut Lowering, derived: &Derived, upper: Upper, lambda: &mut Spar
         code.name(value, || format!("lambda_{r}"));
         code.write("lambda", Place::Element(r), value);
     }
-}
-
-/// Σ x y; `None` where it is zero by structure.
-fn dot(code: &mut Lowering, x: &Sparse, y: &Sparse) -> Option<Operand> {
-    let mut total = None;
-    for (k, &a) in x {
-        let Some(&b) = y.get(k) else { continue };
-        let product = code.times(a, b);
-        total = Some(match total {
-            Some(sum) => code.plus(sum, product),
-            None => product,
-        });
-    }
-    total
 }

@@ -5,6 +5,7 @@
 
 use super::lower::Lowering;
 use super::{Operand, Operation};
+use crate::symbolic::Symbol;
 use std::collections::BTreeMap;
 
 /// The entries of a symmetric matrix on and above its diagonal; what is absent is zero.
@@ -97,6 +98,29 @@ impl Factor {
         code.times(self.diagonal[k], self.inverse[k])
     }
 
+    /// D⁻¹, then L column by column.
+    pub(super) fn entries(&self) -> Vec<Operand> {
+        let columns = self.order.iter().flat_map(|&k| &self.columns[k]);
+        let below = columns.map(|&(_, entry)| entry);
+        self.inverse.iter().copied().chain(below).collect()
+    }
+
+    /// The same factor, with its entries at hand as arguments of another function.
+    pub(super) fn stored(mut self) -> Factor {
+        let argument = |place: usize| Operand::Symbol(Symbol::FactorEntry(place as u32));
+        let mut next = self.inverse.len();
+        for (k, inverse) in self.inverse.iter_mut().enumerate() {
+            *inverse = argument(k);
+        }
+        for &k in &self.order {
+            for (_, entry) in &mut self.columns[k] {
+                *entry = argument(next);
+                next += 1;
+            }
+        }
+        self
+    }
+
     /// x ← L⁻¹ x.
     pub(super) fn forward(&self, code: &mut Lowering, x: &mut Sparse) {
         for &k in &self.order {
@@ -164,6 +188,20 @@ impl Lowering<'_> {
             _ if a == zero => self.push(Operation::Negate(b)),
             _ => self.push(Operation::Subtract(a, b)),
         }
+    }
+
+    /// Σ x y; `None` where it is zero by structure.
+    pub(super) fn dot(&mut self, x: &Sparse, y: &Sparse) -> Option<Operand> {
+        let mut total = None;
+        for (k, &a) in x {
+            let Some(&b) = y.get(k) else { continue };
+            let product = self.times(a, b);
+            total = Some(match total {
+                Some(sum) => self.plus(sum, product),
+                None => product,
+            });
+        }
+        total
     }
 
     fn pivot_inverse(&mut self, pivot: Operand, whole: Operand) -> Operand {

@@ -1,12 +1,13 @@
 //! Kernels: the products with M⁻¹ and A of which each step of the integrator consists, with their zeros written out.
 
+use super::factor;
 use super::lower::{Hoisted, Lowering};
 use super::{Function, Place};
 use crate::derivatives::{Derived, InverseMass};
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Kernels longer than this are left to loops: straight-line code of such length costs more to compile than it gains.
-const LONGEST: usize = 2500;
+pub(super) const LONGEST: usize = 2500;
 
 /// The kernels that are short enough.
 pub(super) fn kernels(
@@ -40,6 +41,9 @@ pub(super) fn kernels(
     }
     list.push(maker.row_rates());
     list.retain(|kernel| kernel.operations.len() <= LONGEST);
+    if !derived.constant_mass {
+        list.extend(factor::kernels(graph, hoisted, derived));
+    }
     list
 }
 

@@ -7,6 +7,7 @@
 mod accelerations;
 mod cost;
 mod elimination;
+mod factor;
 mod functions;
 mod kernels;
 mod lower;
@@ -53,6 +54,21 @@ pub struct Program {
     pub structure: Structure,
     /// Elimination without zeros, where that is the cheaper.
     pub sparse: Option<Sparse>,
+}
+
+impl Program {
+    /// A function by its name.
+    pub fn function(&self, name: &str) -> Option<&Function> {
+        let mut functions = self.functions.iter();
+        functions.find(|function| function.name == name)
+    }
+
+    /// The function that factors M, and the length of its factor, where M varies and that is straight-line code.
+    pub fn factor_entries(&self) -> Option<(&Function, usize)> {
+        let function = self.function("factor_mass")?;
+        let of_factor = |output: &&Output| output.sink == "factor";
+        Some((function, function.outputs.iter().filter(of_factor).count()))
+    }
 }
 
 /// A rotation: a unit quaternion and three angular velocities in body axes.

@@ -204,13 +204,15 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
 
 fn candidate_text(candidate: &Candidate) -> String {
     format!(
-        "::mbs_runtime::Candidate {{ formulation: {:?}, coordinates: {}, velocities: {}, rows: {}, rank: {}, operations: {} }}",
+        "::mbs_runtime::Candidate {{ formulation: {:?}, coordinates: {}, velocities: {}, rows: {}, rank: {}, operations: {}, cut: &{:?}, taken: {} }}",
         candidate.formulation.name(),
         candidate.coordinates,
         candidate.velocities,
         candidate.rows,
         option_text(candidate.rank),
-        option_text(candidate.operations)
+        option_text(candidate.operations),
+        candidate.cut,
+        candidate.taken
     )
 }
 

@@ -147,7 +147,7 @@ const KERNELS: &[Kernel] = &[
         name: "solve_mass_rows",
         signature: "(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R])",
         constant_mass: "::mbs_runtime::generated::multiply_rows(&self.inverse_mass, a, w);",
-        varying_mass: "mass.solve_rows(a, w);",
+        varying_mass: "for (w, a) in w.iter_mut().zip(a) { *w = *a; self.solve_mass(mass, w); }",
     },
     Kernel {
         name: "gram",
@@ -205,12 +205,7 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
         body.statements(),
         body.writes()
     );
-    let find = |name: &str| {
-        program
-            .functions
-            .iter()
-            .find(|function| function.name == name)
-    };
+    let find = |name: &str| program.function(name);
     for ((name, signature), body) in motion::SIGNATURES
         .into_iter()
         .zip(motion::bodies(graph, program))
@@ -260,19 +255,36 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> String {
         };
         let _ = writeln!(out, "fn {name}{signature} {{ {call} }}");
     }
-    let factor = match program.constant_mass {
-        Some(_) => "::core::option::Option::Some(())".to_owned(),
-        None => format!(
-            "let mut mass = [[0.0; {0}]; {0}]; self.mass_matrix(q, &mut mass); ::mbs_runtime::generated::Cholesky::new(&mass)",
-            program.size
+    factor_mass(&mut out, graph, program);
+    out
+}
+
+/// The factor of M: nothing where M is constant, straight-line code where that is short, else by loops.
+fn factor_mass(out: &mut String, graph: &Graph, program: &Program) {
+    let size = program.size;
+    let (cost, body) = match (&program.constant_mass, program.factor_entries()) {
+        (Some(_), _) => (String::new(), "::core::option::Option::Some(())".to_owned()),
+        (None, Some((function, entries))) => {
+            let body = Body::of_method(graph, function);
+            let text = format!(
+                "let (mut factor, mut weakness) = ([0.0; {entries}], [0.0; {size}]);\n{}{}::mbs_runtime::generated::positive(&factor, &weakness).then_some(factor)",
+                body.statements(),
+                body.writes()
+            );
+            (format!("/// {}\n", function.cost()), text)
+        }
+        (None, None) => (
+            String::new(),
+            format!(
+                "let mut mass = [[0.0; {size}]; {size}]; self.mass_matrix(q, &mut mass); ::mbs_runtime::generated::Cholesky::new(&mass)"
+            ),
         ),
     };
     let _ = writeln!(
         out,
-        "#[inline] fn factor_mass(&self, q: &[f64; {}]) -> ::core::option::Option<Self::Mass> {{ {factor} }}",
+        "{cost}#[inline]\nfn factor_mass(&self, q: &[f64; {}]) -> ::core::option::Option<Self::Mass> {{ {body} }}",
         program.coordinates
     );
-    out
 }
 
 /// One method, with its cost as documentation.

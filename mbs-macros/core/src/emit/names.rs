@@ -20,6 +20,7 @@ const TAKEN: &[&str] = &[
     "correction",
     "weakness",
     "lambda",
+    "factor",
     "acceleration",
     "mass",
     "gram",

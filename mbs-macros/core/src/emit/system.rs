@@ -121,8 +121,9 @@ pub(super) fn emit(
 
 fn mass_type(program: &Program) -> TokenStream {
     let size = program.size;
-    match program.constant_mass {
-        Some(_) => quote! { type Mass = (); },
-        None => quote! { type Mass = ::mbs_runtime::generated::Cholesky<#size>; },
+    match (&program.constant_mass, program.factor_entries()) {
+        (Some(_), _) => quote! { type Mass = (); },
+        (None, Some((_, entries))) => quote! { type Mass = [f64; #entries]; },
+        (None, None) => quote! { type Mass = ::mbs_runtime::generated::Cholesky<#size>; },
     }
 }

@@ -1,6 +1,7 @@
 //! Checks of whole entries and of the whole model: known arguments, connected parts, used names, coordinates with mass.
 
 use super::Dimension;
+use super::Formulation;
 use super::Representation;
 use super::advice;
 use super::elements::{ForceElement, JointElement};
@@ -9,6 +10,7 @@ use super::parts::Part;
 use super::placement::Guesses;
 use super::reduce::Reduction;
 use super::resolve::{Resolver, has_frames};
+use super::tree::Tree;
 use crate::diagnostics::{Place, did_you_mean};
 use crate::schema::{self, Absent, Kind, World};
 use crate::symbolic::{Graph, Symbol};
@@ -251,6 +253,21 @@ impl Disagreement {
             ));
         }
         (self.angle > NEARLY_TOGETHER).then(|| format!("in the home pose the axes at `{first}` and at `{second}` are {angle:.1}° off those that this `{kind}` holds together; turn one of the frames or parts, or give the axis once by `axis =`"))
+    }
+}
+
+/// Parts that ask for joint coordinates are carried by a joint.
+pub(super) fn carried(resolver: &mut Resolver, tree: &Tree) {
+    for index in 0..resolver.parts.len() {
+        let part = &resolver.parts[index];
+        if part.formulation != Some(Formulation::Joint) || tree.carrier(index).is_some() {
+            continue;
+        }
+        let (span, name) = (part.span, part.name.clone());
+        resolver.fail::<()>(
+            span,
+            format!("`{name}` asks for joint coordinates, but no joint carries it: that takes a `Revolute`, `Prismatic` or `Fixed`, in space also a `Cylindrical`, `Spherical`, `Universal` or `Planar`, to the ground or to a part with axes; ask for `Reference`, or leave `coordinates =` out"),
+        );
     }
 }
 

@@ -1,8 +1,12 @@
 //! Which coordinates a mechanism is described by.
 
+use super::resolve::Resolver;
 use crate::diagnostics::{Errors, Place, did_you_mean};
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Entry};
 use syn::Expr as Syntax;
+
+/// The name of the argument.
+const COORDINATES: &str = "coordinates";
 
 /// A choice of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,10 +37,38 @@ pub const ALL: [Formulation; 3] = [
     Formulation::Joint,
 ];
 
+/// Those of a part with an orientation of its own.
+pub const OF_BODIES: [Formulation; 2] = [Formulation::Reference, Formulation::Joint];
+
+/// One description of a mechanism.
+#[derive(Debug, Clone)]
+pub struct Description {
+    /// The coordinates of parts that ask for none of their own.
+    pub formulation: Formulation,
+    /// Joints of which no row is solved.
+    pub keep: Vec<String>,
+    /// Joints that close loops, instead of those that would be cut.
+    pub cut: Option<Vec<String>>,
+}
+
+impl From<Formulation> for Description {
+    fn from(formulation: Formulation) -> Self {
+        Description {
+            formulation,
+            keep: Vec::new(),
+            cut: None,
+        }
+    }
+}
+
 /// What the world asks for by `coordinates =`; `None` is `Auto`.
 pub fn requested(declaration: &Declaration, errors: &mut Errors) -> Option<Formulation> {
-    let world = declaration.world.as_ref()?;
-    let syntax = &world.named("coordinates")?.value;
+    asked(declaration.world.as_ref()?, &ALL, errors)
+}
+
+/// What an entry asks for, of what is possible; `None` is `Auto`.
+fn asked(entry: &Entry, possible: &[Formulation], errors: &mut Errors) -> Option<Formulation> {
+    let syntax = &entry.named(COORDINATES)?.value;
     let name = match syntax {
         Syntax::Path(path) => path.path.get_ident().map(ToString::to_string),
         _ => None,
@@ -45,14 +77,42 @@ pub fn requested(declaration: &Declaration, errors: &mut Errors) -> Option<Formu
     if name == "Auto" {
         return None;
     }
-    let found = ALL.into_iter().find(|known| known.name() == name);
+    let found = possible.iter().find(|known| known.name() == name);
     if found.is_none() {
-        let names = ALL.map(Formulation::name);
-        let hint = did_you_mean(&name, names.into_iter().chain(["Auto"]));
-        errors.at(
-            Place::of(syntax),
-            format!("expected `Auto`, `Natural`, `Reference` or `Joint`{hint}"),
-        );
+        let names = possible.iter().map(|known| known.name());
+        let names: Vec<&str> = ["Auto"].into_iter().chain(names).collect();
+        let hint = did_you_mean(&name, names.iter().copied());
+        let list: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+        let (last, others) = list
+            .split_last()
+            .map_or(("", &[][..]), |(last, others)| (last.as_str(), others));
+        let excluded = match ALL.iter().any(|known| known.name() == name) {
+            true => format!(
+                "`{}`, a `{}`, has no `{name}` coordinates: ",
+                entry.name, entry.kind
+            ),
+            false => String::new(),
+        };
+        let message = match others {
+            [] => format!("{excluded}leave `coordinates =` out"),
+            _ => format!("{excluded}expected {} or {last}{hint}", others.join(", ")),
+        };
+        errors.at(Place::of(syntax), message);
     }
-    found
+    found.copied()
+}
+
+impl Resolver<'_> {
+    /// What a part asks for by `coordinates =`, of what is possible for it; `None` is what the mechanism takes.
+    pub(super) fn wish(&mut self, entry: &Entry, possible: &[Formulation]) -> Option<Formulation> {
+        entry.named(COORDINATES)?;
+        if let Some(frame) = entry.named("frame") {
+            let place = Place::of(&frame.value);
+            return self.fail(
+                place,
+                "the frame says what describes this part: remove `coordinates =` or `frame =`",
+            );
+        }
+        asked(entry, possible, self.errors)
+    }
 }

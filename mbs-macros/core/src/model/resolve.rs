@@ -6,8 +6,8 @@ use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
 use super::{
-    Arguments, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home, idle,
-    layout, placement, reduce,
+    Arguments, Description, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home,
+    idle, layout, placement, reduce,
 };
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Group, World};
@@ -16,16 +16,16 @@ use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
 use std::collections::{HashMap, HashSet};
 
-/// Resolves a declaration; no row of the joints in `keep` is solved.
+/// Resolves a declaration in one of its descriptions.
 ///
 /// # Errors
 /// Everything that is wrong with it is recorded in `errors`; the model is then incomplete and must not be used.
 pub fn resolve(
     declaration: &Declaration,
-    formulation: Formulation,
-    keep: &[String],
+    description: &Description,
     errors: &mut Errors,
 ) -> Option<Model> {
+    let formulation = description.formulation;
     let mut resolver = Resolver::new(declaration, formulation, errors);
     resolver.declare();
     let gravity = resolver.gravity();
@@ -43,10 +43,8 @@ pub fn resolve(
         let home = home::guesses(&mut resolver, &joints, &Tree::default());
         check::home_poses(&mut resolver, &joints, &home);
     }
-    let tree = match formulation {
-        Formulation::Joint => Tree::grow(&mut resolver, &joints),
-        _ => Tree::default(),
-    };
+    let tree = Tree::grow(&mut resolver, &joints, description.cut.as_deref());
+    check::carried(&mut resolver, &tree);
     let guesses = match resolver.world {
         World::Planar => {
             let mut guesses = placement::place(&mut resolver, &joints);
@@ -55,7 +53,7 @@ pub fn resolve(
         }
         World::Spatial => home::guesses(&mut resolver, &joints, &tree),
     };
-    let mut reduction = reduce::reduce(&mut resolver, &joints, &tree, keep, &guesses)?;
+    let mut reduction = reduce::reduce(&mut resolver, &joints, &tree, &description.keep, &guesses)?;
     let idle = idle::rows(&mut resolver, &joints, &tree, &mut reduction);
     // A joint coordinate moves all that comes after it.
     if tree.joints.is_empty() {

@@ -11,14 +11,10 @@
 //!
 //! A joint that closes a loop stays a set of rows.
 
-use super::elements::JointElement;
-use super::geometry::{Attachment, Axes, Owner, Point, Vector};
+use super::geometry::{Attachment, Axes, Point, Vector};
 use super::parts::{Part, Representation};
-use super::reduce::mergeable;
-use super::resolve::Resolver;
-use crate::schema::World;
 use crate::symbolic::Expr;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// What a joint leaves free between two frames.
 #[derive(Debug, Clone)]
@@ -65,6 +61,10 @@ pub struct TreeJoint {
 pub struct Tree {
     /// Its joints, parents before children.
     pub joints: Vec<TreeJoint>,
+    /// Joints beside it that could have been of it: they close the loops.
+    pub cut: Vec<String>,
+    /// Other cuts that leave as few rows and chains as short.
+    pub alternatives: Vec<Vec<String>>,
 }
 
 /// The velocity of a part, for its kinetic energy.
@@ -79,109 +79,6 @@ pub struct Motion {
 }
 
 impl Tree {
-    /// A tree of joints that can be solved for their child: each part is reached as early as possible, and of the joints
-    /// that reach it the one that would cost most rows.
-    pub(super) fn grow(resolver: &mut Resolver, joints: &[JointElement]) -> Tree {
-        let mut tree = Tree::default();
-        // Points that joints merge are reached already.
-        let merged: Vec<Owner> = joints
-            .iter()
-            .filter_map(|element| element.joint.merges())
-            .filter(|(parent, child)| mergeable(parent) && mergeable(child))
-            .flat_map(|(parent, child)| [parent.owner, child.owner])
-            .collect();
-        let mut reached: Vec<bool> = (0..resolver.parts.len())
-            .map(|part| merged.contains(&Owner::Part(part)))
-            .collect();
-        let mut links: Vec<(usize, Link, usize)> = Vec::new();
-        for (index, element) in joints.iter().enumerate() {
-            if let Some(link) = element.joint.link() {
-                let rows = element.joint.equations(&mut resolver.graph).rows.len();
-                links.push((index, link, rows));
-            }
-        }
-        let mut front = vec![Owner::Ground];
-        loop {
-            let mut next: BTreeMap<usize, (usize, TreeJoint)> = BTreeMap::new();
-            for (index, link, rows) in &links {
-                for forwards in [true, false] {
-                    let (near, far) = match forwards {
-                        true => (&link.parent, &link.child),
-                        false => (&link.child, &link.parent),
-                    };
-                    let (parent, Owner::Part(child)) = (near.point.owner, far.point.owner) else {
-                        continue;
-                    };
-                    let applies = front.contains(&parent) && !reached[child];
-                    if !applies || !resolver.carried(parent, child, link) {
-                        continue;
-                    }
-                    if next.get(&child).is_some_and(|(best, _)| best >= rows) {
-                        continue;
-                    }
-                    let parent = match parent {
-                        Owner::Ground => None,
-                        Owner::Part(part) => Some(part),
-                    };
-                    let joint = TreeJoint {
-                        joint: joints[*index].name.clone(),
-                        parent,
-                        child,
-                        link: if forwards {
-                            link.clone()
-                        } else {
-                            link.reversed()
-                        },
-                        angle: None,
-                        second_angle: None,
-                        strokes: Vec::new(),
-                    };
-                    next.insert(child, (*rows, joint));
-                }
-            }
-            // What follows coordinates declared by hand can carry parts, too.
-            if next.is_empty() {
-                let grounded = |index: &usize| {
-                    !reached[*index]
-                        && !front.contains(&Owner::Part(*index))
-                        && resolver.parts[*index].representation != Representation::Coordinate
-                };
-                let free: Option<usize> = (0..resolver.parts.len()).find(grounded);
-                let Some(free) = free else { break };
-                // Nothing carries it: it is free, and a root of its own.
-                reached[free] = true;
-                front = vec![Owner::Part(free)];
-                continue;
-            }
-            front = next.keys().map(|&child| Owner::Part(child)).collect();
-            for (_, (_, joint)) in next {
-                reached[joint.child] = true;
-                tree.joints.push(joint);
-            }
-        }
-        for joint in &mut tree.joints {
-            let name = &joint.joint;
-            let planar = resolver.world == World::Planar;
-            joint.angle = (joint.link.turns && !planar)
-                .then(|| resolver.local(format!("{name}.angle"), "rad"));
-            joint.second_angle = (joint.link.second.is_some())
-                .then(|| resolver.local(format!("{name}.second_angle"), "rad"));
-            joint.strokes = joint
-                .link
-                .slides
-                .iter()
-                .map(|axis| {
-                    let suffix = match joint.link.slides.len() {
-                        1 => "stroke".to_owned(),
-                        _ => format!("stroke_{}", ["x", "y", "z"][*axis]),
-                    };
-                    resolver.local(format!("{name}.{suffix}"), "m")
-                })
-                .collect();
-        }
-        tree
-    }
-
     /// The joint that carries a part.
     pub fn carrier(&self, part: usize) -> Option<&TreeJoint> {
         self.joints.iter().find(|joint| joint.child == part)
@@ -289,7 +186,7 @@ impl Link {
     }
 
     /// The same joint with the partners exchanged: its coordinates change sign.
-    fn reversed(&self) -> Link {
+    pub(super) fn reversed(&self) -> Link {
         Link {
             parent: self.child.clone(),
             child: self.parent.clone(),
@@ -300,28 +197,4 @@ impl Link {
             ..self.clone()
         }
     }
-}
-
-impl Resolver<'_> {
-    /// Whether a joint can carry a part: a body that it holds, or a particle whose place is all there is to it.
-    fn carried(&self, parent: Owner, part: usize, link: &Link) -> bool {
-        let parent = match parent {
-            Owner::Ground => true,
-            Owner::Part(part) => has_frame(&self.parts[part]),
-        };
-        let child = &self.parts[part];
-        parent
-            && match child.representation {
-                Representation::Rigid | Representation::Reference => true,
-                Representation::FreePoint => link.free_rotation,
-                _ => false,
-            }
-    }
-}
-
-fn has_frame(part: &Part) -> bool {
-    matches!(
-        part.representation,
-        Representation::Rigid | Representation::Reference
-    )
 }

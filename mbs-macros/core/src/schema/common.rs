@@ -22,6 +22,12 @@ pub(super) const COORDINATES: Field = field(
     Assumed("Auto"),
     "which coordinates describe the mechanism",
 );
+pub(super) const OWN_COORDINATES: Field = field(
+    "coordinates",
+    Formulation,
+    Assumed("those of the mechanism"),
+    "which coordinates describe this part",
+);
 pub(super) const FREE: Field = field(
     "free",
     Flag,

@@ -2,7 +2,7 @@
 
 use super::Absent::{Assumed, Required};
 use super::Expects::{Axis, Frame, Known, KnownVector, Law, Moving, MovingVector, Part, Point};
-use super::common::{CHILD, COORDINATES, FREE, PARENT};
+use super::common::{CHILD, COORDINATES, FREE, OWN_COORDINATES, PARENT};
 use super::{Field, Group, Kind, field, positional};
 use crate::model::Dimension;
 
@@ -86,6 +86,7 @@ pub(super) const KINDS: &[Kind] = &[
             ANGLE_GUESS,
             RATE_GUESS,
             FRAME,
+            OWN_COORDINATES,
             FREE,
         ],
         doc: "A uniform slender rod with end points `a` and `b`.",
@@ -112,6 +113,7 @@ pub(super) const KINDS: &[Kind] = &[
             VELOCITY_GUESS,
             RATE_GUESS,
             FRAME,
+            OWN_COORDINATES,
             FREE,
         ],
         doc: "A rigid body with a frame at `origin`; points by `body.point(x, y)`.",

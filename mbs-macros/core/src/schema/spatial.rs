@@ -5,7 +5,7 @@ use super::Expects::{
     Attachment, Axis, Gains, Inertia, Joint, Known, KnownVector, Law, MovingVector, Orientation,
     Part, Point, Shape,
 };
-use super::common::{COORDINATES, FREE};
+use super::common::{COORDINATES, FREE, OWN_COORDINATES};
 use super::{Field, Group, Kind, field, positional};
 use crate::model::Dimension;
 
@@ -129,6 +129,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
             VELOCITY,
             SPIN,
+            OWN_COORDINATES,
             FREE,
         ],
         doc: "A uniform straight bar from `a` to `b`, x along it; for a bar along X, Y or Z the axes y and z are the next of the ground's, in that order and round again. A slender one has no inertia about itself and no orientation that a joint could hold, only its end points.",
@@ -165,6 +166,7 @@ pub(super) const KINDS: &[Kind] = &[
                 Assumed("that of the inertia, if it is one"),
                 "what an animation draws about the centre of mass",
             ),
+            OWN_COORDINATES,
             FREE,
         ],
         doc: "A rigid body with a frame at `origin`; points by `body.point(x, y, z)`, frames by `body.frame([x, y, z], axis)`.",

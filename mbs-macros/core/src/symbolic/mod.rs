@@ -76,6 +76,8 @@ pub enum Symbol {
     WeightedEntry(u32, u32),
     /// Entry of a vector argument.
     VectorEntry(u32),
+    /// Entry of the factor of M that a generated kernel is given.
+    FactorEntry(u32),
     /// What is added to a row at acceleration level.
     Correction(u32),
 }
@@ -227,6 +229,7 @@ impl Graph {
                 Symbol::RowEntry(i, j) => format!("a[{i}][{j}]"),
                 Symbol::WeightedEntry(i, j) => format!("w[{i}][{j}]"),
                 Symbol::VectorEntry(i) => format!("x[{i}]"),
+                Symbol::FactorEntry(i) => format!("mass[{i}]"),
                 Symbol::Correction(i) => format!("correction[{i}]"),
                 Symbol::Multiplier(i) => format!("lambda[{i}]"),
                 other => format!("{other:?}"),

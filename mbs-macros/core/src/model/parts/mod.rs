@@ -15,6 +15,7 @@ mod point;
 mod shape;
 mod spatial;
 
+use super::Formulation;
 use super::geometry::{Axes, Frame, Owner, Vector};
 use super::resolve::Resolver;
 use super::value::Value;
@@ -73,6 +74,8 @@ pub struct Part {
     pub span: Span,
     /// How it is modelled.
     pub representation: Representation,
+    /// `coordinates =` of its own.
+    pub formulation: Option<Formulation>,
     /// Its coordinates; a rotation counts as three.
     pub locals: Vec<u32>,
     /// Mass.

@@ -4,13 +4,14 @@ use super::{Guess, Part, Representation, Tensor};
 use crate::model::geometry::{Frame, Vector};
 use crate::model::resolve::Resolver;
 use crate::model::value::Value;
-use crate::model::{Arguments, Formulation};
+use crate::model::{Arguments, Formulation, formulation};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 
 impl Resolver<'_> {
     pub(in crate::model) fn planar_bar(&mut self, entry: &Entry) -> Option<Value> {
         let needs_angle = self.turning.contains(&entry.name.to_string());
+        let formulation = self.planar_bar_wish(entry, needs_angle);
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let guess = Guess {
@@ -60,7 +61,9 @@ impl Resolver<'_> {
                 Vec::new(),
                 self.prescribed(&name, origin, angle),
             ),
-            None if needs_angle || self.formulation != Formulation::Natural => {
+            None if needs_angle
+                || formulation.unwrap_or(self.formulation) != Formulation::Natural =>
+            {
                 let (locals, frame) = self.reference(&name, center);
                 (Representation::Reference, locals, frame)
             }
@@ -74,6 +77,7 @@ impl Resolver<'_> {
             kind: "Bar",
             span: entry.span(),
             representation,
+            formulation,
             locals,
             mass,
             inertia: planar_inertia(inertia, zero),
@@ -87,7 +91,21 @@ impl Resolver<'_> {
         })
     }
 
+    /// What a bar asks for. Its end points have no angle that counts full turns.
+    fn planar_bar_wish(&mut self, entry: &Entry, needs_angle: bool) -> Option<Formulation> {
+        let wish = self.wish(entry, &formulation::ALL)?;
+        if wish == Formulation::Natural && needs_angle {
+            let name = &entry.name;
+            return self.fail(
+                entry.span(),
+                format!("the angle of `{name}` is used, which its end points do not have; ask for `Reference` or `Joint`, or leave `coordinates =` out"),
+            );
+        }
+        Some(wish)
+    }
+
     pub(in crate::model) fn planar_body(&mut self, entry: &Entry) -> Option<Value> {
+        let formulation = self.wish(entry, &formulation::OF_BODIES);
         let mut arguments = Arguments::new(self, entry);
         let (mass, inertia) = (arguments.mass("mass"), arguments.mass("inertia"));
         let center = arguments.vector("center_of_mass");
@@ -125,6 +143,7 @@ impl Resolver<'_> {
             kind: "Body",
             span: entry.span(),
             representation,
+            formulation,
             locals,
             mass,
             inertia: planar_inertia(inertia, zero),

@@ -1,11 +1,11 @@
 //! Bars and bodies of space.
 
 use super::{Guess, Home, Part, Representation, Shape, Tensor};
-use crate::model::Arguments;
 use crate::model::check::NEARLY_TOGETHER;
 use crate::model::geometry::{Axes, Frame, Vector};
 use crate::model::resolve::Resolver;
 use crate::model::value::Value;
+use crate::model::{Arguments, Formulation, formulation};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 
@@ -65,6 +65,10 @@ impl Resolver<'_> {
         };
         let mass = mass?;
         let rigid = arguments.has("radius") || arguments.has("inertia");
+        let possible: &[Formulation] = match rigid {
+            true => &formulation::OF_BODIES,
+            false => &[Formulation::Natural],
+        };
         let (inertia, shape) = match rigid {
             true => arguments.bar_inertia(mass, length)?,
             false => {
@@ -72,6 +76,7 @@ impl Resolver<'_> {
                 ([[zero; 3]; 3], None)
             }
         };
+        let formulation = self.wish(entry, possible);
         let x_first = self.axes_along(direction);
         // x along the bar.
         let home = Home {
@@ -98,6 +103,7 @@ impl Resolver<'_> {
             kind: "Bar",
             span: entry.span(),
             representation,
+            formulation,
             locals,
             mass,
             inertia,
@@ -118,6 +124,7 @@ impl Resolver<'_> {
     }
 
     pub(in crate::model) fn spatial_body(&mut self, entry: &Entry) -> Option<Value> {
+        let formulation = self.wish(entry, &formulation::OF_BODIES);
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let center = arguments.vector("center_of_mass");
@@ -141,6 +148,7 @@ impl Resolver<'_> {
             kind: "Body",
             span: entry.span(),
             representation: Representation::Rigid,
+            formulation,
             locals,
             mass,
             inertia,

@@ -1,0 +1,309 @@
+//! Which joints carry the parts, and which are cut to close the loops.
+//!
+//! A loop of joints with f₁, f₂, … freedoms has Σ f − f_cut coordinates and leaves the rows of the joint that is cut: the
+//! joint with the most freedoms is the best to cut, and of equals the one that leaves the shortest chains. The search
+//! begins with the tree that reaches each part as early as possible, and exchanges joints along the loops while that is
+//! of use. Cuts that look equally good are left to the count of operations.
+
+use super::Formulation;
+use super::elements::JointElement;
+use super::geometry::Owner;
+use super::parts::{Part, Representation};
+use super::reduce::mergeable;
+use super::resolve::Resolver;
+use super::tree::{Link, Tree, TreeJoint};
+use crate::schema::World;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Other cuts that are worth a count of operations.
+const ALTERNATIVES: usize = 2;
+
+impl Tree {
+    /// The tree without these joints, or the best there is.
+    pub(super) fn grow(
+        resolver: &mut Resolver,
+        joints: &[JointElement],
+        cut: Option<&[String]>,
+    ) -> Tree {
+        let spanning = Spanning::new(resolver, joints);
+        let all: BTreeSet<usize> = (0..spanning.links.len()).collect();
+        let name = |link: &usize| spanning.links[*link].name.clone();
+        let (found, alternatives) = match cut {
+            Some(cut) => {
+                let kept = all.iter().filter(|link| !cut.contains(&name(link)));
+                (spanning.reach(&kept.copied().collect()), Vec::new())
+            }
+            None => spanning.best(&all),
+        };
+        let beside =
+            |found: &Found| -> Vec<String> { all.difference(&found.links).map(name).collect() };
+        let mut tree = Tree {
+            cut: beside(&found),
+            alternatives: alternatives.iter().map(beside).collect(),
+            joints: found.joints,
+        };
+        for joint in &mut tree.joints {
+            resolver.name_coordinates(joint);
+        }
+        tree
+    }
+}
+
+/// A joint that can carry a part.
+struct Carrier {
+    name: String,
+    link: Link,
+    /// Rows that it would leave.
+    rows: usize,
+}
+
+/// The joints that can carry, and what they find.
+struct Spanning {
+    links: Vec<Carrier>,
+    parts: Vec<Carried>,
+}
+
+/// What matters of a part here.
+struct Carried {
+    /// Joints have merged its points, or it is a coordinate by itself.
+    settled: bool,
+    /// It has a place and axes, from which a joint can go on.
+    has_frame: bool,
+    /// A joint can carry it.
+    by_any: bool,
+    /// A joint that fixes its point alone can carry it.
+    by_points: bool,
+}
+
+/// A tree.
+struct Found {
+    joints: Vec<TreeJoint>,
+    /// Indices of its joints.
+    links: BTreeSet<usize>,
+    /// Its rows, which it saves, negated; then the lengths of its chains.
+    weight: (isize, usize),
+}
+
+impl Spanning {
+    fn new(resolver: &mut Resolver, joints: &[JointElement]) -> Spanning {
+        // Points that joints merge are reached already.
+        let merged: Vec<Owner> = joints
+            .iter()
+            .filter_map(|element| element.joint.merges())
+            .filter(|(parent, child)| mergeable(parent) && mergeable(child))
+            .flat_map(|(parent, child)| [parent.owner, child.owner])
+            .collect();
+        let parts = resolver.parts.iter().enumerate().map(|(index, part)| {
+            let joint = part.formulation.unwrap_or(resolver.formulation) == Formulation::Joint;
+            Carried {
+                settled: merged.contains(&Owner::Part(index))
+                    || part.representation == Representation::Coordinate,
+                has_frame: has_frame(part),
+                by_any: joint && has_frame(part),
+                by_points: joint && part.representation == Representation::FreePoint,
+            }
+        });
+        let parts: Vec<Carried> = parts.collect();
+        let mut links = Vec::new();
+        if parts.iter().any(|part| part.by_any || part.by_points) {
+            for element in joints {
+                if let Some(link) = element.joint.link() {
+                    links.push(Carrier {
+                        name: element.name.clone(),
+                        rows: element.joint.equations(&mut resolver.graph).rows.len(),
+                        link,
+                    });
+                }
+            }
+        }
+        Spanning { links, parts }
+    }
+
+    /// The tree whose cut joints leave the fewest rows, with the shortest chains; and others that are as good.
+    fn best(&self, all: &BTreeSet<usize>) -> (Found, Vec<Found>) {
+        let mut best = self.reach(all);
+        loop {
+            let others = self.exchanges(&best, all);
+            // The first of the best.
+            let better = others
+                .iter()
+                .enumerate()
+                .min_by_key(|(_, other)| other.weight);
+            match better {
+                Some((place, other)) if other.weight < best.weight => {
+                    best = { others }.swap_remove(place);
+                }
+                _ => {
+                    let mut equal: Vec<Found> = Vec::new();
+                    for other in others {
+                        let known = equal.iter().any(|known| known.links == other.links);
+                        if other.weight == best.weight && !known && equal.len() < ALTERNATIVES {
+                            equal.push(other);
+                        }
+                    }
+                    return (best, equal);
+                }
+            }
+        }
+    }
+
+    /// The trees that differ by one joint: where a joint closes a loop, another of the loop can.
+    fn exchanges(&self, tree: &Found, all: &BTreeSet<usize>) -> Vec<Found> {
+        let mut trees = Vec::new();
+        for &closing in all.difference(&tree.links) {
+            let link = &self.links[closing].link;
+            let chain = |owner: Owner| tree.chain(owner);
+            let (near, far) = (
+                chain(link.parent.point.owner),
+                chain(link.child.point.owner),
+            );
+            for &(place, _) in near.symmetric_difference(&far) {
+                let mut links = tree.links.clone();
+                links.remove(&self.index(&tree.joints[place].joint));
+                links.insert(closing);
+                let found = self.reach(&links);
+                if found.joints.len() == tree.joints.len() {
+                    trees.push(found);
+                }
+            }
+        }
+        trees
+    }
+
+    /// Reaches each part as early as possible by these joints; of several that reach one, the one of most rows does.
+    fn reach(&self, allowed: &BTreeSet<usize>) -> Found {
+        let mut found = Found {
+            joints: Vec::new(),
+            links: BTreeSet::new(),
+            weight: (0, 0),
+        };
+        let mut reached: Vec<bool> = self.parts.iter().map(|part| part.settled).collect();
+        let mut front = vec![Owner::Ground];
+        let mut depth = 0;
+        loop {
+            depth += 1;
+            let mut next: BTreeMap<usize, (usize, bool)> = BTreeMap::new();
+            for &index in allowed {
+                let Carrier { link, rows, .. } = &self.links[index];
+                for forwards in [true, false] {
+                    let (parent, child) = ends(link, forwards);
+                    let Owner::Part(child) = child else { continue };
+                    let applies = front.contains(&parent) && !reached[child];
+                    let known = next.get(&child);
+                    if applies
+                        && self.carries(parent, child, link)
+                        && known.is_none_or(|&(best, _)| self.links[best].rows < *rows)
+                    {
+                        next.insert(child, (index, forwards));
+                    }
+                }
+            }
+            // What follows coordinates declared by hand can carry parts, too.
+            if next.is_empty() {
+                let free = (0..self.parts.len())
+                    .find(|&part| !reached[part] && !front.contains(&Owner::Part(part)));
+                let Some(free) = free else { return found };
+                // Nothing carries it: it is free, and a root of its own.
+                reached[free] = true;
+                front = vec![Owner::Part(free)];
+                depth = 0;
+                continue;
+            }
+            front = next.keys().map(|&child| Owner::Part(child)).collect();
+            for (child, (index, forwards)) in next {
+                reached[child] = true;
+                found.weight.0 -= self.links[index].rows as isize;
+                found.weight.1 += depth;
+                found.links.insert(index);
+                found.joints.push(self.links[index].joint(forwards, child));
+            }
+        }
+    }
+
+    /// Whether a joint can carry a part: a body that it holds, or a particle whose place is all there is to it.
+    fn carries(&self, parent: Owner, child: usize, link: &Link) -> bool {
+        let from = match parent {
+            Owner::Ground => true,
+            Owner::Part(part) => self.parts[part].has_frame,
+        };
+        let child = &self.parts[child];
+        from && (child.by_any || (child.by_points && link.free_rotation))
+    }
+
+    fn index(&self, name: &str) -> usize {
+        let mut links = self.links.iter();
+        links.position(|link| link.name == name).unwrap_or(0)
+    }
+}
+
+impl Found {
+    /// The joints from the ground, or from a root, to a part: their places and what they carry.
+    fn chain(&self, owner: Owner) -> BTreeSet<(usize, usize)> {
+        let mut chain = BTreeSet::new();
+        let mut next = owner;
+        while let Owner::Part(part) = next {
+            let Some(place) = self.joints.iter().position(|joint| joint.child == part) else {
+                break;
+            };
+            chain.insert((place, part));
+            next = self.joints[place].parent.map_or(Owner::Ground, Owner::Part);
+        }
+        chain
+    }
+}
+
+impl Carrier {
+    fn joint(&self, forwards: bool, child: usize) -> TreeJoint {
+        let (parent, _) = ends(&self.link, forwards);
+        TreeJoint {
+            joint: self.name.clone(),
+            parent: match parent {
+                Owner::Ground => None,
+                Owner::Part(part) => Some(part),
+            },
+            child,
+            link: match forwards {
+                true => self.link.clone(),
+                false => self.link.reversed(),
+            },
+            angle: None,
+            second_angle: None,
+            strokes: Vec::new(),
+        }
+    }
+}
+
+fn ends(link: &Link, forwards: bool) -> (Owner, Owner) {
+    let (parent, child) = (link.parent.point.owner, link.child.point.owner);
+    match forwards {
+        true => (parent, child),
+        false => (child, parent),
+    }
+}
+
+fn has_frame(part: &Part) -> bool {
+    matches!(
+        part.representation,
+        Representation::Rigid | Representation::Reference
+    )
+}
+
+impl Resolver<'_> {
+    /// Makes the coordinates that a joint of the tree brings.
+    fn name_coordinates(&mut self, joint: &mut TreeJoint) {
+        let name = joint.joint.clone();
+        let planar = self.world == World::Planar;
+        joint.angle =
+            (joint.link.turns && !planar).then(|| self.local(format!("{name}.angle"), "rad"));
+        joint.second_angle = (joint.link.second.is_some())
+            .then(|| self.local(format!("{name}.second_angle"), "rad"));
+        let suffix = |axis: usize| match joint.link.slides.len() {
+            1 => "stroke".to_owned(),
+            _ => format!("stroke_{}", ["x", "y", "z"][axis]),
+        };
+        let strokes = joint.link.slides.iter();
+        joint.strokes = strokes
+            .map(|&axis| self.local(format!("{name}.{}", suffix(axis)), "m"))
+            .collect();
+    }
+}
