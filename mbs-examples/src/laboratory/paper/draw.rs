@@ -62,11 +62,15 @@ fn curves(figure: &Figure, panel: &Panel, stores: &Stores) -> Vec<Drawn> {
         }
         let end = end_of(&stores.runs, curve.run);
         let look = look(&curve.label, i);
+        let end = end.filter(|&time| time <= high || across.is_some());
         let label = match end {
-            Some(time) => format!("{} (✗ {time:.3} s)", curve.label),
+            Some(time) => {
+                let time = (1e3 * time).round() / 1e3;
+                format!("{} (✗ {time} s)", curve.label)
+            }
             None => curve.label.clone(),
         };
-        let failed = end.is_some_and(|time| time <= high);
+        let failed = end.is_some();
         Drawn {
             label,
             look,
@@ -122,6 +126,23 @@ impl Axes {
             BOTTOM - y * (BOTTOM - self.top),
         ]
     }
+
+    /// The parts of a curve that are seen, each with the points at which it leaves.
+    fn lines(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
+        // What is below the least decade is drawn there.
+        let seen = |&[_, y]: &[f64; 2]| self.decades || (self.y[0]..=self.y[1]).contains(&y);
+        let mut lines = vec![Vec::new()];
+        for (i, point) in points.iter().enumerate() {
+            let beside = [i.checked_sub(1), i.checked_add(1)];
+            let near = beside.iter().flatten().filter_map(|&j| points.get(j));
+            if seen(point) || near.clone().any(seen) {
+                lines[0].push(self.place(*point));
+            } else if !lines[0].is_empty() {
+                lines.insert(0, Vec::new());
+            }
+        }
+        lines
+    }
 }
 
 fn draw_panel(svg: &mut Svg, corner: [f64; 2], i: usize, panel: &Panel, curves: &[Drawn]) {
@@ -143,10 +164,12 @@ fn draw_panel(svg: &mut Svg, corner: [f64; 2], i: usize, panel: &Panel, curves: 
     // The first come on top.
     for curve in curves.iter().rev() {
         let (colour, width, dash) = curve.look;
-        let line: Vec<[f64; 2]> = curve.points.iter().map(|&p| at(axes.place(p))).collect();
-        svg.path(&line, colour, width, dash);
-        if let (true, Some(&end)) = (curve.failed, line.last()) {
-            svg.marker(Marker::Cross, end, colour);
+        for line in axes.lines(&curve.points) {
+            let line: Vec<[f64; 2]> = line.into_iter().map(at).collect();
+            svg.path(&line, colour, width, dash);
+        }
+        if let (true, Some(&end)) = (curve.failed, curve.points.last()) {
+            svg.marker(Marker::Cross, at(axes.place(end)), colour);
         }
     }
 }
