@@ -174,7 +174,7 @@ pub struct ThreeFields<const N: usize, const R: usize> {
     pub constraint_momentum: [f64; R],
     /// The step in use, s, after halvings; zero stands for the nominal one.
     pub step: f64,
-    /// The shortest step that was accepted within the last nominal one, s.
+    /// The shortest step in use within the last nominal one, s.
     pub shortest: f64,
     /// ξ, the penalties at the end of the last step.
     pub penalty: [f64; R],

@@ -163,7 +163,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             match self.try_step(trial) {
                 Ok(()) => {
                     let fields = &mut self.state.fields;
-                    fields.shortest = fields.shortest.min(trial);
+                    // What is left of the nominal step may be less.
+                    fields.shortest = fields.shortest.min(size);
                     left -= trial;
                     if left < 1e-9 * h {
                         left = 0.0;
