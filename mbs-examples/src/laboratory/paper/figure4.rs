@@ -11,6 +11,17 @@ use super::{Figure, Panel, Scale};
 
 /// With k̄ = m̄ω² and c̄ = 2m̄ω, ω = 20 /s: (20) leaves both zero here, and nothing brings φ back.
 const STABILISED: &str = "alf3f-paper with k̄ c̄";
+/// Tolerances of ψ̇ and of the update of q, which the paper leaves open: what becomes of the run with others.
+const TOLERANCES: [(&str, f64, f64); 8] = [
+    ("ψ̇ 1e-1; q 1e-2", 1e-1, 1e-2),
+    ("ψ̇ 1e-1; q 1e-3", 1e-1, 1e-3),
+    ("ψ̇ 1e-1; q 1e-4", 1e-1, 1e-4),
+    ("ψ̇ 1e-2; q 1e-2", 1e-2, 1e-2),
+    ("ψ̇ 1e-2; q 1e-4", 1e-2, 1e-4),
+    ("ψ̇ 1e-3; q 1e-2", 1e-3, 1e-2),
+    ("ψ̇ 1e-3; q 1e-3", 1e-3, 1e-3),
+    ("ψ̇ 1e-3; q 1e-4", 1e-3, 1e-4),
+];
 const CONSTANT: [(&str, f64); 7] = [
     ("ξ = 1", 1.0),
     ("ξ = 100", 1e2),
@@ -37,6 +48,14 @@ pub fn figure(extent: Extent) -> Figure {
         run(M_ALF, m_alf()),
     ];
     runs.extend(CONSTANT.map(|(label, xi)| run(label, Method::Paper(algorithm(xi, xi)))));
+    runs.extend(TOLERANCES.map(|(label, velocity, update)| {
+        let settings = PaperSettings {
+            velocity_tolerance: velocity,
+            update_tolerance: update,
+            ..paper
+        };
+        run(label, Method::Paper(settings))
+    }));
     let window = [0.0, extent.time(20.0)];
     let constant = CONSTANT.map(|c| c.0);
     let methods = [PAPER, STRICT, STABILISED, M_ALF];
