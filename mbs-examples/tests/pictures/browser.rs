@@ -11,21 +11,28 @@ use mbs_runtime::{Model, World};
 
 use crate::{MODEL, frame, motion, runs};
 
-/// Watches for errors and uses the page as a person would.
+/// Watches for errors, and reports.
+const WATCH: &str = include_str!("watch.js");
+/// Uses the animation as a person would.
 const PROBE: &str = include_str!("probe.js");
 
 /// A page with the size of its window.
-struct Page {
+pub struct Page {
     file: PathBuf,
     width: u32,
 }
 
 impl Page {
-    fn new(name: &str, text: &str, width: u32) -> Self {
+    /// `probe` uses the page; it stands before the page's first script.
+    pub fn new(name: &str, text: &str, width: u32, probe: &str) -> Self {
         let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("browser");
         fs::create_dir_all(&directory).expect("a directory");
         let file = directory.join(format!("{name}.html"));
-        let watched = text.replacen("<script>", &format!("<script>{PROBE}</script><script>"), 1);
+        let watched = text.replacen(
+            "<script",
+            &format!("<script>{WATCH}{probe}</script><script"),
+            1,
+        );
         fs::write(&file, watched).expect("a page");
         Page { file, width }
     }
@@ -37,7 +44,7 @@ impl Page {
             Command::new(browser)
                 .args(["--headless", "--no-sandbox", "--disable-gpu"])
                 .arg("--hide-scrollbars")
-                .arg("--virtual-time-budget=5000")
+                .arg("--virtual-time-budget=20000")
                 .arg(format!("--user-data-dir={}", profile.display()))
                 .arg(format!("--window-size={},800", self.width))
                 .arg(how)
@@ -53,7 +60,7 @@ impl Page {
     }
 
     /// What the probe reported.
-    fn report(&self) -> Option<HashMap<String, String>> {
+    pub fn report(&self) -> Option<HashMap<String, String>> {
         let document = self.open("", "--dump-dom")?;
         let (_, root) = document.split_once("<html").expect("a document");
         let (root, _) = root.split_once('>').expect("a root");
@@ -68,14 +75,14 @@ impl Page {
         Some(report)
     }
 
-    fn screenshot(&self, address: &str) -> Option<Vec<u8>> {
+    pub fn screenshot(&self, address: &str) -> Option<Vec<u8>> {
         let picture = self.file.with_extension("png");
         self.open(address, &format!("--screenshot={}", picture.display()))?;
         Some(fs::read(picture).expect("a screenshot"))
     }
 }
 
-fn skipped() {
+pub fn skipped() {
     println!("skipped: no chromium was found");
 }
 
@@ -103,7 +110,7 @@ fn swinging(depth: f64) -> String {
 }
 
 fn used(name: &str, text: &str, width: u32) {
-    let page = Page::new(name, text, width);
+    let page = Page::new(name, text, width, PROBE);
     let Some(report) = page.report() else {
         return skipped();
     };
@@ -142,7 +149,7 @@ fn a_narrow_window_is_enough() {
 #[test]
 fn a_browser_survives_every_run() {
     for (index, frames) in runs().iter().enumerate() {
-        let page = Page::new(&format!("run-{index}"), &motion(frames), 800);
+        let page = Page::new(&format!("run-{index}"), &motion(frames), 800, PROBE);
         if page.report().is_none() {
             return skipped();
         }

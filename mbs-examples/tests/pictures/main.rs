@@ -1,6 +1,8 @@
-//! Diagrams and the animation of runs that are not as they should be: empty, still, with values that are not finite.
+//! Diagrams and the animation of runs that are not as they should be: empty, still, with values that are not finite. And
+//! the live figures of the book.
 
 mod browser;
+mod live;
 
 use mbs_examples::plot;
 use mbs_runtime::output::Frame;
