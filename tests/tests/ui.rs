@@ -1,12 +1,175 @@
 //! Wrong programs: what the user sees. Each has one mistake and shows one message, at the offending tokens.
+//!
+//! The compiler is a library, so that no rustc has to run for each of them: its messages are put into rustc's form here.
+//! `TRYBUILD=overwrite cargo test -p mbs-tests --test ui` writes the `.stderr` files. That rustc shows messages in this
+//! form is tested by a few of each nature, in `mbs-runtime/tests/ui`.
+
+use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
+use std::fmt::Write;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+/// Where the wrong programs are, in this package.
+const OWN: &str = "tests/ui";
+/// Those that rustc is asked about.
+const OF_RUSTC: &str = "../mbs-runtime/tests/ui";
 
 #[test]
 fn wrong_programs() {
-    trybuild::TestCases::new().compile_fail("tests/ui/*.rs");
+    let overwrite = env::var_os("TRYBUILD").is_some_and(|value| value == "overwrite");
+    let checked = all(OWN, |program, expected| {
+        let shown = shown(program)?.ok_or(
+            "nothing is wrong with it, or it takes rustc to show it: then it belongs to mbs-runtime/tests/ui",
+        )?;
+        if overwrite {
+            return fs::write(expected, shown).map_err(|error| error.to_string());
+        }
+        same(&shown, expected)
+    });
+    assert!(checked > 100, "{checked} wrong programs only");
 }
 
-/// What a user does not see: warnings.
+/// What rustc showed is what is made here, where that can be made.
 #[test]
-fn generated_code_is_clean() {
-    trybuild::TestCases::new().pass("tests/clean/*.rs");
+fn form_is_that_of_rustc() {
+    let mut compared = 0;
+    all(OF_RUSTC, |program, expected| {
+        shown(program)?.map_or(Ok(()), |shown| {
+            compared += 1;
+            same(&shown, expected)
+        })
+    });
+    assert!(compared > 10, "{compared} compared only");
+}
+
+/// Calls `check` with each program of a folder and the file of its message; fails with all that is wrong.
+fn all(folder: &str, mut check: impl FnMut(&Path, &Path) -> Result<(), String>) -> usize {
+    let programs = files(folder, "rs");
+    let mut failures = String::new();
+    for program in &programs {
+        if let Err(why) = check(program, &program.with_extension("stderr")) {
+            let _ = writeln!(failures, "{}: {why}", program.display());
+        }
+    }
+    // Nobody sees a message without a program.
+    for message in files(folder, "stderr") {
+        if !message.with_extension("rs").exists() {
+            let _ = writeln!(failures, "{}: its program is missing", message.display());
+        }
+    }
+    assert!(failures.is_empty(), "\n{failures}");
+    programs.len()
+}
+
+/// Compares with a file, which may be missing.
+fn same(shown: &str, file: &Path) -> Result<(), String> {
+    let expected = fs::read_to_string(file).unwrap_or_default();
+    if shown == expected {
+        Ok(())
+    } else {
+        Err(format!("expected:\n{expected}\nshown:\n{shown}"))
+    }
+}
+
+/// The files in a folder of this package with an extension, sorted.
+fn files(folder: &str, extension: &str) -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let entries = fs::read_dir(folder).expect("the folder is there");
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("readable").path())
+        .filter(|file| file.extension().is_some_and(|found| found == extension))
+        .collect();
+    files.sort();
+    files
+}
+
+/// What is shown for a program, if something is and no rustc is needed to know it.
+///
+/// # Errors
+/// It has no `mechanism!`, or one became something that is no Rust.
+fn shown(program: &Path) -> Result<Option<String>, String> {
+    let text = fs::read_to_string(program).map_err(|error| error.to_string())?;
+    let name = program.file_name().unwrap_or_default().to_string_lossy();
+    let tokens: TokenStream = text.parse().map_err(|_| "these are no tokens of Rust")?;
+    let declarations = invocations(tokens, "mechanism");
+    if declarations.is_empty() {
+        return Err("there is no `mechanism!` in it".into());
+    }
+    let mut reports = Vec::new();
+    for declaration in declarations {
+        for (message, place) in errors(mbs_macros_core::compile(declaration.tokens))? {
+            reports.push(report(&message, &format!("tests/ui/{name}"), &text, place));
+        }
+    }
+    let reports: Option<Vec<String>> = reports.into_iter().collect();
+    Ok(reports
+        .filter(|reports| !reports.is_empty())
+        .map(|reports| reports.join("\n")))
+}
+
+/// The errors in what a declaration became: their messages and where they are.
+fn errors(output: TokenStream) -> Result<Vec<(String, Range<LineColumn>)>, String> {
+    // Beside its errors stands what was understood, for editors; no error may come of that.
+    syn::parse2::<syn::File>(output.clone())
+        .map_err(|error| format!("what was emitted is not Rust: {error}"))?;
+    invocations(output, "compile_error")
+        .into_iter()
+        .map(|error| {
+            let message: syn::LitStr =
+                syn::parse2(error.tokens).map_err(|error| error.to_string())?;
+            Ok((message.value(), error.place))
+        })
+        .collect()
+}
+
+/// `name!(…)` somewhere in tokens, by its path from the root or without one.
+struct Invocation {
+    tokens: TokenStream,
+    place: Range<LineColumn>,
+}
+
+fn invocations(tokens: TokenStream, name: &str) -> Vec<Invocation> {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    let mut found = Vec::new();
+    for (i, tree) in tokens.iter().enumerate() {
+        let TokenTree::Group(group) = tree else {
+            continue;
+        };
+        let named = i >= 2
+            && group.delimiter() != Delimiter::None
+            && matches!(&tokens[i - 2], TokenTree::Ident(ident) if ident == name)
+            && matches!(&tokens[i - 1], TokenTree::Punct(mark) if mark.as_char() == '!');
+        if named {
+            found.push(Invocation {
+                tokens: group.stream(),
+                place: tokens[i - 2].span().start()..group.span().end(),
+            });
+        } else {
+            found.extend(invocations(group.stream(), name));
+        }
+    }
+    found
+}
+
+/// An error in the form of rustc: the message, the place, the line, and carets under what is wrong. Nothing where that
+/// form is another: for what is at no token, is on several lines, or has a message of several lines.
+fn report(message: &str, path: &str, text: &str, place: Range<LineColumn>) -> Option<String> {
+    let Range { start, end } = place;
+    // A token has an extent; the place of the whole invocation has none outside rustc.
+    if start >= end || start.line != end.line || message.contains('\n') {
+        return None;
+    }
+    let (line, column) = (start.line, start.column);
+    let source = text.lines().nth(line - 1)?;
+    let margin = " ".repeat(line.to_string().len());
+    let marks = " ".repeat(column) + &"^".repeat(end.column - column);
+    Some(format!(
+        "error: {message}\n\
+         {margin}--> {path}:{line}:{}\n\
+         {margin} |\n\
+         {line} | {source}\n\
+         {margin} | {marks}\n",
+        column + 1,
+    ))
 }

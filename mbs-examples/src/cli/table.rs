@@ -37,19 +37,3 @@ pub fn table<const COLUMNS: usize>(
     }
     text
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn columns_are_aligned() {
-        let heading = [("name", Align::Left), ("n", Align::Right)];
-        let rows = [
-            ["φ".to_owned(), "12".to_owned()],
-            ["longer".to_owned(), "3".to_owned()],
-        ];
-        let expected = "  name     n\n  φ       12\n  longer   3\n";
-        assert_eq!(table(heading, &rows), expected);
-    }
-}

@@ -1,0 +1,86 @@
+//! Tables: trusted values that runs are compared with, and the columns of the command line.
+
+#[path = "../src/cli/table.rs"]
+mod table;
+
+use mbs_examples::reference::ReferenceTable;
+use mbs_examples::scene::Reference;
+use mbs_examples::scenes::scenes;
+use mbs_runtime::Energy;
+use mbs_runtime::output::Frame;
+use std::path::Path;
+use table::{Align, table};
+
+/// The first output of a scene against three trusted values.
+fn trusted(name: &str) -> ReferenceTable {
+    let scenes = scenes();
+    let has_output = |model: &mbs_runtime::Model| !model.outputs.is_empty();
+    let scene = scenes.iter().find(|scene| has_output(scene.model));
+    let model = scene.expect("a scene with an output").model;
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("trusted-{name}.csv"));
+    std::fs::write(&path, "time_s,x_m\n0.0,1.0\n0.1,2.0\n0.2,4.0\n").expect("it can be written");
+    let reference = Reference {
+        file: "trusted.csv",
+        columns: Box::leak(Box::new([(model.outputs[0].name, "x_m")])),
+    };
+    ReferenceTable::read(path, &reference, model).expect("a table")
+}
+
+fn frame(time: f64, x: f64) -> Frame {
+    let energy = Energy {
+        kinetic: 0.0,
+        potential: 0.0,
+        nonconservative_work: 0.0,
+        drive_work: 0.0,
+        error: 0.0,
+    };
+    Frame {
+        time,
+        coordinates: vec![],
+        velocities: vec![],
+        outputs: vec![x],
+        points: vec![],
+        reactions: vec![],
+        energy,
+        holonomic_error: 0.0,
+        velocity_error: 0.0,
+    }
+}
+
+#[test]
+fn only_shared_instants_are_compared() {
+    let frames = [
+        frame(0.0, 1.0),
+        frame(0.05, 99.0),
+        frame(0.1 + 1e-15, 2.5),
+        frame(0.2, 4.25),
+    ];
+    let deviation = &trusted("shared").compare(&frames)[0];
+    assert_eq!(
+        (deviation.instants, deviation.largest, deviation.at_end),
+        (3, 0.5, Some(0.25))
+    );
+}
+
+#[test]
+fn an_end_beyond_the_reference_has_no_error() {
+    let deviation = &trusted("beyond").compare(&[frame(0.0, 1.0), frame(0.3, 9.0)])[0];
+    assert_eq!((deviation.instants, deviation.at_end), (1, None));
+}
+
+#[test]
+fn what_is_not_a_number_is_not_hidden() {
+    let deviation = &trusted("nan").compare(&[frame(0.0, f64::NAN), frame(0.1, 2.0)])[0];
+    assert!(deviation.largest.is_nan());
+}
+
+#[test]
+fn columns_are_aligned() {
+    let heading = [("name", Align::Left), ("n", Align::Right)];
+    let rows = [
+        ["φ".to_owned(), "12".to_owned()],
+        ["longer".to_owned(), "3".to_owned()],
+    ];
+    let expected = "  name     n\n  φ       12\n  longer   3\n";
+    assert_eq!(table(heading, &rows), expected);
+}

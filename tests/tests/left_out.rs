@@ -1,0 +1,48 @@
+//! No test is left out: a library or program that is not built for tests (`test = false`) has none in its sources.
+
+use mbs_tests::pages::root;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The packages of the workspace.
+fn members() -> Vec<PathBuf> {
+    let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("UTF-8");
+    let list = manifest.split_once("members = [").expect("members").1;
+    let list = list.split_once(']').expect("their end").0;
+    let names = list.split('"').skip(1).step_by(2);
+    names.map(|name| root().join(name)).collect()
+}
+
+/// Whether a file below a folder has a test.
+fn has_test(folder: &Path) -> bool {
+    fs::read_dir(folder).expect("sources").any(|entry| {
+        let path = entry.expect("readable").path();
+        if path.is_dir() {
+            has_test(&path)
+        } else {
+            fs::read_to_string(&path).is_ok_and(|text| text.contains("#[test]"))
+        }
+    })
+}
+
+#[test]
+fn what_is_not_built_for_tests_has_none() {
+    let (mut checked, mut others) = (0, 0);
+    for package in members() {
+        let manifest = fs::read_to_string(package.join("Cargo.toml")).expect("UTF-8");
+        let inside = has_test(&package.join("src"));
+        if manifest.lines().any(|line| line == "test = false") {
+            checked += 1;
+            assert!(
+                !inside,
+                "{} has a test in src that no command runs: move it to tests/, or remove `test = false`",
+                package.display()
+            );
+        } else {
+            others += usize::from(inside);
+        }
+    }
+    // Both kinds are there, so that both lists are read.
+    assert!(checked >= 4, "{checked} packages checked");
+    assert!(others >= 2, "{others} packages with tests inside");
+}
