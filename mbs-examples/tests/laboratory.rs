@@ -7,6 +7,9 @@ use std::process::{Command, Output};
 use mbs_examples::laboratory::diagram::{MEASURES, draw};
 use mbs_examples::laboratory::methods::{Control, entries};
 use mbs_examples::laboratory::outcome::Outcome;
+use mbs_examples::laboratory::paper::{
+    self, Extent, RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores, figures, measure,
+};
 use mbs_examples::laboratory::store::{Row, Store};
 use mbs_examples::laboratory::work_precision::Point;
 use mbs_runtime::Method;
@@ -219,4 +222,145 @@ fn a_chart_resumes_from_its_points() {
     // And nothing is measured twice.
     assert!(mbs(&arguments).status.success());
     assert_eq!(fs::read_to_string(&csv).expect("a CSV"), resumed);
+}
+
+/// Takes some runs of a figure of the paper.
+fn take(name: &str, number: u8, part: f64, wanted: &[&str]) -> Stores {
+    let out = directory(name);
+    let extent = Extent {
+        part,
+        patience: 60.0,
+    };
+    let mut all = figures(extent);
+    let mut figure = all.remove(usize::from(number) - 1);
+    assert_eq!(figure.number, number);
+    figure.runs.retain(|run| wanted.contains(&run.label));
+    assert_eq!(figure.runs.len(), wanted.len(), "all of {wanted:?}");
+    let columns = figure.sample_columns();
+    let columns: Vec<&str> = columns.iter().map(String::as_str).collect();
+    let open = |name: &str, columns: &[&str], keys| {
+        Store::open(&out.join(name), "a", columns, keys).expect("a store")
+    };
+    let mut stores = Stores {
+        samples: open("samples.csv", &columns, SAMPLE_KEYS),
+        runs: open("runs.csv", &RUN_COLUMNS, RUN_KEYS),
+    };
+    measure(&figure, extent, &mut stores, &mut |_| ()).expect("files");
+    let svg = paper::draw(&figure, &stores);
+    assert!(svg.contains(wanted[0]) && !svg.contains("NaN"), "{svg}");
+    stores
+}
+
+fn samples<'a>(stores: &'a Stores, run: &str) -> Vec<&'a [String]> {
+    let rows = stores.samples.rows().iter().filter(|row| row[0] == run);
+    rows.map(|row| &row[1..]).collect()
+}
+
+/// The counts of section 7, and of rows that follow from others.
+#[test]
+fn the_papers_mechanisms_have_the_papers_counts() {
+    let expected = [
+        (1, 12, 11, 11),
+        (3, 24, 26, 23),
+        (6, 36, 36, 35),
+        (7, 36, 36, 35),
+    ];
+    let all = figures(Extent::QUICK);
+    for (number, velocities, rows, rank) in expected {
+        let model = all[number - 1].subject.model;
+        assert_eq!(model.velocities.len(), velocities, "figure {number}");
+        assert_eq!(model.rows.len(), rows, "figure {number}");
+        let found = model.mobility.map(|mobility| mobility.rank);
+        assert_eq!(found, Some(rank), "figure {number}");
+    }
+}
+
+/// The closed form of the pendulum against a simulation: heights and reactions.
+#[test]
+fn the_exact_pendulum_is_that_of_the_scene() {
+    let stores = take("paper-1", 1, 0.003, &["exact", "two-level"]);
+    let (exact, found) = (samples(&stores, "exact"), samples(&stores, "two-level"));
+    assert!(exact.len() > 300);
+    // The simulation has its start too. Columns: time, energy error, y, fx, fy.
+    for (exact, found) in exact.iter().zip(&found[1..]) {
+        assert_eq!(exact[0], found[0]);
+        for (i, tolerance) in [(2, 1e-4), (3, 3e-3), (4, 3e-3)] {
+            let [a, b]: [f64; 2] = [exact, found].map(|row| row[i].parse().expect("a number"));
+            assert!((a - b).abs() < tolerance, "{exact:?} {found:?}");
+        }
+    }
+}
+
+/// Of m̄ and ξ only the product acts where multipliers begin anew in each step.
+#[test]
+fn a_tenth_of_the_masses_is_a_tenth_of_the_penalties() {
+    let runs = ["two-level", "m̄; ξ = 10", "m̄/10; ξ = 100", "m̄ = 0; ξ = 100"];
+    let stores = take("paper-2", 2, 0.01, &runs);
+    // The penalties differ, as they should: time, energy error, step.
+    let shown = |run| -> Vec<Vec<f64>> {
+        let number = |cell: &String| cell.parse().unwrap_or(0.0);
+        let rows = samples(&stores, run);
+        rows.iter()
+            .map(|row| row[..3].iter().map(number).collect())
+            .collect()
+    };
+    let (scaled, tenth) = (shown(runs[1]), shown(runs[2]));
+    assert_eq!(scaled.len(), 201);
+    for (a, b) in scaled.iter().flatten().zip(tenth.iter().flatten()) {
+        assert!((a - b).abs() <= 1e-3 * a.abs() + 1e-12, "{a} and {b}");
+    }
+    assert!(tenth[200][1] < -1e-5, "energy is lost: {:?}", tenth[200]);
+    let outcome = |run: &str| stores.runs.find(&[run]).map(|row| row[1].clone());
+    assert_eq!(outcome(runs[0]).as_deref(), Some("ok"));
+    assert_eq!(outcome(runs[2]).as_deref(), Some("ok"));
+    assert_eq!(outcome(runs[3]).as_deref(), Some("step underflow"));
+}
+
+/// Through the first singular pose: two-level on its branch, Algorithm 1 with constant penalties not at all.
+#[test]
+fn figure_4_tells_who_passes_the_singular_pose() {
+    let runs = ["two-level", "ξ = 1", "ξ = 1e3", "ξ = 1e6"];
+    let stores = take("paper-4", 4, 0.02, &runs);
+    let run = |label: &str| stores.runs.find(&[label]).cloned().expect("it was run");
+    let number = |cell: &String| cell.parse::<f64>().expect("a number");
+    let two_level = run(runs[0]);
+    assert_eq!(two_level[1..3], ["ok", "0.4"]);
+    // The other branch is a metre away.
+    let [energy, branch] = [7, 10].map(|i| number(&two_level[i]));
+    assert!(energy < 1e-3 && branch < 1e-5, "{two_level:?}");
+    for label in &runs[1..] {
+        let failed = run(label);
+        assert_eq!(failed[1], "step underflow");
+        assert!(number(&failed[2]) < 0.4, "{failed:?}");
+    }
+}
+
+#[test]
+fn a_figure_resumes_from_its_runs() {
+    let out = directory("paper-3");
+    let out = out.to_str().expect("UTF-8");
+    let arguments = ["paper", "--figure", "3", "--quick", "--out", out];
+    let output = mbs(&arguments);
+    assert!(output.status.success(), "{output:?}");
+    let path = |name: &str| Path::new(out).join(name);
+    let file = |name: &str| fs::read_to_string(path(name)).expect("a file");
+    assert!(file("figure-3.svg").contains("effective masses"));
+    let [samples, runs] = ["figure-3.csv", "figure-3-runs.csv"].map(file);
+    assert!(samples.starts_with("# commit "), "{samples}");
+    assert_eq!(runs.lines().count(), 2 + 4, "{runs}");
+    // Interrupted in the second run: the first is told by its processor time.
+    let kept: Vec<&str> = runs.lines().take(3).collect();
+    fs::write(path("figure-3-runs.csv"), kept.join("\n") + "\n").expect("a CSV");
+    assert!(mbs(&arguments).status.success());
+    let resumed = file("figure-3-runs.csv");
+    assert_eq!(resumed.lines().nth(2), Some(kept[2]));
+    assert_eq!(resumed.lines().count(), 2 + 4, "{resumed}");
+    assert_eq!(file("figure-3.csv"), samples);
+    // And nothing is run twice.
+    assert!(mbs(&arguments).status.success());
+    assert_eq!(file("figure-3-runs.csv"), resumed);
+    let refused = mbs(&["paper", "--figure", "8", "--out", out]);
+    assert_eq!(refused.status.code(), Some(1));
+    let stderr = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(stderr.contains("--figure 1 to --figure 7"), "{stderr}");
 }

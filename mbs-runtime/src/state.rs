@@ -174,6 +174,10 @@ pub struct ThreeFields<const N: usize, const R: usize> {
     pub constraint_momentum: [f64; R],
     /// The step in use, s, after halvings; zero stands for the nominal one.
     pub step: f64,
+    /// The shortest step in use within the last nominal one, s.
+    pub shortest: f64,
+    /// ξ, the penalties at the end of the last step.
+    pub penalty: [f64; R],
     /// Whether λ, μ and π hold values of a previous step.
     pub started: bool,
 }
@@ -186,6 +190,8 @@ impl<const N: usize, const R: usize> Default for ThreeFields<N, R> {
             momentum: [0.0; N],
             constraint_momentum: [0.0; R],
             step: 0.0,
+            shortest: 0.0,
+            penalty: [0.0; R],
             started: false,
         }
     }

@@ -5,6 +5,7 @@ mod explain;
 mod failure;
 mod find;
 mod list;
+mod paper;
 mod print;
 mod progress;
 mod request;
@@ -37,6 +38,8 @@ enum Command {
     Explain(explain::Explain),
     /// Compare the methods: speed against accuracy, stability, what a model costs.
     Chart(chart::Chart),
+    /// The figures of the paper as ours.
+    Paper(paper::Paper),
 }
 
 /// Runs the command line of this process.
@@ -47,6 +50,7 @@ pub fn main() -> ExitCode {
             Command::Simulate(simulate) => simulate.run(),
             Command::Explain(explain) => explain.run(),
             Command::Chart(chart) => chart.run(),
+            Command::Paper(paper) => paper.run(),
         },
         // Asked for help or the version: not a failure.
         Err(message) if !message.use_stderr() => print::print(&message.to_string()),

@@ -10,6 +10,7 @@ pub mod model_size;
 pub mod outcome;
 pub mod outcome_map;
 pub mod page;
+pub mod paper;
 pub mod provenance;
 pub mod stability;
 pub mod store;

@@ -13,6 +13,7 @@ pub mod four_bar_40;
 pub mod heavy_top;
 pub mod knife_edge;
 pub mod laboratory;
+pub mod paper;
 pub mod pendulum;
 pub mod rattleback;
 pub mod rolling_disk;

@@ -150,6 +150,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         }
         let end = self.state.time + h;
         self.drive = [0.0; R];
+        self.state.fields.shortest = h;
         let mut left = h;
         let mut size = if self.state.fields.step > 0.0 {
             self.state.fields.step.min(h)
@@ -161,6 +162,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             let trial = size.min(left);
             match self.try_step(trial) {
                 Ok(()) => {
+                    let fields = &mut self.state.fields;
+                    // What is left of the nominal step may be less.
+                    fields.shortest = fields.shortest.min(size);
                     left -= trial;
                     if left < 1e-9 * h {
                         left = 0.0;
@@ -269,7 +273,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         fields.momentum = momentum;
         fields.constraint_momentum =
             std::array::from_fn(|i| self.end.constraint_mass[i] * rates[i]);
-        (fields.mu, fields.lambda, fields.started) = (x.mu, x.lambda, true);
+        (fields.mu, fields.lambda, fields.penalty) = (x.mu, x.lambda, x.penalty);
+        fields.started = true;
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())

@@ -1,0 +1,144 @@
+//! What is kept of a run at an instant.
+
+use mbs_runtime::Model;
+
+use super::probe::{Instant, Probe};
+
+/// A number of a run at an instant. Joints, components, outputs and rows are named as the model names them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Column {
+    /// T + V, J.
+    Energy,
+    /// Its error, J.
+    EnergyError,
+    /// An output.
+    Output(&'static str),
+    /// A reaction at the instant, from the equations at acceleration level.
+    Reaction(&'static str, &'static str),
+    /// The largest of the reactions since the instant before, each the mean over a step.
+    StepReaction(&'static str, &'static str),
+    /// φ of a row.
+    Row(&'static str),
+    /// φ̇ of a row.
+    Rate(&'static str),
+    /// m̄ of a row.
+    Mass(&'static str),
+    /// The shortest step of Algorithm 1 since the instant before, s.
+    Step,
+    /// The largest penalty of a row since the instant before.
+    Penalty(&'static str),
+}
+
+impl Column {
+    /// In the head of a file.
+    pub fn name(&self) -> String {
+        match self {
+            Column::Energy => "energy_J".to_owned(),
+            Column::EnergyError => "energy_error_J".to_owned(),
+            Column::Output(name) => (*name).to_owned(),
+            Column::Reaction(joint, component) => format!("{joint}.{component}"),
+            Column::StepReaction(joint, component) => format!("step {joint}.{component}"),
+            Column::Row(row) => format!("phi {row}"),
+            Column::Rate(row) => format!("rate {row}"),
+            Column::Mass(row) => format!("mass {row}"),
+            Column::Step => "step_s".to_owned(),
+            Column::Penalty(row) => format!("penalty {row}"),
+        }
+    }
+
+    /// Whether each step has to be looked at.
+    pub fn is_of_steps(&self) -> bool {
+        matches!(
+            self,
+            Column::StepReaction(..) | Column::Step | Column::Penalty(_)
+        )
+    }
+}
+
+/// The numbers of a run, as it comes along.
+pub struct Numbers<'a> {
+    columns: &'a [Column],
+    /// Of the columns that are of steps: what the steps since the last instant amount to.
+    steps: Vec<Option<f64>>,
+}
+
+impl<'a> Numbers<'a> {
+    /// Of nothing yet.
+    pub fn new(columns: &'a [Column]) -> Self {
+        Numbers {
+            columns,
+            steps: vec![None; columns.len()],
+        }
+    }
+
+    /// Takes note of a step.
+    pub fn step(&mut self, probe: &dyn Probe, before: Option<&Instant>) {
+        let model = probe.model();
+        let (shortest, penalties) = probe.algorithm();
+        let reactions = before.map(|before| probe.mean_reactions(before));
+        for (column, kept) in self.columns.iter().zip(&mut self.steps) {
+            match column {
+                Column::Step if shortest > 0.0 => {
+                    *kept = Some(kept.unwrap_or(f64::INFINITY).min(shortest));
+                }
+                Column::Penalty(row) if shortest > 0.0 => {
+                    let value = index(model, row).and_then(|i| penalties.get(i).copied());
+                    *kept = value.map(|value| kept.unwrap_or(0.0).max(value));
+                }
+                Column::StepReaction(joint, component) => {
+                    let value = reactions
+                        .as_ref()
+                        .and_then(|values| reaction(model, joint, component, values));
+                    if let Some(value) = value
+                        && !(kept.unwrap_or(0.0).abs() > value.abs())
+                    {
+                        *kept = Some(value);
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// The numbers at this instant; `None` for what the method has not. Steps are forgotten.
+    pub fn look(&mut self, probe: &dyn Probe) -> Vec<Option<f64>> {
+        let model = probe.model();
+        let wants = |kind: fn(&Column) -> bool| self.columns.iter().any(kind);
+        let rows = wants(|c| matches!(c, Column::Row(_) | Column::Rate(_))).then(|| probe.rows());
+        let masses = wants(|c| matches!(c, Column::Mass(_))).then(|| probe.effective_masses());
+        let reactions = wants(|c| matches!(c, Column::Reaction(..)))
+            .then(|| probe.reactions().ok())
+            .flatten();
+        let energy = probe.energy();
+        let outputs = probe.outputs();
+        let of_row = |values: Option<&Vec<f64>>, row: &str| {
+            values.and_then(|values| values.get(index(model, row)?).copied())
+        };
+        let steps = std::mem::replace(&mut self.steps, vec![None; self.columns.len()]);
+        let value = |(column, kept): (&Column, Option<f64>)| match column {
+            Column::Energy => Some(energy.kinetic + energy.potential),
+            Column::EnergyError => Some(energy.error),
+            Column::Output(name) => {
+                let at = model.outputs.iter().position(|output| output.name == *name);
+                at.and_then(|at| outputs.get(at).copied())
+            }
+            Column::Reaction(joint, component) => reactions
+                .as_ref()
+                .and_then(|found| reaction(model, joint, component, &found.values)),
+            Column::Row(row) => of_row(rows.as_ref().map(|[phi, _]| phi), row),
+            Column::Rate(row) => of_row(rows.as_ref().map(|[_, rate]| rate), row),
+            Column::Mass(row) => of_row(masses.as_ref(), row),
+            Column::StepReaction(..) | Column::Step | Column::Penalty(_) => kept,
+        };
+        self.columns.iter().zip(steps).map(value).collect()
+    }
+}
+
+fn index(model: &Model, row: &str) -> Option<usize> {
+    model.rows.iter().position(|known| known.name == row)
+}
+
+fn reaction(model: &Model, joint: &str, component: &str, values: &[f64]) -> Option<f64> {
+    let named = |r: &mbs_runtime::Reaction| r.joint == joint && r.component == component;
+    values.get(model.reactions.iter().position(named)?).copied()
+}

@@ -1,0 +1,93 @@
+//! The slider-crank: the force at the pin P₂, with two steps, and its rows.
+
+use super::column::Column;
+use super::figure3::PENALTIES;
+use super::run::{BDF, Extent, METHODS, PAPER, Run, SLIDER_CRANK, STEP, TWO_LEVEL, methods};
+use super::{Curve, Figure, Panel, Scale};
+
+const FORCE: [Column; 2] = [
+    Column::StepReaction("pin", "fx"),
+    Column::StepReaction("pin", "fy"),
+];
+/// The twelfth and the thirteenth row, as in the paper.
+const ROW: [Column; 2] = [Column::Row("pin.x"), Column::Row("pin.y")];
+const RATE: [Column; 2] = [Column::Rate("pin.x"), Column::Rate("pin.y")];
+/// [`METHODS`] with half the step.
+const HALVED: [&str; 7] = [
+    "two-level h/2",
+    "alf3f-paper h/2",
+    "alf3f-paper 1e-6 h/2",
+    "m-alf h/2",
+    "bdf h/2",
+    "bdf order ≤ 2 h/2",
+    "bdf order 1 h/2",
+];
+/// Of [`METHODS`], those whose forces are drawn.
+const DRAWN: [usize; 5] = [0, 1, 4, 5, 6];
+const MOST: f64 = 300.0;
+
+pub fn figure(extent: Extent) -> Figure {
+    let instants = extent.instants(0.0, 20.0, 500);
+    let mut runs = methods(PENALTIES[0], STEP, &instants);
+    let halved = methods(PENALTIES[0], 0.5 * STEP, &instants);
+    runs.extend(
+        halved
+            .into_iter()
+            .zip(HALVED)
+            .map(|(run, label)| Run { label, ..run }),
+    );
+    let window = [0.0, extent.time(10.0)];
+    let force = |title, column, runs: &[&'static str; 7]| {
+        let curve = |i: usize| Curve {
+            label: METHODS[i].to_owned(),
+            run: runs[i],
+            column,
+        };
+        Panel {
+            title,
+            across: None,
+            axes: ["time, s", "force on the rod, N"],
+            curves: DRAWN.map(curve).into(),
+            window,
+            scale: Scale::Between(-MOST, MOST),
+        }
+    };
+    let rows = |title, axis, columns: [Column; 2]| {
+        let mut curves = Vec::new();
+        for run in [TWO_LEVEL, PAPER, BDF[0]] {
+            for (column, name) in columns.into_iter().zip(["x", "y"]) {
+                let label = format!("{run}, {name}");
+                curves.push(Curve { label, run, column });
+            }
+        }
+        Panel {
+            title,
+            across: None,
+            axes: ["time, s", axis],
+            curves,
+            window,
+            scale: Scale::Decades(-18, 0),
+        }
+    };
+    Figure {
+        number: 5,
+        title: "slider-crank, the force at the pin of both rods",
+        subject: &SLIDER_CRANK,
+        columns: [
+            vec![Column::EnergyError],
+            FORCE.to_vec(),
+            ROW.to_vec(),
+            RATE.to_vec(),
+        ]
+        .concat(),
+        runs,
+        panels: vec![
+            force("horizontal force, h = 1e-3 s", FORCE[0], &METHODS),
+            force("vertical force, h = 1e-3 s", FORCE[1], &METHODS),
+            force("horizontal force, h = 5e-4 s", FORCE[0], &HALVED),
+            force("vertical force, h = 5e-4 s", FORCE[1], &HALVED),
+            rows("rows 12 and 13, of the pin", "|φ|, m", ROW),
+            rows("their rates", "|φ̇|, m/s", RATE),
+        ],
+    }
+}

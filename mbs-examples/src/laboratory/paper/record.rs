@@ -1,0 +1,221 @@
+//! Takes the runs of a figure and keeps what they show.
+
+use std::io;
+
+use cpu_time::ProcessTime;
+use mbs_runtime::Settings;
+
+use super::column::{Column, Numbers};
+use super::probe::Probe;
+use super::run::{Extent, Run, Source, Subject};
+use super::{Figure, stamp};
+use crate::laboratory::outcome::Outcome;
+use crate::laboratory::store::{Row, Store};
+
+/// The columns of the file of runs; the first identifies a run.
+pub const RUN_COLUMNS: [&str; 13] = [
+    "run",
+    "outcome",
+    "reached_s",
+    "steps",
+    "stages",
+    "rejected",
+    "energy_error_J",
+    "largest_energy_error_J",
+    "largest_phi",
+    "largest_rate",
+    "largest_branch",
+    "cpu_s",
+    "detail",
+];
+/// How many of them identify a run.
+pub const RUN_KEYS: usize = 1;
+/// The run and the time identify a sample.
+pub const SAMPLE_KEYS: usize = 2;
+/// A run is given up when a row is violated by this, m or rad: the mechanisms have rods of 1 m.
+const APART: f64 = 0.1;
+/// A remainder of this part of a step is no step.
+const SLIVER: f64 = 1e-6;
+
+/// The two files of a figure.
+pub struct Stores {
+    /// One row for each run and instant.
+    pub samples: Store,
+    /// One row for each run.
+    pub runs: Store,
+}
+
+impl Figure {
+    /// The columns of the file of samples.
+    pub fn sample_columns(&self) -> Vec<String> {
+        let fixed = ["run".to_owned(), "time_s".to_owned()];
+        fixed
+            .into_iter()
+            .chain(self.columns.iter().map(Column::name))
+            .collect()
+    }
+
+    /// How many instants there are to look at.
+    pub fn points(&self) -> usize {
+        self.runs.iter().map(|run| run.instants.len()).sum()
+    }
+}
+
+/// Takes the runs that the stores do not hold yet; `tick` is told of each instant, with the run.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn measure(
+    figure: &Figure,
+    extent: Extent,
+    stores: &mut Stores,
+    tick: &mut dyn FnMut(&'static str),
+) -> io::Result<()> {
+    for run in &figure.runs {
+        if stores.runs.find(&[run.label]).is_some() {
+            run.instants.iter().for_each(|_| tick(run.label));
+            continue;
+        }
+        let mut samples = Vec::new();
+        let row = match run.source {
+            Source::Exact(motion) => {
+                for &time in &run.instants {
+                    let value = |column: &Column| motion(time, column);
+                    samples.push((time, figure.columns.iter().map(value).collect()));
+                    tick(run.label);
+                }
+                exact_row(run)
+            }
+            Source::Simulated(settings) => {
+                let subject = run.subject.unwrap_or(figure.subject);
+                simulate(figure, run, subject, settings, extent, &mut samples, tick)
+            }
+        };
+        for (time, values) in samples {
+            let cells = values
+                .iter()
+                .map(|value| value.map_or(String::new(), |value| format!("{value:.4e}")));
+            let row = [run.label.to_owned(), stamp(time)];
+            stores.samples.put(row.into_iter().chain(cells).collect())?;
+        }
+        // Last, so that a run that was interrupted is taken again.
+        stores.runs.put(row)?;
+    }
+    stores.samples.compact()?;
+    stores.runs.compact()
+}
+
+type Samples = Vec<(f64, Vec<Option<f64>>)>;
+
+fn simulate(
+    figure: &Figure,
+    run: &Run,
+    subject: &Subject,
+    settings: Settings,
+    extent: Extent,
+    samples: &mut Samples,
+    tick: &mut dyn FnMut(&'static str),
+) -> Row {
+    let start = ProcessTime::now();
+    let mut probe = match (subject.build)(settings) {
+        Ok(probe) => probe,
+        Err(error) => return plain_row(run, Outcome::of_error(&error), &error.to_string()),
+    };
+    let branch = subject
+        .model
+        .outputs
+        .iter()
+        .position(|output| output.name == "branch");
+    let mut numbers = Numbers::new(&figure.columns);
+    let by_steps = figure.columns.iter().any(Column::is_of_steps);
+    let compares = figure
+        .columns
+        .iter()
+        .any(|column| matches!(column, Column::StepReaction(..)));
+    let mut astray: f64 = 0.0;
+    let (mut outcome, mut detail) = (Outcome::Ok, String::new());
+    samples.push((0.0, numbers.look(probe.as_ref())));
+    for &instant in &run.instants {
+        tick(run.label);
+        if outcome != Outcome::Ok {
+            continue;
+        }
+        let mut stride = || -> Result<(), mbs_runtime::SimulationError> {
+            if !by_steps {
+                return probe.run_until(instant);
+            }
+            while probe.time() < instant {
+                let left = instant - probe.time();
+                let next = match left <= settings.step * (1.0 + SLIVER) {
+                    true => instant,
+                    false => probe.time() + settings.step,
+                };
+                let before = compares.then(|| probe.instant());
+                probe.run_until(next)?;
+                numbers.step(probe.as_ref(), before.as_ref());
+            }
+            Ok(())
+        };
+        if let Err(error) = stride() {
+            outcome = Outcome::of_error(&error);
+            detail = error.to_string();
+        }
+        if let Some(branch) = branch {
+            astray = astray.max(probe.outputs()[branch].abs());
+        }
+        let values = numbers.look(probe.as_ref());
+        samples.push((probe.time(), values));
+        let violation = probe.report().holonomic_error;
+        if outcome == Outcome::Ok && !(violation <= APART) {
+            outcome = Outcome::Drift;
+            detail = format!("a row is violated by {violation:.2}");
+        }
+        if outcome == Outcome::Ok && start.elapsed().as_secs_f64() > extent.patience {
+            outcome = Outcome::TooSlow;
+            detail = format!("given up after {} s", extent.patience);
+        }
+    }
+    row(run, outcome, &detail, probe.as_ref(), astray, start)
+}
+
+fn row(
+    run: &Run,
+    outcome: Outcome,
+    detail: &str,
+    probe: &dyn Probe,
+    astray: f64,
+    start: ProcessTime,
+) -> Row {
+    let report = probe.report();
+    vec![
+        run.label.to_owned(),
+        outcome.name().to_owned(),
+        stamp(probe.time()),
+        report.steps.to_string(),
+        report.stages.to_string(),
+        report.rejected_steps.to_string(),
+        format!("{:.4e}", probe.energy().error),
+        format!("{:.4e}", report.energy_error),
+        format!("{:.4e}", report.holonomic_error),
+        format!("{:.4e}", report.velocity_error),
+        format!("{astray:.4e}"),
+        format!("{:.2}", start.elapsed().as_secs_f64()),
+        detail.to_owned(),
+    ]
+}
+
+/// Of a run that did not begin.
+fn plain_row(run: &Run, outcome: Outcome, detail: &str) -> Row {
+    let mut row = vec![String::new(); RUN_COLUMNS.len()];
+    row[0] = run.label.to_owned();
+    row[1] = outcome.name().to_owned();
+    row[2] = "0".to_owned();
+    row[12] = detail.to_owned();
+    row
+}
+
+fn exact_row(run: &Run) -> Row {
+    let mut row = plain_row(run, Outcome::Ok, "closed form");
+    row[2] = stamp(run.instants.last().copied().unwrap_or(0.0));
+    row
+}
