@@ -1,8 +1,11 @@
-//! Tables: trusted values that runs are compared with, and the columns of the command line.
+//! Tables: trusted values that runs are compared with, the columns of the command line, and those of the charts.
 
 #[path = "../src/cli/table.rs"]
 mod table;
 
+use mbs_examples::laboratory::outcome::Outcome;
+use mbs_examples::laboratory::tables::front;
+use mbs_examples::laboratory::work_precision::Point;
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Reference;
 use mbs_examples::scenes::scenes;
@@ -83,4 +86,35 @@ fn columns_are_aligned() {
     ];
     let expected = "  name     n\n  φ       12\n  longer   3\n";
     assert_eq!(table(heading, &rows), expected);
+}
+
+fn point(method: &str, value: f64, cpu: f64, energy: f64) -> Point {
+    Point {
+        method: method.to_owned(),
+        value,
+        outcome: Outcome::Ok,
+        cpu,
+        errors: [0.0, energy, 0.0],
+    }
+}
+
+#[test]
+fn a_lucky_step_does_not_make_a_method_the_fastest() {
+    let points = [
+        point("projected 4", 0.1, 1e-5, 1e-4),
+        point("projected 4", 0.05, 2e-5, 1e-2),
+        point("projected 4", 0.025, 4e-5, 1e-5),
+        point("projected 4", 0.0125, 8e-5, 1e-6),
+        point("two-level 2", 0.1, 6.73e-5, 1e-4),
+        point("two-level 2", 0.05, 0.1121, 1e-5),
+    ];
+    let table = front(&points, &[-3, -9]);
+    let rows: Vec<&str> = table.lines().skip(2).collect();
+    assert_eq!(
+        rows,
+        [
+            "| 1e-3 | `projected 4` | 0.04 | `two-level 2` | 0.0673 | 1.68 | `projected 4` | 0.04 | 1 |",
+            "| 1e-9 | – | – | – | – | – | – | – | – |",
+        ]
+    );
 }
