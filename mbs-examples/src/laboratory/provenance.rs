@@ -11,6 +11,8 @@ pub fn provenance() -> String {
 fn commit() -> String {
     let git = |arguments: &[&str]| {
         let mut git = Command::new("git");
+        // Others may be asking at the same time.
+        git.arg("--no-optional-locks");
         git.arg("-C").arg(Path::new(env!("CARGO_MANIFEST_DIR")));
         let output = git.args(arguments).output().ok()?;
         let text = String::from_utf8(output.stdout).ok()?;
