@@ -1,7 +1,7 @@
 //! Singular passages at random steps from random phases: failures, wrong branches, and how far the worst energy error of a
 //! step is from the usual one.
 //!
-//! `cargo run --release -p mbs-examples --example passage_phases [steps per order]`
+//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene]`
 //!
 //! Each step, drawn log-uniformly, is run from several states on the smooth branch, drawn from its first ten seconds, and
 //! compared with a fine run from the same state at every half second. Energy alone does not show a wrong branch: on the
@@ -36,6 +36,8 @@ type Asymmetry = fn(&dyn Fn(&str) -> [f64; 3]) -> f64;
 fn main() {
     let count = std::env::args().nth(1).and_then(|n| n.parse().ok());
     let count: usize = count.unwrap_or(500);
+    let scene = std::env::args().nth(2);
+    let wanted = |name: &str| scene.as_deref().is_none_or(|scene| scene == name);
     println!(
         "{count} steps an order in [{:e}, {:e}] s, each from {PHASES_OF_A_STEP} phases, {DURATION} s; energy errors in J",
         STEPS[0], STEPS[1]
@@ -43,22 +45,26 @@ fn main() {
     println!(
         "\n| scene | order | placement | runs | failed | wrong branch | median energy error | worst | median position error, m | worst | worst energy error / median of a step: median | 90 % | 99 % | largest | steps within 3 |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|"
     );
-    sweep(
-        "slider-crank",
-        &slider_crank::SliderCrank::default(),
-        |point| (point("rod.b")[0] - 2.0 * point("crank.b")[0]).abs(),
-        count,
-    );
-    sweep(
-        "double-four-bar",
-        &double_four_bar::DoubleFourBar::default(),
-        |point| {
-            let height = |name: &str| point(name)[1];
-            let first = (height("crank0.b") - height("crank1.b")).abs();
-            first.max((height("crank1.b") - height("crank2.b")).abs())
-        },
-        count,
-    );
+    if wanted("slider-crank") {
+        sweep(
+            "slider-crank",
+            &slider_crank::SliderCrank::default(),
+            |point| (point("rod.b")[0] - 2.0 * point("crank.b")[0]).abs(),
+            count,
+        );
+    }
+    if wanted("double-four-bar") {
+        sweep(
+            "double-four-bar",
+            &double_four_bar::DoubleFourBar::default(),
+            |point| {
+                let height = |name: &str| point(name)[1];
+                let first = (height("crank0.b") - height("crank1.b")).abs();
+                first.max((height("crank1.b") - height("crank2.b")).abs())
+            },
+            count,
+        );
+    }
 }
 
 fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
