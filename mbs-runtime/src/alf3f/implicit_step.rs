@@ -191,7 +191,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         if !S::ROTATIONS.is_empty() {
             self.turn_holonomic(system, end, turn);
         }
-        dual.factor(&self.metric, &lengths, &[false; R]);
+        dual.factor(&self.metric, &lengths, None);
         self.end_dual.regularised
             || dual.smallest_pivot(&lengths) >= LOST * self.end_dual.smallest_pivot(&lengths)
     }
@@ -229,7 +229,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         }
         system.gram(&end.a, &self.along_end, &mut self.metric);
         let lengths = std::array::from_fn(|i| self.metric[i][i].abs());
-        self.end_dual.factor(&self.metric, &lengths, &[false; R]);
+        self.end_dual.factor(&self.metric, &lengths, None);
         lengths
     }
 

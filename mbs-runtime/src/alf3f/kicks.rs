@@ -98,7 +98,11 @@ where
             }
             let directions = flow.directions(system, &va, start)?;
             system.gram(&end.a, directions, &mut work.matrix);
-            (work.dual).factor(&work.matrix, &start.lengths_squared(), &work.symmetric.idle);
+            (work.dual).factor(
+                &work.matrix,
+                &start.lengths_squared(),
+                work.symmetric.idle(),
+            );
             counters.regularised += u64::from(work.dual.regularised);
             matrix = Matrix::Fresh;
         } else if matrix == Matrix::Fresh {

@@ -111,7 +111,7 @@ where
                 *length *= 2.0;
             }
             work.dual
-                .factor(&work.matrix, &lengths, &work.symmetric.idle);
+                .factor(&work.matrix, &lengths, work.symmetric.idle());
             counters.regularised += u64::from(work.dual.regularised);
             fresh = true;
         } else {

@@ -14,9 +14,9 @@ pub(crate) struct SymmetricDual<const K: usize> {
     /// Whether solutions of the last factorisation lose digits that an iteration on the residual restores.
     pub(crate) weak: bool,
     /// Rows that follow from those before them wherever the mechanism is, as far as is known.
-    redundant: [bool; K],
+    redundant: Option<[bool; K]>,
     /// Which of them did at the last factorisation: their multipliers are zero.
-    pub(crate) idle: [bool; K],
+    idle: [bool; K],
     /// Whether there are any.
     pub(crate) reduced: bool,
 }
@@ -37,7 +37,7 @@ impl<const K: usize> SymmetricDual<K> {
             proximal: Proximal::new(),
             regularised: false,
             weak: false,
-            redundant: [false; K],
+            redundant: None,
             idle: [false; K],
             reduced: false,
         }
@@ -48,18 +48,25 @@ impl<const K: usize> SymmetricDual<K> {
     /// to reactions, not to motion.)
     #[inline(never)]
     pub(crate) fn expect_redundancy(&mut self, matrix: &[[f64; K]; K]) {
-        self.redundant = [true; K];
-        self.redundant = match self.eliminate(matrix) {
-            true => self.idle,
-            false => [false; K],
-        };
+        let found = self.eliminate_but(&[true; K], matrix) && self.reduced;
+        self.redundant = found.then_some(self.idle);
         self.factor(matrix);
+    }
+
+    /// Rows that get no multiplier, where there are any.
+    #[inline(always)]
+    pub(crate) fn idle(&self) -> Option<&[bool; K]> {
+        self.reduced.then_some(&self.idle)
     }
 
     /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots.
     #[inline(always)]
     pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K]) {
-        self.regularised = !self.eliminate(matrix);
+        let regular = match self.redundant {
+            None => self.eliminate(matrix),
+            Some(redundant) => self.eliminate_but(&redundant, matrix),
+        };
+        self.regularised = !regular;
         if self.regularised {
             self.weak = true;
             let diagonal = core::array::from_fn(|i| matrix[i][i]);
@@ -69,11 +76,33 @@ impl<const K: usize> SymmetricDual<K> {
 
     #[inline(always)]
     fn eliminate(&mut self, matrix: &[[f64; K]; K]) -> bool {
+        self.eliminate_where(|_, _| false, matrix)
+    }
+
+    /// The same past rows that still are redundant. Out of line: the other is the one to be unrolled.
+    #[inline(never)]
+    fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> bool {
+        let (mut idle, mut reduced) = ([false; K], false);
+        let regular = self.eliminate_where(
+            |k, pivot| {
+                idle[k] = redundant[k] && pivot.abs() <= REDUNDANT * matrix[k][k];
+                reduced |= idle[k];
+                idle[k]
+            },
+            matrix,
+        );
+        (self.idle, self.reduced) = (idle, reduced && regular);
+        regular
+    }
+
+    /// False at the first small pivot that is not `passed_over`.
+    #[inline(always)]
+    fn eliminate_where(
+        &mut self,
+        mut passed_over: impl FnMut(usize, f64) -> bool,
+        matrix: &[[f64; K]; K],
+    ) -> bool {
         let mut weak = false;
-        if self.reduced {
-            self.idle = [false; K];
-            self.reduced = false;
-        }
         let upper = &mut self.upper;
         for i in 0..K {
             for j in i..K {
@@ -84,13 +113,11 @@ impl<const K: usize> SymmetricDual<K> {
             let pivot_row = upper[k];
             let pivot = pivot_row[k];
             if !(pivot > SMALL_PIVOT * matrix[k][k]) {
-                if self.redundant[k] && pivot.abs() <= REDUNDANT * matrix[k][k] {
-                    self.idle[k] = true;
-                    self.reduced = true;
-                    self.inverse_pivot[k] = 0.0;
-                    continue;
+                if !passed_over(k, pivot) {
+                    return false;
                 }
-                return false;
+                self.inverse_pivot[k] = 0.0;
+                continue;
             }
             weak |= pivot < WEAK_PIVOT * matrix[k][k];
             let inverse = 1.0 / pivot;

@@ -25,34 +25,49 @@ impl<const K: usize> Dual<K> {
         }
     }
 
-    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Idle rows get no multiplier.
+    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Idle rows, where there are any, get no multiplier.
     #[inline(always)]
     pub(crate) fn factor(
         &mut self,
         matrix: &[[f64; K]; K],
         length_squared: &[f64; K],
-        idle: &[bool; K],
+        idle: Option<&[bool; K]>,
     ) {
-        self.regularised = !self.eliminate(matrix, length_squared, idle);
+        let regular = match idle {
+            None => self.eliminate(|_| false, matrix, length_squared),
+            Some(idle) => self.eliminate_but(idle, matrix, length_squared),
+        };
+        self.regularised = !regular;
         if self.regularised {
             self.proximal.factor(matrix, length_squared);
         }
+    }
+
+    /// Elimination past idle rows. Out of line: the other is the one to be unrolled.
+    #[inline(never)]
+    fn eliminate_but(
+        &mut self,
+        idle: &[bool; K],
+        matrix: &[[f64; K]; K],
+        length_squared: &[f64; K],
+    ) -> bool {
+        self.eliminate(|k| idle[k], matrix, length_squared)
     }
 
     /// Elimination; false at the first pivot that is small (or not a number).
     #[inline(always)]
     fn eliminate(
         &mut self,
+        idle: impl Fn(usize) -> bool,
         matrix: &[[f64; K]; K],
         length_squared: &[f64; K],
-        idle: &[bool; K],
     ) -> bool {
         *self.lu = *matrix;
         let lu = &mut self.lu;
         for k in 0..K {
             let pivot_row = lu[k];
             let pivot = pivot_row[k];
-            if idle[k] {
+            if idle(k) {
                 self.inverse_pivot[k] = 0.0;
                 for row in &mut lu[k + 1..] {
                     row[k] = 0.0;
