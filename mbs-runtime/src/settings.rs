@@ -113,6 +113,9 @@ impl Flow {
 }
 
 /// Settings of a simulation.
+///
+/// By default two-level of order 2 with a step of 1 ms, placement on, a constraint tolerance of 1e-13 and at most 25
+/// iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// The integrator.

@@ -180,12 +180,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.state().time
     }
 
-    /// q.
+    /// q, in the order and units of [`Model::coordinates`].
     pub fn positions(&self) -> &[f64; Q] {
         &self.state().positions
     }
 
-    /// v.
+    /// v, in the order and units of [`Model::velocities`].
     pub fn velocities(&self) -> &[f64; N] {
         &self.state().velocities
     }
@@ -260,7 +260,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Samples::new(self, until, interval)
     }
 
-    /// The value of an `Input`.
+    /// The value of an `Input`, in the unit that [`Model::inputs`] tells.
     ///
     /// # Errors
     /// No input has this name.
@@ -304,7 +304,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// The value of an `Output`.
+    /// The value of an `Output`, in the unit that [`Model::outputs`] tells.
     ///
     /// # Errors
     /// No output has this name.
@@ -317,7 +317,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(self.outputs().get(index).copied().unwrap_or(f64::NAN))
     }
 
-    /// All `Output`s, in the order of [`Model::outputs`].
+    /// All `Output`s, in the order and units of [`Model::outputs`].
     pub fn outputs(&self) -> Vec<f64> {
         let state = self.state();
         let mut outputs = vec![0.0; S::MODEL.outputs.len()];

@@ -102,8 +102,13 @@ fn formula(
     let events = events.into_iter().map(Ok::<_, fmt::Error>);
     let mut mathml = String::new();
     push_mathml(&mut mathml, events, config).map_err(|error| mistake(latex, error.to_string()))?;
-    // Named entities do not survive what mdBook does to HTML.
-    out.push_str(&mathml.replace("&nbsp;", "\u{a0}"));
+    // Named entities do not survive what mdBook does to HTML, and the sign of a millionth has no italic form, which the
+    // Greek letter has.
+    out.push_str(
+        &mathml
+            .replace("&nbsp;", "\u{a0}")
+            .replace('\u{b5}', "\u{3bc}"),
+    );
     Ok(end + 2 * marks.len())
 }
 
@@ -122,6 +127,11 @@ mod tests {
             !block.trim_end().contains('\n'),
             "Markdown would end it there"
         );
+    }
+
+    #[test]
+    fn mu_is_a_greek_letter() {
+        assert!(render("$\\mu$").unwrap().contains("<mi>\u{3bc}</mi>"));
     }
 
     #[test]

@@ -38,7 +38,7 @@ enum Command {
     Explain(explain::Explain),
     /// Compare the methods: speed against accuracy, stability, what a model costs.
     Chart(chart::Chart),
-    /// The figures of the paper as ours.
+    /// Draw the figures of the paper, with other methods beside its own.
     Paper(paper::Paper),
 }
 
