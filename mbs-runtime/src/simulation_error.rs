@@ -195,7 +195,14 @@ impl fmt::Display for SimulationError {
                     out,
                     "the mechanism cannot be assembled near its declared guess; "
                 )?;
-                write!(out, "these rows pull apart: ")?;
+                write!(
+                    out,
+                    "{}",
+                    match verdict.worst_rows.is_empty() {
+                        true => "its rows have no finite values there",
+                        false => "these rows pull apart: ",
+                    }
+                )?;
                 for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
                     let comma = if i > 0 { ", " } else { "" };
                     write!(out, "{comma}`{row}` (residual {residual:.3e})")?;
@@ -213,19 +220,23 @@ impl fmt::Display for SimulationError {
                 iterations,
             } => write!(
                 out,
-                "`{row}` did not converge in the step from t = {time} s (h = {step} s): residual {residual:.3e} after {iterations} iterations; use a smaller step"
+                "`{row}` did not converge in the step from t = {} s (h = {step} s): residual {residual:.3e} after {iterations} iterations; use a smaller step",
+                clock(*time)
             ),
             NonFinite { time, what } => write!(
                 out,
-                "the {what} became infinite or NaN in the step from t = {time} s; use a smaller step, or look for a force that grows without bound"
+                "the {what} became infinite or NaN in the step from t = {} s; use a smaller step, or look for a force that grows without bound",
+                clock(*time)
             ),
             Mass { time } => write!(
                 out,
-                "the mass matrix is not positive definite at t = {time} s: something moves without mass there"
+                "the mass matrix is not positive definite at t = {} s: something moves without mass there",
+                clock(*time)
             ),
             StepUnderflow { time, step, row } => write!(
                 out,
-                "`{row}` cannot be satisfied beyond t = {time} s, not even with a step of {step:.1e} s; loosen the tolerance (for Algorithm 1 `velocity_tolerance`), or use the two-level method, which passes singular poses"
+                "`{row}` cannot be satisfied beyond t = {} s, not even with a step of {step:.1e} s; loosen the tolerance (for Algorithm 1 `velocity_tolerance`), or use the two-level method, which passes singular poses",
+                clock(*time)
             ),
             Tolerance {
                 time,
@@ -235,7 +246,8 @@ impl fmt::Display for SimulationError {
                 velocity,
             } => write!(
                 out,
-                "the tolerance {tolerance:.1e} cannot be met beyond t = {time} s: with a step of {step:.1e} s the error along `{velocity}` is still {times:.1e} times what it allows; loosen the tolerance, or look for a force that jumps there"
+                "the tolerance {tolerance:.1e} cannot be met beyond t = {} s: with a step of {step:.1e} s the error along `{velocity}` is still {times:.1e} times what it allows; loosen the tolerance, or look for a force that jumps there",
+                clock(*time)
             ),
             Input { name, value } => {
                 write!(
@@ -249,6 +261,11 @@ impl fmt::Display for SimulationError {
             ),
         }
     }
+}
+
+/// A time as a sum of steps, without the round-off of the sum.
+fn clock(time: f64) -> f64 {
+    format!("{time:.11e}").parse().unwrap_or(time)
 }
 
 impl std::error::Error for SimulationError {}

@@ -274,3 +274,22 @@ fn bricard_swings_with_coarse_steps() {
         }
     });
 }
+
+/// Newton's method may go to and fro for ever on steps in which a disk turns several times.
+#[test]
+fn steps_that_are_far_too_long_come_to_an_end() {
+    let scene = &mbs_examples::scenes::rolling_disk::TILTED;
+    for step in [0.2, 0.1, 0.04, 0.02] {
+        let settings = Settings {
+            step,
+            ..Settings::default()
+        };
+        let mut simulation = (scene.build)(&[], settings).expect("it assembles");
+        let outcome = simulation.run_until(scene.duration);
+        let report = simulation.report();
+        assert!(
+            report.stages < 100_000,
+            "h = {step}: {outcome:?} {report:?}"
+        );
+    }
+}

@@ -93,7 +93,7 @@ where
             if matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
                 break;
             }
-            if (iterations == *max_iterations && fixed.is_none()) || !residual.is_finite() {
+            if (iterations >= *max_iterations && fixed.is_none()) || !residual.is_finite() {
                 return Err(not_converged(&work.phi, weights, iterations));
             }
             let directions = flow.directions(system, &va, start)?;

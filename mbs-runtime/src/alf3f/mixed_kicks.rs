@@ -87,7 +87,7 @@ where
             if fresh && residual > 0.5 * last && residual < taken {
                 break v;
             }
-            if iterations == *max_iterations || !residual.is_finite() {
+            if iterations >= *max_iterations || !residual.is_finite() {
                 return Err(not_converged(&defect, &weights, iterations));
             }
             let directions = flow.directions(system, &va, start)?;

@@ -239,7 +239,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 if factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
                     break;
                 }
-                if iterations == core.max_iterations || !residual.is_finite() {
+                if iterations >= core.max_iterations || !residual.is_finite() {
                     return None;
                 }
                 if pair.factor(plan, start, end) == Rows::Lost {

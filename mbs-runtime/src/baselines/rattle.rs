@@ -101,7 +101,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
             }
             let directions = flow.directions(system, &va, start)?;
             system.gram(&self.end.a, directions, &mut self.matrix);
-            if iterations == bench.max_iterations
+            if iterations >= bench.max_iterations
                 || !residual.is_finite()
                 || !self.factors.factor(&self.matrix)
             {

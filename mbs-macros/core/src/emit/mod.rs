@@ -25,7 +25,7 @@ pub use fallback::fallback;
 pub fn mechanism(declaration: &Declaration, analysis: &Analysis, program: &Program) -> TokenStream {
     let (model, mobility) = (&analysis.model, analysis.mobility.as_ref());
     let graph = &analysis.derived.system.graph;
-    let parameters = parameters::emit(declaration, model, mobility, &program.rows);
+    let parameters = parameters::emit(declaration, model, mobility, program);
     let mechanism = parameters::emit_mechanism(declaration, model, graph, program);
     let metadata = metadata::emit(analysis, program);
     let system = system::emit(declaration, model, graph, program, &metadata);

@@ -3,9 +3,8 @@
 use super::body::{Body, number};
 use super::{doc, motion, system, tokens};
 use crate::dag::{Operand, Program};
-use crate::equations::Row;
 use crate::mobility::{self, Mobility};
-use crate::model::Model;
+use crate::model::{Model, Quantity};
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
@@ -17,14 +16,14 @@ pub(super) fn emit(
     declaration: &Declaration,
     model: &Model,
     mobility: Option<&Mobility>,
-    rows: &[Row],
+    program: &Program,
 ) -> TokenStream {
     let visibility = declaration
         .visibility
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
     let name = &declaration.name;
-    let documentation = doc(&documentation(model, mobility, rows));
+    let documentation = doc(&documentation(model, mobility, program));
     let fields: Vec<Ident> = model
         .parameters
         .iter()
@@ -70,12 +69,12 @@ fn field(declaration: &Declaration, name: &str) -> Ident {
     entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
 }
 
-fn documentation(model: &Model, mobility: Option<&Mobility>, rows: &[Row]) -> String {
+fn documentation(model: &Model, mobility: Option<&Mobility>, program: &Program) -> String {
     let mut out = String::new();
     if !model.doc.is_empty() {
         let _ = writeln!(out, "{}\n", model.doc);
     }
-    let names = model
+    let coordinates = model
         .layout
         .coordinates
         .iter()
@@ -84,18 +83,66 @@ fn documentation(model: &Model, mobility: Option<&Mobility>, rows: &[Row]) -> St
     let _ = writeln!(
         out,
         "A mechanism with {} generalized coordinates: {}.",
-        names.len(),
-        names.join(", ")
+        coordinates.len(),
+        coordinates.join(", ")
     );
     if let Some(mobility) = mobility {
         let _ = writeln!(
             out,
             "\n{}.",
-            mobility::summary(mobility, rows, model.layout.velocities.len())
+            mobility::summary(mobility, &program.rows, model.layout.velocities.len())
         );
     }
     for sentence in &model.reductions {
         let _ = writeln!(out, "* {sentence}");
+    }
+    out + &names(model, &program.reactions)
+}
+
+/// What a simulation is asked for, and told, by name.
+fn names(model: &Model, reactions: &[(String, String, String)]) -> String {
+    let with_unit = |name: &str, unit: &str| match unit {
+        "" => format!("`{name}`"),
+        _ => format!("`{name}` ({unit})"),
+    };
+    let quantity = |quantity: &Quantity| with_unit(&quantity.name, &quantity.unit);
+    let mut joints: Vec<String> = Vec::new();
+    for (joint, component, unit) in reactions {
+        let component = with_unit(component, unit);
+        match joints.last_mut() {
+            Some(last) if last.starts_with(&format!("`{joint}`: ")) => {
+                let _ = write!(last, ", {component}");
+            }
+            _ => joints.push(format!("`{joint}`: {component}")),
+        }
+    }
+    let lists = [
+        ("Inputs", model.inputs.iter().map(quantity).collect(), ", "),
+        (
+            "Outputs",
+            model
+                .outputs
+                .iter()
+                .map(|(output, _)| quantity(output))
+                .collect(),
+            ", ",
+        ),
+        (
+            "Events",
+            model
+                .events
+                .iter()
+                .map(|(name, _)| format!("`{name}`"))
+                .collect(),
+            ", ",
+        ),
+        ("Reactions", joints, "; "),
+    ];
+    let mut out = String::new();
+    for (title, list, separator) in lists as [(&str, Vec<String>, &str); 4] {
+        if !list.is_empty() {
+            let _ = writeln!(out, "\n{title}: {}.", list.join(separator));
+        }
     }
     out
 }
