@@ -88,11 +88,12 @@ pub fn failures(scene: &str, points: &[Point], labels: &[&str]) -> String {
     out
 }
 
-/// Methods that do not apply to a scene.
+/// Methods that do not apply to a scene, with any step or tolerance.
 pub fn refused<'a>(points: &[Point], labels: &[&'a str]) -> Vec<&'a str> {
     let refuses = |label: &&&str| {
-        let mut own = points.iter().filter(|point| point.method == **label);
-        own.any(|point| point.outcome == Outcome::Refused)
+        let of_method = |point: &&Point| point.method == **label;
+        let mut own = points.iter().filter(of_method).peekable();
+        own.peek().is_some() && own.all(|point| point.outcome == Outcome::Refused)
     };
     labels.iter().filter(refuses).copied().collect()
 }

@@ -189,7 +189,7 @@ fn solve(code: &mut Lowering, derived: &Derived, upper: Upper, lambda: &mut Spar
     for r in 0..rows {
         let weakness = match redundant.contains(&r) {
             true => Operand::number(1.0),
-            false => factor.weakness(code, r),
+            false => factor.weakness(code, Rank::MayBeLost, r),
         };
         code.write("weakness", Place::Element(r), weakness);
     }

@@ -31,6 +31,8 @@ pub(super) struct Factor {
     inverse: Vec<Operand>,
     /// The diagonal before the elimination.
     diagonal: Vec<Operand>,
+    /// Whether the pivot is still that.
+    untouched: Vec<bool>,
     /// Column k of L below its unit diagonal: (row, entry).
     columns: Vec<Vec<(usize, Operand)>>,
 }
@@ -56,6 +58,7 @@ impl Factor {
         let mut factor = Factor {
             order: Vec::new(),
             inverse: vec![zero; size],
+            untouched: vec![false; size],
             diagonal,
             columns: vec![Vec::new(); size],
         };
@@ -75,6 +78,7 @@ impl Factor {
             factor.order.push(k);
             let pivot = entries.get(&(k, k)).copied().unwrap_or(zero);
             code.name(pivot, || format!("{name}_{k}"));
+            factor.untouched[k] = pivot == factor.diagonal[k];
             factor.inverse[k] = match rank {
                 Rank::Full => code.reciprocal(pivot),
                 Rank::MayBeLost => code.pivot_inverse(pivot, factor.diagonal[k]),
@@ -94,7 +98,11 @@ impl Factor {
     }
 
     /// What a pivot began with, divided by it: 1 where a row is orthogonal to those before it.
-    pub(super) fn weakness(&self, code: &mut Lowering, k: usize) -> Operand {
+    pub(super) fn weakness(&self, code: &mut Lowering, rank: Rank, k: usize) -> Operand {
+        // A row that may be lost may also be none.
+        if self.untouched[k] && rank == Rank::Full {
+            return Operand::number(1.0);
+        }
         code.times(self.diagonal[k], self.inverse[k])
     }
 

@@ -51,7 +51,7 @@ fn factor(code: &mut Lowering, derived: &Derived) -> Factor {
         code.write("factor", Place::Element(place), value);
     }
     for k in 0..size {
-        let weakness = factor.weakness(code, k);
+        let weakness = factor.weakness(code, Rank::Full, k);
         code.write("weakness", Place::Element(k), weakness);
     }
     factor.stored()
