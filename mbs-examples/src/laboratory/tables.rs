@@ -16,7 +16,7 @@ pub const COARSE_BOUNDS: [i32; 3] = [-2, -5, -8];
 const FAMILIES: [&str; 2] = ["two-level", "projected"];
 
 /// Methods by the time, s, that an energy error takes: the fastest first.
-fn ranking<'a>(points: &'a [Point], bound: f64) -> Vec<(&'a str, f64)> {
+fn ranking(points: &[Point], bound: f64) -> Vec<(&str, f64)> {
     let mut curves: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     for point in points {
         curves.entry(&point.method).or_default().push(point);

@@ -17,6 +17,16 @@ pub enum Owner {
     Part(usize),
 }
 
+impl Owner {
+    /// The index of the part; `None` for the ground.
+    pub fn part(self) -> Option<usize> {
+        match self {
+            Owner::Ground => None,
+            Owner::Part(part) => Some(part),
+        }
+    }
+}
+
 /// A point fixed in a part.
 #[derive(Debug, Clone)]
 pub struct Point {

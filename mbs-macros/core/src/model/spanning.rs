@@ -11,7 +11,7 @@ use super::geometry::Owner;
 use super::parts::{Part, Representation};
 use super::reduce::mergeable;
 use super::resolve::Resolver;
-use super::tree::{Link, Tree, TreeJoint};
+use super::tree::{Link, Tree, TreeJoint, chain};
 use crate::schema::World;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -152,12 +152,9 @@ impl Spanning {
         let mut trees = Vec::new();
         for &closing in all.difference(&tree.links) {
             let link = &self.links[closing].link;
-            let chain = |owner: Owner| tree.chain(owner);
-            let (near, far) = (
-                chain(link.parent.point.owner),
-                chain(link.child.point.owner),
-            );
-            for &(place, _) in near.symmetric_difference(&far) {
+            let [near, far] =
+                [&link.parent, &link.child].map(|end| chain(&tree.joints, end.point.owner.part()));
+            for &place in near.symmetric_difference(&far) {
                 let mut links = tree.links.clone();
                 links.remove(&self.index(&tree.joints[place].joint));
                 links.insert(closing);
@@ -236,31 +233,12 @@ impl Spanning {
     }
 }
 
-impl Found {
-    /// The joints from the ground, or from a root, to a part: their places and what they carry.
-    fn chain(&self, owner: Owner) -> BTreeSet<(usize, usize)> {
-        let mut chain = BTreeSet::new();
-        let mut next = owner;
-        while let Owner::Part(part) = next {
-            let Some(place) = self.joints.iter().position(|joint| joint.child == part) else {
-                break;
-            };
-            chain.insert((place, part));
-            next = self.joints[place].parent.map_or(Owner::Ground, Owner::Part);
-        }
-        chain
-    }
-}
-
 impl Carrier {
     fn joint(&self, forwards: bool, child: usize) -> TreeJoint {
         let (parent, _) = ends(&self.link, forwards);
         TreeJoint {
             joint: self.name.clone(),
-            parent: match parent {
-                Owner::Ground => None,
-                Owner::Part(part) => Some(part),
-            },
+            parent: parent.part(),
             child,
             link: match forwards {
                 true => self.link.clone(),

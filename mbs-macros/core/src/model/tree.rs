@@ -107,14 +107,7 @@ impl Tree {
 
     /// The joints from the ground, or from a root, to a part.
     pub fn chain(&self, part: Option<usize>) -> BTreeSet<usize> {
-        let mut chain = BTreeSet::new();
-        let mut next = part;
-        while let Some(part) = next {
-            let carrier = self.joints.iter().position(|joint| joint.child == part);
-            next = carrier.and_then(|joint| self.joints[joint].parent);
-            chain.extend(carrier);
-        }
-        chain
+        chain(&self.joints, part)
     }
 
     /// A part and all that it carries.
@@ -132,6 +125,18 @@ impl Tree {
     pub fn contains(&self, joint: &str) -> bool {
         self.joints.iter().any(|own| own.joint == joint)
     }
+}
+
+/// The places of the joints from the ground, or from a root, to a part.
+pub(super) fn chain(joints: &[TreeJoint], part: Option<usize>) -> BTreeSet<usize> {
+    let mut chain = BTreeSet::new();
+    let mut next = part;
+    while let Some(part) = next {
+        let carrier = joints.iter().position(|joint| joint.child == part);
+        next = carrier.and_then(|joint| joints[joint].parent);
+        chain.extend(carrier);
+    }
+    chain
 }
 
 impl TreeJoint {
