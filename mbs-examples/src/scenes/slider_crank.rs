@@ -14,14 +14,14 @@
 //!
 //! | ψ̇ | outer loop | ω of k̄, c̄ | reached | energy error | halved steps |
 //! |---|---|---|---|---|---|
-//! | 1e-2 | 1e-3 | 0 | 5.71 s, step underflow | 5.3e-2 J | 21 |
-//! | 1e-3 | 1e-3 | 0 | 20 s | 3.1 J | 40 |
-//! | 1e-3 | 1e-4 (default) | 0 | 20 s | 1.4e-3 J | 0 |
-//! | 1e-3 | 1e-5 | 0 | 1.28 s, step underflow | 2.6e-4 J | 44 |
-//! | 1e-3 | 1e-4 | 20 /s | 20 s | 0.41 J | 0 |
-//! | 1e-4 | 1e-4 | 0 | 20 s | 3.4 J | 154 |
-//! | 1e-6 | 1e-4 | 0 | 0.953 s, step underflow | 1.6e-2 J | 577 |
-//! | 1e-6 | 1e-6 | 0 | 0.392 s, the first singular pose, step underflow | 6e-6 J | 135 |
+//! | 1e-2 | 1e-3 | 0 | 6.88 s, step underflow | 0.41 J | 54 |
+//! | 1e-3 | 1e-3 | 0 | 20 s | 2.4 J | 25 |
+//! | 1e-3 | 1e-4 (default) | 0 | 3.93 s, step underflow | 5.1e-4 J | 21 |
+//! | 1e-3 | 1e-5 | 0 | 0.393 s, the first singular pose, step underflow | 1.1e-5 J | 21 |
+//! | 1e-3 | 1e-4 | 20 /s | 3.94 s, step underflow | 3.1e-2 J | 28 |
+//! | 1e-4 | 1e-4 | 0 | 20 s | 2.9 J | 23057 |
+//! | 1e-6 | 1e-4 | 0 | 20 s | 0.64 J | 732 |
+//! | 1e-6 | 1e-6 | 0 | 10.2 s, step underflow | 0.26 J | 3472 |
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};
