@@ -4,6 +4,7 @@
 //! `TRYBUILD=overwrite cargo test -p mbs-tests --test ui` writes the `.stderr` files. That rustc shows messages in this
 //! form is tested by a few of each nature, in `mbs-runtime/tests/ui`.
 
+use mbs_tests::pages::pages;
 use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
 use std::fmt::Write;
 use std::ops::Range;
@@ -41,6 +42,29 @@ fn form_is_that_of_rustc() {
         })
     });
     assert!(compared > 10, "{compared} compared only");
+}
+
+/// The message in the first chapter of the book is what its reader gets for that slip.
+#[test]
+fn a_slip_in_the_first_chapter_is_shown_as_there() {
+    let pages = pages();
+    let mut chapters = pages.iter();
+    let chapter = chapters.find(|page| page.path.ends_with("book/src/first-mechanism.md"));
+    let chapter = chapter.expect("the first chapter");
+    let block = |part: &str| {
+        let mut blocks = chapter.text.split("```").skip(1).step_by(2);
+        let found = blocks.find(|block| block.contains(part));
+        let (_, code) = found.and_then(|block| block.split_once('\n')).expect(part);
+        code.to_owned()
+    };
+    let wrong =
+        block("crank_pin: Revolute(crank.b").replace("Revolute(crank.b", "Revolute(cranck.b");
+    let shown = shown_of(&wrong, "src/main.rs").expect("a program");
+    let message = block("error: ");
+    assert_eq!(
+        shown.as_deref().map(str::trim_end),
+        Some(message.trim_end())
+    );
 }
 
 /// Calls `check` with each program of a folder and the file of its message; fails with all that is wrong.
@@ -91,6 +115,11 @@ fn files(folder: &str, extension: &str) -> Vec<PathBuf> {
 fn shown(program: &Path) -> Result<Option<String>, String> {
     let text = fs::read_to_string(program).map_err(|error| error.to_string())?;
     let name = program.file_name().unwrap_or_default().to_string_lossy();
+    shown_of(&text, &format!("tests/ui/{name}"))
+}
+
+/// The same for a text, as if it stood in `path`.
+fn shown_of(text: &str, path: &str) -> Result<Option<String>, String> {
     let tokens: TokenStream = text.parse().map_err(|_| "these are no tokens of Rust")?;
     let declarations = invocations(tokens, "mechanism");
     if declarations.is_empty() {
@@ -99,7 +128,7 @@ fn shown(program: &Path) -> Result<Option<String>, String> {
     let mut reports = Vec::new();
     for declaration in declarations {
         for (message, place) in errors(mbs_macros_core::compile(declaration.tokens))? {
-            reports.push(report(&message, &format!("tests/ui/{name}"), &text, place));
+            reports.push(report(&message, path, text, place));
         }
     }
     let reports: Option<Vec<String>> = reports.into_iter().collect();
