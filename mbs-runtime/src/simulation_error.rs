@@ -195,14 +195,10 @@ impl fmt::Display for SimulationError {
                     out,
                     "the mechanism cannot be assembled near its declared guess; "
                 )?;
-                write!(
-                    out,
-                    "{}",
-                    match verdict.worst_rows.is_empty() {
-                        true => "its rows have no finite values there",
-                        false => "these rows pull apart: ",
-                    }
-                )?;
+                out.write_str(match verdict.worst_rows.is_empty() {
+                    true => "its rows have no finite values there",
+                    false => "these rows pull apart: ",
+                })?;
                 for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
                     let comma = if i > 0 { ", " } else { "" };
                     write!(out, "{comma}`{row}` (residual {residual:.3e})")?;

@@ -60,14 +60,7 @@ pub fn figure(extent: Extent) -> Figure {
                 curves.push(Curve { label, run, column });
             }
         }
-        Panel {
-            title,
-            across: None,
-            axes: ["time, s", axis],
-            curves,
-            window,
-            scale: Scale::Decades(-18, 0),
-        }
+        Panel::over_time(title, axis, curves, window, Scale::Decades(-18, 0))
     };
     Figure {
         number: 5,

@@ -34,14 +34,7 @@ pub fn components(
             curves.push(Curve { label, run, column });
         }
     }
-    Panel {
-        title,
-        across: None,
-        axes: ["time, s", axis],
-        curves,
-        window,
-        scale: Scale::Linear,
-    }
+    Panel::over_time(title, axis, curves, window, Scale::Linear)
 }
 
 pub fn figure(extent: Extent) -> Figure {

@@ -93,11 +93,23 @@ impl Panel {
             run,
             column,
         };
+        let curves = runs.iter().map(curve).collect();
+        Panel::over_time(title, axis, curves, window, scale)
+    }
+
+    /// Any curves over time.
+    fn over_time(
+        title: &'static str,
+        axis: &'static str,
+        curves: Vec<Curve>,
+        window: [f64; 2],
+        scale: Scale,
+    ) -> Self {
         Panel {
             title,
             across: None,
             axes: ["time, s", axis],
-            curves: runs.iter().map(curve).collect(),
+            curves,
             window,
             scale,
         }
@@ -117,14 +129,8 @@ impl Panel {
             run,
             column,
         };
-        Panel {
-            title,
-            across: None,
-            axes: ["time, s", axis],
-            curves: columns.iter().map(curve).collect(),
-            window,
-            scale,
-        }
+        let curves = columns.iter().map(curve).collect();
+        Panel::over_time(title, axis, curves, window, scale)
     }
 }
 

@@ -132,11 +132,8 @@ fn with_factor(code: &mut Lowering, derived: &Derived, demand: &Demand) {
     let halves: Vec<[Sparse; 2]> = rows
         .iter()
         .map(|row| {
-            let mut half: Sparse = row.iter().map(|&(j, a)| (j, code.operand(a))).collect();
-            mass.forward(code, &mut half);
-            let mut scaled = half.clone();
-            mass.scale(code, &mut scaled);
-            [half, scaled]
+            let row: Sparse = row.iter().map(|&(j, a)| (j, code.operand(a))).collect();
+            mass.halves(code, row)
         })
         .collect();
     let mut upper = Upper::new();

@@ -129,6 +129,15 @@ impl Factor {
         self
     }
 
+    /// y = L⁻¹ a and D⁻¹ y of a row a: two of these make an entry of A M⁻¹Aᵀ.
+    pub(super) fn halves(&self, code: &mut Lowering, row: Sparse) -> [Sparse; 2] {
+        let mut half = row;
+        self.forward(code, &mut half);
+        let mut scaled = half.clone();
+        self.scale(code, &mut scaled);
+        [half, scaled]
+    }
+
     /// x ← L⁻¹ x.
     pub(super) fn forward(&self, code: &mut Lowering, x: &mut Sparse) {
         for &k in &self.order {

@@ -72,11 +72,8 @@ fn metric(code: &mut Lowering, derived: &Derived, factor: &Factor) {
     let mut halves: Vec<[Sparse; 2]> = Vec::new();
     for (r, row) in rows(derived).iter().enumerate() {
         let argument = |j: usize| Operand::Symbol(Symbol::RowEntry(r as u32, j as u32));
-        let mut y: Sparse = row.iter().map(|&(j, _)| (j, argument(j))).collect();
-        factor.forward(code, &mut y);
-        let mut scaled = y.clone();
-        factor.scale(code, &mut scaled);
-        halves.push([y, scaled]);
+        let row: Sparse = row.iter().map(|&(j, _)| (j, argument(j))).collect();
+        halves.push(factor.halves(code, row));
     }
     for (r, [_, scaled]) in halves.iter().enumerate() {
         for (s, [other, _]) in halves.iter().enumerate().skip(r) {
