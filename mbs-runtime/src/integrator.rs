@@ -72,6 +72,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// See [`TwoLevelStepper::aim`].
+    pub(crate) fn aim(&self, longest: f64) -> Option<(f64, f64)> {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.aim(longest),
+            _ => None,
+        }
+    }
+
     /// How much each row takes part in what is nearest to a loss of independence.
     pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
         match self {

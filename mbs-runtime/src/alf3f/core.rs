@@ -1,7 +1,7 @@
 //! What every two-level step works on.
 
 use super::{Fault, Node};
-use crate::linear::{Dual, SymmetricDual, dot, largest};
+use crate::linear::{Dual, Marks, SymmetricDual, dot, largest};
 use crate::{Settings, State, System};
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
@@ -68,6 +68,8 @@ pub(crate) struct RowScale<const R: usize> {
     pub(crate) weights: [f64; R],
     /// (LOST / tolerance)².
     pub(crate) lost: f64,
+    /// The smallest relative pivot of S.
+    usual_pivot: f64,
 }
 
 impl<const R: usize> RowScale<R> {
@@ -93,6 +95,7 @@ impl<const R: usize> RowScale<R> {
         Ok(RowScale {
             weights,
             lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
+            usual_pivot: SymmetricDual::new().least_pivot(&node.gram),
         })
     }
 }
@@ -115,6 +118,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             work: Work::new(),
             counters: Counters::default(),
         };
+        if settings.order > 2 {
+            let marks = Marks::high_order(core.scale.usual_pivot, settings.placement);
+            (core.work.symmetric.marks, core.work.dual.marks) = (marks, marks);
+        }
         core.refresh()?;
         (core.work.symmetric).expect_redundancy(&core.start.gram);
         Ok(core)

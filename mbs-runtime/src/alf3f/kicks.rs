@@ -13,6 +13,8 @@ use crate::System;
 use crate::flow::KickFlow;
 use crate::linear::accumulate;
 
+/// What is left of φ beside a singular pose, in squared tolerances: there it turns velocities by φ/σ².
+pub(super) const EXACT: f64 = 1e-6;
 /// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
 pub(super) const STAGNATED: f64 = 1e6;
 /// The factorisation of mixed rows is renewed when (squared) residuals drop by less than this.
@@ -39,6 +41,69 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
+    let (weak_start, beside) = (core.work.symmetric.weak, core.work.symmetric.beside);
+    let t1 = core.state.time + h;
+    let mut kick = Kick {
+        kappa: core.state.expected_impulse(h),
+        va: core.state.velocities,
+        q: core.state.positions,
+        matrix: Matrix::None,
+    };
+    accumulate(&mut kick.va, &core.start.w, &kick.kappa);
+    flow.begin(
+        &core.system,
+        core.state.time,
+        &core.state.positions,
+        &kick.va,
+        &core.start,
+        h,
+    );
+    // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
+    // Where their number is fixed B is factored once, for all of them.
+    if flow.is_direct() && !weak_start && core.fixed_iterations.is_none() {
+        kick.matrix = Matrix::Start;
+    }
+    core.work.dual.regularised = false;
+    let mut left = close(core, flow, h, &mut kick, beside)?;
+    loop {
+        core.work.impulse[0] = kick.kappa;
+        core.end.metric(&core.system, t1, &kick.q)?;
+        let mut v = flow.velocities(&core.system, &kick.va, &kick.q, &mut core.end);
+        core.project_velocity(&mut v);
+        let symmetric = &core.work.symmetric;
+        if symmetric.beside && left > EXACT && !beside && core.fixed_iterations.is_none() {
+            // It lands beside a singular pose, which was not known.
+            kick.matrix = Matrix::None;
+            close(core, flow, h, &mut kick, true)?;
+            left = 0.0;
+            continue;
+        }
+        let weak = weak_start || symmetric.weak || core.work.dual.regularised;
+        return core.commit(t1, h, kick.q, v, weak);
+    }
+}
+
+/// What is iterated on.
+struct Kick<const Q: usize, const N: usize, const R: usize> {
+    kappa: [f64; R],
+    va: [f64; N],
+    q: [f64; Q],
+    matrix: Matrix,
+}
+
+/// Corrects κ₁ until φ(q₁) = 0, to round-off where the rows are `weak`; what is left, in squared tolerances.
+#[inline(always)]
+fn close<S, F, const Q: usize, const N: usize, const R: usize>(
+    core: &mut Core<S, Q, N, R>,
+    flow: &mut F,
+    h: f64,
+    kick: &mut Kick<Q, N, R>,
+    weak: bool,
+) -> Result<f64, Fault>
+where
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
+{
     let Core {
         system,
         state,
@@ -50,53 +115,46 @@ where
         scale,
         counters,
     } = core;
-    let (t0, t1) = (state.time, state.time + h);
+    let Kick {
+        kappa,
+        va,
+        q,
+        matrix,
+    } = kick;
+    let t1 = state.time + h;
     let fixed = *fixed_iterations;
     let weights = &scale.weights;
-
-    let mut kappa = state.expected_impulse(h);
-    let mut va = state.velocities;
-    accumulate(&mut va, &start.w, &kappa);
-    flow.begin(system, t0, &state.positions, &va, start, h);
-
-    let mut q = state.positions;
     let rate = 1.0 / h;
-    let weak_start = work.symmetric.weak;
-    // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    // Where their number is fixed B is factored once, for all of them.
-    let mut matrix = if flow.is_direct() && !weak_start && fixed.is_none() {
-        Matrix::Start
-    } else {
-        Matrix::None
-    };
-    work.dual.regularised = false;
     let mut last = f64::INFINITY;
     let mut iterations = 0;
-    loop {
-        flow.positions(system, &va, &mut q)?;
-        system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
+    let left = loop {
+        flow.positions(system, va, q)?;
+        system.constraints(t1, q, &mut work.phi, &mut *end.a, &mut end.b);
         let residual = residual_of(&work.phi, weights);
         match fixed {
-            None if residual <= 1.0 => break,
-            Some(count) if iterations == count && residual.is_finite() => break,
+            // Beside a singular pose down to round-off.
+            None if residual <= 1.0 && (!weak || residual <= EXACT || residual >= 0.25 * last) => {
+                break residual;
+            }
+            Some(count) if iterations == count && residual.is_finite() => break residual,
             _ => {}
         }
         // Renewed where one more correction at the present rate would not do.
         let slow = !(residual * residual <= last) && iterations > 0;
         let slow = slow && (fixed.is_none() || !residual.is_finite());
-        if matrix == Matrix::None || slow {
+        if *matrix == Matrix::None || slow {
             let taken = if work.dual.regularised {
                 scale.lost
             } else {
                 STAGNATED
             };
-            if matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
-                break;
+            if *matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
+                break residual;
             }
             if (iterations >= *max_iterations && fixed.is_none()) || !residual.is_finite() {
                 return Err(not_converged(&work.phi, weights, iterations));
             }
-            let directions = flow.directions(system, &va, start)?;
+            let directions = flow.directions(system, va, start)?;
             system.gram(&end.a, directions, &mut work.matrix);
             (work.dual).factor(
                 &work.matrix,
@@ -104,12 +162,12 @@ where
                 work.symmetric.idle(),
             );
             counters.regularised += u64::from(work.dual.regularised);
-            matrix = Matrix::Fresh;
-        } else if matrix == Matrix::Fresh {
-            matrix = Matrix::Kept;
+            *matrix = Matrix::Fresh;
+        } else if *matrix == Matrix::Fresh {
+            *matrix = Matrix::Kept;
         }
         let mut change = work.phi;
-        if matrix == Matrix::Start {
+        if *matrix == Matrix::Start {
             work.symmetric.solve(&mut change);
         } else {
             work.dual.solve(&mut change);
@@ -118,19 +176,13 @@ where
             change[i] *= -rate;
             kappa[i] += change[i];
         }
-        accumulate(&mut va, &start.w, &change);
+        accumulate(va, &start.w, &change);
         flow.predict(&change);
         last = residual;
         iterations += 1;
-    }
+    };
     counters.iterations += iterations as u64;
-    work.impulse[0] = kappa;
-
-    end.metric(system, t1, &q)?;
-    let mut v = flow.velocities(system, &va, &q, end);
-    core.project_velocity(&mut v);
-    let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
-    core.commit(t1, h, q, v, weak)
+    Ok(left)
 }
 
 /// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.

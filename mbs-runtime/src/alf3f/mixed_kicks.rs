@@ -10,7 +10,7 @@
 //! ```
 
 use super::core::{Core, Work};
-use super::kicks::{SLOW, STAGNATED, not_converged, residual_of};
+use super::kicks::{EXACT, SLOW, STAGNATED, not_converged, residual_of};
 use super::{Fault, Node};
 use crate::System;
 use crate::flow::KickFlow;
@@ -45,6 +45,7 @@ where
         *weight /= speed * speed;
     }
 
+    let beside = work.symmetric.beside;
     let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
     accumulate(&mut va, &start.w, &kappa);
@@ -75,7 +76,11 @@ where
             defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
         let residual = residual_of(&defect, &weights);
-        if residual <= 1.0 {
+        let enough = match beside || work.symmetric.beside {
+            true => EXACT,
+            false => 1.0,
+        };
+        if residual <= enough || (residual <= 1.0 && residual >= 0.25 * last) {
             break v;
         }
         if !(residual < SLOW * last) {

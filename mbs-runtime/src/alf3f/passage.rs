@@ -13,8 +13,8 @@ pub(crate) struct Passage {
     pub(crate) nonconservative_work: f64,
     /// Work of the rheonomic rows so far, J.
     pub(crate) drive_work: f64,
-    /// The least of σ₁/(σ₀ + σ₁) over the stages: the distance of a landing from a singular pose, as a fraction of the
-    /// stage. It is ½ far from any.
+    /// The distance of landings from a singular pose, as a fraction of the step: σ₁/(σ₀ + σ₁) for a step of one stage,
+    /// which is ½ far from any pose; the clearance of its [`Landings`](super::Landings) for a composed one.
     pub(crate) clearance: f64,
     /// Where the passage stands; `None` if clearance is of no interest.
     pub(crate) independence: Option<Independence>,
@@ -53,17 +53,11 @@ impl Passage {
             .sum::<f64>();
     }
 
-    /// Takes note of the landing of a stage. `first`: where the stage began was settled by the step before.
+    /// Takes note of the landing of a step of one stage. Where it began was settled by the step before.
     #[inline]
-    pub(crate) fn land(&mut self, now: Independence, first: bool) {
-        let Some(before) = self.independence.replace(now) else {
-            return;
-        };
-        let clearance = if first {
-            now.after(&before)
-        } else {
-            now.after(&before).min(before.after(&now))
-        };
-        self.clearance = self.clearance.min(clearance);
+    pub(crate) fn land(&mut self, now: Independence) {
+        if let Some(before) = self.independence.replace(now) {
+            self.clearance = self.clearance.min(now.after(&before));
+        }
     }
 }

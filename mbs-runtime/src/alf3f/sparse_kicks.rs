@@ -13,7 +13,7 @@
 
 use super::Fault;
 use super::core::{Core, REFINEMENTS};
-use super::kicks::{self, STAGNATED, residual_of};
+use super::kicks::{self, EXACT, STAGNATED, residual_of};
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
 use crate::linear::{Bordered, Independence, Pair, Rows, Slots, SparseMass, largest};
@@ -37,9 +37,20 @@ pub(crate) struct SparseKicks<const N: usize, const R: usize> {
 /// What the corrections of κ₁ go through.
 #[derive(Clone, Copy, PartialEq)]
 enum Factor {
+    None,
     Start,
     Pair,
     Renewed,
+}
+
+/// What is iterated on: the first kick of a step, and where it leads.
+struct Way<const Q: usize, const N: usize, const R: usize> {
+    /// q₁ without the velocity.
+    base: [f64; N],
+    q: [f64; Q],
+    va: [f64; N],
+    kappa: [f64; R],
+    factor: Factor,
 }
 
 /// How a step ended.
@@ -58,7 +69,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
         let mass = crate::linear::constant_mass(&core.system, &core.state.positions);
-        let matrix = Bordered::new(plan, &mass);
+        let matrix = Bordered::new(plan, &mass, core.work.symmetric.marks);
         let mut kicks = Box::new(SparseKicks {
             plan,
             end: matrix.clone(),
@@ -142,22 +153,32 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         core: &mut Core<S, Q, N, R>,
         h: f64,
     ) -> Result<Outcome, Fault> {
-        let weak_start = match self.start.rows(self.plan) {
-            Rows::Independent => false,
-            Rows::Weak => true,
-            Rows::Lost => return Ok(Outcome::Lost),
-        };
-        let Some((q, va)) = self.positions(core, h, weak_start) else {
+        let start = self.start.rows(self.plan);
+        if start == Rows::Lost {
             return Ok(Outcome::Lost);
+        }
+        let mut way = self.depart(core, h);
+        let mut enough = if start == Rows::Beside { EXACT } else { 1.0 };
+        let rows = loop {
+            let Some(left) = self.close(core, h, &mut way, enough) else {
+                return Ok(Outcome::Lost);
+            };
+            self.end.factor(self.plan);
+            let rows = self.end.rows(self.plan);
+            if !(rows == Rows::Beside && left > EXACT && enough == 1.0) {
+                break rows;
+            }
+            // It lands beside a singular pose, which was not known.
+            way.factor = Factor::None;
+            enough = EXACT;
         };
-        let SparseKicks {
-            plan, end, mass, x, ..
-        } = self;
-        end.factor(plan);
-        let rows = end.rows(plan);
         if rows == Rows::Lost {
             return Ok(Outcome::Lost);
         }
+        let Way { q, va, .. } = way;
+        let SparseKicks {
+            plan, end, mass, x, ..
+        } = self;
         let t1 = core.state.time + h;
         let (a0, node) = (&core.start.acceleration, &mut core.end);
         mass.weigh_forces(plan, &core.system, (t1, &q), x, &mut node.acceleration);
@@ -169,7 +190,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             let rates = rates(plan, end, &node.b, &v).map(|rate| -rate);
-            if rows == Rows::Weak {
+            if rows != Rows::Independent {
                 let residual = largest(&rates);
                 if residual <= tolerance || residual > 0.9 * last {
                     break;
@@ -181,30 +202,32 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 break;
             }
         }
-        core.commit(t1, h, q, v, weak_start || rows == Rows::Weak)?;
+        core.commit(
+            t1,
+            h,
+            q,
+            v,
+            start != Rows::Independent || rows != Rows::Independent,
+        )?;
         std::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
     }
 
-    /// q₁ and v_a with φ(q₁) = 0, and A₁ in `end`; `None` where they are not found.
-    fn positions<S: System<Q, N, R>, const Q: usize>(
+    /// The kick that the last steps lead to expect, and where it leads.
+    fn depart<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        core: &mut Core<S, Q, N, R>,
+        core: &Core<S, Q, N, R>,
         h: f64,
-        weak_start: bool,
-    ) -> Option<([f64; Q], [f64; N])> {
+    ) -> Way<Q, N, R> {
         let SparseKicks {
             plan,
             start,
-            end,
-            pair,
             mass,
             x,
+            ..
         } = self;
-        let (state, work) = (&core.state, &mut core.work);
-        let (weights, t1) = (&core.scale.weights, state.time + h);
-
-        let mut kappa = state.expected_impulse(h);
+        let state = &core.state;
+        let kappa = state.expected_impulse(h);
         let mut va = [0.0; N];
         (plan.impulse)(&start.entries, &kappa, &mut va);
         mass.solve(plan, x, &mut va);
@@ -213,31 +236,57 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         }
         let half = 0.5 * h * h;
         let a0 = &core.start.acceleration;
-        let base: [f64; N] = std::array::from_fn(|i| state.positions[i] + half * a0[i]);
-        let mut q = state.positions;
+        let weak = start.rows(plan) != Rows::Independent;
+        Way {
+            base: std::array::from_fn(|i| state.positions[i] + half * a0[i]),
+            q: state.positions,
+            va,
+            kappa,
+            factor: if weak { Factor::None } else { Factor::Start },
+        }
+    }
+
+    /// Corrects the kick until φ(q₁) = 0 up to `enough` squared tolerances, with A₁ in `end`; what is left, `None` where
+    /// it is not found.
+    fn close<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        core: &mut Core<S, Q, N, R>,
+        h: f64,
+        way: &mut Way<Q, N, R>,
+        enough: f64,
+    ) -> Option<f64> {
+        let SparseKicks {
+            plan,
+            start,
+            end,
+            pair,
+            x,
+            ..
+        } = self;
+        let work = &mut core.work;
+        let (weights, t1) = (&core.scale.weights, core.state.time + h);
         let rate = -1.0 / h;
-        let mut factor = Factor::Start;
         let mut last = f64::INFINITY;
         let mut iterations = 0;
-        loop {
+        let left = loop {
             for i in 0..N {
-                q[i] = base[i] + h * va[i];
+                way.q[i] = way.base[i] + h * way.va[i];
             }
             core.system.sparse_constraints(
                 t1,
-                &q,
+                &way.q,
                 &mut work.phi,
                 &mut end.entries,
                 &mut core.end.b,
             );
             let residual = residual_of(&work.phi, weights);
-            if residual <= 1.0 {
-                break;
+            if residual <= enough || (residual <= 1.0 && residual >= 0.25 * last) {
+                break residual;
             }
             let slow = iterations > 0 && !(residual.powi(PATIENCE + 1) <= last.powi(PATIENCE));
-            if slow || (factor == Factor::Start && weak_start) {
-                if factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
-                    break;
+            if slow || way.factor == Factor::None {
+                if way.factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
+                    break residual;
                 }
                 if iterations >= core.max_iterations || !residual.is_finite() {
                     return None;
@@ -245,21 +294,22 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 if pair.factor(plan, start, end) == Rows::Lost {
                     return None;
                 }
-                factor = Factor::Renewed;
-            } else if factor == Factor::Renewed {
-                factor = Factor::Pair;
+                way.factor = Factor::Renewed;
+            } else if way.factor == Factor::Renewed {
+                way.factor = Factor::Pair;
             }
             let rates = work.phi.map(|phi| rate * phi);
-            match factor {
-                Factor::Start => start.solve(plan, &rates, x, (&mut va, &mut kappa)),
-                _ => pair.solve(plan, &rates, x, (&mut va, &mut kappa)),
+            let to = (&mut way.va, &mut way.kappa);
+            match way.factor {
+                Factor::Start => start.solve(plan, &rates, x, to),
+                _ => pair.solve(plan, &rates, x, to),
             }
             last = residual;
             iterations += 1;
-        }
+        };
         core.counters.iterations += iterations as u64;
-        work.impulse[0] = kappa;
-        Some((q, va))
+        work.impulse[0] = way.kappa;
+        Some(left)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::core::{Core, Counters};
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::sparse_kicks::SparseKicks;
-use super::{Fault, Passage, composition, kicks, mixed_kicks};
+use super::{Fault, Landings, Passage, composition, kicks, mixed_kicks};
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
 use crate::linear::Independence;
 use crate::{Flow, Settings, SimulationError, State, System};
@@ -19,6 +19,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     stages: &'static [f64],
     /// The state before a step of several stages.
     before: State<Q, N, R>,
+    landings: Landings,
 }
 
 /// The flow and its workspace.
@@ -101,6 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         Ok(TwoLevelStepper {
             core,
             flow,
+            landings: Landings::new(stages),
             stages,
             before,
         })
@@ -143,6 +145,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         (rows > 0).then(|| work.symmetric.independence(&start.gram, rows))
     }
 
+    /// The length of a composed step, as a fraction of the last one and at most `longest`, that keeps clearest of the
+    /// singular pose that was seen on it, and how clear.
+    pub(crate) fn aim(&self, longest: f64) -> Option<(f64, f64)> {
+        (self.stages.len() > 1).then(|| self.landings.aim(longest))
+    }
+
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
     pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
         let rows = S::STRUCTURE.holonomic_rows;
@@ -182,6 +190,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let several = self.stages.len() > 1;
         if several {
             self.before.copy_from(&self.core.state);
+            if let Some(start) = passage.as_ref().and_then(|passage| passage.independence) {
+                self.landings.begin(start);
+            }
         }
         for (index, fraction) in self.stages.iter().enumerate() {
             if several {
@@ -204,7 +215,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                         self.core.work.symmetric.factor(&self.core.start.gram);
                     }
                     if let Some(now) = self.independence() {
-                        passage.land(now, index == 0);
+                        if several {
+                            self.landings.add(now);
+                            passage.independence = Some(now);
+                        } else {
+                            passage.land(now);
+                        }
                     }
                 }
             }
@@ -212,6 +228,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         if several {
             // The sum of the fractions is rounded, time is not.
             self.core.state.time = self.before.time + h;
+            if let Some(passage) = passage
+                && passage.independence.is_some()
+            {
+                passage.clearance = self.landings.settle();
+            }
         }
         Ok(())
     }

@@ -22,6 +22,20 @@ pub(crate) struct Independence {
 }
 
 impl Independence {
+    /// Rows at right angles.
+    pub(crate) const FULL: Self = Self::of(1.0);
+
+    /// Rows none of which is lost.
+    pub(crate) const fn of(sigma: f64) -> Self {
+        Independence {
+            sigma,
+            weakest: sigma,
+            lost: 0,
+            least: sigma,
+            dependent: 0,
+        }
+    }
+
     /// σ₁/(σ₀ + σ₁) for a landing here after `before`: σ falls linearly to zero at a singular pose, and rises again
     /// behind it, so that this is the distance of the landing from the pose as a fraction of the way.
     ///

@@ -2,7 +2,7 @@
 
 use super::Independence;
 use super::proximal::Proximal;
-use super::{SMALL_PIVOT, SPARSE_FROM, WEAK_PIVOT};
+use super::{Marks, SPARSE_FROM, WEAK_PIVOT};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
 pub(crate) struct SymmetricDual<const K: usize> {
@@ -13,6 +13,9 @@ pub(crate) struct SymmetricDual<const K: usize> {
     pub(crate) regularised: bool,
     /// Whether solutions of the last factorisation lose digits that an iteration on the residual restores.
     pub(crate) weak: bool,
+    /// Whether a row has nearly lost its direction: beside a singular pose.
+    pub(crate) beside: bool,
+    pub(crate) marks: Marks,
     /// Rows that follow from those before them wherever the mechanism is, as far as is known.
     redundant: Option<[bool; K]>,
     /// Which of them did at the last factorisation: their multipliers are zero.
@@ -21,12 +24,9 @@ pub(crate) struct SymmetricDual<const K: usize> {
     pub(crate) reduced: bool,
 }
 
-/// A relative pivot of a row that follows from those before it: round-off, over the smallest pivot that others may have.
-const REDUNDANT: f64 = 1e-10;
-
 /// A relative pivot that is round-off, after the `least` one so far, by which errors were divided.
 fn round_off(least: f64) -> f64 {
-    (16.0 * f64::EPSILON / least).max(1e-11)
+    (16.0 * f64::EPSILON / least).max(1e-10)
 }
 
 impl<const K: usize> SymmetricDual<K> {
@@ -37,6 +37,8 @@ impl<const K: usize> SymmetricDual<K> {
             proximal: Proximal::new(),
             regularised: false,
             weak: false,
+            beside: false,
+            marks: Marks::SECOND_ORDER,
             redundant: None,
             idle: [false; K],
             reduced: false,
@@ -51,6 +53,18 @@ impl<const K: usize> SymmetricDual<K> {
         let found = self.eliminate_but(&[true; K], matrix) && self.reduced;
         self.redundant = found.then_some(self.idle);
         self.factor(matrix);
+    }
+
+    /// The smallest relative pivot of `matrix`, without rows that follow from others; 1 at most.
+    #[inline(never)]
+    pub(crate) fn least_pivot(&mut self, matrix: &[[f64; K]; K]) -> f64 {
+        self.expect_redundancy(matrix);
+        if self.regularised {
+            return 1.0;
+        }
+        // Redundant rows have no pivot: its inverse is zero.
+        let relative = (0..K).map(|k| 1.0 / (self.inverse_pivot[k] * matrix[k][k]));
+        relative.fold(1.0, f64::min)
     }
 
     /// Rows that get no multiplier, where there are any.
@@ -68,7 +82,7 @@ impl<const K: usize> SymmetricDual<K> {
         };
         self.regularised = !regular;
         if self.regularised {
-            self.weak = true;
+            (self.weak, self.beside) = (true, self.marks.beside > 0.0);
             let diagonal = core::array::from_fn(|i| matrix[i][i]);
             self.proximal.factor(matrix, &diagonal);
         }
@@ -83,10 +97,15 @@ impl<const K: usize> SymmetricDual<K> {
     #[inline(never)]
     fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> bool {
         let (mut idle, mut reduced) = ([false; K], false);
+        let mut least = 1.0_f64;
         let regular = self.eliminate_where(
             |k, pivot| {
-                idle[k] = redundant[k] && pivot.abs() <= REDUNDANT * matrix[k][k];
+                let relative = pivot.abs() / matrix[k][k];
+                idle[k] = redundant[k] && relative <= round_off(least);
                 reduced |= idle[k];
+                if !idle[k] {
+                    least = least.min(relative);
+                }
                 idle[k]
             },
             matrix,
@@ -95,7 +114,7 @@ impl<const K: usize> SymmetricDual<K> {
         regular
     }
 
-    /// False at the first small pivot that is not `passed_over`.
+    /// False at the first small pivot of a row that is not `passed_over`.
     #[inline(always)]
     fn eliminate_where(
         &mut self,
@@ -112,12 +131,12 @@ impl<const K: usize> SymmetricDual<K> {
         for k in 0..K {
             let pivot_row = upper[k];
             let pivot = pivot_row[k];
-            if !(pivot > SMALL_PIVOT * matrix[k][k]) {
-                if !passed_over(k, pivot) {
-                    return false;
-                }
+            if passed_over(k, pivot) {
                 self.inverse_pivot[k] = 0.0;
                 continue;
+            }
+            if !(pivot > self.marks.small * matrix[k][k]) {
+                return false;
             }
             weak |= pivot < WEAK_PIVOT * matrix[k][k];
             let inverse = 1.0 / pivot;
@@ -133,7 +152,14 @@ impl<const K: usize> SymmetricDual<K> {
             }
         }
         self.weak = weak;
+        self.beside = weak && self.is_beside(matrix);
         true
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn is_beside(&self, matrix: &[[f64; K]; K]) -> bool {
+        (0..K).any(|k| self.inverse_pivot[k] * matrix[k][k] > 1.0 / self.marks.beside)
     }
 
     /// How independent the first `rows` rows of `matrix` are, which was factored last.
@@ -169,7 +195,7 @@ impl<const K: usize> SymmetricDual<K> {
             let pivot = pivot_row[k];
             let relative = pivot / matrix[k][k];
             weakest = weakest.min(relative.max(0.0));
-            if relative > SMALL_PIVOT {
+            if relative > self.marks.small {
                 sigma = sigma.min(relative);
             } else {
                 lost += 1;

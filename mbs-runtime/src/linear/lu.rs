@@ -1,7 +1,7 @@
 //! The multiplier solve of the position rows, whose matrix B is not symmetric.
 
 use super::proximal::Proximal;
-use super::{SMALL_PIVOT, SPARSE_FROM};
+use super::{Marks, SPARSE_FROM};
 
 /// B = A₁ W₀ factored: plain elimination while B is well conditioned, the proximal solve where it is not.
 ///
@@ -13,6 +13,7 @@ pub(crate) struct Dual<const K: usize> {
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
     pub(crate) regularised: bool,
+    pub(crate) marks: Marks,
 }
 
 impl<const K: usize> Dual<K> {
@@ -22,6 +23,7 @@ impl<const K: usize> Dual<K> {
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,
+            marks: Marks::SECOND_ORDER,
         }
     }
 
@@ -74,7 +76,7 @@ impl<const K: usize> Dual<K> {
                 }
                 continue;
             }
-            if !(pivot.abs() > SMALL_PIVOT * length_squared[k]) {
+            if !(pivot.abs() > self.marks.small * length_squared[k]) {
                 return false;
             }
             let inverse = 1.0 / pivot;

@@ -3,6 +3,7 @@
 mod independence;
 mod ldlt;
 mod lu;
+mod marks;
 mod pivoted;
 mod proximal;
 mod rank;
@@ -12,6 +13,7 @@ mod vector;
 pub(crate) use independence::Independence;
 pub(crate) use ldlt::SymmetricDual;
 pub(crate) use lu::Dual;
+pub(crate) use marks::Marks;
 pub(crate) use pivoted::Pivoted;
 pub(crate) use rank::dependence;
 pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
@@ -30,10 +32,6 @@ pub(crate) fn clear<const ROWS: usize, const COLUMNS: usize>() -> Matrix<ROWS, C
 
 /// ε of the proximal solve on rows of unit length: 1/ξ² for the penalty ξ = 1e7 of the augmented Lagrangian.
 const PROXIMAL: f64 = 1e-14;
-
-/// A pivot below this fraction of its row's own length has lost the row's direction (the proximal ε acts on singular
-/// values of about 1e-7).
-const SMALL_PIVOT: f64 = 1e-6;
 
 /// A pivot below this fraction calls for an iteration on the residual.
 const WEAK_PIVOT: f64 = 1e-3;

@@ -1,6 +1,6 @@
 //! K of a large mechanism at one instant, and its factor.
 
-use super::{Independence, SMALL_PIVOT, WEAK_PIVOT, clear};
+use super::{Independence, Marks, WEAK_PIVOT, clear};
 use crate::System;
 use crate::generated::Elimination;
 
@@ -17,6 +17,7 @@ pub(crate) struct Bordered {
     lengths: Slots,
     /// The largest ratio of these to the pivots.
     most: f64,
+    marks: Marks,
 }
 
 /// K where A₀ and A₁ belong to different instants.
@@ -31,11 +32,13 @@ pub(crate) struct SparseMass {
 }
 
 /// What pivots tell of the rows they belong to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Rows {
     Independent,
     /// Solutions lose digits that an iteration on the residual restores.
     Weak,
+    /// The same, beside a singular pose.
+    Beside,
     /// A row is about to lose its direction.
     Lost,
 }
@@ -46,7 +49,12 @@ fn zeros(length: usize) -> Slots {
 
 /// The verdict on pivots whose sizes relative to the lengths of their rows are given; zero for those left out, of which
 /// there may be `redundant`.
-fn judge(most: f64, relative: impl Iterator<Item = f64>, redundant: Option<usize>) -> Rows {
+fn judge(
+    marks: Marks,
+    most: f64,
+    relative: impl Iterator<Item = f64>,
+    redundant: Option<usize>,
+) -> Rows {
     if most < 1.0 / WEAK_PIVOT {
         return Rows::Independent;
     }
@@ -58,10 +66,13 @@ fn judge(most: f64, relative: impl Iterator<Item = f64>, redundant: Option<usize
             least = least.min(pivot);
         }
     }
-    if least <= SMALL_PIVOT || redundant.is_some_and(|redundant| redundant != left_out) {
+    if least <= marks.small || redundant.is_some_and(|redundant| redundant != left_out) {
         Rows::Lost
     } else if least < WEAK_PIVOT {
-        Rows::Weak
+        match least < marks.beside {
+            true => Rows::Beside,
+            false => Rows::Weak,
+        }
     } else {
         Rows::Independent
     }
@@ -72,6 +83,7 @@ impl Bordered {
     pub(crate) fn new<const N: usize, const R: usize>(
         plan: &Elimination<N, R>,
         mass: &[[f64; N]; N],
+        marks: Marks,
     ) -> Self {
         let mut entries = zeros(plan.slots);
         for &(i, j, slot) in plan.mass {
@@ -82,6 +94,7 @@ impl Bordered {
             entries,
             lengths: zeros(plan.unknowns),
             most: f64::INFINITY,
+            marks,
         }
     }
 
@@ -100,7 +113,7 @@ impl Bordered {
 
     #[inline]
     pub(crate) fn rows<const N: usize, const R: usize>(&self, plan: &Elimination<N, R>) -> Rows {
-        judge(self.most, self.relative(plan), None)
+        judge(self.marks, self.most, self.relative(plan), None)
     }
 
     /// How independent the rows are.
@@ -117,7 +130,7 @@ impl Bordered {
             least: sigma,
             dependent: 0,
         };
-        if self.most < 1.0 / SMALL_PIVOT {
+        if self.most < 1.0 / self.marks.small {
             return independence;
         }
         let (mut small, mut least) = (f64::INFINITY, f64::INFINITY);
@@ -127,7 +140,7 @@ impl Bordered {
             } else {
                 independence.dependent += 1;
             }
-            if pivot > SMALL_PIVOT {
+            if pivot > self.marks.small {
                 small = small.min(pivot);
             } else {
                 independence.lost += 1;
@@ -212,7 +225,7 @@ impl Pair {
         let most = (plan.factor_pair)(&mut self.lower, &mut self.upper, &start.lengths);
         let redundant = start.relative(plan).filter(|&pivot| pivot == 0.0).count();
         let relative = relative(plan, &self.lower, &start.lengths);
-        judge(most, relative, Some(redundant))
+        judge(start.marks, most, relative, Some(redundant))
     }
 
     #[inline]

@@ -11,6 +11,11 @@ const CLEAR: f64 = 0.15;
 /// A step of second order is not taken again above this: it passes nearly every landing unharmed, and then a change of
 /// length costs more than it saves.
 const CLEAR_SECOND: f64 = 0.02;
+/// The same for composed steps, as a fraction of the step: below it another length can do better.
+const CLEAR_COMPOSED: f64 = 0.06;
+/// How often they aim, and what they content themselves with afterwards.
+const AIMS: usize = 3;
+const CLEARED: f64 = 0.03;
 /// The same for explicit steps, whose stages lie at given fractions of a step: what is left as it is, and what is looked
 /// for.
 const CLEAR_EXPLICIT: [f64; 2] = [0.06, 0.1];
@@ -38,7 +43,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match (self.settings.method, self.settings.order) {
             (Method::Projected, _) => CLEAR_EXPLICIT,
             (_, 2) => [CLEAR_SECOND, CLEAR],
-            _ => [CLEAR, CLEAR],
+            _ => [CLEAR_COMPOSED; 2],
         }
     }
 
@@ -77,8 +82,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Err(_) => (f64::NEG_INFINITY, h),
         };
         let mut taken = h;
-        for factor in LENGTHS {
-            let trial = factor * h;
+        for attempt in 0..LENGTHS.len() {
+            // Composed steps know where to go, once they have seen the pose with all of their stages.
+            let halved = self.report.rejected_steps > start.0.rejected_steps;
+            let aimed = self.integrator.aim(left / taken).filter(|_| !halved);
+            let trial = match aimed {
+                Some((_, clearance)) if attempt >= AIMS || !(clearance > best) => break,
+                Some((factor, _)) => factor * taken,
+                None => LENGTHS[attempt] * h,
+            };
             if trial > left {
                 continue;
             }
@@ -88,7 +100,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Ok(clearance) if clearance > best => (best, length) = (clearance, trial),
                 _ => {}
             }
-            if best >= self.clearances()[1] {
+            let enough = match aimed {
+                Some(_) => CLEARED,
+                None => self.clearances()[1],
+            };
+            if best >= enough {
                 break;
             }
         }

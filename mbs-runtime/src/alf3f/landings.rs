@@ -1,0 +1,194 @@
+//! Where the stages of a composed step land beside a singular pose, and which length of step keeps them clear of it.
+//!
+//! Beside a singular pose σ_min of the rows is the distance from it, up to a factor:
+//!
+//! ```text
+//! σ = k |y − p|        p: landing, y: the pose, both as fractions of the step from its beginning
+//! ```
+//!
+//! Two landings, the beginning and the end of the step, tell y. Where the others land is known before they are taken, so
+//! that the length which leaves the widest gap about the pose is found without trying.
+
+use crate::linear::Independence;
+
+/// Lengths to choose from, as fractions of the step.
+const SHORTEST: f64 = 0.5;
+const LONGEST: f64 = 1.15;
+/// How many of them.
+const CHOICES: u32 = 66;
+/// How much room before the pose the beginning of the next step needs to find a length in its turn, as a fraction of a
+/// step, and what a lack of it weighs.
+const ROOM: f64 = 0.2;
+const LACK: f64 = 0.3;
+/// A pose farther away than this fraction of the step does not concern it.
+const AHEAD: f64 = 1.5;
+
+/// What was seen at the landings of a step.
+#[derive(Debug, Clone)]
+pub(crate) struct Landings {
+    /// Fractions of a step.
+    places: Vec<f64>,
+    start: Independence,
+    seen: Vec<Independence>,
+    /// Where the singular pose is, as a fraction of the step; infinite where there is none.
+    pose: f64,
+}
+
+impl Landings {
+    /// For a composition of these stages.
+    pub(crate) fn new(stages: &[f64]) -> Self {
+        let mut place = 0.0;
+        let places = stages.iter().map(|stage| {
+            place += stage;
+            place
+        });
+        Landings {
+            places: places.collect(),
+            start: Independence::FULL,
+            seen: Vec::with_capacity(stages.len()),
+            pose: f64::INFINITY,
+        }
+    }
+
+    /// A step begins here.
+    pub(crate) fn begin(&mut self, start: Independence) {
+        self.start = start;
+        self.seen.clear();
+    }
+
+    pub(crate) fn add(&mut self, landing: Independence) {
+        self.seen.push(landing);
+    }
+
+    /// After the last stage: the distance of the nearest landing from a singular pose, as a fraction of the step;
+    /// infinite without one.
+    pub(crate) fn settle(&mut self) -> f64 {
+        let (pose, nearest) = self.find();
+        self.pose = pose;
+        match pose > 0.0 {
+            true => self.clearance(1.0, pose).min(nearest),
+            // Behind: the step before has settled it.
+            false => f64::INFINITY,
+        }
+    }
+
+    /// Where the pose is, and how far the nearest landing is from it as σ tells: a step that has left its branch of the
+    /// motion is not where it would be otherwise.
+    fn find(&self) -> (f64, f64) {
+        // Rows that are redundant everywhere do not count; landings where more are lost are nearest to a pose.
+        let all = || self.seen.iter().chain([&self.start]);
+        let fewest = all().map(|landing| landing.lost).min().unwrap_or(0);
+        let sigma = |landing: &Independence| match landing.lost == fewest {
+            true => landing.sigma,
+            false => landing.weakest,
+        };
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for value in all().map(sigma) {
+            least = least.min(value);
+            most = most.max(value);
+        }
+        let Some(end) = self.seen.last().map(sigma) else {
+            return (f64::INFINITY, f64::INFINITY);
+        };
+        let start = sigma(&self.start);
+        // The end of a step that has the pose 1.5 lengths from its beginning is at a third of its σ.
+        if !(least < (1.0 - 1.0 / AHEAD) * most) {
+            return (f64::INFINITY, f64::INFINITY);
+        }
+        let misfit = |pose: f64| -> f64 {
+            let rate = most / self.farthest(pose);
+            let pairs = self.places.iter().zip(&self.seen);
+            pairs
+                .map(|(place, seen)| (rate * (pose - place).abs() - sigma(seen)).abs())
+                .sum()
+        };
+        // Passed over, still ahead, or left behind.
+        let (passed, ahead) = (start / (start + end), start / (start - end));
+        // (Of two equal ends the pose is in the middle, and there is none ahead.)
+        let pose = match misfit(ahead) < misfit(passed) {
+            true => ahead,
+            false => passed,
+        };
+        let landed = self.seen.iter().map(sigma).fold(f64::INFINITY, f64::min);
+        (pose, landed / most * self.farthest(pose))
+    }
+
+    fn farthest(&self, pose: f64) -> f64 {
+        let distances = self.places.iter().map(|place| (pose - place).abs());
+        distances.fold(pose.abs(), f64::max)
+    }
+
+    /// The distance of the nearest landing from the pose for a step of this length, where the beginning of the next step
+    /// counts less the closer it is before the pose.
+    fn clearance(&self, length: f64, pose: f64) -> f64 {
+        let distances = self
+            .places
+            .iter()
+            .map(|place| (pose - length * place).abs());
+        let nearest = distances.fold(f64::INFINITY, f64::min);
+        let before = pose - length;
+        if before > 0.0 && before < ROOM {
+            nearest.min(LACK * before)
+        } else {
+            nearest
+        }
+    }
+
+    /// The length, as a fraction of the step and at most `longest`, with the largest clearance from the pose, and that
+    /// clearance.
+    pub(crate) fn aim(&self, longest: f64) -> (f64, f64) {
+        let longest = longest.clamp(SHORTEST, LONGEST);
+        let lengths = (0..CHOICES).map(|choice| {
+            let part = f64::from(choice) / f64::from(CHOICES - 1);
+            longest + part * (SHORTEST - longest)
+        });
+        let cleared = lengths.map(|length| (length, self.clearance(length, self.pose)));
+        cleared.fold((1.0, 0.0), |best, next| match next.1 > best.1 {
+            true => next,
+            false => best,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::composition::stages;
+    use super::*;
+
+    fn landings(order: u8, pose: f64) -> Landings {
+        let sigma = |place: f64| Independence::of(0.01 * (place - pose).abs());
+        let mut landings = Landings::new(stages(order));
+        landings.begin(sigma(0.0));
+        for place in landings.places.clone() {
+            landings.add(sigma(place));
+        }
+        landings
+    }
+
+    #[test]
+    fn the_pose_is_found() {
+        for order in [4, 6, 8] {
+            for pose in [0.1, 0.4, 0.5, 0.55, 0.9, 1.1, 1.4] {
+                let (found, _) = landings(order, pose).find();
+                assert!((found - pose).abs() < 1e-9, "{order}: {found} for {pose}");
+            }
+            assert_eq!(landings(order, 3.0).find().0, f64::INFINITY);
+        }
+    }
+
+    #[test]
+    fn every_pose_can_be_cleared() {
+        for order in [4, 6, 8] {
+            for i in 40..=200 {
+                let pose = f64::from(i) / 200.0;
+                let mut landings = landings(order, pose);
+                landings.settle();
+                let (length, clearance) = landings.aim(f64::INFINITY);
+                assert!(
+                    clearance > 0.03,
+                    "order {order}, pose {pose}: {clearance} at {length}"
+                );
+            }
+        }
+    }
+}
