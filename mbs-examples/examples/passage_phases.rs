@@ -1,7 +1,7 @@
 //! Singular passages at random steps from random phases: failures, wrong branches, and how far the worst energy error of a
 //! step is from the usual one.
 //!
-//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene]`
+//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene] [constraint tolerance]`
 //!
 //! Each step, drawn log-uniformly, is run from several states on the smooth branch, drawn from its first ten seconds, and
 //! compared with a fine run from the same state at every half second. Energy alone does not show a wrong branch: on the
@@ -37,6 +37,14 @@ fn main() {
     let count = std::env::args().nth(1).and_then(|n| n.parse().ok());
     let count: usize = count.unwrap_or(500);
     let scene = std::env::args().nth(2);
+    let constraint_tolerance = std::env::args()
+        .nth(3)
+        .and_then(|tolerance| tolerance.parse().ok());
+    let settings =
+        constraint_tolerance.map_or(Settings::default(), |constraint_tolerance| Settings {
+            constraint_tolerance,
+            ..Settings::default()
+        });
     let wanted = |name: &str| scene.as_deref().is_none_or(|scene| scene == name);
     println!(
         "{count} steps an order in [{:e}, {:e}] s, each from {PHASES_OF_A_STEP} phases, {DURATION} s; energy errors in J",
@@ -50,7 +58,7 @@ fn main() {
             "slider-crank",
             &slider_crank::SliderCrank::default(),
             |point| (point("rod.b")[0] - 2.0 * point("crank.b")[0]).abs(),
-            count,
+            (count, settings),
         );
     }
     if wanted("double-four-bar") {
@@ -62,7 +70,7 @@ fn main() {
                 let first = (height("crank0.b") - height("crank1.b")).abs();
                 first.max((height("crank1.b") - height("crank2.b")).abs())
             },
-            count,
+            (count, settings),
         );
     }
 }
@@ -71,7 +79,7 @@ fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
     name: &str,
     mechanism: &M,
     asymmetry: Asymmetry,
-    count: usize,
+    (count, settings): (usize, Settings),
 ) where
     M: Mechanism<System = S>,
     S: System<Q, N, R>,
@@ -91,7 +99,7 @@ fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
                     order,
                     step,
                     placement,
-                    ..Settings::default()
+                    ..settings
                 };
                 let mut of_step = Vec::new();
                 for _ in 0..PHASES_OF_A_STEP {

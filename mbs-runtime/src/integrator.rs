@@ -21,7 +21,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     ) -> Result<Self, SimulationError> {
         match settings.method {
             Method::TwoLevel => {
-                TwoLevelStepper::new(system, state, settings).map(Integrator::TwoLevel)
+                let placed = settings.placement && settings.fixed_iterations.is_none();
+                TwoLevelStepper::for_steps(system, state, settings, placed)
+                    .map(Integrator::TwoLevel)
             }
             Method::Paper(_) | Method::MAlf(_) => {
                 PaperStepper::new(system, state, settings).map(Integrator::Paper)
@@ -73,9 +75,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     }
 
     /// See [`TwoLevelStepper::aim`].
-    pub(crate) fn aim(&self, longest: f64) -> Option<(f64, f64)> {
+    pub(crate) fn aim(&self, bounds: [f64; 2]) -> Option<(f64, f64)> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.aim(longest),
+            Integrator::TwoLevel(stepper) => stepper.aim(bounds),
             _ => None,
         }
     }

@@ -137,7 +137,8 @@ pub struct Settings {
     /// Between 1e-12 and 0.1. [`Settings::for_tolerance`] chooses the order with it.
     pub tolerance: Option<f64>,
     /// Whether a step of the two-level method that would land beside a singular pose is given another length (0.5 to
-    /// 1.15 times h), so that it does not. At second order only where the landing costs digits.
+    /// 1.15 times h), so that it does not. At second order only where the landing costs digits. Not with
+    /// [`Settings::fixed_iterations`].
     /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event end where
     /// they should.
     pub placement: bool,

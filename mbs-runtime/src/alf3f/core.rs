@@ -1,7 +1,7 @@
 //! What every two-level step works on.
 
 use super::{Fault, Node};
-use crate::linear::{Dual, Marks, SymmetricDual, dot, largest};
+use crate::linear::{Dual, SymmetricDual, Thresholds, dot, largest};
 use crate::{Settings, State, System};
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
@@ -68,7 +68,7 @@ pub(crate) struct RowScale<const R: usize> {
     pub(crate) weights: [f64; R],
     /// (LOST / tolerance)².
     pub(crate) lost: f64,
-    /// The smallest relative pivot of S.
+    /// The smallest relative pivot of S at the declared guess.
     usual_pivot: f64,
 }
 
@@ -105,6 +105,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
         system: S,
         state: State<Q, N, R>,
         settings: &Settings,
+        placed: bool,
     ) -> Result<Self, Fault> {
         let node = Node::new(&system, &state.positions)?;
         let mut core = Core {
@@ -119,11 +120,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             counters: Counters::default(),
         };
         if settings.order > 2 {
-            let marks = Marks::high_order(core.scale.usual_pivot, settings.placement);
-            (core.work.symmetric.marks, core.work.dual.marks) = (marks, marks);
+            let thresholds = Thresholds::high_order(core.scale.usual_pivot, placed);
+            (core.work.symmetric.thresholds, core.work.dual.thresholds) = (thresholds, thresholds);
         }
         core.refresh()?;
         (core.work.symmetric).expect_redundancy(&core.start.gram);
+        if S::STRUCTURE.holonomic_rows < R {
+            core.refresh()?;
+        }
         Ok(core)
     }
 
@@ -137,7 +141,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             ..
         } = self;
         start.evaluate(system, state.time, &state.positions, &mut work.phi)?;
-        work.symmetric.factor(&start.gram);
+        if S::STRUCTURE.holonomic_rows == R {
+            work.symmetric.factor(&start.gram);
+        } else {
+            super::mixed_kicks::factor_holonomic(start, work);
+        }
         Ok(())
     }
 

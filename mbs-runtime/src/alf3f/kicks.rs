@@ -64,23 +64,51 @@ where
         kick.matrix = Matrix::Start;
     }
     core.work.dual.regularised = false;
-    let mut left = close(core, flow, h, &mut kick, beside)?;
-    loop {
-        core.work.impulse[0] = kick.kappa;
-        core.end.metric(&core.system, t1, &kick.q)?;
-        let mut v = flow.velocities(&core.system, &kick.va, &kick.q, &mut core.end);
-        core.project_velocity(&mut v);
-        let symmetric = &core.work.symmetric;
-        if symmetric.beside && left > EXACT && !beside && core.fixed_iterations.is_none() {
-            // It lands beside a singular pose, which was not known.
-            kick.matrix = Matrix::None;
-            close(core, flow, h, &mut kick, true)?;
-            left = 0.0;
-            continue;
-        }
-        let weak = weak_start || symmetric.weak || core.work.dual.regularised;
-        return core.commit(t1, h, kick.q, v, weak);
+    let left = close(core, flow, h, &mut kick, beside)?;
+    let mut v = arrive(core, flow, t1, &kick)?;
+    let unforeseen = core.work.symmetric.beside && !beside && left > EXACT;
+    if unforeseen && core.fixed_iterations.is_none() {
+        v = close_again(core, flow, h, &mut kick)?;
     }
+    let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
+    core.commit(t1, h, kick.q, v, weak)
+}
+
+/// The velocities at the end of the step, on the rows there.
+#[inline(always)]
+fn arrive<S, F, const Q: usize, const N: usize, const R: usize>(
+    core: &mut Core<S, Q, N, R>,
+    flow: &mut F,
+    t1: f64,
+    kick: &Kick<Q, N, R>,
+) -> Result<[f64; N], Fault>
+where
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
+{
+    core.work.impulse[0] = kick.kappa;
+    core.end.metric(&core.system, t1, &kick.q)?;
+    let mut v = flow.velocities(&core.system, &kick.va, &kick.q, &mut core.end);
+    core.project_velocity(&mut v);
+    Ok(v)
+}
+
+/// The step has landed beside a singular pose, which was not known when its rows were closed.
+#[cold]
+#[inline(never)]
+fn close_again<S, F, const Q: usize, const N: usize, const R: usize>(
+    core: &mut Core<S, Q, N, R>,
+    flow: &mut F,
+    h: f64,
+    kick: &mut Kick<Q, N, R>,
+) -> Result<[f64; N], Fault>
+where
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
+{
+    kick.matrix = Matrix::None;
+    close(core, flow, h, kick, true)?;
+    arrive(core, flow, core.state.time + h, kick)
 }
 
 /// What is iterated on.
@@ -91,14 +119,14 @@ struct Kick<const Q: usize, const N: usize, const R: usize> {
     matrix: Matrix,
 }
 
-/// Corrects κ₁ until φ(q₁) = 0, to round-off where the rows are `weak`; what is left, in squared tolerances.
+/// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; what is left, in squared tolerances.
 #[inline(always)]
 fn close<S, F, const Q: usize, const N: usize, const R: usize>(
     core: &mut Core<S, Q, N, R>,
     flow: &mut F,
     h: f64,
     kick: &mut Kick<Q, N, R>,
-    weak: bool,
+    beside: bool,
 ) -> Result<f64, Fault>
 where
     S: System<Q, N, R>,
@@ -133,7 +161,9 @@ where
         let residual = residual_of(&work.phi, weights);
         match fixed {
             // Beside a singular pose down to round-off.
-            None if residual <= 1.0 && (!weak || residual <= EXACT || residual >= 0.25 * last) => {
+            None if residual <= 1.0
+                && (!beside || residual <= EXACT || residual >= 0.25 * last) =>
+            {
                 break residual;
             }
             Some(count) if iterations == count && residual.is_finite() => break residual,

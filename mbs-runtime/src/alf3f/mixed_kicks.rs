@@ -45,7 +45,7 @@ where
         *weight /= speed * speed;
     }
 
-    let beside = work.symmetric.beside;
+    let beside = holonomic > 0 && work.symmetric.beside;
     let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
     accumulate(&mut va, &start.w, &kappa);
@@ -76,11 +76,10 @@ where
             defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
         let residual = residual_of(&defect, &weights);
-        let enough = match beside || work.symmetric.beside {
-            true => EXACT,
-            false => 1.0,
-        };
-        if residual <= enough || (residual <= 1.0 && residual >= 0.25 * last) {
+        // Beside a singular pose down to round-off.
+        let beside = beside || (holonomic > 0 && work.symmetric.beside);
+        let stuck = residual >= 0.25 * last || iterations >= *max_iterations;
+        if residual <= 1.0 && (!beside || residual <= EXACT || stuck) {
             break v;
         }
         if !(residual < SLOW * last) {
@@ -144,7 +143,12 @@ where
 }
 
 /// Factors S of the holonomic rows, with unit rows in place of the others.
-fn factor_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+pub(super) fn factor_holonomic<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
     end: &Node<S, Q, N, R>,
     work: &mut Work<R>,
 ) {

@@ -18,7 +18,7 @@ pub(crate) use self::core::{Counters, FIXED_REFINEMENTS, RowScale};
 pub(crate) use composition::{ORDERS, stages};
 pub(crate) use fault::Fault;
 pub(crate) use kicks::{not_converged, residual_of};
-pub(crate) use landings::Landings;
+pub(crate) use landings::{CLEAR, Landings};
 pub(crate) use node::Node;
 pub use paper::PaperStepper;
 pub(crate) use passage::Passage;

@@ -16,7 +16,7 @@ use super::core::{Core, REFINEMENTS};
 use super::kicks::{self, EXACT, STAGNATED, residual_of};
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{Bordered, Independence, Pair, Rows, Slots, SparseMass, largest};
+use crate::linear::{Bordered, Independence, Pair, Rows, Slots, SparseMass, Thresholds, largest};
 use crate::{State, System};
 
 /// Corrections by the factor at the start of the step that are cheaper than another factor.
@@ -44,7 +44,7 @@ enum Factor {
 }
 
 /// What is iterated on: the first kick of a step, and where it leads.
-struct Way<const Q: usize, const N: usize, const R: usize> {
+struct Kick<const Q: usize, const N: usize, const R: usize> {
     /// q₁ without the velocity.
     base: [f64; N],
     q: [f64; Q],
@@ -69,7 +69,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
         let mass = crate::linear::constant_mass(&core.system, &core.state.positions);
-        let matrix = Bordered::new(plan, &mass, core.work.symmetric.marks);
+        let matrix = Bordered::new(plan, &mass, core.work.symmetric.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,
             end: matrix.clone(),
@@ -79,6 +79,14 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             x: vec![0.0; plan.unknowns].into_boxed_slice(),
         });
         kicks.refresh(core);
+        if kicks.start.leaves_rows_out(plan) {
+            // Beside a singular pose the pivot of a redundant row is not small enough to tell it from one that is nearly lost.
+            let coarse = Thresholds {
+                lost: Thresholds::SECOND_ORDER.lost,
+                ..core.work.symmetric.thresholds
+            };
+            (kicks.start.thresholds, kicks.end.thresholds) = (coarse, coarse);
+        }
         Some(kicks)
     }
 
@@ -157,10 +165,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         if start == Rows::Lost {
             return Ok(Outcome::Lost);
         }
-        let mut way = self.depart(core, h);
+        let mut kick = self.depart(core, h);
         let mut enough = if start == Rows::Beside { EXACT } else { 1.0 };
         let rows = loop {
-            let Some(left) = self.close(core, h, &mut way, enough) else {
+            let Some(left) = self.close(core, h, &mut kick, enough) else {
                 return Ok(Outcome::Lost);
             };
             self.end.factor(self.plan);
@@ -169,13 +177,13 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 break rows;
             }
             // It lands beside a singular pose, which was not known.
-            way.factor = Factor::None;
+            kick.factor = Factor::None;
             enough = EXACT;
         };
         if rows == Rows::Lost {
             return Ok(Outcome::Lost);
         }
-        let Way { q, va, .. } = way;
+        let Kick { q, va, .. } = kick;
         let SparseKicks {
             plan, end, mass, x, ..
         } = self;
@@ -218,7 +226,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         &mut self,
         core: &Core<S, Q, N, R>,
         h: f64,
-    ) -> Way<Q, N, R> {
+    ) -> Kick<Q, N, R> {
         let SparseKicks {
             plan,
             start,
@@ -237,7 +245,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let half = 0.5 * h * h;
         let a0 = &core.start.acceleration;
         let weak = start.rows(plan) != Rows::Independent;
-        Way {
+        Kick {
             base: std::array::from_fn(|i| state.positions[i] + half * a0[i]),
             q: state.positions,
             va,
@@ -252,7 +260,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         &mut self,
         core: &mut Core<S, Q, N, R>,
         h: f64,
-        way: &mut Way<Q, N, R>,
+        kick: &mut Kick<Q, N, R>,
         enough: f64,
     ) -> Option<f64> {
         let SparseKicks {
@@ -270,11 +278,11 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let mut iterations = 0;
         let left = loop {
             for i in 0..N {
-                way.q[i] = way.base[i] + h * way.va[i];
+                kick.q[i] = kick.base[i] + h * kick.va[i];
             }
             core.system.sparse_constraints(
                 t1,
-                &way.q,
+                &kick.q,
                 &mut work.phi,
                 &mut end.entries,
                 &mut core.end.b,
@@ -284,8 +292,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 break residual;
             }
             let slow = iterations > 0 && !(residual.powi(PATIENCE + 1) <= last.powi(PATIENCE));
-            if slow || way.factor == Factor::None {
-                if way.factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
+            if slow || kick.factor == Factor::None {
+                if kick.factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
                     break residual;
                 }
                 if iterations >= core.max_iterations || !residual.is_finite() {
@@ -294,13 +302,13 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 if pair.factor(plan, start, end) == Rows::Lost {
                     return None;
                 }
-                way.factor = Factor::Renewed;
-            } else if way.factor == Factor::Renewed {
-                way.factor = Factor::Pair;
+                kick.factor = Factor::Renewed;
+            } else if kick.factor == Factor::Renewed {
+                kick.factor = Factor::Pair;
             }
             let rates = work.phi.map(|phi| rate * phi);
-            let to = (&mut way.va, &mut way.kappa);
-            match way.factor {
+            let to = (&mut kick.va, &mut kick.kappa);
+            match kick.factor {
                 Factor::Start => start.solve(plan, &rates, x, to),
                 _ => pair.solve(plan, &rates, x, to),
             }
@@ -308,7 +316,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             iterations += 1;
         };
         core.counters.iterations += iterations as u64;
-        work.impulse[0] = way.kappa;
+        work.impulse[0] = kick.kappa;
         Some(left)
     }
 }

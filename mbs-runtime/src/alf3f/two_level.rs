@@ -63,6 +63,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
+        Self::for_steps(system, state, settings, false)
+    }
+
+    /// The same; `placed`: its steps will keep clear of singular poses.
+    pub(crate) fn for_steps(
+        system: S,
+        state: State<Q, N, R>,
+        settings: &Settings,
+        placed: bool,
+    ) -> Result<Self, SimulationError> {
         settings.check()?;
         let flow = crate::flow::choose(&system, &state, settings)?;
         let time = state.time;
@@ -84,7 +94,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let mut state = state;
         state.make_room(stages.len());
         let before = state.with_room(stages.len());
-        let mut core = Core::new(system, state, settings)
+        let mut core = Core::new(system, state, settings, placed)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let flow = match flow {
             Flow::Leapfrog => {
@@ -145,10 +155,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         (rows > 0).then(|| work.symmetric.independence(&start.gram, rows))
     }
 
-    /// The length of a composed step, as a fraction of the last one and at most `longest`, that keeps clearest of the
-    /// singular pose that was seen on it, and how clear.
-    pub(crate) fn aim(&self, longest: f64) -> Option<(f64, f64)> {
-        (self.stages.len() > 1).then(|| self.landings.aim(longest))
+    /// The length of a composed step, as a fraction of the last one and between these bounds, that keeps clearest of the
+    /// singular pose that was seen on it, and how clear; `None` where none was.
+    pub(crate) fn aim(&self, bounds: [f64; 2]) -> Option<(f64, f64)> {
+        self.landings.aim(bounds)
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].

@@ -2,7 +2,7 @@
 
 use super::Independence;
 use super::proximal::Proximal;
-use super::{Marks, SPARSE_FROM, WEAK_PIVOT};
+use super::{SPARSE_FROM, Thresholds, WEAK_PIVOT};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
 pub(crate) struct SymmetricDual<const K: usize> {
@@ -15,7 +15,7 @@ pub(crate) struct SymmetricDual<const K: usize> {
     pub(crate) weak: bool,
     /// Whether a row has nearly lost its direction: beside a singular pose.
     pub(crate) beside: bool,
-    pub(crate) marks: Marks,
+    pub(crate) thresholds: Thresholds,
     /// Rows that follow from those before them wherever the mechanism is, as far as is known.
     redundant: Option<[bool; K]>,
     /// Which of them did at the last factorisation: their multipliers are zero.
@@ -24,9 +24,13 @@ pub(crate) struct SymmetricDual<const K: usize> {
     pub(crate) reduced: bool,
 }
 
+/// A relative pivot of a row that follows from those before it is round-off over the smallest pivot of others; at least and,
+/// where it is yet to be found out which rows these are, at most this. Independent rows may be as weak as that.
+const REDUNDANT: [f64; 2] = [1e-10, 1e-8];
+
 /// A relative pivot that is round-off, after the `least` one so far, by which errors were divided.
 fn round_off(least: f64) -> f64 {
-    (16.0 * f64::EPSILON / least).max(1e-10)
+    (16.0 * f64::EPSILON / least).max(1e-11)
 }
 
 impl<const K: usize> SymmetricDual<K> {
@@ -38,7 +42,7 @@ impl<const K: usize> SymmetricDual<K> {
             regularised: false,
             weak: false,
             beside: false,
-            marks: Marks::SECOND_ORDER,
+            thresholds: Thresholds::SECOND_ORDER,
             redundant: None,
             idle: [false; K],
             reduced: false,
@@ -50,6 +54,7 @@ impl<const K: usize> SymmetricDual<K> {
     /// to reactions, not to motion.)
     #[inline(never)]
     pub(crate) fn expect_redundancy(&mut self, matrix: &[[f64; K]; K]) {
+        self.redundant = None;
         let found = self.eliminate_but(&[true; K], matrix) && self.reduced;
         self.redundant = found.then_some(self.idle);
         self.factor(matrix);
@@ -82,7 +87,7 @@ impl<const K: usize> SymmetricDual<K> {
         };
         self.regularised = !regular;
         if self.regularised {
-            (self.weak, self.beside) = (true, self.marks.beside > 0.0);
+            (self.weak, self.beside) = (true, self.thresholds.beside > 0.0);
             let diagonal = core::array::from_fn(|i| matrix[i][i]);
             self.proximal.factor(matrix, &diagonal);
         }
@@ -97,14 +102,19 @@ impl<const K: usize> SymmetricDual<K> {
     #[inline(never)]
     fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> bool {
         let (mut idle, mut reduced) = ([false; K], false);
+        let known = self.redundant.is_some();
         let mut least = 1.0_f64;
         let regular = self.eliminate_where(
             |k, pivot| {
-                let relative = pivot.abs() / matrix[k][k];
-                idle[k] = redundant[k] && relative <= round_off(least);
-                reduced |= idle[k];
-                if !idle[k] {
-                    least = least.min(relative);
+                let length = matrix[k][k];
+                if redundant[k] {
+                    let most = if known { 1.0 } else { REDUNDANT[1] };
+                    let bound = round_off(least).clamp(REDUNDANT[0], most);
+                    idle[k] = pivot.abs() <= bound * length;
+                    reduced |= idle[k];
+                }
+                if !idle[k] && pivot < least * length {
+                    least = pivot / length;
                 }
                 idle[k]
             },
@@ -135,7 +145,7 @@ impl<const K: usize> SymmetricDual<K> {
                 self.inverse_pivot[k] = 0.0;
                 continue;
             }
-            if !(pivot > self.marks.small * matrix[k][k]) {
+            if !(pivot > self.thresholds.lost * matrix[k][k]) {
                 return false;
             }
             weak |= pivot < WEAK_PIVOT * matrix[k][k];
@@ -152,14 +162,14 @@ impl<const K: usize> SymmetricDual<K> {
             }
         }
         self.weak = weak;
-        self.beside = weak && self.is_beside(matrix);
+        self.beside = weak && self.thresholds.beside > 0.0 && self.is_beside(matrix);
         true
     }
 
     #[cold]
     #[inline(never)]
     fn is_beside(&self, matrix: &[[f64; K]; K]) -> bool {
-        (0..K).any(|k| self.inverse_pivot[k] * matrix[k][k] > 1.0 / self.marks.beside)
+        (0..K).any(|k| self.inverse_pivot[k] * matrix[k][k] > 1.0 / self.thresholds.beside)
     }
 
     /// How independent the first `rows` rows of `matrix` are, which was factored last.
@@ -195,7 +205,7 @@ impl<const K: usize> SymmetricDual<K> {
             let pivot = pivot_row[k];
             let relative = pivot / matrix[k][k];
             weakest = weakest.min(relative.max(0.0));
-            if relative > self.marks.small {
+            if relative > self.thresholds.lost {
                 sigma = sigma.min(relative);
             } else {
                 lost += 1;

@@ -1,7 +1,7 @@
 //! The multiplier solve of the position rows, whose matrix B is not symmetric.
 
 use super::proximal::Proximal;
-use super::{Marks, SPARSE_FROM};
+use super::{SPARSE_FROM, Thresholds};
 
 /// B = A₁ W₀ factored: plain elimination while B is well conditioned, the proximal solve where it is not.
 ///
@@ -13,7 +13,7 @@ pub(crate) struct Dual<const K: usize> {
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
     pub(crate) regularised: bool,
-    pub(crate) marks: Marks,
+    pub(crate) thresholds: Thresholds,
 }
 
 impl<const K: usize> Dual<K> {
@@ -23,7 +23,7 @@ impl<const K: usize> Dual<K> {
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,
-            marks: Marks::SECOND_ORDER,
+            thresholds: Thresholds::SECOND_ORDER,
         }
     }
 
@@ -76,7 +76,7 @@ impl<const K: usize> Dual<K> {
                 }
                 continue;
             }
-            if !(pivot.abs() > self.marks.small * length_squared[k]) {
+            if !(pivot.abs() > self.thresholds.lost * length_squared[k]) {
                 return false;
             }
             let inverse = 1.0 / pivot;

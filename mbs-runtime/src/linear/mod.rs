@@ -3,20 +3,20 @@
 mod independence;
 mod ldlt;
 mod lu;
-mod marks;
 mod pivoted;
 mod proximal;
 mod rank;
 mod sparse;
+mod thresholds;
 mod vector;
 
 pub(crate) use independence::Independence;
 pub(crate) use ldlt::SymmetricDual;
 pub(crate) use lu::Dual;
-pub(crate) use marks::Marks;
 pub(crate) use pivoted::Pivoted;
 pub(crate) use rank::dependence;
 pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
+pub(crate) use thresholds::Thresholds;
 pub(crate) use vector::{accumulate, dot, finite, largest};
 
 /// A matrix of fixed size on the heap: large systems are built on small stacks.

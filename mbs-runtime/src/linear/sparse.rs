@@ -1,6 +1,6 @@
 //! K of a large mechanism at one instant, and its factor.
 
-use super::{Independence, Marks, WEAK_PIVOT, clear};
+use super::{Independence, Thresholds, WEAK_PIVOT, clear};
 use crate::System;
 use crate::generated::Elimination;
 
@@ -17,7 +17,7 @@ pub(crate) struct Bordered {
     lengths: Slots,
     /// The largest ratio of these to the pivots.
     most: f64,
-    marks: Marks,
+    pub(crate) thresholds: Thresholds,
 }
 
 /// K where A₀ and A₁ belong to different instants.
@@ -50,7 +50,7 @@ fn zeros(length: usize) -> Slots {
 /// The verdict on pivots whose sizes relative to the lengths of their rows are given; zero for those left out, of which
 /// there may be `redundant`.
 fn judge(
-    marks: Marks,
+    thresholds: Thresholds,
     most: f64,
     relative: impl Iterator<Item = f64>,
     redundant: Option<usize>,
@@ -66,10 +66,10 @@ fn judge(
             least = least.min(pivot);
         }
     }
-    if least <= marks.small || redundant.is_some_and(|redundant| redundant != left_out) {
+    if least <= thresholds.lost || redundant.is_some_and(|redundant| redundant != left_out) {
         Rows::Lost
     } else if least < WEAK_PIVOT {
-        match least < marks.beside {
+        match least < thresholds.beside {
             true => Rows::Beside,
             false => Rows::Weak,
         }
@@ -83,7 +83,7 @@ impl Bordered {
     pub(crate) fn new<const N: usize, const R: usize>(
         plan: &Elimination<N, R>,
         mass: &[[f64; N]; N],
-        marks: Marks,
+        thresholds: Thresholds,
     ) -> Self {
         let mut entries = zeros(plan.slots);
         for &(i, j, slot) in plan.mass {
@@ -94,7 +94,7 @@ impl Bordered {
             entries,
             lengths: zeros(plan.unknowns),
             most: f64::INFINITY,
-            marks,
+            thresholds,
         }
     }
 
@@ -111,9 +111,17 @@ impl Bordered {
         relative(plan, &self.factor, &self.lengths)
     }
 
+    /// Whether rows are redundant here.
+    pub(crate) fn leaves_rows_out<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+    ) -> bool {
+        self.relative(plan).any(|pivot| pivot == 0.0)
+    }
+
     #[inline]
     pub(crate) fn rows<const N: usize, const R: usize>(&self, plan: &Elimination<N, R>) -> Rows {
-        judge(self.marks, self.most, self.relative(plan), None)
+        judge(self.thresholds, self.most, self.relative(plan), None)
     }
 
     /// How independent the rows are.
@@ -130,7 +138,7 @@ impl Bordered {
             least: sigma,
             dependent: 0,
         };
-        if self.most < 1.0 / self.marks.small {
+        if self.most < 1.0 / self.thresholds.lost {
             return independence;
         }
         let (mut small, mut least) = (f64::INFINITY, f64::INFINITY);
@@ -140,7 +148,7 @@ impl Bordered {
             } else {
                 independence.dependent += 1;
             }
-            if pivot > self.marks.small {
+            if pivot > self.thresholds.lost {
                 small = small.min(pivot);
             } else {
                 independence.lost += 1;
@@ -225,7 +233,7 @@ impl Pair {
         let most = (plan.factor_pair)(&mut self.lower, &mut self.upper, &start.lengths);
         let redundant = start.relative(plan).filter(|&pivot| pivot == 0.0).count();
         let relative = relative(plan, &self.lower, &start.lengths);
-        judge(start.marks, most, relative, Some(redundant))
+        judge(start.thresholds, most, relative, Some(redundant))
     }
 
     #[inline]

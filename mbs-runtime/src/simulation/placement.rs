@@ -4,21 +4,18 @@
 //! beginning or ending a stage right beside it does. A step that would is taken again with another length.
 
 use super::Simulation;
-use crate::{Method, SimulationError, System};
+use crate::{Method, SimulationError, System, alf3f};
 
-/// The least clearance of a landing, as a fraction of its stage, that is looked for.
-const CLEAR: f64 = 0.15;
-/// A step of second order is not taken again above this: it passes nearly every landing unharmed, and then a change of
-/// length costs more than it saves.
-const CLEAR_SECOND: f64 = 0.02;
-/// The same for composed steps, as a fraction of the step: below it another length can do better.
-const CLEAR_COMPOSED: f64 = 0.06;
-/// How often they aim, and what they content themselves with afterwards.
+/// Clearances as fractions of a step: a step with more than the first is left as it is, and one with the second is looked
+/// for. A step of second order passes nearly every landing unharmed, and another length costs more than it saves.
+const SECOND: [f64; 2] = [0.02, 0.15];
+/// Composed steps: they aim at the most, and content themselves with what they hit.
+const COMPOSED: [f64; 2] = [alf3f::CLEAR, 0.03];
+/// Explicit steps, whose stages lie at given fractions of a step.
+const EXPLICIT: [f64; 2] = [0.06, 0.1];
+/// How often composed steps aim, and at lengths between which fractions of the step.
 const AIMS: usize = 3;
-const CLEARED: f64 = 0.03;
-/// The same for explicit steps, whose stages lie at given fractions of a step: what is left as it is, and what is looked
-/// for.
-const CLEAR_EXPLICIT: [f64; 2] = [0.06, 0.1];
+const BOUNDS: [f64; 2] = [0.5, 1.15];
 /// Lengths that are tried, as fractions of the step.
 const LENGTHS: [f64; 7] = [0.8, 0.64, 1.15, 0.9, 0.72, 0.5, 0.57];
 /// A step to a given instant is not placed when less than this part of a step is left: the instant itself may be that of
@@ -41,9 +38,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The clearance that is left as it is, and the one that is looked for.
     fn clearances(&self) -> [f64; 2] {
         match (self.settings.method, self.settings.order) {
-            (Method::Projected, _) => CLEAR_EXPLICIT,
-            (_, 2) => [CLEAR_SECOND, CLEAR],
-            _ => [CLEAR_COMPOSED; 2],
+            (Method::Projected, _) => EXPLICIT,
+            (_, 2) => SECOND,
+            _ => COMPOSED,
         }
     }
 
@@ -81,30 +78,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Ok(clearance) => (*clearance, h),
             Err(_) => (f64::NEG_INFINITY, h),
         };
-        let mut taken = h;
-        for attempt in 0..LENGTHS.len() {
+        let (mut taken, mut aims) = (h, 0);
+        for factor in LENGTHS {
             // Composed steps know where to go, once they have seen the pose with all of their stages.
-            let halved = self.report.rejected_steps > start.0.rejected_steps;
-            let aimed = self.integrator.aim(left / taken).filter(|_| !halved);
+            let bounds = [BOUNDS[0] * h, (BOUNDS[1] * h).min(left)].map(|bound| bound / taken);
+            let aimed = self.integrator.aim(bounds);
             let trial = match aimed {
-                Some((_, clearance)) if attempt >= AIMS || !(clearance > best) => break,
-                Some((factor, _)) => factor * taken,
-                None => LENGTHS[attempt] * h,
+                Some((_, clearance)) if aims >= AIMS || !(clearance > best) => break,
+                Some((factor, _)) => (factor * taken).min(left),
+                None => factor * h,
             };
             if trial > left {
                 continue;
             }
+            aims += usize::from(aimed.is_some());
             self.back(start)?;
             taken = trial;
             match self.advance(trial) {
                 Ok(clearance) if clearance > best => (best, length) = (clearance, trial),
                 _ => {}
             }
-            let enough = match aimed {
-                Some(_) => CLEARED,
-                None => self.clearances()[1],
-            };
-            if best >= enough {
+            if best >= self.clearances()[1] {
                 break;
             }
         }

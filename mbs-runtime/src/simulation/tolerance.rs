@@ -139,7 +139,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         last: bool,
     ) -> Result<Found, SimulationError> {
         let first = self.place(h, left)?;
-        let second = self.place(h, left - first)?;
+        let second = self.place(h.min(left - first), left - first)?;
         let noise = self.settings.constraint_tolerance / self.sigma().min(sigma).max(WEAKEST);
         self.before.copy_from(self.integrator.state());
         let kept = (self.report, self.power, self.independence);
