@@ -182,14 +182,7 @@ impl<const K: usize> SymmetricDual<K> {
         for k in 0..rows {
             most = most.max(self.inverse_pivot[k] * matrix[k][k]);
         }
-        let sigma = 1.0 / most.sqrt();
-        Independence {
-            sigma,
-            weakest: sigma,
-            lost: 0,
-            least: sigma,
-            dependent: 0,
-        }
+        Independence::of(1.0 / most.sqrt())
     }
 
     /// Eliminates past rows without a direction of their own. The proximal solve does not need the room this takes.

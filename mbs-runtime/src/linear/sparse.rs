@@ -130,14 +130,7 @@ impl Bordered {
         &self,
         plan: &Elimination<N, R>,
     ) -> Independence {
-        let sigma = 1.0 / self.most.sqrt();
-        let mut independence = Independence {
-            sigma,
-            weakest: sigma,
-            lost: 0,
-            least: sigma,
-            dependent: 0,
-        };
+        let mut independence = Independence::of(1.0 / self.most.sqrt());
         if self.most < 1.0 / self.thresholds.lost {
             return independence;
         }

@@ -227,14 +227,7 @@ mod tests {
         (0..200)
             .filter_map(|i| {
                 let time = f64::from(i) * step;
-                let now = Independence {
-                    sigma: sigma(time),
-                    weakest: sigma(time),
-                    lost: 0,
-                    least: sigma(time),
-                    dependent: 0,
-                };
-                passages.note(time, now)
+                passages.note(time, Independence::of(sigma(time)))
             })
             .collect()
     }
