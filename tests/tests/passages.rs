@@ -6,6 +6,12 @@ use mbs_examples::scenes::{double_four_bar, slider_crank};
 use mbs_runtime::output::Frame;
 use mbs_runtime::{Method, Report, Settings};
 
+/// Scenes with singular poses, and the columns of their references that are compared.
+const SCENES: [(&Scene, &[&str]); 2] = [
+    (&slider_crank::SCENE, &["p1x_m", "p1y_m", "p2x_m"]),
+    (&double_four_bar::SCENE, &["b0x_m", "b0y_m"]),
+];
+
 /// Ten seconds of the two-level method.
 fn run(scene: &Scene, columns: &[&str], order: u8, step: f64) -> (f64, Report) {
     let settings = Settings {
@@ -71,11 +77,7 @@ fn the_double_four_bar_passes_at_every_order() {
 /// better than 1e-7 J before weak rows were closed to round-off and steps aimed past the poses.
 #[test]
 fn high_order_loses_nothing_at_small_steps() {
-    let scenes: [(_, &[&str]); 2] = [
-        (&slider_crank::SCENE, &["p1x_m", "p1y_m", "p2x_m"]),
-        (&double_four_bar::SCENE, &["b0x_m", "b0y_m"]),
-    ];
-    for (scene, columns) in scenes {
+    for (scene, columns) in SCENES {
         for step in [5.5e-4, 9.1e-4, 1.7e-3, 3.6e-3, 7.6e-3] {
             let (error, report) = run(scene, columns, 8, step);
             assert!(
@@ -91,11 +93,7 @@ fn high_order_loses_nothing_at_small_steps() {
 /// steps of order 8, one in six runs ended on another branch before steps kept clear and weak rows were closed exactly.
 #[test]
 fn explicit_steps_of_high_order_pass() {
-    let scenes: [(_, &[&str]); 2] = [
-        (&slider_crank::SCENE, &["p1x_m", "p1y_m", "p2x_m"]),
-        (&double_four_bar::SCENE, &["b0x_m", "b0y_m"]),
-    ];
-    for (scene, columns) in scenes {
+    for (scene, columns) in SCENES {
         for step in [5.5e-4, 6.3e-4, 7.7e-4, 9.1e-4, 1.1e-3, 1.7e-3, 2.5e-2] {
             let settings = Settings {
                 method: Method::Projected,

@@ -68,8 +68,16 @@ pub(crate) struct RowScale<const R: usize> {
     pub(crate) weights: [f64; R],
     /// (LOST / tolerance)².
     pub(crate) lost: f64,
-    /// The smallest relative pivot of S at the declared guess.
-    usual_pivot: f64,
+}
+
+/// The constraint geometry at the declared guess.
+fn at_guess<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+) -> Result<Box<Node<S, Q, N, R>>, Fault> {
+    let (q, _) = system.guess();
+    let mut node = Node::new(system, &q)?;
+    node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
+    Ok(node)
 }
 
 impl<const R: usize> RowScale<R> {
@@ -79,8 +87,7 @@ impl<const R: usize> RowScale<R> {
     ) -> Result<Self, Fault> {
         let (q, _) = system.guess();
         let size = tolerance * largest(&q).max(1.0);
-        let mut node = Box::new(Node::new(system, &q)?);
-        node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
+        let node = at_guess(system)?;
         let lengths = node.lengths_squared();
         let longest = largest(&lengths);
         let weights = std::array::from_fn(|i| {
@@ -95,7 +102,6 @@ impl<const R: usize> RowScale<R> {
         Ok(RowScale {
             weights,
             lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
-            usual_pivot: SymmetricDual::new().least_pivot(&node.gram),
         })
     }
 }
@@ -120,7 +126,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             counters: Counters::default(),
         };
         if settings.order > 2 {
-            let thresholds = Thresholds::high_order(core.scale.usual_pivot, placed);
+            let usual = SymmetricDual::new().least_pivot(&at_guess(&core.system)?.gram);
+            let thresholds = Thresholds::high_order(usual, placed);
             (core.work.symmetric.thresholds, core.work.dual.thresholds) = (thresholds, thresholds);
         }
         core.refresh()?;

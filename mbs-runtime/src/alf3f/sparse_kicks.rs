@@ -165,7 +165,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         if start == Rows::Lost {
             return Ok(Outcome::Lost);
         }
-        let mut kick = self.depart(core, h);
+        let weak_start = start != Rows::Independent;
+        let mut kick = self.depart(core, h, weak_start);
         let mut enough = if start == Rows::Beside { EXACT } else { 1.0 };
         let rows = loop {
             let Some(left) = self.close(core, h, &mut kick, enough) else {
@@ -210,13 +211,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 break;
             }
         }
-        core.commit(
-            t1,
-            h,
-            q,
-            v,
-            start != Rows::Independent || rows != Rows::Independent,
-        )?;
+        core.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
         std::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
     }
@@ -226,6 +221,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         &mut self,
         core: &Core<S, Q, N, R>,
         h: f64,
+        weak_start: bool,
     ) -> Kick<Q, N, R> {
         let SparseKicks {
             plan,
@@ -244,13 +240,15 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         }
         let half = 0.5 * h * h;
         let a0 = &core.start.acceleration;
-        let weak = start.rows(plan) != Rows::Independent;
         Kick {
             base: std::array::from_fn(|i| state.positions[i] + half * a0[i]),
             q: state.positions,
             va,
             kappa,
-            factor: if weak { Factor::None } else { Factor::Start },
+            factor: match weak_start {
+                true => Factor::None,
+                false => Factor::Start,
+            },
         }
     }
 

@@ -32,7 +32,7 @@ pub(crate) struct SparseMass {
 }
 
 /// What pivots tell of the rows they belong to.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Rows {
     Independent,
     /// Solutions lose digits that an iteration on the residual restores.
