@@ -23,7 +23,7 @@ fn main() {
     ] {
         let paper = PaperSettings {
             velocity_tolerance: velocity,
-            update_tolerance: update,
+            residual_tolerance: update,
             stabilisation_frequency: frequency,
             ..PaperSettings::default()
         };

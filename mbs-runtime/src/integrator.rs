@@ -161,6 +161,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// See [`Simulation::step_multipliers`](crate::Simulation::step_multipliers).
+    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.multipliers(),
+            Integrator::Paper(stepper) => stepper.multipliers(),
+            Integrator::Baseline(stepper) => stepper.multipliers(),
+        }
+    }
+
     pub(crate) fn flow(&self) -> Flow {
         match self {
             Integrator::TwoLevel(stepper) => stepper.flow(),

@@ -85,7 +85,7 @@ mod simulation_error;
 mod sink;
 mod state;
 
-pub use alf3f::{PaperStepper, TwoLevelStepper};
+pub use alf3f::{MultiplierStart, PaperSettings, PaperStepper, RowDirection, TwoLevelStepper};
 pub use any::AnySimulation;
 pub use baselines::{
     BaselineStepper, BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings,
@@ -101,7 +101,7 @@ pub use model::{
 };
 pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;
-pub use settings::{Flow, Method, PaperSettings, Settings};
+pub use settings::{Flow, Method, Settings};
 pub use simulation::Simulation;
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};

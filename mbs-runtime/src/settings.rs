@@ -2,8 +2,8 @@
 
 use crate::alf3f::ORDERS;
 use crate::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Model, PenaltySettings,
-    ProjectionSettings, SimulationError,
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Model, PaperSettings,
+    PenaltySettings, ProjectionSettings, SimulationError,
 };
 
 /// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
@@ -293,101 +293,6 @@ impl Settings {
     }
 }
 
-/// Settings of Algorithm 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PaperSettings {
-    /// Newton (lines 10–14) stops when the correction of the weak velocities is below this fraction of their size.
-    pub newton_tolerance: f64,
-    /// Tolerance of the velocity rows ψ̇ (line 28), in their own units.
-    pub velocity_tolerance: f64,
-    /// The update of q₁ (lines 6–32) is repeated until the weak velocities change by less than this fraction.
-    pub update_tolerance: f64,
-    /// Initial penalty ξ (line 4); dimensionless, because the rows are scaled by their effective mass m̄.
-    pub penalty: f64,
-    /// Factor τ > 1 by which the penalty of a row grows (line 22).
-    pub penalty_growth: f64,
-    /// The penalty stops growing here.
-    pub max_penalty: f64,
-    /// A row satisfies the augmentation criterion (line 15) when |ψ̇| is below this fraction of its value before the
-    /// last Newton block.
-    pub augmentation_ratio: f64,
-    /// i_max of line 14.
-    pub max_newton_iterations: usize,
-    /// j_max of line 28.
-    pub max_augmentations: usize,
-    /// k_max of line 32.
-    pub max_updates: usize,
-    /// The step is halved on failure, down to this, s.
-    pub smallest_step: f64,
-    /// Factor on m̄ of equation (18), for ablations; 1 is the paper.
-    pub mass_scale: f64,
-    /// Frequency ω, rad/s, of a stabilisation k̄ = m̄ω², c̄ = 2m̄ω added to equation (20); 0 is the paper.
-    pub stabilisation_frequency: f64,
-    /// Start each step with π = Mv, μ = 0, λ = 0. Without it μ and λ grow for ever, being time integrals of reactions;
-    /// rows quadratic in q give the same motion either way.
-    pub restart_multipliers: bool,
-}
-
-impl Default for PaperSettings {
-    fn default() -> Self {
-        PaperSettings {
-            newton_tolerance: 1e-10,
-            velocity_tolerance: 1e-3,
-            update_tolerance: 1e-4,
-            penalty: 1e3,
-            penalty_growth: 10.0,
-            max_penalty: 1e9,
-            augmentation_ratio: 0.25,
-            max_newton_iterations: 20,
-            max_augmentations: 40,
-            max_updates: 30,
-            smallest_step: 1e-9,
-            mass_scale: 1.0,
-            stabilisation_frequency: 0.0,
-            restart_multipliers: true,
-        }
-    }
-}
-
-impl PaperSettings {
-    /// Those that suit [`Method::MAlf`]: its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
-    pub fn m_alf() -> Self {
-        PaperSettings {
-            penalty: 1e10,
-            max_penalty: 1e14,
-            restart_multipliers: false,
-            ..PaperSettings::default()
-        }
-    }
-
-    fn check(&self) -> Result<(), SimulationError> {
-        positive("newton_tolerance", self.newton_tolerance)?;
-        positive("velocity_tolerance", self.velocity_tolerance)?;
-        positive("update_tolerance", self.update_tolerance)?;
-        positive("penalty", self.penalty)?;
-        positive("max_penalty", self.max_penalty)?;
-        positive("augmentation_ratio", self.augmentation_ratio)?;
-        positive("max_newton_iterations", self.max_newton_iterations as f64)?;
-        positive("max_augmentations", self.max_augmentations as f64)?;
-        positive("max_updates", self.max_updates as f64)?;
-        positive("smallest_step", self.smallest_step)?;
-        require(
-            "penalty_growth",
-            self.penalty_growth,
-            self.penalty_growth > 1.0,
-            "a finite value above 1",
-        )?;
-        positive("mass_scale", self.mass_scale)?;
-        let frequency = self.stabilisation_frequency;
-        require(
-            "stabilisation_frequency",
-            frequency,
-            frequency >= 0.0,
-            "zero or a positive finite value",
-        )
-    }
-}
-
 impl PenaltySettings {
     fn check(&self) -> Result<(), SimulationError> {
         positive("penalty", self.penalty)?;
@@ -425,11 +330,11 @@ impl BaumgarteSettings {
     }
 }
 
-fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
+pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
     require(name, value, value > 0.0, "a positive finite value")
 }
 
-fn require(
+pub(crate) fn require(
     name: &'static str,
     value: f64,
     holds: bool,

@@ -353,6 +353,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         })
     }
 
+    /// The multipliers λ with which the method itself acted on the rows in its last step, so that its constraint force was
+    /// f_c = Aᵀλ; N or N m for rows in m or rad, in the order of [`Model::rows`]. Of the two-level method (κ₁ + κ₂)/h and of
+    /// Algorithm 1 and M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of
+    /// index-3 projections, generalized α, backward differentiation and penalties the λ at its end. `None` for methods
+    /// without such an unknown, and before the first step.
+    ///
+    /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
+    /// [`Simulation::reactions`].
+    pub fn step_multipliers(&self) -> Option<[f64; R]> {
+        self.integrator.multipliers()
+    }
+
     /// One component of a joint's reaction, as [`Model::reactions`](crate::Model::reactions) names them: the force or
     /// torque on the child, in world axes.
     ///

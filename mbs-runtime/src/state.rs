@@ -178,6 +178,10 @@ pub struct ThreeFields<const N: usize, const R: usize> {
     pub shortest: f64,
     /// ξ, the penalties at the end of the last step.
     pub penalty: [f64; R],
+    /// μ₁ − μ₀ over the last accepted step (λ₁ − λ₀ of M-ALF), which the next one begins its iteration with, …
+    pub change: [f64; R],
+    /// … and the length of that step, s; zero: there was none.
+    pub length: f64,
     /// Whether λ, μ and π hold values of a previous step.
     pub started: bool,
 }
@@ -192,6 +196,8 @@ impl<const N: usize, const R: usize> Default for ThreeFields<N, R> {
             step: 0.0,
             shortest: 0.0,
             penalty: [0.0; R],
+            change: [0.0; R],
+            length: 0.0,
             started: false,
         }
     }

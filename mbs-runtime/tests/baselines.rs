@@ -132,7 +132,7 @@ fn the_modified_augmented_lagrangian_is_of_second_order() {
     let by = |step| Settings {
         method: Method::MAlf(PaperSettings {
             velocity_tolerance: 1e-8,
-            update_tolerance: 1e-9,
+            residual_tolerance: 1e-9,
             ..PaperSettings::m_alf()
         }),
         step,

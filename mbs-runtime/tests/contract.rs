@@ -87,9 +87,9 @@ fn resuming_continues_bit_for_bit() {
     resumes(StiffPendulum::default(), settings);
     resumes(Towing, settings);
     resumes(Shaken, settings);
-    for restart_multipliers in [true, false] {
+    for carried_fields in [true, false] {
         let paper = PaperSettings {
-            restart_multipliers,
+            carried_fields,
             ..PaperSettings::default()
         };
         resumes(

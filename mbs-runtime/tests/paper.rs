@@ -5,7 +5,10 @@ mod common;
 use common::planar::SliderCrank;
 use common::scenes::{DampedSleigh, Shaken, Sleigh};
 use common::{Hand, Parameters, Scene};
-use mbs_runtime::{Method, PaperSettings, Settings, Simulation, SimulationError};
+use mbs_runtime::{
+    Method, MultiplierStart, PaperSettings, RowDirection, Settings, Simulation, SimulationError,
+    System,
+};
 
 fn start<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
@@ -27,60 +30,124 @@ fn tolerance(velocity_tolerance: f64) -> PaperSettings {
     }
 }
 
-fn fine(update_tolerance: f64) -> PaperSettings {
+fn fine(residual_tolerance: f64) -> PaperSettings {
     PaperSettings {
-        update_tolerance,
-        ..tolerance(update_tolerance)
+        residual_tolerance,
+        ..tolerance(residual_tolerance)
     }
 }
 
-#[test]
-fn loose_tolerance_passes_singular_poses_at_the_cost_of_energy() {
-    let mut simulation = start(SliderCrank, 1e-3, tolerance(1e-3));
+/// The accuracy of 0.01 that the paper names.
+fn accuracy() -> PaperSettings {
+    PaperSettings {
+        residual_tolerance: 1e-2,
+        ..tolerance(1e-2)
+    }
+}
+
+/// max |E − E₀| and rejected steps over 20 s of the slider-crank.
+fn over_twenty_seconds(paper: PaperSettings) -> (f64, u64) {
+    let mut simulation = start(SliderCrank, 1e-3, paper);
     let result = simulation.run_until(20.0);
-    println!(
-        "t = {} {:?} {:?}",
-        simulation.time(),
-        simulation.energy(),
-        simulation.report()
-    );
+    let report = simulation.report();
+    println!("t = {} {report:?}", simulation.time());
     result.unwrap();
-    // How much is lost depends on the tolerance of the outer loop, which the paper leaves open: 1e-3 to 3 J.
-    let lost = simulation.report().energy_error;
-    assert!((1e-4..2.0).contains(&lost), "{lost} J");
+    (report.energy_error, report.rejected_steps)
 }
 
 #[test]
-fn tight_tolerance_underflows_at_the_first_singular_pose() {
+fn a_warm_start_keeps_the_energy_at_singular_poses_and_a_cold_one_does_not() {
+    let (warm, rejected) = over_twenty_seconds(accuracy());
+    assert!(warm < 1e-2, "{warm} J");
+    assert_eq!(rejected, 0);
+    let (cold, _) = over_twenty_seconds(PaperSettings {
+        start: MultiplierStart::Cold,
+        ..accuracy()
+    });
+    assert!(cold > 100.0 * warm, "{cold} and {warm} J");
+}
+
+/// At mid-step the impulse acts along a row that is not the one tested at the end: to a tight tolerance no multiplier
+/// satisfies it in a step that straddles a singular pose.
+#[test]
+fn a_tight_tolerance_underflows_at_a_singular_pose() {
     let mut simulation = start(SliderCrank, 1e-3, fine(1e-6));
     let error = simulation.run_until(20.0).unwrap_err();
     println!("{error}\n{:?}", simulation.report());
     assert!(
-        (0.38..0.40).contains(&simulation.time()),
-        "t = {}",
-        simulation.time()
-    );
-    assert!(
         matches!(error, SimulationError::StepUnderflow { .. }),
         "{error}"
     );
+    assert!(simulation.report().energy_error < 1e-3);
 }
 
+/// k̄ = m̄ω² and c̄ = 2m̄ω bring φ back, and take energy.
 #[test]
-fn stabilised_rows_pass() {
-    let paper = PaperSettings {
-        stabilisation_frequency: 20.0,
-        ..tolerance(1e-3)
+fn stiffness_of_the_rows_brings_positions_back() {
+    let run = |stabilisation_frequency| {
+        let paper = PaperSettings {
+            stabilisation_frequency,
+            ..accuracy()
+        };
+        let mut simulation = start(SliderCrank, 1e-3, paper);
+        simulation.run_until(0.3).unwrap();
+        println!("{:?}", simulation.report());
+        let mut phi = [0.0; 3];
+        let state = simulation.state();
+        simulation.system().constraints(
+            state.time,
+            &state.positions,
+            &mut phi,
+            &mut [[0.0; 4]; 3],
+            &mut [0.0; 3],
+        );
+        phi.iter().fold(0.0, |most: f64, phi| most.max(phi.abs()))
     };
-    let mut simulation = start(SliderCrank, 1e-3, paper);
-    let result = simulation.run_until(20.0);
-    println!(
-        "t = {} {:?} {:?}",
-        simulation.time(),
-        simulation.energy(),
-        simulation.report()
-    );
-    result.unwrap();
+    let (literal, stiff) = (run(0.0), run(200.0));
+    println!("{literal:e} {stiff:e}");
+    assert!(10.0 * stiff < literal, "{literal:e} {stiff:e}");
+}
+
+/// The direction of (19) changes m̄ and f̄ of the rows; the motion is the same to the error of the step.
+#[test]
+fn other_directions_of_rows_give_the_same_motion() {
+    let [a, b] = [RowDirection::Metric, RowDirection::Euclidean].map(|direction| {
+        let paper = PaperSettings {
+            direction,
+            ..fine(1e-9)
+        };
+        let mut simulation = start(SliderCrank, 1e-3, paper);
+        simulation.run_until(0.2).unwrap();
+        *simulation.positions()
+    });
+    let apart = (0..4).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+    assert!(apart < 1e-6 && apart > 0.0, "{apart:e}");
+}
+
+/// Away from singular poses the forces with which the methods act are those of the equations at acceleration level.
+#[test]
+fn step_multipliers_are_the_constraint_forces() {
+    for (method, bound) in [
+        (Method::TwoLevel, 1e-2),
+        (Method::Paper(fine(1e-9)), 1e-2),
+        (Method::MAlf(PaperSettings::m_alf()), 1e-2),
+        (Method::by_name("index3-projections").unwrap(), 2e-2),
+        (Method::by_name("bdf").unwrap(), 2e-2),
+    ] {
+        let settings = Settings {
+            step: 1e-3,
+            method,
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::with_settings(Parameters(SliderCrank), settings).unwrap();
+        simulation.run_until(0.2).unwrap();
+        let expected = simulation.reactions().unwrap().multipliers;
+        let own = simulation.step_multipliers().unwrap();
+        println!("{}: {own:?} {expected:?}", method.name());
+        for (own, expected) in own.iter().zip(&expected) {
+            assert!((own - expected).abs() < bound * 30.0, "{own} {expected}");
+        }
+    }
 }
 
 fn ratio<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -114,10 +181,10 @@ fn second_order_away_from_singular_poses() {
 
 /// Rows quadratic in q: growing multipliers and restarted ones give the same motion.
 #[test]
-fn restarting_the_multipliers_changes_nothing_for_quadratic_rows() {
-    let [a, b] = [true, false].map(|restart_multipliers| {
+fn carried_fields_change_nothing_for_quadratic_rows() {
+    let [a, b] = [true, false].map(|carried_fields| {
         let paper = PaperSettings {
-            restart_multipliers,
+            carried_fields,
             ..fine(1e-10)
         };
         let mut simulation = start(SliderCrank, 1e-3, paper);

@@ -50,7 +50,7 @@ fn methods() -> Vec<(Method, fn(&Case) -> f64)> {
     let by_name = |name| Method::by_name(name).expect(name);
     let tight = PaperSettings {
         velocity_tolerance: 1e-7,
-        update_tolerance: 1e-9,
+        residual_tolerance: 1e-9,
         ..PaperSettings::m_alf()
     };
     vec![

@@ -20,6 +20,10 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     /// The state before a step of several stages.
     before: State<Q, N, R>,
     landings: Landings,
+    /// κ₁ + κ₂ over the stages of the last composed step, N s …
+    impulse: [f64; R],
+    /// The length of the last step, s.
+    length: f64,
 }
 
 /// The flow and its workspace.
@@ -115,6 +119,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             landings: Landings::new(stages),
             stages,
             before,
+            impulse: [0.0; R],
+            length: 0.0,
         })
     }
 
@@ -128,6 +134,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         if self.stages.len() > 1 {
             return self.composed(h);
         }
+        self.length = h;
         self.try_step(h)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
     }
@@ -198,7 +205,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     #[inline(never)]
     fn compose(&mut self, h: f64, mut passage: Option<&mut Passage>) -> Result<(), Fault> {
         let several = self.stages.len() > 1;
+        self.length = h;
         if several {
+            self.impulse = [0.0; R];
             self.before.copy_from(&self.core.state);
             if let Some(start) = passage.as_ref().and_then(|passage| passage.independence) {
                 self.landings.begin(start);
@@ -217,6 +226,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             }
             if several {
                 self.core.state.keep_stage(index);
+                let [first, second] = &self.core.work.impulse;
+                for i in 0..R {
+                    self.impulse[i] += first[i] + second[i];
+                }
             }
             if let Some(passage) = passage.as_deref_mut() {
                 passage.add(&self.core, fraction * h);
@@ -268,6 +281,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// The equations.
     pub fn system(&self) -> &S {
         &self.core.system
+    }
+
+    /// (κ₁ + κ₂)/h of the last step, over all stages: the mean forces of the rows; `None` before the first step.
+    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+        let impulse = match self.stages.len() {
+            1 => {
+                let [first, second] = &self.core.work.impulse;
+                std::array::from_fn(|i| first[i] + second[i])
+            }
+            _ => self.impulse,
+        };
+        (self.length != 0.0).then(|| impulse.map(|kappa| kappa / self.length))
     }
 
     /// Where it stands.

@@ -285,6 +285,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             bench.state.velocities,
         );
         let lambda = [&self.lambda, &next.lambda];
+        bench.multipliers = Some(next.lambda);
         bench.trapezoid_works(t0, h, (&q0, &v0), (&next.q, &next.v), lambda);
         bench.commit(t0 + h, next.q, next.v, false)?;
         bench.system.momentum(&next.q, &next.v, &mut self.motion.p);

@@ -15,6 +15,8 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     pub(crate) settled: bool,
     pub(crate) counters: Counters,
     pub(crate) works: Works,
+    /// λ at the end of the last step, of methods that have it as an unknown.
+    pub(crate) multipliers: Option<[f64; R]>,
     pub(crate) max_iterations: usize,
 }
 

@@ -180,6 +180,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         bench.counters.iterations += progress.count();
         bench.counters.stages += 1;
         let start = bench.state.time;
+        bench.multipliers = Some(lambda);
         bench.trapezoid_works(start, h, (&q0, &v0), (&q, &v), [&old.lambda, &lambda]);
         bench.commit(t1, q, v, false)?;
         self.history = Some(History {

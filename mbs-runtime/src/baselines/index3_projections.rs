@@ -167,6 +167,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             lambda
         };
         let forces = [&old.consistent, &consistent];
+        bench.multipliers = Some(lambda);
         bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), forces);
         self.history = Some(History {
             acceleration: after,

@@ -136,6 +136,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         bench.counters.iterations += progress.count();
         bench.counters.stages += 1;
         let end = forces(bench, &rows, &v);
+        bench.multipliers = Some(end);
         bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), [&start, &end]);
         bench.commit(t1, q, v, false)
     }

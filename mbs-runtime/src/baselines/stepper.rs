@@ -94,6 +94,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 settled: false,
                 counters: Counters::default(),
                 works: Works::default(),
+                multipliers: None,
                 max_iterations: settings.max_iterations,
             },
             rule,
@@ -141,6 +142,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// Where it stands.
     pub fn state(&self) -> &State<Q, N, R> {
         &self.bench.state
+    }
+
+    /// λ at the end of the last step; `None` for methods that have no such unknown.
+    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+        self.bench.multipliers
     }
 
     pub(crate) fn counters(&self) -> Counters {

@@ -51,7 +51,7 @@ pub fn figure(extent: Extent) -> Figure {
     runs.extend(TOLERANCES.map(|(label, velocity, update)| {
         let settings = PaperSettings {
             velocity_tolerance: velocity,
-            update_tolerance: update,
+            residual_tolerance: update,
             ..paper
         };
         run(label, Method::Paper(settings))

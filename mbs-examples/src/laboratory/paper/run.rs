@@ -132,7 +132,7 @@ impl Run {
 pub fn algorithm(penalty: f64, most: f64) -> PaperSettings {
     PaperSettings {
         velocity_tolerance: 1e-2,
-        update_tolerance: 1e-3,
+        residual_tolerance: 1e-2,
         penalty,
         penalty_growth: 2.0,
         max_penalty: most,
@@ -145,7 +145,7 @@ pub fn algorithm(penalty: f64, most: f64) -> PaperSettings {
 pub fn strict(penalty: f64) -> PaperSettings {
     PaperSettings {
         velocity_tolerance: 1e-6,
-        update_tolerance: 1e-6,
+        residual_tolerance: 1e-6,
         max_penalty: 1e9,
         ..algorithm(penalty, 1e9)
     }
@@ -155,7 +155,7 @@ pub fn strict(penalty: f64) -> PaperSettings {
 pub fn m_alf() -> Method {
     Method::MAlf(PaperSettings {
         velocity_tolerance: 1e-2,
-        update_tolerance: 1e-3,
+        residual_tolerance: 1e-2,
         smallest_step: 1e-6,
         ..PaperSettings::m_alf()
     })

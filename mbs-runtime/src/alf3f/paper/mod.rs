@@ -7,20 +7,33 @@
 //! q₁ = q₀ ⊕ h/2 (v₀ + v₁),    λ₁ = λ₀ + h/2 (μ₀ + μ₁)                               (28), (29)
 //! ```
 //!
+//! The impulse of a row over a step is that of the last term of (21), [M̄μ] + h/2 Σ (c̄μ + k̄λ − f̄).
+//!
 //! The modified augmented Lagrangian (M-ALF) that section 7.2 compares with is the same algorithm with other coefficients
 //! ([`RowMotion::Static`]). Its rows feel λ alone, so that λ₁ follows μ₁ within Newton's method, multipliers are never
 //! reset, and the first ones are those of the equations at acceleration level. The term Ξφ of λ̄ is left out: where ψ̇ = 0
 //! decides, it would only displace λ.
 //!
 //! The numbers in the comments are the lines of Algorithm 1. At singular poses the impulse acts along the row of
-//! mid-step and the row is tested at the end of the step: with a tight tolerance the step underflows there.
+//! mid-step and the row is tested at the end of the step: with tight tolerances or long steps no multiplier satisfies it.
 
+mod rows;
+mod settings;
+mod start;
+
+pub use settings::{MultiplierStart, PaperSettings, RowDirection};
+
+use self::rows::{Instant, Jacobian, RowMotion, Unknowns};
+use self::start::Origin;
 use super::core::Counters;
-use super::paper_rows::{Instant, Jacobian, RowMotion, Unknowns};
 use super::{Fault, kicks};
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest};
-use crate::{Method, PaperSettings, Settings, SimulationError, State, System};
+use crate::{Method, Settings, SimulationError, State, System};
+
+/// What Newton's iteration leaves of ψ̇, relative to its tolerance: its last correction is smaller than the one before by
+/// more than this.
+const NEWTON_NOISE: f64 = 1e-2;
 
 /// The integrator of the paper by itself.
 pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -31,7 +44,11 @@ pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     end: Box<Instant<S, Q, N, R>>,
     jacobian: Box<(Jacobian<N>, Pivoted<N>)>,
     motion: RowMotion,
-    /// Work of each row against b during the last step, J.
+    /// Impulse of each row during the last step, N s.
+    impulse: [f64; R],
+    /// The length of that step, s.
+    length: f64,
+    /// Work of each row against b during it, J.
     drive: [f64; R],
     counters: Counters,
 }
@@ -64,6 +81,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             end: instant(&system)?,
             jacobian: Box::new((Jacobian::new(), Pivoted::new())),
             motion,
+            impulse: [0.0; R],
+            length: 0.0,
             drive: [0.0; R],
             counters: Counters::default(),
             settings: paper,
@@ -99,6 +118,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         self.drive
     }
 
+    /// The mean forces of the rows over the last step; `None` before the first one.
+    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+        (self.length > 0.0).then(|| self.impulse.map(|impulse| impulse / self.length))
+    }
+
     pub(crate) fn phi(&self) -> &[f64; R] {
         &self.start.phi
     }
@@ -112,9 +136,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// Recomputes what is known of the current instant.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        if self.motion == RowMotion::Static && !self.state.fields.started {
-            self.begin()?;
-        }
         let State {
             time,
             positions,
@@ -122,24 +143,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             ..
         } = &self.state;
         self.start
-            .place(&self.system, &self.settings, *time, positions, velocities)
-    }
-
-    /// Multipliers that satisfy the rows at acceleration level, for a start without history.
-    fn begin(&mut self) -> Result<(), Fault> {
-        let reactions = crate::reactions::reactions(&self.system, &self.state)?;
-        let State {
-            positions,
-            velocities,
-            fields,
-            ..
-        } = &mut self.state;
-        let multipliers = fields.lambda.iter_mut().zip(reactions.multipliers);
-        multipliers.for_each(|(lambda, multiplier)| *lambda = multiplier);
-        fields.mu = [0.0; R];
-        self.system
-            .momentum(positions, velocities, &mut fields.momentum);
-        fields.started = true;
+            .place(&self.system, &self.settings, *time, positions, velocities)?;
+        if self.state.fields.length == 0.0 && !self.state.fields.started {
+            start::begin(&self.system, &mut self.start, self.motion, &mut self.state)?;
+        }
         Ok(())
     }
 
@@ -149,7 +156,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             return Err(Fault::NonFinite("step"));
         }
         let end = self.state.time + h;
-        self.drive = [0.0; R];
+        (self.impulse, self.drive) = ([0.0; R], [0.0; R]);
+        self.length = h;
         self.state.fields.shortest = h;
         let mut left = h;
         let mut size = if self.state.fields.step > 0.0 {
@@ -192,54 +200,41 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// Algorithm 1 for one step.
     fn try_step(&mut self, h: f64) -> Result<(), Fault> {
-        let (t0, q0, v0) = (self.state.time, self.state.positions, self.state.velocities);
         let settings = self.settings;
-        let restart = self.motion == RowMotion::Own
-            && (settings.restart_multipliers || !self.state.fields.started);
-        let (mu0, lambda0) = if restart {
-            ([0.0; R], [0.0; R])
-        } else {
-            (self.state.fields.mu, self.state.fields.lambda)
-        };
-        let momentum0 = if restart {
-            self.start.momentum(&self.system, &q0, &v0, &mu0)
-        } else {
-            self.state.fields.momentum
-        };
+        let (t0, q0, v0) = (self.state.time, self.state.positions, self.state.velocities);
+        let t1 = t0 + h;
+        // 3, 4
+        let origin = Origin::new(&self.system, &self.state, settings.carried_fields);
+        let mut x = start::estimate(
+            &self.system,
+            &settings,
+            self.motion,
+            &self.state,
+            &origin,
+            h,
+        );
         let force0 = self
             .start
-            .total_force(&self.system, t0, &q0, &v0, &mu0, &lambda0);
-        let known = std::array::from_fn(|i| momentum0[i] + 0.5 * h * force0[i]);
-
-        // 3, 4
-        let mut x = Unknowns {
-            v: v0,
-            q: self.system.advance(&q0, &v0, h),
-            mu: mu0,
-            lambda: match self.motion {
-                RowMotion::Own => lambda0,
-                RowMotion::Static => std::array::from_fn(|i| lambda0[i] + h * mu0[i]),
-            },
-            penalty: [settings.penalty; R],
+            .total_force(&self.system, t0, &q0, &v0, &origin.mu, &origin.lambda);
+        let known = std::array::from_fn(|i| origin.momentum[i] + 0.5 * h * force0[i]);
+        let integrated = match self.motion {
+            RowMotion::Own => S::STRUCTURE.holonomic_rows,
+            RowMotion::Static => R,
         };
-        let t1 = t0 + h;
         let mut k = 0;
         // 6: outer loop
+        self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
         loop {
-            self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
-            let settled = self.satisfy_rows(t1, h, &known, &mut x)?;
+            self.satisfy_rows(t1, h, &known, &mut x)?;
             // 30
             x.q = trapezoid(&self.system, &q0, &v0, &x.v, h);
-            let integrated = match self.motion {
-                RowMotion::Own => S::STRUCTURE.holonomic_rows,
-                RowMotion::Static => R,
-            };
             for i in 0..integrated {
-                x.lambda[i] = lambda0[i] + 0.5 * h * (mu0[i] + x.mu[i]);
+                x.lambda[i] = origin.lambda[i] + 0.5 * h * (origin.mu[i] + x.mu[i]);
             }
             k += 1;
             // 32
-            if settled {
+            self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
+            if self.is_settled(t1, h, &known, &x) {
                 break;
             }
             if k == settings.max_updates {
@@ -248,7 +243,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         }
 
         // 33: π, σ
-        self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
         let momentum = self.end.momentum(&self.system, &x.q, &x.v, &x.mu);
         if !finite(&x.v) || !finite(&x.q) || !finite(&momentum) {
             return Err(Fault::NonFinite("velocities"));
@@ -256,10 +250,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let rates = self.end.node.velocity_rows(&self.system, &x.v);
         for i in 0..R {
             let (start, end) = (&self.start, &self.end);
-            let impulse = end.constraint_mass[i] * x.mu[i] - start.constraint_mass[i] * mu0[i]
+            let impulse = end.constraint_mass[i] * x.mu[i]
+                - start.constraint_mass[i] * origin.mu[i]
                 + 0.5
                     * h
-                    * (start.row_force(i, &mu0, &lambda0) + end.row_force(i, &x.mu, &x.lambda));
+                    * (start.row_force(i, &origin.mu, &origin.lambda)
+                        + end.row_force(i, &x.mu, &x.lambda));
+            self.impulse[i] += impulse;
             self.drive[i] -= 0.5 * impulse * (start.node.b[i] + end.node.b[i]);
         }
         let State {
@@ -273,6 +270,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         fields.momentum = momentum;
         fields.constraint_momentum =
             std::array::from_fn(|i| self.end.constraint_mass[i] * rates[i]);
+        fields.change = match self.motion {
+            RowMotion::Own => std::array::from_fn(|i| x.mu[i] - origin.mu[i]),
+            RowMotion::Static => std::array::from_fn(|i| x.lambda[i] - origin.lambda[i]),
+        };
+        fields.length = h;
         (fields.mu, fields.lambda, fields.penalty) = (x.mu, x.lambda, x.penalty);
         fields.started = true;
         std::mem::swap(&mut self.start, &mut self.end);
@@ -280,22 +282,101 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         Ok(())
     }
 
-    /// Lines 7–28 at fixed q₁: velocities and multipliers. True if the rows held on entry and the velocities hardly
-    /// changed: then the residual is small for the updated q₁ too (line 32).
+    /// Line 32: whether the residual ℜ and the rows hold for the updated q₁ and λ₁.
+    fn is_settled(&mut self, t1: f64, h: f64, known: &[f64; N], x: &Unknowns<Q, N, R>) -> bool {
+        let defects = self.defects(h, &x.v);
+        if !(largest(&defects) <= self.settings.velocity_tolerance) {
+            return false;
+        }
+        let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * defects[r]);
+        let lambda = self.lifted_lambda(h, x, &mu);
+        let residual = self.residual(t1, h, known, x, &mu, &lambda);
+        let size = |x: &[f64; N]| {
+            let mut y = *x;
+            self.system.solve_mass(&self.end.node.mass, &mut y);
+            dot(x, &y).sqrt()
+        };
+        let mut momentum = [0.0; N];
+        self.system.momentum(&x.q, &x.v, &mut momentum);
+        let scale = dot(&momentum, &x.v).sqrt() + h * size(self.end.force());
+        // Newton's tolerance leaves a ψ̇ that the penalty multiplies: no smaller residual can be asked for.
+        let floor = NEWTON_NOISE * self.settings.newton_tolerance * self.heaviest_penalty(h, x);
+        size(&residual) <= self.settings.residual_tolerance.max(floor) * scale
+    }
+
+    /// The largest penalty, in rows of unit effective mass.
+    fn heaviest_penalty(&self, h: f64, x: &Unknowns<Q, N, R>) -> f64 {
+        let weights = (0..R).map(|r| match self.motion {
+            RowMotion::Own => x.penalty[r],
+            RowMotion::Static => 0.25 * h * h * x.penalty[r] * self.end.node.gram[r][r],
+        });
+        weights.fold(0.0, f64::max)
+    }
+
+    /// What is left of the rows over a step, as velocities: ψ̇ where a row has no stiffness of its own, else the discrete
+    /// form of (31), [m̄ψ̇] + h/2 Σ (c̄ψ̇ + k̄φ) divided by m̄ + h/2 c̄. The latter lets φ move, and brings it back.
+    fn defects(&self, h: f64, v: &[f64; N]) -> [f64; R] {
+        let (start, end) = (&self.start, &self.end);
+        let rates = end.node.velocity_rows(&self.system, v);
+        if !self.solves_row_motion() {
+            return rates;
+        }
+        let before = start
+            .node
+            .velocity_rows(&self.system, &self.state.velocities);
+        std::array::from_fn(|i| {
+            let inertia = end.constraint_mass[i] + 0.5 * h * end.constraint_damping[i];
+            let known = (0.5 * h * start.constraint_damping[i] - start.constraint_mass[i])
+                * before[i]
+                + 0.5 * h * start.constraint_stiffness[i] * start.phi[i];
+            let stiff = 0.5 * h * end.constraint_stiffness[i] * end.phi[i];
+            rates[i] + (known + stiff) / inertia
+        })
+    }
+
+    fn solves_row_motion(&self) -> bool {
+        self.motion == RowMotion::Own && self.settings.stabilisation_frequency > 0.0
+    }
+
+    /// λ̄ of (74); for M-ALF λ with the rate μ̄ at the end of the step.
+    fn lifted_lambda(&self, h: f64, x: &Unknowns<Q, N, R>, mu: &[f64; R]) -> [f64; R] {
+        std::array::from_fn(|r| match self.motion {
+            RowMotion::Own if self.solves_row_motion() => x.lambda[r],
+            RowMotion::Own => x.lambda[r] - x.penalty[r] * self.end.phi[r],
+            RowMotion::Static => x.lambda[r] + 0.5 * h * (mu[r] - x.mu[r]),
+        })
+    }
+
+    /// −η(v₁) of (75) with these multipliers.
+    fn residual(
+        &mut self,
+        t1: f64,
+        h: f64,
+        known: &[f64; N],
+        x: &Unknowns<Q, N, R>,
+        mu: &[f64; R],
+        lambda: &[f64; R],
+    ) -> [f64; N] {
+        let (system, end) = (&self.system, &mut self.end);
+        let force = end.total_force(system, t1, &x.q, &x.v, mu, lambda);
+        let momentum = end.momentum(system, &x.q, &x.v, mu);
+        std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n])
+    }
+
+    /// Lines 7–28 at fixed q₁: velocities and multipliers.
     fn satisfy_rows(
         &mut self,
         t1: f64,
         h: f64,
         known: &[f64; N],
         x: &mut Unknowns<Q, N, R>,
-    ) -> Result<bool, Fault> {
+    ) -> Result<(), Fault> {
         let settings = self.settings;
         let tolerance = settings.velocity_tolerance;
-        let mut before = self.end.node.velocity_rows(&self.system, &x.v);
-        let (entry, admissible) = (x.v, largest(&before) <= tolerance);
+        let mut before = self.defects(h, &x.v);
         for _ in 0..settings.max_augmentations {
             self.newton(t1, h, known, x)?;
-            let rates = self.end.node.velocity_rows(&self.system, &x.v);
+            let rates = self.defects(h, &x.v);
             let augmentable = |i: usize| {
                 rates[i].abs() <= tolerance
                     || rates[i].abs() <= settings.augmentation_ratio * before[i].abs()
@@ -318,9 +399,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             before = rates;
             // 28
             if largest(&rates) <= tolerance {
-                let change: [f64; N] = std::array::from_fn(|i| x.v[i] - entry[i]);
-                let speed = largest(&x.v).max(1e-3);
-                return Ok(admissible && largest(&change) <= settings.update_tolerance * speed);
+                return Ok(());
             }
         }
         Err(self.worst_row(&x.v, settings.max_augmentations))
@@ -336,17 +415,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     ) -> Result<(), Fault> {
         let mut size = 0.0;
         for _ in 0..self.settings.max_newton_iterations {
-            let rates = self.end.node.velocity_rows(&self.system, &x.v);
+            let rates = self.defects(h, &x.v);
             let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
-            let lambda: [f64; R] = std::array::from_fn(|r| match self.motion {
-                RowMotion::Own => x.lambda[r] - x.penalty[r] * self.end.phi[r],
-                RowMotion::Static => x.lambda[r] + 0.5 * h * (mu[r] - x.mu[r]),
-            });
-            let force = self
-                .end
-                .total_force(&self.system, t1, &x.q, &x.v, &mu, &lambda);
-            let momentum = self.end.momentum(&self.system, &x.q, &x.v, &mu);
-            let mut change = std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n]);
+            let lambda = self.lifted_lambda(h, x, &mu);
+            let mut change = self.residual(t1, h, known, x, &mu, &lambda);
             let (jacobian, factors) = &mut *self.jacobian;
             self.end.jacobian(&self.system, t1, h, x, jacobian);
             if !factors.factor(&jacobian.total) {

@@ -1,9 +1,10 @@
 //! The constraints as the paper sees them: rows with mass, damping and stiffness of their own, (18)–(20).
 
-use super::{Fault, Node};
+use super::{PaperSettings, RowDirection};
+use crate::System;
+use crate::alf3f::{Fault, Node};
 use crate::linear::{Matrix, clear, dot};
 use crate::sink::Discard;
-use crate::{PaperSettings, System};
 
 /// The equation of motion that each row has, (16).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +36,9 @@ pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, co
     pub(super) constraint_damping: [f64; R],
     /// k̄ of (20); zero for nonholonomic rows.
     pub(super) constraint_stiffness: [f64; R],
+    /// c_R of (19), row by row.
+    direction: Matrix<R, N>,
+    mass: Matrix<N, N>,
     /// Ȧ along v.
     a_rate: Matrix<R, N>,
     /// f, the applied forces.
@@ -56,6 +60,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
             constraint_mass: [0.0; R],
             constraint_damping: [0.0; R],
             constraint_stiffness: [0.0; R],
+            direction: clear(),
+            mass: clear(),
             a_rate: clear(),
             applied: [0.0; N],
             force: [0.0; N],
@@ -83,6 +89,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
             self.constraint_stiffness = [1.0; R];
             return Ok(());
         }
+        if settings.direction == RowDirection::Euclidean {
+            system.mass_matrix(q, &mut self.mass);
+        }
         let omega = settings.stabilisation_frequency;
         for i in 0..R {
             let length_squared = self.node.gram[i][i];
@@ -93,9 +102,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
                     iterations: 0,
                 });
             }
-            let mass = settings.mass_scale / length_squared;
-            // c_R = M⁻¹a/(a M⁻¹ aᵀ), (19).
-            let direction = self.node.w[i].map(|w| w / length_squared);
+            let direction = match settings.direction {
+                RowDirection::Metric => self.node.w[i].map(|w| w / length_squared),
+                RowDirection::Euclidean => {
+                    let row = &self.node.a[i];
+                    let square = dot(row, row);
+                    row.map(|a| a / square)
+                }
+            };
+            let mass = settings.mass_scale
+                * match settings.direction {
+                    RowDirection::Metric => 1.0 / length_squared,
+                    RowDirection::Euclidean => quadratic(&self.mass, &direction),
+                };
             self.constraint_mass[i] = mass;
             self.constraint_damping[i] = 2.0 * mass * omega - quadratic(&self.f_v, &direction);
             self.constraint_stiffness[i] = if i < S::STRUCTURE.holonomic_rows {
@@ -103,6 +122,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
             } else {
                 0.0
             };
+            self.direction[i] = direction;
         }
         Ok(())
     }
@@ -131,14 +151,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         total
     }
 
+    /// f + ∂T/∂q of the last `total_force`.
+    pub(super) fn force(&self) -> &[f64; N] {
+        &self.force
+    }
+
     /// c̄μ + k̄λ − f̄ of a row, with the f of the last `total_force`.
     pub(super) fn row_force(&self, i: usize, mu: &[f64; R], lambda: &[f64; R]) -> f64 {
         if self.motion == RowMotion::Static {
             return lambda[i];
         }
-        let length_squared = self.node.gram[i][i];
         self.constraint_damping[i] * mu[i] + self.constraint_stiffness[i] * lambda[i]
-            - dot(&self.node.w[i], &self.applied) / length_squared
+            - dot(&self.direction[i], &self.applied)
     }
 
     /// π = M v − Aᵀ M̄ μ, (26).

@@ -1,0 +1,131 @@
+//! What Algorithm 1 leaves open, as settings.
+
+use crate::SimulationError;
+use crate::settings::{positive, require};
+
+/// Where line 3 of Algorithm 1 begins the multipliers μ of a step; the paper leaves it open.
+///
+/// M-ALF, whose rows feel λ alone, begins likewise with an estimate of λ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MultiplierStart {
+    /// With the change of μ over the last accepted step, scaled by h/h_last; without such a step (at the start, and after
+    /// an input or the state was changed from outside) with the reactions at acceleration level, h (λ + f̄)/m̄. A step that is tried again after
+    /// a rejection is scaled likewise.
+    #[default]
+    Warm,
+    /// With the μ that the step begins from: no change.
+    Cold,
+}
+
+/// The direction c_R of equation (19) along which a row has its mass, damping, stiffness and force; a_R c_R = 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum RowDirection {
+    /// c_R = M⁻¹aᵀ/(a M⁻¹aᵀ), which gives the least m̄_R = c_Rᵀ M c_R of all directions.
+    #[default]
+    Metric,
+    /// c_R = aᵀ/(a aᵀ), whatever the units of the velocities.
+    Euclidean,
+}
+
+/// Settings of Algorithm 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaperSettings {
+    /// Newton (lines 10–14) stops when the correction of the weak velocities is below this fraction of their size.
+    pub newton_tolerance: f64,
+    /// Tolerance of the velocity rows ψ̇ (line 28), in their own units.
+    pub velocity_tolerance: f64,
+    /// Tolerance of the residual ℜ = η(v₁) for the updated q₁ and λ₁ (line 32), in the metric of M⁻¹ and relative to the
+    /// momentum: √(ℜᵀM⁻¹ℜ) against √(vᵀMv).
+    pub residual_tolerance: f64,
+    /// Initial penalty ξ (line 4); dimensionless, because the rows are scaled by their effective mass m̄.
+    pub penalty: f64,
+    /// Factor τ > 1 by which the penalty of a row grows (line 22).
+    pub penalty_growth: f64,
+    /// The penalty stops growing here.
+    pub max_penalty: f64,
+    /// A row satisfies the augmentation criterion (line 15) when |ψ̇| is below this fraction of its value before the
+    /// last Newton block.
+    pub augmentation_ratio: f64,
+    /// i_max of line 14.
+    pub max_newton_iterations: usize,
+    /// j_max of line 28.
+    pub max_augmentations: usize,
+    /// k_max of line 32.
+    pub max_updates: usize,
+    /// The step is halved on failure, down to this, s.
+    pub smallest_step: f64,
+    /// Factor on m̄ of equation (18), for ablations; 1 is the paper.
+    pub mass_scale: f64,
+    /// Frequency ω, rad/s, of a stabilisation k̄ = m̄ω², c̄ = 2m̄ω added to equation (20); 0 is the paper.
+    pub stabilisation_frequency: f64,
+    /// Where line 3 begins μ.
+    pub start: MultiplierStart,
+    /// The direction c_R of each row.
+    pub direction: RowDirection,
+    /// Whether μ, λ and π are carried from step to step. Being time integrals of reactions they grow without bound then;
+    /// without it each step begins with μ = 0, λ = 0, π = Mv. For rows quadratic in q the motion is the same; for others
+    /// the latter is more accurate.
+    pub carried_fields: bool,
+}
+
+impl Default for PaperSettings {
+    fn default() -> Self {
+        PaperSettings {
+            newton_tolerance: 1e-10,
+            velocity_tolerance: 1e-3,
+            residual_tolerance: 1e-3,
+            penalty: 1e4,
+            penalty_growth: 10.0,
+            max_penalty: 1e9,
+            augmentation_ratio: 0.25,
+            max_newton_iterations: 20,
+            max_augmentations: 40,
+            max_updates: 30,
+            smallest_step: 1e-9,
+            mass_scale: 1.0,
+            stabilisation_frequency: 0.0,
+            start: MultiplierStart::Warm,
+            direction: RowDirection::Metric,
+            carried_fields: false,
+        }
+    }
+}
+
+impl PaperSettings {
+    /// Those that suit [`Method::MAlf`]: its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
+    pub fn m_alf() -> Self {
+        PaperSettings {
+            penalty: 1e10,
+            max_penalty: 1e14,
+            carried_fields: true,
+            ..PaperSettings::default()
+        }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), SimulationError> {
+        positive("newton_tolerance", self.newton_tolerance)?;
+        positive("velocity_tolerance", self.velocity_tolerance)?;
+        positive("residual_tolerance", self.residual_tolerance)?;
+        positive("penalty", self.penalty)?;
+        positive("max_penalty", self.max_penalty)?;
+        positive("augmentation_ratio", self.augmentation_ratio)?;
+        positive("max_newton_iterations", self.max_newton_iterations as f64)?;
+        positive("max_augmentations", self.max_augmentations as f64)?;
+        positive("max_updates", self.max_updates as f64)?;
+        positive("smallest_step", self.smallest_step)?;
+        require(
+            "penalty_growth",
+            self.penalty_growth,
+            self.penalty_growth > 1.0,
+            "a finite value above 1",
+        )?;
+        positive("mass_scale", self.mass_scale)?;
+        let frequency = self.stabilisation_frequency;
+        require(
+            "stabilisation_frequency",
+            frequency,
+            frequency >= 0.0,
+            "zero or a positive finite value",
+        )
+    }
+}

@@ -1,0 +1,117 @@
+//! Line 3 of Algorithm 1: what a step begins from, and its first estimates.
+
+use super::rows::{Instant, RowMotion, Unknowns};
+use super::{MultiplierStart, PaperSettings};
+use crate::alf3f::Fault;
+use crate::{State, System};
+
+/// The fields at the beginning of a step.
+pub(super) struct Origin<const N: usize, const R: usize> {
+    pub(super) mu: [f64; R],
+    pub(super) lambda: [f64; R],
+    pub(super) momentum: [f64; N],
+}
+
+impl<const N: usize, const R: usize> Origin<N, R> {
+    /// Those of the last step, or μ = 0, λ = 0 and π = M v.
+    pub(super) fn new<S: System<Q, N, R>, const Q: usize>(
+        system: &S,
+        state: &State<Q, N, R>,
+        carried: bool,
+    ) -> Self {
+        let State {
+            positions,
+            velocities,
+            fields,
+            ..
+        } = state;
+        if carried && fields.started {
+            return Origin {
+                mu: fields.mu,
+                lambda: fields.lambda,
+                momentum: fields.momentum,
+            };
+        }
+        let mut momentum = [0.0; N];
+        system.momentum(positions, velocities, &mut momentum);
+        Origin {
+            mu: [0.0; R],
+            lambda: [0.0; R],
+            momentum,
+        }
+    }
+}
+
+/// v⁰, μ⁰, q⁰, λ⁰ and ξ⁰ of a step of h.
+///
+/// The change of μ over a step is the impulse of its rows, so that it scales with h. M-ALF, whose rows feel λ alone,
+/// starts at λ₀: with its μ₀ as the rate of λ an error of μ would come back with the opposite sign in each step.
+pub(super) fn estimate<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    settings: &PaperSettings,
+    motion: RowMotion,
+    state: &State<Q, N, R>,
+    origin: &Origin<N, R>,
+    h: f64,
+) -> Unknowns<Q, N, R> {
+    let fields = &state.fields;
+    let mut mu = origin.mu;
+    let ratio = match settings.start {
+        MultiplierStart::Warm if fields.length > 0.0 => h / fields.length,
+        _ => 0.0,
+    };
+    match motion {
+        RowMotion::Own => {
+            for i in 0..R {
+                mu[i] += ratio * fields.change[i];
+            }
+        }
+        RowMotion::Static => {
+            mu = origin.mu.map(|mu| -mu);
+        }
+    }
+    Unknowns {
+        v: state.velocities,
+        q: system.advance(&state.positions, &state.velocities, h),
+        mu,
+        lambda: origin.lambda,
+        penalty: [settings.penalty; R],
+    }
+}
+
+/// Multipliers of a start without history: the change of μ that the reactions at acceleration level make in a second,
+/// (M̄μ)˙ − f̄ = λ; those reactions themselves for M-ALF.
+pub(super) fn begin<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    start: &mut Instant<S, Q, N, R>,
+    motion: RowMotion,
+    state: &mut State<Q, N, R>,
+) -> Result<(), Fault> {
+    let reactions = crate::reactions::reactions(system, state)?.multipliers;
+    let State {
+        time,
+        positions,
+        velocities,
+        fields,
+        ..
+    } = state;
+    match motion {
+        RowMotion::Own => {
+            start.total_force(system, *time, positions, velocities, &[0.0; R], &[0.0; R]);
+            for i in 0..R {
+                let own = start.row_force(i, &[0.0; R], &[0.0; R]);
+                fields.change[i] = (reactions[i] - own) / start.constraint_mass[i];
+            }
+            fields.length = 1.0;
+        }
+        RowMotion::Static => {
+            for i in 0..R {
+                fields.lambda[i] = reactions[i];
+            }
+            fields.mu = [0.0; R];
+            system.momentum(positions, velocities, &mut fields.momentum);
+            fields.started = true;
+        }
+    }
+    Ok(())
+}
