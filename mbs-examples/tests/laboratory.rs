@@ -230,6 +230,7 @@ fn take(name: &str, number: u8, part: f64, wanted: &[&str]) -> Stores {
     let extent = Extent {
         part,
         patience: 60.0,
+        members: 2,
     };
     let mut all = figures(extent);
     let mut figure = all.remove(usize::from(number) - 1);

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use mbs_examples::laboratory::paper::{
-    Extent, Figure, RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores, draw, figures, measure,
+    ENSEMBLE_COLUMNS, ENSEMBLE_KEYS, Extent, Figure, RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores,
+    draw, figures, measure, measure_ensemble,
 };
 use mbs_examples::laboratory::provenance::provenance;
 use mbs_examples::laboratory::store::{Row, Store};
@@ -45,7 +46,9 @@ impl Paper {
         let directory = self.out.clone().unwrap_or_else(|| "out/paper".into());
         fs::create_dir_all(&directory).map_err(|e| Failure::writing(&directory, e))?;
         let points: usize = wanted.iter().map(Figure::points).sum();
-        let progress = Points::new("paper", points as u64);
+        let members = wanted.iter().map(|figure| figure.ensemble.len());
+        let members = members.sum::<usize>() as u64 * u64::from(extent.members);
+        let progress = Points::new("paper", points as u64 + members);
         let mut text = String::new();
         for figure in &wanted {
             let stores = self.take(figure, extent, &directory, &progress)?;
@@ -97,6 +100,16 @@ impl Paper {
             progress.tick();
         })
         .map_err(|e| Failure::writing(&path, e))?;
+        if !figure.ensemble.is_empty() {
+            let path = directory.join(format!("figure-{}-ensemble.csv", figure.number));
+            let what = "runs from starts that differ by 1e-13 of the lengths";
+            let mut ensemble = open(&path, note(what), &ENSEMBLE_COLUMNS, ENSEMBLE_KEYS)?;
+            measure_ensemble(figure, extent, &mut ensemble, &mut |run| {
+                progress.at(run);
+                progress.tick();
+            })
+            .map_err(|e| Failure::writing(&path, e))?;
+        }
         let picture = directory.join(format!("figure-{}.svg", figure.number));
         fs::write(&picture, draw(figure, &stores)).map_err(|e| Failure::writing(&picture, e))?;
         Ok(stores)
@@ -114,7 +127,7 @@ fn summary(rows: &[Row]) -> String {
     ];
     let cells: Vec<_> = rows
         .iter()
-        .map(|row| [0, 1, 2, 6, 8].map(|i| row[i].clone()))
+        .map(|row| [0, 2, 3, 7, 9].map(|i| row[i].clone()))
         .collect();
     table(heading, &cells)
 }

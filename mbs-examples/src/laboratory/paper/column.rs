@@ -15,8 +15,13 @@ pub enum Column {
     Output(&'static str),
     /// A reaction at the instant, from the equations at acceleration level.
     Reaction(&'static str, &'static str),
-    /// The largest of the reactions since the instant before, each the mean over a step.
+    /// The largest of the reactions since the instant before, each the mean over a step: those that the change of momentum
+    /// calls for.
     StepReaction(&'static str, &'static str),
+    /// The same of the reactions with which the method itself acted, from its multipliers.
+    OwnPeak(&'static str, &'static str),
+    /// A reaction with which the method itself acted in the last step.
+    Own(&'static str, &'static str),
     /// φ of a row.
     Row(&'static str),
     /// φ̇ of a row.
@@ -38,6 +43,8 @@ impl Column {
             Column::Output(name) => (*name).to_owned(),
             Column::Reaction(joint, component) => format!("{joint}.{component}"),
             Column::StepReaction(joint, component) => format!("step {joint}.{component}"),
+            Column::OwnPeak(joint, component) => format!("own peak {joint}.{component}"),
+            Column::Own(joint, component) => format!("own {joint}.{component}"),
             Column::Row(row) => format!("phi {row}"),
             Column::Rate(row) => format!("rate {row}"),
             Column::Mass(row) => format!("mass {row}"),
@@ -50,7 +57,15 @@ impl Column {
     pub fn is_of_steps(&self) -> bool {
         matches!(
             self,
-            Column::StepReaction(..) | Column::Step | Column::Penalty(_)
+            Column::StepReaction(..) | Column::OwnPeak(..) | Column::Step | Column::Penalty(_)
+        )
+    }
+
+    /// Whether it compares the ends of a step.
+    pub fn is_of_a_force(&self) -> bool {
+        matches!(
+            self,
+            Column::StepReaction(..) | Column::OwnPeak(..) | Column::Own(..)
         )
     }
 }
@@ -75,7 +90,11 @@ impl<'a> Numbers<'a> {
     pub fn step(&mut self, probe: &dyn Probe, before: Option<&Instant>) {
         let model = probe.model();
         let (shortest, penalties) = probe.algorithm();
-        let reactions = before.map(|before| probe.mean_reactions(before));
+        let wants = |kind: fn(&Column) -> bool| self.columns.iter().any(kind);
+        let mean = before
+            .filter(|_| wants(|c| matches!(c, Column::StepReaction(..))))
+            .map(|before| probe.mean_reactions(before));
+        let own = before.and_then(|before| probe.own_reactions(before));
         for (column, kept) in self.columns.iter().zip(&mut self.steps) {
             match column {
                 Column::Step if shortest > 0.0 => {
@@ -86,14 +105,13 @@ impl<'a> Numbers<'a> {
                     *kept = value.map(|value| kept.unwrap_or(0.0).max(value));
                 }
                 Column::StepReaction(joint, component) => {
-                    let value = reactions
-                        .as_ref()
-                        .and_then(|values| reaction(model, joint, component, values));
-                    if let Some(value) = value
-                        && !(kept.unwrap_or(0.0).abs() > value.abs())
-                    {
-                        *kept = Some(value);
-                    }
+                    keep_largest(kept, reaction(model, joint, component, mean.as_deref()));
+                }
+                Column::OwnPeak(joint, component) => {
+                    keep_largest(kept, reaction(model, joint, component, own.as_deref()));
+                }
+                Column::Own(joint, component) => {
+                    *kept = reaction(model, joint, component, own.as_deref());
                 }
                 _ => {}
             }
@@ -122,13 +140,18 @@ impl<'a> Numbers<'a> {
                 let at = model.outputs.iter().position(|output| output.name == *name);
                 at.and_then(|at| outputs.get(at).copied())
             }
-            Column::Reaction(joint, component) => reactions
-                .as_ref()
-                .and_then(|found| reaction(model, joint, component, &found.values)),
+            Column::Reaction(joint, component) => {
+                let values = reactions.as_ref().map(|found| found.values.as_slice());
+                reaction(model, joint, component, values)
+            }
             Column::Row(row) => of_row(rows.as_ref().map(|[phi, _]| phi), row),
             Column::Rate(row) => of_row(rows.as_ref().map(|[_, rate]| rate), row),
             Column::Mass(row) => of_row(masses.as_ref(), row),
-            Column::StepReaction(..) | Column::Step | Column::Penalty(_) => kept,
+            Column::StepReaction(..)
+            | Column::OwnPeak(..)
+            | Column::Own(..)
+            | Column::Step
+            | Column::Penalty(_) => kept,
         };
         self.columns.iter().zip(steps).map(value).collect()
     }
@@ -138,7 +161,17 @@ fn index(model: &Model, row: &str) -> Option<usize> {
     model.rows.iter().position(|known| known.name == row)
 }
 
-fn reaction(model: &Model, joint: &str, component: &str, values: &[f64]) -> Option<f64> {
+fn reaction(model: &Model, joint: &str, component: &str, values: Option<&[f64]>) -> Option<f64> {
     let named = |r: &mbs_runtime::Reaction| r.joint == joint && r.component == component;
-    values.get(model.reactions.iter().position(named)?).copied()
+    values?
+        .get(model.reactions.iter().position(named)?)
+        .copied()
+}
+
+fn keep_largest(kept: &mut Option<f64>, value: Option<f64>) {
+    if let Some(value) = value
+        && !(kept.unwrap_or(0.0).abs() > value.abs())
+    {
+        *kept = Some(value);
+    }
 }

@@ -1,6 +1,7 @@
 //! The picture of a figure: its panels in two columns.
 
 use super::look::{Look, look};
+use super::sketch::sketch;
 use super::{Figure, Panel, Scale, Stores};
 use crate::laboratory::outcome::Outcome;
 use crate::laboratory::store::Store;
@@ -16,7 +17,10 @@ const LEGEND_TOP: f64 = 46.0;
 const LEGEND_LINE: f64 = 19.0;
 /// An entry's line and what surrounds its text, and the width of a letter, px.
 const ENTRY: [f64; 2] = [46.0, 7.4];
-const TITLE: f64 = 44.0;
+/// What stands above the panels: the title, and the mechanism.
+const TITLE: f64 = 210.0;
+/// The frame of the mechanism: its upper left corner, width and height, px.
+const SKETCH: [f64; 4] = [700.0, 8.0, 350.0, 190.0];
 /// Room above the largest value where the ordinate has decades, in decades.
 const ABOVE: f64 = 0.05;
 const TEXT: f64 = 13.5;
@@ -36,6 +40,11 @@ pub fn draw(figure: &Figure, stores: &Stores) -> String {
     let mut svg = Svg::new(size[0], size[1]);
     let title = format!("Figure {}: {}", figure.number, figure.title);
     svg.text([16.0, 30.0], 19.0, Anchor::Start, INK, &title);
+    for (i, line) in figure.caption.iter().enumerate() {
+        let base = [16.0, 58.0 + 20.0 * i as f64];
+        svg.text(base, TEXT, Anchor::Start, MUTED, line);
+    }
+    sketch(&mut svg, SKETCH, &figure.subject.sketch);
     for (i, panel) in figure.panels.iter().enumerate() {
         let corner = [PANEL[0] * (i % 2) as f64, TITLE + PANEL[1] * (i / 2) as f64];
         let curves = curves(figure, panel, stores);
@@ -84,7 +93,7 @@ fn curves(figure: &Figure, panel: &Panel, stores: &Stores) -> Vec<Drawn> {
 /// When a run ended that did not reach its end.
 fn end_of(runs: &Store, run: &str) -> Option<f64> {
     let row = runs.find(&[run])?;
-    (row[1] != Outcome::Ok.name()).then(|| row[2].parse().unwrap_or(0.0))
+    (row[2] != Outcome::Ok.name()).then(|| row[3].parse().unwrap_or(0.0))
 }
 
 /// Where values are in a panel.

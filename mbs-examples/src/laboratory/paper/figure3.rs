@@ -8,6 +8,8 @@ use super::{Curve, Figure, Panel, Scale};
 
 /// Penalties begin and end here (section 7.2).
 pub const PENALTIES: [f64; 2] = [1e3, 1e5];
+/// s
+pub const SPAN: f64 = 45.0;
 const MASSES: [(&str, f64); 3] = [("m̄", 1.0), ("m̄/10", 0.1), ("m̄/100", 0.01)];
 /// Rows whose masses are drawn: the others have one of these values.
 const SHOWN: [&str; 9] = [
@@ -31,7 +33,7 @@ const WATCHED: [(Column, &str); 6] = [
 ];
 
 pub fn figure(extent: Extent) -> Figure {
-    let instants = extent.instants(0.0, 20.0, 400);
+    let instants = extent.instants(0.0, SPAN, 900);
     let mut turn = extent.instants(0.0, 2.5, 125);
     turn.extend(instants.iter().copied().filter(|&t| t > extent.time(2.5)));
     let run = |(label, mass_scale): (&'static str, f64)| {
@@ -54,12 +56,16 @@ pub fn figure(extent: Extent) -> Figure {
         run: TWO_LEVEL,
         column: Column::Mass(row),
     });
-    let window = [0.0, extent.time(20.0)];
+    let window = [0.0, extent.time(SPAN)];
     let names = MASSES.map(|mass| mass.0);
     let theta = Column::Output("theta");
     Figure {
         number: 3,
         title: "slider-crank, 24 velocities and 26 rows",
+        caption: &[
+            "Algorithm 1 with steps of 1e-3 s and the accuracy of 0.01;",
+            "penalties begin with 1000 and may grow to 1e5.",
+        ],
         subject: &SLIDER_CRANK,
         columns: [
             vec![Column::Energy, Column::EnergyError, Column::Step, theta],
@@ -68,6 +74,7 @@ pub fn figure(extent: Extent) -> Figure {
         ]
         .concat(),
         runs,
+        ensemble: &["m̄", "m̄/10", "m̄/100"],
         panels: vec![
             Panel {
                 title: "effective masses of rows",

@@ -1,26 +1,33 @@
 //! The slider-crank with penalties that stay as they are, and with M-ALF.
 
-use mbs_runtime::{Method, PaperSettings};
+use mbs_runtime::{Method, MultiplierStart, PaperSettings, RowDirection};
 
 use super::column::Column;
-use super::figure3::PENALTIES;
+use super::figure3::{PENALTIES, SPAN};
 use super::run::{
-    Extent, M_ALF, PAPER, Run, SLIDER_CRANK, STEP, STRICT, TWO_LEVEL, algorithm, m_alf, strict,
+    COLD, Extent, M_ALF, PAPER, PENALTY, Run, SLIDER_CRANK, STEP, STRICT, TWO_LEVEL, algorithm,
+    cold, growing, m_alf, strict,
 };
 use super::{Figure, Panel, Scale};
 
-/// With k̄ = m̄ω² and c̄ = 2m̄ω, ω = 20 /s: (20) leaves both zero here, and nothing brings φ back.
+/// With k̄ = m̄ω² and c̄ = 2m̄ω, ω = 100 /s: (20) leaves both zero here, and nothing brings φ back.
 const STABILISED: &str = "alf3f-paper with k̄ c̄";
-/// Tolerances of ψ̇ and of the update of q, which the paper leaves open: what becomes of the run with others.
+/// With penalties from [`PENALTY`].
+const HEAVIER: &str = "alf3f-paper from 1e4";
+/// With c_R along the rows themselves.
+const EUCLIDEAN: &str = "alf3f-paper c_R = a";
+/// λ begins with λ₀ + h μ₀, where μ₀ is the rate of λ at the end of the step before.
+const M_ALF_COLD: &str = "m-alf from λ₀ + h μ₀";
+/// Tolerances of ψ̇ and of the residual ℜ, for which the paper has one number: what becomes of the run with others.
 const TOLERANCES: [(&str, f64, f64); 8] = [
-    ("ψ̇ 1e-1; q 1e-2", 1e-1, 1e-2),
-    ("ψ̇ 1e-1; q 1e-3", 1e-1, 1e-3),
-    ("ψ̇ 1e-1; q 1e-4", 1e-1, 1e-4),
-    ("ψ̇ 1e-2; q 1e-2", 1e-2, 1e-2),
-    ("ψ̇ 1e-2; q 1e-4", 1e-2, 1e-4),
-    ("ψ̇ 1e-3; q 1e-2", 1e-3, 1e-2),
-    ("ψ̇ 1e-3; q 1e-3", 1e-3, 1e-3),
-    ("ψ̇ 1e-3; q 1e-4", 1e-3, 1e-4),
+    ("ψ̇ 1e-1; ℜ 1e-2", 1e-1, 1e-2),
+    ("ψ̇ 1e-1; ℜ 1e-3", 1e-1, 1e-3),
+    ("ψ̇ 1e-1; ℜ 1e-4", 1e-1, 1e-4),
+    ("ψ̇ 1e-2; ℜ 1e-2", 1e-2, 1e-2),
+    ("ψ̇ 1e-2; ℜ 1e-4", 1e-2, 1e-4),
+    ("ψ̇ 1e-3; ℜ 1e-2", 1e-3, 1e-2),
+    ("ψ̇ 1e-3; ℜ 1e-3", 1e-3, 1e-3),
+    ("ψ̇ 1e-3; ℜ 1e-4", 1e-3, 1e-4),
 ];
 const CONSTANT: [(&str, f64); 7] = [
     ("ξ = 1", 1.0),
@@ -33,39 +40,45 @@ const CONSTANT: [(&str, f64); 7] = [
 ];
 
 pub fn figure(extent: Extent) -> Figure {
-    let instants = extent.instants(0.0, 20.0, 400);
+    let instants = extent.instants(0.0, SPAN, 900);
     let run = |label, method| Run::new(label, method, STEP, &instants);
-    let paper = algorithm(PENALTIES[0], PENALTIES[1]);
+    let paper = growing(PENALTIES[0]);
     let stabilised = PaperSettings {
-        stabilisation_frequency: 20.0,
+        stabilisation_frequency: 100.0,
+        ..growing(PENALTY)
+    };
+    let euclidean = PaperSettings {
+        direction: RowDirection::Euclidean,
         ..paper
     };
     let mut runs = vec![
         run(TWO_LEVEL, Method::TwoLevel),
         run(PAPER, Method::Paper(paper)),
-        run(STRICT, Method::Paper(strict(PENALTIES[0]))),
+        run(HEAVIER, Method::Paper(growing(PENALTY))),
+        run(COLD, Method::Paper(cold(PENALTY))),
+        run(STRICT, Method::Paper(strict(PENALTY))),
         run(STABILISED, Method::Paper(stabilised)),
+        run(EUCLIDEAN, Method::Paper(euclidean)),
         run(M_ALF, m_alf()),
+        run(M_ALF_COLD, m_alf_cold()),
     ];
     runs.extend(CONSTANT.map(|(label, xi)| run(label, Method::Paper(algorithm(xi, xi)))));
     runs.extend(TOLERANCES.map(|(label, velocity, update)| {
         let settings = PaperSettings {
             velocity_tolerance: velocity,
             residual_tolerance: update,
-            ..paper
+            ..growing(PENALTY)
         };
         run(label, Method::Paper(settings))
     }));
-    let window = [0.0, extent.time(20.0)];
+    let window = [0.0, extent.time(SPAN)];
     let constant = CONSTANT.map(|c| c.0);
-    let methods = [PAPER, STRICT, STABILISED, M_ALF];
-    // With constant penalties no run comes further.
-    let early = [0.0, extent.time(2.0)];
-    let step = |title, runs: &[&'static str], window| {
+    let methods = [PAPER, HEAVIER, COLD, STRICT, STABILISED, M_ALF];
+    let step = |title, runs: &[&'static str]| {
         let scale = Scale::Decades(-7, -2);
         Panel::of_runs(title, "step, s", Column::Step, runs, window, scale)
     };
-    let energy = |title, runs: &[&'static str], window| {
+    let energy = |title, runs: &[&'static str]| {
         let runs = [&[TWO_LEVEL], runs].concat();
         let scale = Scale::Between(6.0, 15.0);
         Panel::of_runs(title, "T + V, J", Column::Energy, &runs, window, scale)
@@ -73,14 +86,29 @@ pub fn figure(extent: Extent) -> Figure {
     Figure {
         number: 4,
         title: "slider-crank, constant penalties and M-ALF",
+        caption: &[
+            "Steps of 1e-3 s, accuracy 0.01. Free penalties may grow",
+            "by two orders of magnitude.",
+        ],
         subject: &SLIDER_CRANK,
         columns: vec![Column::Energy, Column::EnergyError, Column::Step],
         runs,
+        ensemble: &[PAPER, HEAVIER, "ξ = 1e3", "ξ = 1e4", "ξ = 1e5", M_ALF],
         panels: vec![
-            step("shortest step, constant penalties", &constant, early),
-            energy("mechanical energy, constant penalties", &constant, early),
-            step("shortest step, free penalties", &methods, window),
-            energy("mechanical energy, free penalties", &methods, window),
+            step("shortest step, constant penalties", &constant),
+            energy("mechanical energy, constant penalties", &constant),
+            step("shortest step, free penalties", &methods),
+            energy("mechanical energy, free penalties", &methods),
         ],
+    }
+}
+
+fn m_alf_cold() -> Method {
+    match m_alf() {
+        Method::MAlf(settings) => Method::MAlf(PaperSettings {
+            start: MultiplierStart::Cold,
+            ..settings
+        }),
+        other => other,
     }
 }

@@ -1,6 +1,6 @@
 //! The looks of curves: dash and lightness tell them apart in grey.
 
-use super::run::{BDF, M_ALF, PAPER, STRICT, TWO_LEVEL};
+use super::run::{BDF, COLD, M_ALF, PAPER, STRICT, TWO_LEVEL};
 
 /// Colour, width and dash.
 pub type Look = (&'static str, f64, &'static str);
@@ -24,6 +24,7 @@ pub fn look(label: &str, i: usize) -> Look {
         "exact" => ("#b9bdc2", 5.0, ""),
         TWO_LEVEL => ("#14507d", 2.2, ""),
         PAPER => ("#b3202a", 2.0, "7 3"),
+        COLD => ("#e9a08f", 1.6, "1 3"),
         STRICT => ("#e2737b", 2.0, "2 3"),
         M_ALF => ("#c99700", 1.8, "9 3 2 3"),
         _ if label.ends_with("k̄ c̄") => ("#7b4b9e", 1.8, "12 4"),

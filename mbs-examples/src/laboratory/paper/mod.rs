@@ -6,6 +6,7 @@
 
 mod column;
 mod draw;
+mod ensemble;
 mod exact;
 mod figure1;
 mod figure2;
@@ -17,13 +18,18 @@ mod figure7;
 mod look;
 mod probe;
 mod record;
+mod report;
 mod run;
+mod sketch;
 
 pub use column::Column;
 pub use draw::draw;
+pub use ensemble::{ENSEMBLE_COLUMNS, ENSEMBLE_KEYS, measure_ensemble};
 pub use probe::{Instant, Probe};
 pub use record::{RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores, measure};
+pub use report::{ensemble_table, run_table};
 pub use run::{Extent, Run, Source, Subject};
+pub use sketch::Sketch;
 
 /// One figure.
 pub struct Figure {
@@ -31,12 +37,16 @@ pub struct Figure {
     pub number: u8,
     /// For people.
     pub title: &'static str,
+    /// Beside the mechanism: what the runs have in common.
+    pub caption: &'static [&'static str],
     /// The mechanism.
     pub subject: &'static Subject,
     /// What is kept of each run, the time apart.
     pub columns: Vec<Column>,
     /// The runs.
     pub runs: Vec<Run>,
+    /// Labels of the runs that are taken from many starts, too.
+    pub ensemble: &'static [&'static str],
     /// The pictures.
     pub panels: Vec<Panel>,
 }

@@ -22,6 +22,9 @@ pub trait Probe: AnySimulation {
     /// for, whatever the method. N and N m, in the order of [`Model::reactions`](mbs_runtime::Model::reactions). Of those
     /// that redundant rows allow, the least. Their error is of the order of the square of the time between.
     fn mean_reactions(&self, before: &Instant) -> Vec<f64>;
+    /// The reactions with which the method itself acted in its last step, which began at or after an earlier instant, from
+    /// [`Simulation::step_multipliers`]; `None` for methods without multipliers of their own.
+    fn own_reactions(&self, before: &Instant) -> Option<Vec<f64>>;
 }
 
 /// Where a simulation stands.
@@ -102,6 +105,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
         let mut reactions = unknown();
         system.reactions(t, &q, &v, &acceleration, &lambda, &mut reactions);
         reactions
+    }
+
+    fn own_reactions(&self, before: &Instant) -> Option<Vec<f64>> {
+        let lambda = self.step_multipliers()?;
+        let now = self.instant();
+        let h = now.time - before.time;
+        let v: [f64; N] = std::array::from_fn(|i| 0.5 * (before.v[i] + now.v[i]));
+        let start: [f64; Q] = std::array::from_fn(|i| before.q[i]);
+        let acceleration: [f64; N] = std::array::from_fn(|i| (now.v[i] - before.v[i]) / h);
+        let (t, q) = (
+            before.time + 0.5 * h,
+            self.system().advance(&start, &v, 0.5 * h),
+        );
+        let mut reactions = vec![0.0; S::MODEL.reactions.len()];
+        self.system()
+            .reactions(t, &q, &v, &acceleration, &lambda, &mut reactions);
+        Some(reactions)
     }
 }
 

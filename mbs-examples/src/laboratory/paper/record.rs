@@ -13,8 +13,9 @@ use crate::laboratory::outcome::Outcome;
 use crate::laboratory::store::{Row, Store};
 
 /// The columns of the file of runs; the first identifies a run.
-pub const RUN_COLUMNS: [&str; 13] = [
+pub const RUN_COLUMNS: [&str; 14] = [
     "run",
+    "settings",
     "outcome",
     "reached_s",
     "steps",
@@ -117,7 +118,7 @@ fn simulate(
     tick: &mut dyn FnMut(&'static str),
 ) -> Row {
     let start = ProcessTime::now();
-    let mut probe = match (subject.build)(settings) {
+    let mut probe = match (subject.build)(settings, 1.0) {
         Ok(probe) => probe,
         Err(error) => return plain_row(run, Outcome::of_error(&error), &error.to_string()),
     };
@@ -128,10 +129,7 @@ fn simulate(
         .position(|output| output.name == "branch");
     let mut numbers = Numbers::new(&figure.columns);
     let by_steps = figure.columns.iter().any(Column::is_of_steps);
-    let compares = figure
-        .columns
-        .iter()
-        .any(|column| matches!(column, Column::StepReaction(..)));
+    let compares = figure.columns.iter().any(Column::is_of_a_force);
     let mut astray: f64 = 0.0;
     let (mut outcome, mut detail) = (Outcome::Ok, String::new());
     samples.push((0.0, numbers.look(probe.as_ref())));
@@ -142,7 +140,15 @@ fn simulate(
         }
         let mut stride = || -> Result<(), mbs_runtime::SimulationError> {
             if !by_steps {
-                return probe.run_until(instant);
+                let last = instant - settings.step;
+                if !compares || last <= probe.time() {
+                    return probe.run_until(instant);
+                }
+                probe.run_until(last)?;
+                let before = probe.instant();
+                probe.run_until(instant)?;
+                numbers.step(probe.as_ref(), Some(&before));
+                return Ok(());
             }
             while probe.time() < instant {
                 let left = instant - probe.time();
@@ -189,6 +195,7 @@ fn row(
     let report = probe.report();
     vec![
         run.label.to_owned(),
+        run.settings(),
         outcome.name().to_owned(),
         stamp(probe.time()),
         report.steps.to_string(),
@@ -208,14 +215,15 @@ fn row(
 fn plain_row(run: &Run, outcome: Outcome, detail: &str) -> Row {
     let mut row = vec![String::new(); RUN_COLUMNS.len()];
     row[0] = run.label.to_owned();
-    row[1] = outcome.name().to_owned();
-    row[2] = "0".to_owned();
-    row[12] = detail.to_owned();
+    row[1] = run.settings();
+    row[2] = outcome.name().to_owned();
+    row[3] = "0".to_owned();
+    row[13] = detail.to_owned();
     row
 }
 
 fn exact_row(run: &Run) -> Row {
     let mut row = plain_row(run, Outcome::Ok, "closed form");
-    row[2] = stamp(run.instants.last().copied().unwrap_or(0.0));
+    row[3] = stamp(run.instants.last().copied().unwrap_or(0.0));
     row
 }

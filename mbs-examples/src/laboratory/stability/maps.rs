@@ -187,7 +187,7 @@ fn stiff_spring() -> Map {
     }
 }
 
-/// Rows `method, scene` for the scenes of the paper.
+/// Rows `method: scene` for mechanisms that pass singular poses, one of them with redundant rows.
 fn by_scene(
     name: &'static str,
     title: &'static str,
@@ -196,13 +196,20 @@ fn by_scene(
     names: &[&'static str],
     set: fn(Method, f64) -> Method,
 ) -> Map {
-    let scenes = ["pendulum", "slider-crank", "double-four-bar"].map(listed);
+    let scenes = [
+        listed("slider-crank"),
+        listed("double-four-bar"),
+        &laboratory::MODELS[3],
+    ];
     let pairs: Vec<(Entry, &'static Scene)> = names
         .iter()
         .filter_map(|name| entry(name))
         .flat_map(|entry| scenes.map(|scene| (entry, scene)))
         .collect();
-    let row = |(entry, scene): &(Entry, &Scene)| format!("{}: {}", entry.label, scene.name);
+    let row = |(entry, scene): &(Entry, &Scene)| match scene.name {
+        "bodies in space" => format!("{}: slider-crank in space", entry.label),
+        name => format!("{}: {name}", entry.label),
+    };
     let values = columns.clone();
     Map {
         name,
@@ -223,21 +230,21 @@ fn by_scene(
 fn penalties() -> Map {
     by_scene(
         "penalty",
-        "Penalties, step 0.001 s",
+        "Constant penalties, step 0.001 s",
         "penalty, in the unit of each method",
         (0..=14).step_by(2).map(|e| 10_f64.powi(e)).collect(),
         &["alf3f-paper", "m-alf", "index3-projections", "penalty"],
         |method, value| match method {
-            Method::Paper(mut settings) => {
-                settings.penalty = value;
-                settings.max_penalty = settings.max_penalty.max(value);
-                Method::Paper(settings)
-            }
-            Method::MAlf(mut settings) => {
-                settings.penalty = value;
-                settings.max_penalty = settings.max_penalty.max(value);
-                Method::MAlf(settings)
-            }
+            Method::Paper(settings) => Method::Paper(PaperSettings {
+                penalty: value,
+                max_penalty: value,
+                ..settings
+            }),
+            Method::MAlf(settings) => Method::MAlf(PaperSettings {
+                penalty: value,
+                max_penalty: value,
+                ..settings
+            }),
             Method::Index3Projections(_) => {
                 Method::Index3Projections(ProjectionSettings { penalty: value })
             }
@@ -253,17 +260,16 @@ fn penalties() -> Map {
 fn mass_scales() -> Map {
     by_scene(
         "mass-scale",
-        "Factor on the effective masses of the rows, step 0.001 s",
+        "Factor on the effective masses of the rows, constant penalties, step 0.001 s",
         "factor on m̄",
-        vec![0.0, 0.01, 0.1, 1.0, 10.0],
+        (-4..=4).map(|e| 10_f64.powi(e)).collect(),
         &["alf3f-paper"],
         |method, value| match method {
-            // Without them it is M-ALF.
-            Method::Paper(_) if value == 0.0 => Method::MAlf(PaperSettings::m_alf()),
-            Method::Paper(mut settings) => {
-                settings.mass_scale = value;
-                Method::Paper(settings)
-            }
+            Method::Paper(settings) => Method::Paper(PaperSettings {
+                mass_scale: value,
+                max_penalty: settings.penalty,
+                ..settings
+            }),
             other => other,
         },
     )

@@ -4,16 +4,15 @@ use crate::SimulationError;
 use crate::settings::{positive, require};
 
 /// Where line 3 of Algorithm 1 begins the multipliers μ of a step; the paper leaves it open.
-///
-/// M-ALF, whose rows feel λ alone, begins likewise with an estimate of λ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MultiplierStart {
-    /// With the change of μ over the last accepted step, scaled by h/h_last; without such a step (at the start, and after
-    /// an input or the state was changed from outside) with the reactions at acceleration level, h (λ + f̄)/m̄. A step that is tried again after
-    /// a rejection is scaled likewise.
+    /// With the change of μ over the last accepted step, scaled by h/h_last; at the start of a run with that of the
+    /// reactions at acceleration level, h (λ + f̄)/m̄. A step that is tried again after a rejection is scaled likewise. M-ALF
+    /// begins with λ of the last step.
     #[default]
     Warm,
-    /// With the μ that the step begins from: no change.
+    /// With no change of μ: at zero unless the fields are carried from step to step. M-ALF begins with λ₀ + h μ₀, where
+    /// μ₀ is the rate of λ at the end of the last step.
     Cold,
 }
 

@@ -44,8 +44,9 @@ impl<const N: usize, const R: usize> Origin<N, R> {
 
 /// v⁰, μ⁰, q⁰, λ⁰ and ξ⁰ of a step of h.
 ///
-/// The change of μ over a step is the impulse of its rows, so that it scales with h. M-ALF, whose rows feel λ alone,
-/// starts at λ₀: with its μ₀ as the rate of λ an error of μ would come back with the opposite sign in each step.
+/// The change of μ over a step is the impulse of its row, so that it scales with h. M-ALF, whose rows feel λ alone, starts
+/// at λ₀, that is with μ = −μ₀: λ₁ = λ₀ + h/2 (μ₀ + μ₁). At λ₀ + h μ₀ an error of μ would come back with the opposite
+/// sign in each step.
 pub(super) fn estimate<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &PaperSettings,
@@ -55,26 +56,26 @@ pub(super) fn estimate<S: System<Q, N, R>, const Q: usize, const N: usize, const
     h: f64,
 ) -> Unknowns<Q, N, R> {
     let fields = &state.fields;
-    let mut mu = origin.mu;
-    let ratio = match settings.start {
-        MultiplierStart::Warm if fields.length > 0.0 => h / fields.length,
-        _ => 0.0,
-    };
-    match motion {
-        RowMotion::Own => {
+    let (mut mu, mut lambda) = (origin.mu, origin.lambda);
+    match (motion, settings.start) {
+        (RowMotion::Own, MultiplierStart::Warm) if fields.length > 0.0 => {
             for i in 0..R {
-                mu[i] += ratio * fields.change[i];
+                mu[i] += h / fields.length * fields.change[i];
             }
         }
-        RowMotion::Static => {
-            mu = origin.mu.map(|mu| -mu);
+        (RowMotion::Own, _) => {}
+        (RowMotion::Static, MultiplierStart::Warm) => mu = mu.map(|mu| -mu),
+        (RowMotion::Static, MultiplierStart::Cold) => {
+            for i in 0..R {
+                lambda[i] += h * mu[i];
+            }
         }
     }
     Unknowns {
         v: state.velocities,
         q: system.advance(&state.positions, &state.velocities, h),
         mu,
-        lambda: origin.lambda,
+        lambda,
         penalty: [settings.penalty; R],
     }
 }
