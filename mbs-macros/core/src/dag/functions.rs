@@ -265,7 +265,7 @@ fn constants(graph: &mut Graph, hoisted: &mut Hoisted) -> (Vec<Constant>, [Funct
     let constants = list
         .iter()
         .map(|&(expr, _)| Constant {
-            text: graph.short_text(expr, 90),
+            text: graph.text(expr),
             after_inverse: uses_inverse(graph, expr),
         })
         .collect();
