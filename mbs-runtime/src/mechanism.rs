@@ -114,8 +114,8 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
     /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), and the structure
     /// constants of the rotations (ω × Jω), so that d(M v)/dt − ∂T/∂q = M v̇ + Γ_ijk v_j v_k.
     ///
-    /// Generated for small mechanisms. For others they are read off ∂p/∂q and M at run time: for checks, not for steps, as
-    /// it allocates.
+    /// Generated where they take at most 2500 operations. Elsewhere they are read off ∂p/∂q and M at run time: for checks,
+    /// not for steps, as it allocates.
     fn affinities(&self, q: &[f64; Q], gamma: &mut impl TensorSink) {
         crate::affinities::by_tangents(self, q, gamma);
     }

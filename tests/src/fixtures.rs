@@ -420,7 +420,7 @@ mechanism!(Workshop {
 });
 
 mechanism!(Whip {
-    doc: "More velocities than affinities are derived for one by one: a ball joint with a hinge, and carriages beside it.",
+    doc: "Affinities whose code is too long: a ball joint and hinges about axes in turn.",
     world: Spatial(gravity = [0.0, 0.3, -9.81_m_per_s2], coordinates = Joint),
 
     handle: Bar(
@@ -429,36 +429,27 @@ mechanism!(Whip {
         to = [0.0, 0.0, -0.3],
         radius = 0.02_m
     ),
-    lash: Bar(
+    lash0: Bar(
         mass = 0.4_kg,
         from = [0.0, 0.0, -0.3],
         to = [0.0, 0.1, -0.6],
         radius = 0.02_m
     ),
-    grip: Spherical(ground, handle, at = [0.0, 0.0, 0.0]),
-    hinge: Revolute(handle, lash, at = [0.0, 0.0, -0.3], axis = X),
-    carriage0: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [1.0, 0.0, 0.0]),
-    rail0: Prismatic(ground, carriage0, at = [1.0, 0.0, 0.0], axis = Z),
-    carriage1: Body(mass = 2.0_kg, inertia = 0.1_kg_m2, at = [2.0, 0.0, 0.0]),
-    rail1: Prismatic(ground, carriage1, at = [2.0, 0.0, 0.0], axis = Z),
-    carriage2: Body(mass = 3.0_kg, inertia = 0.1_kg_m2, at = [3.0, 0.0, 0.0]),
-    rail2: Prismatic(ground, carriage2, at = [3.0, 0.0, 0.0], axis = Z),
-    carriage3: Body(mass = 4.0_kg, inertia = 0.1_kg_m2, at = [4.0, 0.0, 0.0]),
-    rail3: Prismatic(ground, carriage3, at = [4.0, 0.0, 0.0], axis = Z),
-    carriage4: Body(mass = 5.0_kg, inertia = 0.1_kg_m2, at = [5.0, 0.0, 0.0]),
-    rail4: Prismatic(ground, carriage4, at = [5.0, 0.0, 0.0], axis = Z),
-    carriage5: Body(mass = 6.0_kg, inertia = 0.1_kg_m2, at = [6.0, 0.0, 0.0]),
-    rail5: Prismatic(ground, carriage5, at = [6.0, 0.0, 0.0], axis = Z),
-    carriage6: Body(mass = 7.0_kg, inertia = 0.1_kg_m2, at = [7.0, 0.0, 0.0]),
-    rail6: Prismatic(ground, carriage6, at = [7.0, 0.0, 0.0], axis = Z),
-    tip: Output(lash.b),
-    height: Output(
-        rail0.stroke
-            + rail1.stroke
-            + rail2.stroke
-            + rail3.stroke
-            + rail4.stroke
-            + rail5.stroke
-            + rail6.stroke
+    lash1: Bar(
+        mass = 0.3_kg,
+        from = [0.0, 0.1, -0.6],
+        to = [0.1, 0.1, -0.9],
+        radius = 0.02_m
     ),
+    lash2: Bar(
+        mass = 0.2_kg,
+        from = [0.1, 0.1, -0.9],
+        to = [0.1, 0.2, -1.2],
+        radius = 0.02_m
+    ),
+    grip: Spherical(ground, handle, at = [0.0, 0.0, 0.0]),
+    hinge0: Revolute(handle, lash0, at = [0.0, 0.0, -0.3], axis = X),
+    hinge1: Revolute(lash0, lash1, at = [0.0, 0.1, -0.6], axis = Y),
+    hinge2: Revolute(lash1, lash2, at = [0.1, 0.1, -0.9], axis = X),
+    tip: Output(lash2.b),
 });

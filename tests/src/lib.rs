@@ -4,14 +4,17 @@
 pub mod compiled;
 pub mod differences;
 pub mod fixtures;
+pub mod formulas;
 pub mod interpreted;
 pub mod laws;
 pub mod pages;
 pub mod random;
 pub mod reference;
+pub mod small;
 pub mod stages;
 pub mod table;
 pub mod tampered;
+pub mod values;
 
 #[doc = include_str!("../../README.md")]
 mod readme {}

@@ -1,8 +1,8 @@
 //! A declaration after each stage of the compiler, as text that is stable and made for people.
 
-use mbs_macros_core::derivatives::{Derived, Matrix};
+use crate::formulas::Formulas;
+use mbs_macros_core::derivatives::Derived;
 use mbs_macros_core::diagnostics::Errors;
-use mbs_macros_core::symbolic::{Expr, Graph};
 use mbs_macros_core::syntax::Declaration;
 use mbs_macros_core::{Analysis, dag, equations::System};
 use quote::ToTokens;
@@ -125,76 +125,72 @@ fn model(analysis: &Analysis) -> String {
     out
 }
 
-struct Text<'a> {
-    graph: &'a Graph,
-    out: String,
-}
-
-impl Text<'_> {
-    fn scalar(&mut self, name: &str, expr: Expr) {
-        // Shared subexpressions are written out each time: cut what grows beyond reading.
-        let _ = writeln!(self.out, "{name} = {}", self.graph.short_text(expr, 600));
-    }
-    fn vector(&mut self, name: &str, values: &[Expr]) {
-        for (i, &value) in values.iter().enumerate() {
-            self.scalar(&format!("{name}[{i}]"), value);
-        }
-    }
-    fn matrix(&mut self, name: &str, entries: &Matrix) {
-        for (&(i, j), &value) in entries {
-            self.scalar(&format!("{name}[{i}][{j}]"), value);
-        }
-    }
-}
-
-fn system(system: &System) -> String {
-    let mut text = Text {
-        graph: &system.graph,
-        out: String::new(),
-    };
-    text.matrix("M", &system.mass);
-    text.scalar("V", system.potential);
-    text.vector("f", &system.forces);
-    text.scalar("power", system.power);
+/// Stage 3.
+pub fn system(system: &System) -> String {
+    let mut formulas = Formulas::new(&system.graph);
+    formulas.matrix("M", &system.mass);
+    formulas.add("V", "", system.potential);
+    formulas.vector("f", &system.forces);
+    formulas.add("power", "", system.power);
     for row in &system.rows {
-        text.scalar(
-            &format!("{:?} {} [{}]", row.kind, row.name, row.unit),
-            row.expr,
-        );
+        let kind = format!("{:?}", row.kind);
+        formulas.add(&kind, &format!(" {} [{}]", row.name, row.unit), row.expr);
     }
     for reaction in &system.reactions {
-        let name = format!(
-            "reaction {}.{} [{}]",
+        let which = format!(
+            " {}.{} [{}]",
             reaction.joint, reaction.component, reaction.unit
         );
-        text.scalar(&name, reaction.expr);
+        formulas.add("reaction", &which, reaction.expr);
     }
-    text.vector("output", &system.outputs);
-    text.vector("event", &system.events);
-    text.out
+    formulas.vector("output", &system.outputs);
+    formulas.vector("event", &system.events);
+    formulas.text()
 }
 
-fn derived(derived: &Derived) -> String {
-    let mut text = Text {
-        graph: &derived.system.graph,
-        out: String::new(),
-    };
-    let _ = writeln!(text.out, "constant mass: {}", derived.constant_mass);
-    text.vector("p", &derived.momentum);
-    text.scalar("T", derived.kinetic);
+/// Stage 4.
+pub fn derived(derived: &Derived) -> String {
+    let mut formulas = Formulas::new(&derived.system.graph);
+    formulas.vector("p", &derived.momentum);
+    formulas.add("T", "", derived.kinetic);
+    affinities(&mut formulas, derived);
+    rows(&mut formulas, derived);
+    formulas.vector("F", &derived.total_forces);
+    formulas.matrix("∂f/∂q", &derived.applied_by_position);
+    formulas.matrix("∂f/∂v", &derived.applied_by_velocity);
+    formulas.matrix("∂F/∂q", &derived.total_by_position);
+    formulas.matrix("∂F/∂v", &derived.total_by_velocity);
+    formulas.matrix("∂p/∂q", &derived.momentum_by_position);
+    formulas.vector("M⁻¹f", derived.acceleration.as_deref().unwrap_or(&[]));
+    format!(
+        "constant mass: {}\n{}",
+        derived.constant_mass,
+        formulas.text()
+    )
+}
+
+/// What a mechanism's rows, inertia and forces have beyond the model: M, Γ, A, b, Ȧ, γ and the tangents, with all that they
+/// consist of.
+pub fn quantities(derived: &Derived) -> String {
+    let mut formulas = Formulas::new(&derived.system.graph);
+    formulas.matrix("M", &derived.system.mass);
+    affinities(&mut formulas, derived);
+    rows(&mut formulas, derived);
+    formulas.matrix("∂F/∂q", &derived.total_by_position);
+    formulas.matrix("∂F/∂v", &derived.total_by_velocity);
+    formulas.matrix("∂p/∂q", &derived.momentum_by_position);
+    formulas.text()
+}
+
+fn affinities(formulas: &mut Formulas, derived: &Derived) {
     for (&(i, j, k), &value) in derived.affinities.iter().flatten() {
-        text.scalar(&format!("Γ[{i}][{j}][{k}]"), value);
+        formulas.add("Γ", &format!("[{i}][{j}][{k}]"), value);
     }
-    text.matrix("A", &derived.jacobian);
-    text.vector("b", &derived.rheonomic);
-    text.matrix("Ȧ", &derived.jacobian_rate);
-    text.vector("γ", &derived.convective);
-    text.vector("F", &derived.total_forces);
-    text.matrix("∂f/∂q", &derived.applied_by_position);
-    text.matrix("∂f/∂v", &derived.applied_by_velocity);
-    text.matrix("∂F/∂q", &derived.total_by_position);
-    text.matrix("∂F/∂v", &derived.total_by_velocity);
-    text.matrix("∂p/∂q", &derived.momentum_by_position);
-    text.vector("M⁻¹f", derived.acceleration.as_deref().unwrap_or(&[]));
-    text.out
+}
+
+fn rows(formulas: &mut Formulas, derived: &Derived) {
+    formulas.matrix("A", &derived.jacobian);
+    formulas.vector("b", &derived.rheonomic);
+    formulas.matrix("Ȧ", &derived.jacobian_rate);
+    formulas.vector("γ", &derived.convective);
 }

@@ -26,6 +26,14 @@ impl Table {
         }
     }
 
+    /// What a function writes to one of its arguments, by place.
+    pub fn of(&self, function: &str, sink: &str) -> Vec<([usize; 3], f64)> {
+        let keys = self.values.iter();
+        keys.filter(|(key, _)| key.0 == function && key.1 == sink)
+            .map(|(key, &value)| (key.2, value))
+            .collect()
+    }
+
     /// The functions of which there are values.
     pub fn functions(&self) -> BTreeSet<&'static str> {
         self.values.keys().map(|key| key.0).collect()

@@ -1,4 +1,4 @@
-//! A system in which one function is slightly wrong: what no test finds, no test tests.
+//! A system in which one function is slightly wrong, or one sign is flipped: what no test finds, no test tests.
 
 use mbs_runtime::{MatrixSink, Model, Structure, System, TensorSink};
 
@@ -39,69 +39,113 @@ pub const QUANTITIES: &[&str] = &[
 /// Relative size of the error.
 const ERROR: f64 = 1e-4;
 
+/// What is wrong with a quantity.
+#[derive(Debug, Clone, Copy)]
+enum Fault {
+    /// Its size: a little, in the largest component of a vector, or in every entry of a matrix.
+    Size,
+    /// The sign of one entry.
+    Sign([usize; 3]),
+}
+
+impl Fault {
+    fn value(self, place: [usize; 3], value: f64) -> f64 {
+        match self {
+            Fault::Size => value + ERROR * value.abs().max(1.0),
+            Fault::Sign(wrong) if wrong == place => -value,
+            Fault::Sign(_) => value,
+        }
+    }
+}
+
 /// `inner`, with an error in `wrong`.
 #[derive(Debug, Clone)]
 pub struct Tampered<S> {
     inner: S,
     wrong: &'static str,
+    fault: Fault,
 }
 
 impl<S> Tampered<S> {
     /// Makes one quantity wrong.
     pub fn new(inner: S, wrong: &'static str) -> Self {
-        Tampered { inner, wrong }
+        Tampered {
+            inner,
+            wrong,
+            fault: Fault::Size,
+        }
+    }
+
+    /// Flips the sign of one entry of a quantity.
+    pub fn with_sign_flipped(inner: S, wrong: &'static str, entry: [usize; 3]) -> Self {
+        Tampered {
+            inner,
+            wrong,
+            fault: Fault::Sign(entry),
+        }
+    }
+
+    fn fault(&self, quantity: &str) -> Option<Fault> {
+        (quantity == self.wrong).then_some(self.fault)
     }
 
     fn number(&self, quantity: &str, value: f64) -> f64 {
-        if quantity == self.wrong {
-            value + ERROR * value.abs().max(1.0)
-        } else {
-            value
+        match self.fault(quantity) {
+            Some(fault) => fault.value([0; 3], value),
+            None => value,
         }
     }
 
     fn vector(&self, quantity: &str, values: &mut [f64]) {
-        if let Some(value) = values.iter_mut().max_by(|a, b| a.abs().total_cmp(&b.abs())) {
-            *value = self.number(quantity, *value);
+        let Some(fault) = self.fault(quantity) else {
+            return;
+        };
+        let mut entries = values.iter_mut().enumerate();
+        let entry = match fault {
+            Fault::Size => entries.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs())),
+            Fault::Sign([entry, ..]) => entries.nth(entry),
+        };
+        if let Some((i, value)) = entry {
+            *value = fault.value([i, 0, 0], *value);
         }
     }
 
     fn sink<'a, T>(&self, quantity: &str, sink: &'a mut T) -> Wrong<'a, T> {
-        Wrong {
-            sink,
-            wrong: quantity == self.wrong,
-        }
+        let fault = self.fault(quantity);
+        Wrong { sink, fault }
     }
 }
 
-/// Makes every entry wrong.
+/// Makes entries wrong on their way.
 struct Wrong<'a, T> {
     sink: &'a mut T,
-    wrong: bool,
+    fault: Option<Fault>,
 }
 
 impl<T> Wrong<'_, T> {
-    fn value(&self, value: f64) -> f64 {
-        if self.wrong {
-            value + ERROR * value.abs().max(1.0)
-        } else {
-            value
+    fn value(&self, place: [usize; 3], value: f64) -> f64 {
+        match self.fault {
+            Some(fault) => fault.value(place, value),
+            None => value,
         }
     }
 }
 
 impl<T: MatrixSink> MatrixSink for Wrong<'_, T> {
     fn set(&mut self, row: usize, column: usize, value: f64) {
+        let wrong = self.value([row, column, 0], value);
         // One triangle more than the other, so that a wrong M is not merely another M.
-        let more = if row > column { 1.5 } else { 1.0 };
-        let value = value + more * (self.value(value) - value);
-        self.sink.set(row, column, value);
+        let more = match self.fault {
+            Some(Fault::Size) if row > column => 1.5,
+            _ => 1.0,
+        };
+        self.sink.set(row, column, value + more * (wrong - value));
     }
 }
 
 impl<T: TensorSink> TensorSink for Wrong<'_, T> {
     fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
-        let value = self.value(value);
+        let value = self.value([i, j, k], value);
         self.sink.set(i, j, k, value);
     }
 }
@@ -208,7 +252,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
     ) {
         self.inner.constraints(t, q, phi, &mut self.sink("a", a), b);
         self.vector("phi", &mut phi[..S::STRUCTURE.holonomic_rows]);
-        self.vector("b", &mut b[..S::STRUCTURE.holonomic_rows]);
+        // Differences do not know b of a nonholonomic row by itself.
+        let rows = match self.fault {
+            Fault::Size => S::STRUCTURE.holonomic_rows,
+            Fault::Sign(_) => R,
+        };
+        self.vector("b", &mut b[..rows]);
     }
     fn constraint_rates(
         &self,

@@ -232,3 +232,66 @@ fn declarations_compile_to_the_same_sizes_again() {
         assert_eq!(analysis.derived.system.rows.len(), scene.model.rows.len());
     }
 }
+
+/// A chain of bars in joint coordinates: of the plane, or of space with axes in turn.
+fn chain(links: usize, spatial: bool) -> String {
+    let world = match spatial {
+        true => "Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint)",
+        false => "Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Joint)",
+    };
+    let mut out = format!("Chain {{ world: {world},");
+    for k in 0..links {
+        let before = match k {
+            0 => "ground".to_owned(),
+            k => format!("link{}", k - 1),
+        };
+        let (next, axis) = (k + 1, ["X", "Y"][k % 2]);
+        out += &match (spatial, k) {
+            (true, _) => format!(
+                "link{k}: Bar(mass = 1.0_kg, from = [0.0, 0.0, -{k}.0], to = [0.0, 0.0, -{next}.0], radius = 0.05_m),
+                joint{k}: Revolute({before}, link{k}, at = [0.0, 0.0, -{k}.0], axis = {axis}),"
+            ),
+            (false, 0) => "link0: Bar(mass = 1.0_kg, length = 1.0_m),
+                joint0: Revolute(ground.origin, link0.a),"
+                .to_owned(),
+            (false, _) => format!(
+                "link{k}: Bar(mass = 1.0_kg, length = 1.0_m),
+                joint{k}: Revolute({before}.b, link{k}.a),"
+            ),
+        };
+    }
+    out + "}"
+}
+
+/// Affinities are generated where their code is short, whatever the number of velocities.
+#[test]
+fn affinities_are_generated_where_they_are_short() {
+    let operations = |declaration: &str| {
+        let program = mbs_macros_core::dag::lower(&analysis(declaration).derived);
+        let function = program.function("affinities");
+        function.map(|function| function.cost().total())
+    };
+    for scene in scenes::scenes() {
+        assert!(
+            operations(scene.model.declaration).is_some(),
+            "{}",
+            scene.name
+        );
+    }
+    let planar = operations(&chain(12, false));
+    assert!(planar.is_some_and(|count| count > 0), "{planar:?}");
+    // The same fixture tests what the runtime does instead.
+    let whip = <fixtures::Whip as Mechanism>::MODEL.declaration;
+    assert_eq!(operations(whip), None);
+}
+
+/// Deriving affinities that are too long stops on the way. (With all of them, twice the length of this chain gives 5.7 times
+/// the expressions.)
+#[test]
+fn deriving_long_affinities_stops_early() {
+    let derived = |links| analysis(&chain(links, true)).derived;
+    let (short, long) = (derived(12), derived(24));
+    assert!(short.affinities.is_none() && long.affinities.is_none());
+    let (short, long) = (short.system.graph.len(), long.system.graph.len());
+    assert!(long < 4 * short, "{long} nodes against {short}");
+}

@@ -72,7 +72,7 @@ fn what_is_affine() {
         graph.function(Function::Step, y),
     );
     for bent in [square, product, quotient, sign, step] {
-        assert_eq!(read(graph, bent), None, "{}", graph.short_text(bent, 80));
+        assert_eq!(read(graph, bent), None, "{}", graph.text(bent));
     }
 }
 

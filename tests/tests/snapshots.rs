@@ -1,97 +1,10 @@
-//! Small declarations after every stage of the compiler. `cargo insta review` shows what a change does to them.
+//! Small declarations after every stage of the compiler, and what is derived for some scenes: as formulas, and as numbers
+//! that the generated code gives. `cargo insta review` shows what a change does to them.
 
+use mbs_tests::interpreted::analysis;
+use mbs_tests::small;
 use mbs_tests::stages;
-
-const PENDULUM: &str = r#"Pendulum {
-    doc: "A uniform bar on a bearing.",
-    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
-
-    /// Length of the bar.
-    length: Param(1.0_m),
-    /// Mass of the bar.
-    mass: Param(2.0_kg),
-
-    bar: Bar(mass = mass, length = length, angle = -30.0_deg),
-    pivot: Revolute(ground.origin, bar.a),
-
-    tip: Output(bar.b),
-}"#;
-
-// ANCHOR: slider_crank
-const SLIDER_CRANK: &str = r#"SliderCrank {
-    doc: "A crank, a rod and a massless slider.",
-    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
-
-    crank_length: Param(0.15_m),
-    rod_length: Param(0.4_m),
-    crank_mass: Param(0.5_kg),
-    rod_mass: Param(0.8_kg),
-
-    crank: Bar(mass = crank_mass, length = crank_length, angle = 60.0_deg, rate = 10.0_rad_per_s),
-    rod: Bar(mass = rod_mass, length = rod_length),
-
-    bearing: Revolute(ground.origin, crank.a),
-    pin: Revolute(crank.b, rod.a),
-    guide: PointOnLine(rod.b, ground.origin, axis = X),
-
-    stroke: Output(rod.b.x),
-}"#;
-// ANCHOR_END: slider_crank
-
-const SLEIGH: &str = r#"Sleigh {
-    doc: "A body on a knife edge, tied to the ground by a spring and damper.",
-    world: Planar(),
-
-    mass: Param(3.0_kg),
-    inertia: Param(0.4_kg_m2),
-    arm: Param(0.2_m),
-    stiffness: Param(50.0_N_per_m),
-    damping: Param(2.0_N_s_per_m),
-
-    sleigh: Body(
-        mass = mass,
-        inertia = inertia,
-        center_of_mass = [arm, 0.0_m],
-        velocity = [1.0_m_per_s, 0.0_m_per_s]
-    ),
-    edge: Nonholonomic(dot(sleigh.velocity, sleigh.y)),
-    tie: SpringDamper(
-        ground.point(2.0_m, 1.0_m),
-        sleigh.point(0.0_m, 0.1_m),
-        stiffness = stiffness,
-        damping = damping,
-        length = 0.5_m
-    ),
-
-    heading: Output(sleigh.angle),
-    sideways: Event(sleigh.angle.cos()),
-}"#;
-
-const FLAP: &str = r#"Flap {
-    doc: "A body on a hinge with a spring, in space.",
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
-
-    mass: Param(2.0_kg),
-    arm: Param(0.3_m),
-    stiffness: Param(4.0_Nm),
-
-    plate: Body(
-        mass = mass,
-        inertia = diag(0.01, 0.02, 0.03),
-        center_of_mass = [arm, 0.0, 0.0],
-    ),
-    hinge: Revolute(ground.origin, plate.origin, axis = Y),
-    spring: TorsionSpring(hinge, stiffness = stiffness, angle = 0.2),
-
-    tip: Output(plate.point(2.0 * arm, 0.0, 0.0).z),
-}"#;
-
-const FIXTURES: [(&str, &str); 4] = [
-    ("pendulum", PENDULUM),
-    ("slider-crank", SLIDER_CRANK),
-    ("sleigh", SLEIGH),
-    ("flap", FLAP),
-];
+use mbs_tests::values;
 
 /// Stage 6, formatted.
 fn rust(declaration: &str) -> String {
@@ -147,8 +60,9 @@ fn methods(declaration: &str, names: &[&str]) -> String {
 
 #[test]
 fn stages_1_to_5() {
-    for (name, declaration) in FIXTURES {
+    for (name, declaration) in small::ALL {
         for (stage, text) in stages::texts(declaration) {
+            assert!(!text.contains('…'), "{name}-{stage}: a formula is cut");
             insta::assert_snapshot!(format!("{name}-{stage}"), text);
         }
     }
@@ -156,7 +70,7 @@ fn stages_1_to_5() {
 
 #[test]
 fn stage_6() {
-    for (name, declaration) in FIXTURES {
+    for (name, declaration) in small::ALL {
         insta::assert_snapshot!(format!("{name}-6-rust"), rust(declaration));
     }
 }
@@ -164,11 +78,29 @@ fn stage_6() {
 /// What an integrator evaluates most often.
 #[test]
 fn constraints() {
-    for (name, declaration) in FIXTURES {
+    for (name, declaration) in small::ALL {
         insta::assert_snapshot!(
             format!("constraints-of-{name}"),
             methods(declaration, &["constraints"])
         );
+    }
+}
+
+/// M, Γ, A, b, Ȧ, γ and the tangents of the forces and of the momentum.
+#[test]
+fn formulas_of_scenes() {
+    for name in small::SCENES {
+        let analysis = analysis(small::scene(name));
+        let text = stages::quantities(&analysis.derived);
+        insta::assert_snapshot!(format!("formulas-of-{name}"), text);
+    }
+}
+
+/// The same quantities in numbers, from the compiled functions.
+#[test]
+fn values() {
+    for (name, text) in values::texts() {
+        insta::assert_snapshot!(format!("values-of-{name}"), text);
     }
 }
 
@@ -184,7 +116,7 @@ fn every_snapshot_has_its_test() {
         "5-program",
         "6-rust",
     ];
-    let mut expected: Vec<String> = FIXTURES
+    let mut expected: Vec<String> = small::ALL
         .iter()
         .flat_map(|(name, _)| {
             let each = stages
@@ -193,6 +125,10 @@ fn every_snapshot_has_its_test() {
             each.chain([format!("snapshots__constraints-of-{name}.snap")])
         })
         .collect();
+    let scenes = small::SCENES.iter();
+    expected.extend(scenes.map(|name| format!("snapshots__formulas-of-{name}.snap")));
+    let values = values::texts().into_iter();
+    expected.extend(values.map(|(name, _)| format!("snapshots__values-of-{name}.snap")));
     expected.sort();
     let mut found: Vec<String> = std::fs::read_dir(directory)
         .expect("snapshots are checked in")
@@ -216,7 +152,7 @@ fn compiling_is_deterministic() {
     let small = scenes
         .iter()
         .filter(|scene| scene.model.coordinates.len() <= 20);
-    let all: Vec<&str> = FIXTURES
+    let all: Vec<&str> = small::ALL
         .iter()
         .map(|(_, declaration)| *declaration)
         .chain(small.map(|scene| scene.model.declaration))

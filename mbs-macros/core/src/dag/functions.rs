@@ -1,7 +1,7 @@
 //! Which functions a mechanism gets, and what each computes.
 
 use super::accelerations::accelerations;
-use super::kernels::kernels;
+use super::kernels::{LONGEST, kernels};
 use super::lower::{Hoisted, Lowering};
 use super::{Constant, Function, Operand, Place, Program, Sparse, Structure, Turning};
 use crate::derivatives::{Derived, Matrix};
@@ -108,6 +108,9 @@ pub fn lower(derived: &Derived) -> Program {
             .collect();
         make("reactions", &mut |f| vector(f, "reactions", &reactions));
     }
+    // No integrator needs affinities: they are generated only where they are short.
+    functions
+        .retain(|function| function.name != "affinities" || function.operations.len() <= LONGEST);
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
     functions.extend(accelerations(&mut graph, &mut hoisted, derived));
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
@@ -262,7 +265,7 @@ fn constants(graph: &mut Graph, hoisted: &mut Hoisted) -> (Vec<Constant>, [Funct
     let constants = list
         .iter()
         .map(|&(expr, _)| Constant {
-            text: graph.short_text(expr, 90),
+            text: graph.text(expr),
             after_inverse: uses_inverse(graph, expr),
         })
         .collect();

@@ -2,8 +2,16 @@
 
 use super::Matrix;
 use crate::model::Rotation;
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Graph, Length, Symbol};
 use std::collections::BTreeMap;
+
+/// Entries (i, j, k) that are not zero.
+pub type Affinities = BTreeMap<(usize, usize, usize), Expr>;
+
+/// Deriving affinities stops where their expressions have more operations than this: there are as many affinities as the
+/// cube of the number of velocities. A function with more than half of it is not generated (`dag::functions`); the count
+/// of expressions is coarser than that of the program that they become.
+const LONGEST: usize = 5000;
 
 /// p = M v.
 pub(super) fn momentum(graph: &mut Graph, size: usize, mass: &Matrix) -> Vec<Expr> {
@@ -38,42 +46,59 @@ pub(super) fn kinetic(graph: &mut Graph, size: usize, mass: &Matrix) -> Expr {
     graph.sum(rows)
 }
 
-/// Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i).
-pub(super) fn christoffel(
+/// All affinities; `None` where they are long. What is too long is noticed on the way.
+pub(super) fn affinities(
     graph: &mut Graph,
-    size: usize,
+    rotations: &[Rotation],
     mass: &Matrix,
-) -> BTreeMap<(usize, usize, usize), Expr> {
-    // ∂M_ij/∂q_k, upper triangle; nothing at all where M is constant.
-    let mut slopes: BTreeMap<(usize, usize, usize), Expr> = BTreeMap::new();
+) -> Option<Affinities> {
+    let mut length = Length::default();
+    let slopes = slopes(graph, mass, &mut length)?;
+    let mut affinities = christoffel(graph, &slopes);
+    gyroscopic(graph, rotations, mass, &mut affinities);
+    for &value in affinities.values() {
+        length.add(graph, value);
+        if length.operations() > LONGEST {
+            return None;
+        }
+    }
+    Some(affinities)
+}
+
+/// ∂M_ij/∂q_k, upper triangle; nothing at all where M is constant, and `None` where they are long.
+fn slopes(graph: &mut Graph, mass: &Matrix, length: &mut Length) -> Option<Affinities> {
+    let mut slopes = Affinities::new();
     for (&(i, j), &entry) in mass {
         for symbol in graph.directions([entry]) {
             if let Symbol::Coordinate(k) = symbol {
-                slopes.insert((i, j, k as usize), graph.derivative(entry, symbol));
+                let slope = graph.derivative(entry, symbol);
+                slopes.insert((i, j, k as usize), slope);
+                length.add(graph, slope);
+                if length.operations() > LONGEST {
+                    return None;
+                }
             }
         }
     }
-    let mut affinities = BTreeMap::new();
-    if slopes.is_empty() {
-        return affinities;
-    }
-    let slope = |i: usize, j: usize, k: usize| slopes.get(&(i.min(j), i.max(j), k)).copied();
-    for i in 0..size {
-        for j in 0..size {
-            for k in 0..size {
-                let terms: Vec<(Expr, f64)> = [
-                    (slope(i, j, k), 0.5),
-                    (slope(i, k, j), 0.5),
-                    (slope(j, k, i), -0.5),
-                ]
-                .into_iter()
-                .filter_map(|(term, sign)| Some((term?, sign)))
-                .collect();
-                let value = graph.linear(0.0, &terms);
-                if !graph.is_zero(value) {
-                    affinities.insert((i, j, k), value);
-                }
+    Some(slopes)
+}
+
+/// Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i): what each slope of M contributes to, as there are few of them.
+fn christoffel(graph: &mut Graph, slopes: &Affinities) -> Affinities {
+    let mut terms: BTreeMap<(usize, usize, usize), Vec<(Expr, f64)>> = BTreeMap::new();
+    for (&(row, column, k), &slope) in slopes {
+        let both = [(row, column), (column, row)];
+        for &(i, j) in &both[..if row == column { 1 } else { 2 }] {
+            for (place, factor) in [((i, j, k), 0.5), ((i, k, j), 0.5), ((k, i, j), -0.5)] {
+                terms.entry(place).or_default().push((slope, factor));
             }
+        }
+    }
+    let mut affinities = Affinities::new();
+    for (place, terms) in terms {
+        let value = graph.linear(0.0, &terms);
+        if !graph.is_zero(value) {
+            affinities.insert(place, value);
         }
     }
     affinities
@@ -109,11 +134,11 @@ pub(super) fn turning_momentum(
 }
 
 /// Adds the structure constants of the rotations: ω × p = Γ_ijk v_j v_k, symmetric in j and k.
-pub(super) fn gyroscopic(
+fn gyroscopic(
     graph: &mut Graph,
     rotations: &[Rotation],
     mass: &Matrix,
-    affinities: &mut BTreeMap<(usize, usize, usize), Expr>,
+    affinities: &mut Affinities,
 ) {
     for rotation in rotations {
         let first = rotation.velocity;

@@ -21,11 +21,8 @@ use crate::equations::System;
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
 
+pub use affinities::Affinities;
 pub use inverse_mass::InverseMass;
-
-/// The most velocities with which affinities are derived one by one: there are as many as the cube of their number. No
-/// integrator needs them, as ∂T/∂q and ∂p/∂q say the same; beyond this the runtime reads them off ∂p/∂q.
-pub const AFFINITIES: usize = 10;
 
 /// A sparse matrix of expressions, in row order.
 pub type Matrix = BTreeMap<(usize, usize), Expr>;
@@ -41,9 +38,9 @@ pub struct Derived {
     pub momentum: Vec<Expr>,
     /// T = ½ v·M v.
     pub kinetic: Expr,
-    /// Christoffel affinities of the first kind, (i, j, k).
-    /// `None` beyond [`AFFINITIES`] velocities.
-    pub affinities: Option<BTreeMap<(usize, usize, usize), Expr>>,
+    /// Affinities of the first kind, (i, j, k). `None` where they are long: no integrator needs them, as ∂T/∂q and ∂p/∂q
+    /// say the same, and the runtime reads them off ∂p/∂q.
+    pub affinities: Option<Affinities>,
     /// Constraint Jacobian A.
     pub jacobian: Matrix,
     /// b of φ̇ = A v + b.
@@ -107,12 +104,7 @@ pub fn derive(mut system: System) -> Derived {
             (momentum, kinetic)
         }
     };
-    let affinities = (size <= AFFINITIES).then(|| {
-        let mut affinities = affinities::christoffel(graph, size, &system.mass);
-        let rotations = &system.layout.rotations;
-        affinities::gyroscopic(graph, rotations, &system.mass, &mut affinities);
-        affinities
-    });
+    let affinities = affinities::affinities(graph, &system.layout.rotations, &system.mass);
     let mut inertial: Vec<Expr> = match &system.kinetic {
         Some(kinetic) => kinetic.slopes.clone(),
         None => (0..size as u32)

@@ -40,7 +40,7 @@ pub(super) fn emit(
         .iter()
         .enumerate()
         .map(|(slot, constant)| {
-            let (field, doc) = (format_ident!("k{slot}"), doc(&constant.text));
+            let (field, doc) = (format_ident!("k{slot}"), doc(&start(&constant.text)));
             quote! { #doc #field: f64, }
         });
     let laws = model.laws.iter().enumerate().map(|(index, law)| {
@@ -125,5 +125,13 @@ fn mass_type(program: &Program) -> TokenStream {
         (Some(_), _) => quote! { type Mass = (); },
         (None, Some((_, entries))) => quote! { type Mass = [f64; #entries]; },
         (None, None) => quote! { type Mass = ::mbs_runtime::generated::Cholesky<#size>; },
+    }
+}
+
+/// As much of a formula as fits a comment of one line.
+fn start(formula: &str) -> String {
+    match formula.char_indices().nth(90) {
+        Some((end, _)) => format!("{} …", &formula[..end]),
+        None => formula.to_owned(),
     }
 }

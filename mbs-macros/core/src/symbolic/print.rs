@@ -1,6 +1,7 @@
 //! Expressions as text, for people: stable, infix, with as few parentheses as precedence allows.
 
 use super::{Expr, Function, Graph, Node, Number};
+use std::collections::BTreeMap;
 
 impl Function {
     /// The name used in declarations, dumps and (as a method of `f64`) in generated code.
@@ -38,22 +39,33 @@ enum Precedence {
 impl Graph {
     /// The expression as text.
     pub fn text(&self, expr: Expr) -> String {
-        let mut out = String::new();
-        self.write(expr, Precedence::Sum, &mut out);
-        out
+        self.text_naming(expr, &BTreeMap::new())
     }
 
-    /// The expression as text, cut to about `limit` characters.
-    pub fn short_text(&self, expr: Expr, limit: usize) -> String {
-        let text = self.text(expr);
-        match text.char_indices().nth(limit) {
-            Some((cut, _)) => format!("{} …", &text[..cut]),
-            None => text,
+    /// The expression as text, with names in place of those of its operands that have one.
+    pub fn text_naming(&self, expr: Expr, names: &BTreeMap<Expr, String>) -> String {
+        let mut out = String::new();
+        let writer = Writer { graph: self, names };
+        writer.write_node(expr, Precedence::Sum, &mut out);
+        out
+    }
+}
+
+struct Writer<'a> {
+    graph: &'a Graph,
+    names: &'a BTreeMap<Expr, String>,
+}
+
+impl Writer<'_> {
+    fn write(&self, expr: Expr, outer: Precedence, out: &mut String) {
+        match self.names.get(&expr) {
+            Some(name) => out.push_str(name),
+            None => self.write_node(expr, outer, out),
         }
     }
 
-    fn write(&self, expr: Expr, outer: Precedence, out: &mut String) {
-        match self.node(expr) {
+    fn write_node(&self, expr: Expr, outer: Precedence, out: &mut String) {
+        match self.graph.node(expr) {
             Node::Constant(number) => {
                 let value = number.value();
                 if value < 0.0 && outer > Precedence::Sum {
@@ -62,7 +74,7 @@ impl Graph {
                     out.push_str(&value.to_string());
                 }
             }
-            Node::Symbol(symbol) => out.push_str(&self.name(*symbol)),
+            Node::Symbol(symbol) => out.push_str(&self.graph.name(*symbol)),
             Node::Sum { constant, terms } => {
                 let single = *constant == Number::ZERO && terms.len() == 1;
                 let parentheses = outer
