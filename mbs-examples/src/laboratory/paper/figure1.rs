@@ -73,11 +73,11 @@ pub fn figure(extent: Extent) -> Figure {
         panels: vec![
             Panel::of_runs(
                 "error of the mechanical energy",
-                "energy error, J",
+                "|energy error|, J",
                 Column::EnergyError,
                 &METHODS,
                 whole,
-                Scale::Between(-1.0, 0.2),
+                Scale::Decades(-12, 2),
             ),
             Panel::of_runs(
                 "height of the particle, later",

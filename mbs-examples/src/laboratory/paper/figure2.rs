@@ -69,7 +69,7 @@ pub fn figure(extent: Extent) -> Figure {
     let energy = |title, runs: &[&'static str], scale| {
         Panel::of_runs(
             title,
-            "energy error, J",
+            "|energy error|, J",
             Column::EnergyError,
             runs,
             window,
@@ -112,13 +112,13 @@ pub fn figure(extent: Extent) -> Figure {
             energy(
                 "energy error, constant penalties",
                 &with_two_level(&of_penalty),
-                Scale::Between(-3.0, 0.5),
+                Scale::Decades(-12, 1),
             ),
             step("shortest step, ξ = 100", &of_mass),
             energy(
                 "energy error, ξ = 100",
                 &with_two_level(&of_mass),
-                Scale::Between(-3.0, 0.5),
+                Scale::Decades(-12, 1),
             ),
         ],
     }

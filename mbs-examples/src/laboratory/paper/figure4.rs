@@ -93,7 +93,9 @@ pub fn figure(extent: Extent) -> Figure {
         subject: &SLIDER_CRANK,
         columns: vec![Column::Energy, Column::EnergyError, Column::Step],
         runs,
-        ensemble: &[PAPER, HEAVIER, "ξ = 1e3", "ξ = 1e4", "ξ = 1e5", M_ALF],
+        ensemble: &[
+            PAPER, COLD, STRICT, "ξ = 100", "ξ = 1e3", "ξ = 1e6", "ξ = 1e8", M_ALF, M_ALF_COLD,
+        ],
         panels: vec![
             step("shortest step, constant penalties", &constant),
             energy("mechanical energy, constant penalties", &constant),

@@ -39,7 +39,7 @@ pub fn figure(extent: Extent) -> Figure {
     ];
     let first = [0.0, extent.time(10.0)];
     let energy = |title, window, scale| {
-        let axis = "energy error, J";
+        let axis = "|energy error|, J";
         Panel::of_runs(title, axis, Column::EnergyError, &METHODS, window, scale)
     };
     Figure {
@@ -64,12 +64,12 @@ pub fn figure(extent: Extent) -> Figure {
             energy(
                 "error of the mechanical energy",
                 first,
-                Scale::Between(-0.1, 0.02),
+                Scale::Decades(-12, 2),
             ),
             energy(
                 "the same, longer",
                 [0.0, extent.time(100.0)],
-                Scale::Between(-5.0, 1.0),
+                Scale::Decades(-12, 2),
             ),
         ],
     }

@@ -93,7 +93,12 @@ pub fn sketch(svg: &mut Svg, [left, top, width, height]: [f64; 4], sketch: &Sket
     for (i, (name, _)) in sketch.points.iter().enumerate() {
         let [x, y] = at(i);
         svg.rect([x - 2.5, y - 2.5], [5.0, 5.0], "#fff");
-        svg.text([x + 9.0, y - 7.0], 13.0, Anchor::Start, INK, name);
+        let aside = if sketch.grounds.contains(&i) {
+            -24.0
+        } else {
+            9.0
+        };
+        svg.text([x + aside, y - 7.0], 13.0, Anchor::Start, INK, name);
     }
     // Gravity points down in all of them.
     let [x, y] = [left + width - 18.0, top + 20.0];
