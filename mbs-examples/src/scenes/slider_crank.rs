@@ -4,24 +4,8 @@
 //! Reference: the smooth branch, on which the rods stay mirror images, as an ordinary differential equation in the crank
 //! angle.
 //!
-//! # The paper's own scheme on this scene
-//!
-//! `--method alf3f-paper` runs Algorithm 1 to the letter. The impulse of a step acts along A at mid-step while the row is
-//! tested with A at its end; where a step straddles the singular pose the two have opposite signs, and no multiplier can
-//! satisfy the row to a tight tolerance. What happens then depends on two tolerances, that of ψ̇ and that of the outer
-//! loop over q, which the paper leaves open. Measured over 20 s at h = 1e-3 s (`cargo run --release -p mbs-examples
-//! --example paper_tolerances`):
-//!
-//! | ψ̇ | outer loop | ω of k̄, c̄ | reached | energy error | halved steps |
-//! |---|---|---|---|---|---|
-//! | 1e-2 | 1e-3 | 0 | 6.88 s, step underflow | 0.41 J | 54 |
-//! | 1e-3 | 1e-3 | 0 | 20 s | 2.4 J | 25 |
-//! | 1e-3 | 1e-4 (default) | 0 | 3.93 s, step underflow | 5.1e-4 J | 21 |
-//! | 1e-3 | 1e-5 | 0 | 0.393 s, the first singular pose, step underflow | 1.1e-5 J | 21 |
-//! | 1e-3 | 1e-4 | 20 /s | 3.94 s, step underflow | 3.1e-2 J | 28 |
-//! | 1e-4 | 1e-4 | 0 | 20 s | 2.9 J | 23057 |
-//! | 1e-6 | 1e-4 | 0 | 20 s | 0.64 J | 732 |
-//! | 1e-6 | 1e-6 | 0 | 10.2 s, step underflow | 0.26 J | 3472 |
+//! `--method alf3f-paper` runs Algorithm 1 of the paper on it; Figures 3 to 5 of the book show that on the model of the
+//! paper's size.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

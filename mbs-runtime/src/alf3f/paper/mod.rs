@@ -17,6 +17,7 @@
 //! The numbers in the comments are the lines of Algorithm 1. At singular poses the impulse acts along the row of
 //! mid-step and the row is tested at the end of the step: with tight tolerances or long steps no multiplier satisfies it.
 
+mod residual;
 mod rows;
 mod settings;
 mod start;
@@ -30,10 +31,6 @@ use super::{Fault, kicks};
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest};
 use crate::{Method, Settings, SimulationError, State, System};
-
-/// What Newton's iteration leaves of ψ̇, relative to its tolerance: its last correction is smaller than the one before by
-/// more than this.
-const NEWTON_NOISE: f64 = 1e-2;
 
 /// The integrator of the paper by itself.
 pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -280,87 +277,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
-    }
-
-    /// Line 32: whether the residual ℜ and the rows hold for the updated q₁ and λ₁.
-    fn is_settled(&mut self, t1: f64, h: f64, known: &[f64; N], x: &Unknowns<Q, N, R>) -> bool {
-        let defects = self.defects(h, &x.v);
-        if !(largest(&defects) <= self.settings.velocity_tolerance) {
-            return false;
-        }
-        let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * defects[r]);
-        let lambda = self.lifted_lambda(h, x, &mu);
-        let residual = self.residual(t1, h, known, x, &mu, &lambda);
-        let size = |x: &[f64; N]| {
-            let mut y = *x;
-            self.system.solve_mass(&self.end.node.mass, &mut y);
-            dot(x, &y).sqrt()
-        };
-        let mut momentum = [0.0; N];
-        self.system.momentum(&x.q, &x.v, &mut momentum);
-        let scale = dot(&momentum, &x.v).sqrt() + h * size(self.end.force());
-        // Newton's tolerance leaves a ψ̇ that the penalty multiplies: no smaller residual can be asked for.
-        let floor = NEWTON_NOISE * self.settings.newton_tolerance * self.heaviest_penalty(h, x);
-        size(&residual) <= self.settings.residual_tolerance.max(floor) * scale
-    }
-
-    /// The largest penalty, in rows of unit effective mass.
-    fn heaviest_penalty(&self, h: f64, x: &Unknowns<Q, N, R>) -> f64 {
-        let weights = (0..R).map(|r| match self.motion {
-            RowMotion::Own => x.penalty[r],
-            RowMotion::Static => 0.25 * h * h * x.penalty[r] * self.end.node.gram[r][r],
-        });
-        weights.fold(0.0, f64::max)
-    }
-
-    /// What is left of the rows over a step, as velocities: ψ̇ where a row has no stiffness of its own, else the discrete
-    /// form of (31), [m̄ψ̇] + h/2 Σ (c̄ψ̇ + k̄φ) divided by m̄ + h/2 c̄. The latter lets φ move, and brings it back.
-    fn defects(&self, h: f64, v: &[f64; N]) -> [f64; R] {
-        let (start, end) = (&self.start, &self.end);
-        let rates = end.node.velocity_rows(&self.system, v);
-        if !self.solves_row_motion() {
-            return rates;
-        }
-        let before = start
-            .node
-            .velocity_rows(&self.system, &self.state.velocities);
-        std::array::from_fn(|i| {
-            let inertia = end.constraint_mass[i] + 0.5 * h * end.constraint_damping[i];
-            let known = (0.5 * h * start.constraint_damping[i] - start.constraint_mass[i])
-                * before[i]
-                + 0.5 * h * start.constraint_stiffness[i] * start.phi[i];
-            let stiff = 0.5 * h * end.constraint_stiffness[i] * end.phi[i];
-            rates[i] + (known + stiff) / inertia
-        })
-    }
-
-    fn solves_row_motion(&self) -> bool {
-        self.motion == RowMotion::Own && self.settings.stabilisation_frequency > 0.0
-    }
-
-    /// λ̄ of (74); for M-ALF λ with the rate μ̄ at the end of the step.
-    fn lifted_lambda(&self, h: f64, x: &Unknowns<Q, N, R>, mu: &[f64; R]) -> [f64; R] {
-        std::array::from_fn(|r| match self.motion {
-            RowMotion::Own if self.solves_row_motion() => x.lambda[r],
-            RowMotion::Own => x.lambda[r] - x.penalty[r] * self.end.phi[r],
-            RowMotion::Static => x.lambda[r] + 0.5 * h * (mu[r] - x.mu[r]),
-        })
-    }
-
-    /// −η(v₁) of (75) with these multipliers.
-    fn residual(
-        &mut self,
-        t1: f64,
-        h: f64,
-        known: &[f64; N],
-        x: &Unknowns<Q, N, R>,
-        mu: &[f64; R],
-        lambda: &[f64; R],
-    ) -> [f64; N] {
-        let (system, end) = (&self.system, &mut self.end);
-        let force = end.total_force(system, t1, &x.q, &x.v, mu, lambda);
-        let momentum = end.momentum(system, &x.q, &x.v, mu);
-        std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n])
     }
 
     /// Lines 7–28 at fixed q₁: velocities and multipliers.
