@@ -1,7 +1,7 @@
 //! How long each scene takes to compile from its declaration to Rust, stage by stage.
 //!
 //! Procedural macros run unoptimised in users' builds, so run this unoptimised, too:
-//! `cargo run -p mbs-examples --example derivation_times [-- --csv book/src/results/readme]`
+//! `cargo run --profile unoptimised -p mbs-examples --example derivation_times [-- --csv book/src/results/readme]`
 
 use mbs_examples::pages::record::Recorder;
 use mbs_macros_core::{analyse, dag, emit};
@@ -16,7 +16,8 @@ fn main() -> Result<(), String> {
         "total_ms",
         "operations",
     ];
-    let recorder = Recorder::new("cargo run -p mbs-examples --example derivation_times");
+    let recorder =
+        Recorder::new("cargo run --profile unoptimised -p mbs-examples --example derivation_times");
     let mut file = recorder.file("derivation.csv", &COLUMNS, 1)?;
     println!(
         "{:<22} {:>12} {:>10} {:>10} {:>10} {:>12}",

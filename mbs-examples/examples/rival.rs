@@ -27,8 +27,8 @@ const BOUNDS: [f64; 3] = [1e-1, 1e-3, 1e-6];
 /// A run that ends this far from the reference, m, is on another branch.
 const ASTRAY: f64 = 0.3;
 /// Numbers of steps that are tried, and by what factor they grow.
-const STEPS: [f64; 2] = [10.0, 20_000.0];
-const FINER: f64 = 1.05;
+const STEPS: [f64; 2] = [4.0, 20_000.0];
+const FINER: f64 = 1.03;
 /// By how many steps more at least, and by what factor, a run has to be as good.
 const NEIGHBOURS: [(u32, f64); 5] = [(0, 1.0), (1, 1.01), (2, 1.02), (3, 1.05), (4, 1.1)];
 const GAINS: [f64; 7] = [0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0];

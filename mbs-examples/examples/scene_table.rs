@@ -1,8 +1,10 @@
-//! The README's table of scenes: errors of each scene with its own step, and the least time of a step.
+//! The README's table of scenes: errors of each scene with its own step, and the least time of a step; then what is left of the
+//! rows with other steps.
 //!
 //! `cargo run --release -p mbs-examples --example scene_table [--csv book/src/results/readme]`
 
 use mbs_examples::pages::record::Recorder;
+use mbs_examples::pages::rows;
 use mbs_examples::pages::scene_runs::{COLUMNS, KEYS, SCENES, run, scene, time};
 
 /// Times are the least of so many interleaved repeats.
@@ -27,6 +29,14 @@ fn main() -> Result<(), String> {
         }
         println!("{}", row.join(" "));
         file.put(row)?;
+    }
+    let mut file = recorder.file("rows.csv", &rows::COLUMNS, rows::KEYS)?;
+    println!("\n{}", rows::COLUMNS.join(" "));
+    for scene in scenes.iter().filter(|scene| !scene.model.rows.is_empty()) {
+        for step in rows::steps(scene) {
+            file.put(rows::run(scene, step)?)?;
+        }
+        println!("{}", scene.name);
     }
     Ok(())
 }

@@ -14,7 +14,7 @@ pub fn sentence(data: &Data) -> Result<String, String> {
     };
     Ok(paragraph(&format!(
         "Deriving and emitting the slider-crank takes {} ms in an unoptimised compiler, Bricard's mechanism in both descriptions, \
-         with its loop cut in two ways, {} ms (`cargo run -p mbs-examples --example derivation_times`).",
+         with its loop cut in two ways, {} ms (`cargo run --profile unoptimised -p mbs-examples --example derivation_times`).",
         time("slider-crank")?,
         time("bricard")?,
     )))

@@ -20,7 +20,7 @@ pub mod phases;
 pub mod record;
 pub mod registry;
 pub mod rival;
-mod rows;
+pub mod rows;
 pub mod scene_runs;
 mod scenes;
 mod springs;

@@ -64,6 +64,7 @@ pub const ENTRIES: &[Entry] = &[
     block(ACCURACY, "samples", orders::samples),
     block(ACCURACY, "looks", tolerances::looks),
     block(ACCURACY, "tolerances", tolerances::table),
+    block(ACCURACY, "other orders", tolerances::others),
     block(ACCURACY, "compositions", compositions::table),
     block(ACCURACY, "phases", phases::table),
     block(ACCURACY, "rival settings", rival::settings),

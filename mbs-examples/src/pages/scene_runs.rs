@@ -99,7 +99,7 @@ pub fn run(scene: &Scene) -> Result<Row, String> {
         Ok::<_, SimulationError>(frames)
     };
     let stopped = |error: SimulationError| format!("{}: {error}", scene.name);
-    let mut simulation = start(scene).map_err(stopped)?;
+    let mut simulation = start(scene, scene.step).map_err(stopped)?;
     let frames = frames(simulation.as_mut()).map_err(stopped)?;
     let report = simulation.report();
     let kinetic = frames.iter().map(|frame| frame.energy.kinetic);
@@ -128,16 +128,17 @@ pub fn run(scene: &Scene) -> Result<Row, String> {
 /// What stopped it.
 pub fn time(scene: &Scene) -> Result<f64, String> {
     let stopped = |error: SimulationError| format!("{}: {error}", scene.name);
-    let mut simulation = start(scene).map_err(stopped)?;
+    let mut simulation = start(scene, scene.step).map_err(stopped)?;
     let begin = ProcessTime::now();
     simulation.run_until(scene.duration).map_err(stopped)?;
     let time = begin.elapsed().as_secs_f64();
     Ok(1e6 * time / simulation.report().steps as f64)
 }
 
-fn start(scene: &Scene) -> Result<Box<dyn AnySimulation>, SimulationError> {
+/// The scene at its start, with this step.
+pub(super) fn start(scene: &Scene, step: f64) -> Result<Box<dyn AnySimulation>, SimulationError> {
     let settings = Settings {
-        step: scene.step,
+        step,
         ..Settings::default()
     };
     (scene.build)(&[], settings)

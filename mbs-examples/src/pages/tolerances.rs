@@ -3,7 +3,7 @@
 use mbs_runtime::Settings;
 
 use super::data::Data;
-use super::markdown::{paragraph, table as markdown, thousands};
+use super::markdown::{paragraph, significant, table as markdown, thousands};
 use super::scene_runs::scene;
 
 /// Below `book/src/results`.
@@ -65,7 +65,42 @@ pub fn table(data: &Data) -> Result<String, String> {
     Ok(markdown(&[&["scene"], &TOLERANCES[..]].concat(), &rows))
 }
 
-/// What it costs to look between steps, and the worst multiples of other orders than the usual ones.
+/// The largest multiples at other orders than the usual ones.
+pub fn others(data: &Data) -> Result<String, String> {
+    const SHOWN: usize = 3;
+    let results = data.table(FILE)?;
+    let mut found = Vec::new();
+    for line in results.lines() {
+        let [scene, order, tolerance] = [
+            line.text("scene")?,
+            line.text("order")?,
+            line.text("tolerance")?,
+        ];
+        if order != "2" && usual_order(scene, tolerance)? != order {
+            found.push((
+                line.number("error_over_tolerance")?,
+                scene,
+                order,
+                tolerance,
+            ));
+        }
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let list: Vec<String> = (found.iter().take(SHOWN))
+        .map(|(ratio, scene, order, tolerance)| {
+            format!(
+                "{} at {tolerance} (order {order} on {scene})",
+                significant(*ratio, 2)
+            )
+        })
+        .collect();
+    Ok(paragraph(&format!(
+        "Other orders above 2 do not do so well everywhere. Their largest multiples are {}.",
+        list.join(", ")
+    )))
+}
+
+/// What it costs to look between steps.
 pub fn looks(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
     let order = usual_order("slider-crank", "1e-6")?;
