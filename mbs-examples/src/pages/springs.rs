@@ -26,7 +26,7 @@ pub fn sentence(data: &Data) -> Result<String, String> {
         failed => format!("fails in {failed} of the {all} cells of all maps"),
     };
     Ok(paragraph(&format!(
-        "Beside a stiff spring constant steps are not enough: with a step of 0.01 s and ω h = 0.1, 1, 10, …, 1e4 (ω² = stiffness / \
+        "Beside a stiff spring constant steps are not enough: with a step of 0.01 s and ω h = 0.01, 0.1, …, 1e4 (ω² = stiffness / \
          mass) {}. With a tolerance the method {tolerant} ([the maps](book/src/results/stability.md)).",
         orders.join(", ")
     )))
