@@ -12,6 +12,8 @@ pub struct Found<'p> {
     pub name: &'p str,
     /// Where its text is, in bytes.
     pub text: Range<usize>,
+    /// Whether it is a part of a line. (A comment at the beginning of a line ends the paragraph before it.)
+    pub inline: bool,
 }
 
 /// The blocks of a page, in their order. What is shown as code is none.
@@ -38,9 +40,11 @@ pub fn find(page: &str) -> Result<Vec<Found<'_>>, String> {
         if page[start..end].contains(BEGIN) {
             return Err(format!("block `{name}` has another one inside"));
         }
+        let line = page[..begin - BEGIN.len()].rsplit('\n').next();
         found.push(Found {
             name,
             text: start..end,
+            inline: line.is_some_and(|line| !line.trim().is_empty()),
         });
         at = end;
     }
@@ -59,11 +63,11 @@ fn end_of(name: &str) -> String {
     format!("<!-- end of {name}{CLOSE}")
 }
 
-/// The text of a block as it is on its page: lines of their own, or a part of a line where the old text is one.
-pub fn framed(old: &str, new: &str) -> String {
+/// The text of a block as it is on its page: a part of a line, or lines of their own.
+pub fn framed(found: &Found, new: &str) -> String {
     let new = new.trim();
-    match old.is_empty() || old.contains('\n') {
-        true => format!("\n\n{new}\n\n"),
-        false => new.to_owned(),
+    match found.inline {
+        true => new.to_owned(),
+        false => format!("\n\n{new}\n\n"),
     }
 }

@@ -82,7 +82,7 @@ fn page(
         match text {
             Err(problem) => wrong.push(format!("{path}: block `{}`: {problem}", found.name)),
             Ok(text) => {
-                let text = block::framed(before, &text);
+                let text = block::framed(found, &text);
                 if text != before {
                     stale.push(found.name.to_owned());
                 }
