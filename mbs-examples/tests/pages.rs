@@ -148,8 +148,8 @@ fn agree(before: f64, now: f64, round_off: f64) -> bool {
     (before - now).abs() <= 0.05 * before.abs().max(now.abs()) + round_off
 }
 
-/// The scenes that take less than about a second without optimisation. `bricard-reference` (30 rows), the chains of four-bars
-/// (21 and 81) and the twenty or fifty thousand steps of `rolling-disk` and `andrews` would take minutes together.
+/// Scenes with few rows and at most ten thousand steps. The others of the table (the chains of four-bars, `bricard-reference`
+/// with 30 rows, `andrews` with fifty thousand steps) take longer, or are of the same kind as one of these.
 #[test]
 fn quick_scenes_run_as_the_table_says() {
     const QUICK: [&str; 8] = [
