@@ -1,11 +1,14 @@
 //! Instructions of a step of the double four-bar and of Andrews' mechanism, hand-written and generated, and of every scene, counted by valgrind's callgrind: exact and
 //! repeatable, whatever else the machine is doing.
 //!
-//! `cargo bench -p mbs-examples --bench step_instructions` (needs valgrind on the path)
+//! `cargo bench -p mbs-examples --bench step_instructions [-- --csv DIR]` (needs valgrind on the path; a bench runs in
+//! its package, so that DIR is `../book/src/results/readme`)
 
 #[allow(clippy::needless_range_loop)]
 mod handwritten;
 
+use cpu_time::ProcessTime;
+use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{andrews::Andrews, double_four_bar::DoubleFourBar, scenes};
 use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper};
@@ -17,16 +20,32 @@ const STEPS: [u64; 2] = [2_000, 12_000];
 /// The same for the table of all scenes.
 const SHORT: [u64; 2] = [20, 220];
 
-fn main() {
+/// Columns of the file; the first two identify a count.
+const COLUMNS: [&str; 7] = [
+    "name",
+    "step_s",
+    "velocities",
+    "rows",
+    "instructions",
+    "estimated",
+    "time_us",
+];
+/// Times are the least of so many interleaved repeats.
+const REPEATS: usize = 40;
+
+fn main() -> Result<(), String> {
     let arguments: Vec<String> = std::env::args().collect();
     if let [_, mode, name, step, steps] = arguments.as_slice()
         && mode == "--count"
     {
         let (Ok(step), Ok(steps)) = (step.parse(), steps.parse()) else {
-            return;
+            return Ok(());
         };
-        return run(name, step, steps);
+        run(name, step, steps);
+        return Ok(());
     }
+    let recorder = Recorder::new("cargo bench -p mbs-examples --bench step_instructions");
+    let mut file = recorder.file("instructions.csv", &COLUMNS, 2)?;
     println!(
         "after {} steps the two agree to {:.1e} m",
         STEPS[0],
@@ -45,23 +64,83 @@ fn main() {
             count("hand-written", step, STEPS),
             count("generated", step, STEPS),
         ) {
-            (Some(hand), Some(generated)) => println!(
-                "{step:>8} {hand:>14.1} {generated:>12.1} {:>8.3}",
-                generated / hand
-            ),
-            _ => {
-                println!("callgrind gave no count: is valgrind installed?");
-                return;
+            (Some(hand), Some(generated)) => {
+                println!(
+                    "{step:>8} {hand:>14.1} {generated:>12.1} {:>8.3}",
+                    generated / hand
+                );
+                let times = times(["hand-written", "generated"], step);
+                println!("{:>8} {:>14.4} {:>12.4} µs", "", times[0], times[1]);
+                let counts = [("hand-written", hand), ("generated", generated)];
+                for ((name, count), time) in counts.into_iter().zip(times) {
+                    file.put(line(
+                        name,
+                        step,
+                        count,
+                        ["6", "5", "", &format!("{time:.5}")],
+                    ))?;
+                }
             }
+            _ => return Err("callgrind gave no count: is valgrind installed?".to_owned()),
         }
     }
-    andrews();
-    every_scene();
+    andrews(&mut file)?;
+    every_scene(&mut file)?;
     growth();
+    Ok(())
+}
+
+/// A row of the file: velocities, rows, what the compiler expects and the time are in `rest`.
+fn line(name: &str, step: f64, count: f64, rest: [&str; 4]) -> Vec<String> {
+    let [velocities, rows, estimated, time] = rest.map(str::to_owned);
+    let count = format!("{count:.1}");
+    let step = format!("{step:e}");
+    vec![
+        name.to_owned(),
+        step,
+        velocities,
+        rows,
+        count,
+        estimated,
+        time,
+    ]
+}
+
+/// Processor time of a step, µs.
+fn times(names: [&str; 2], step: f64) -> [f64; 2] {
+    let mut least = [f64::INFINITY; 2];
+    for _ in 0..REPEATS {
+        for (name, least) in names.iter().zip(&mut least) {
+            let begin = ProcessTime::now();
+            advance(name, step, STEPS[1]);
+            *least = least.min(begin.elapsed().as_secs_f64());
+        }
+    }
+    least.map(|time| 1e6 * time / STEPS[1] as f64)
+}
+
+/// Runs the double four-bar, hand-written or generated; what it ends with.
+fn advance(name: &str, step: f64, steps: u64) -> f64 {
+    if name == "hand-written" {
+        let mut mechanism = handwritten::DoubleFourBar::new();
+        for _ in 0..steps {
+            mechanism.step(black_box(step));
+        }
+        return black_box(mechanism.energy());
+    }
+    let Some(mut stepper) = stepper(step) else {
+        return f64::NAN;
+    };
+    for _ in 0..steps {
+        if stepper.step(black_box(step)).is_err() {
+            return f64::NAN;
+        }
+    }
+    black_box(stepper.state().positions[0])
 }
 
 /// The same integrator on the equations written by hand and on the generated ones.
-fn andrews() {
+fn andrews(file: &mut File) -> Result<(), String> {
     const STEP: f64 = 1e-6;
     println!();
     println!(
@@ -75,7 +154,11 @@ fn andrews() {
             "{STEP:>8} {hand:>14.1} {generated:>12.1} {:>8.3}",
             generated / hand
         );
+        for (name, count) in [("andrews-hand", hand), ("andrews-generated", generated)] {
+            file.put(line(name, STEP, count, ["7", "6", "", ""]))?;
+        }
     }
+    Ok(())
 }
 
 fn andrews_disagreement(step: f64, steps: u64) -> f64 {
@@ -103,7 +186,7 @@ fn run_andrews<S: System<7, 7, 6>>(system: S, step: f64, steps: u64) -> Option<[
 }
 
 /// Instructions of a step of every scene at its own step size, beside what the compiler expects.
-fn every_scene() {
+fn every_scene(file: &mut File) -> Result<(), String> {
     println!();
     println!(
         "{:<22} {:>9} {:>10} {:>5} {:>13} {:>11}",
@@ -125,7 +208,13 @@ fn every_scene() {
             scene.model.rows.len(),
             taken.map_or_else(String::new, |operations| operations.to_string())
         );
+        let sizes = [scene.model.velocities.len(), scene.model.rows.len()];
+        let [velocities, rows] = sizes.map(|size| size.to_string());
+        let estimated = taken.map_or_else(String::new, |operations| operations.to_string());
+        let rest = [velocities.as_str(), &rows, &estimated, ""];
+        file.put(line(scene.name, scene.step, instructions, rest))?;
     }
+    Ok(())
 }
 
 /// How instructions grow with the number of loops in a row of four-bars: the exponent between each two lengths, for each
@@ -201,14 +290,6 @@ fn stepper(step: f64) -> Option<TwoLevelStepper<<DoubleFourBar as Mechanism>::Sy
 }
 
 fn run(name: &str, step: f64, steps: u64) {
-    if name == "hand-written" {
-        let mut mechanism = handwritten::DoubleFourBar::new();
-        for _ in 0..steps {
-            mechanism.step(black_box(step));
-        }
-        println!("{}", mechanism.energy());
-        return;
-    }
     if name == "andrews-hand" {
         println!("{:?}", run_andrews(handwritten::Andrews, step, steps));
         return;
@@ -224,16 +305,7 @@ fn run(name: &str, step: f64, steps: u64) {
     if let Some(scene) = scenes().iter().find(|scene| scene.name == name) {
         return run_scene(scene, step, steps);
     }
-    let Some(mut stepper) = stepper(step) else {
-        return;
-    };
-    for _ in 0..steps {
-        if let Err(error) = stepper.step(black_box(step)) {
-            println!("{error}");
-            return;
-        }
-    }
-    println!("{:?}", stepper.state().positions);
+    println!("{}", advance(name, step, steps));
 }
 
 fn count(name: &str, step: f64, steps: [u64; 2]) -> Option<f64> {

@@ -1,8 +1,9 @@
 //! Symmetric compositions of the two-level step, compared by work: the stages a second with which each set of
 //! coefficients reaches an error of position, and the slope it has there.
 //!
-//! `cargo run --release -p mbs-examples --example compositions`
+//! `cargo run --release -p mbs-examples --example compositions [--csv book/src/results/readme]`
 
+use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::scenes::{bricard, chaplygin_sleigh, double_four_bar, pendulum, slider_crank};
 use mbs_runtime::{Mechanism, Settings, Simulation, State, System, TwoLevelStepper};
 
@@ -184,45 +185,64 @@ impl Set {
     }
 }
 
-fn main() {
+fn main() -> Result<(), String> {
+    const COLUMNS: [&str; 9] = [
+        "scene",
+        "order",
+        "set",
+        "time_s",
+        "rate_1e-3",
+        "rate_1e-5",
+        "rate_1e-7",
+        "rate_1e-9",
+        "slope",
+    ];
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example compositions");
+    let mut file = recorder.file("compositions.csv", &COLUMNS, 3)?;
     println!(
         "stages a second for an error of position of {ERRORS:?}, and the slope at the last but one"
     );
     // Before their first singular poses, where landings count and not coefficients.
-    compare("pendulum", &pendulum::Pendulum::default(), 3.0);
-    compare("slider-crank", &slider_crank::SliderCrank::default(), 0.35);
+    compare("pendulum", &pendulum::Pendulum::default(), 3.0, &mut file)?;
+    compare(
+        "slider-crank",
+        &slider_crank::SliderCrank::default(),
+        0.35,
+        &mut file,
+    )?;
     compare(
         "double-four-bar",
         &double_four_bar::DoubleFourBar::default(),
         0.65,
-    );
-    compare("bricard", &bricard::Bricard::default(), 3.0);
+        &mut file,
+    )?;
+    compare("bricard", &bricard::Bricard::default(), 3.0, &mut file)?;
     compare(
         "chaplygin-sleigh",
         &chaplygin_sleigh::ChaplyginSleigh::default(),
         4.0,
-    );
+        &mut file,
+    )
 }
 
 fn compare<M, S, const Q: usize, const N: usize, const R: usize>(
     name: &str,
     mechanism: &M,
     time: f64,
-) where
+    file: &mut File,
+) -> Result<(), String>
+where
     M: Mechanism<System = S>,
     S: System<Q, N, R>,
 {
     println!(
         "\n| {name}, {time} s | 1e-3 | 1e-5 | 1e-7 | 1e-9 | slope |\n|---|---|---|---|---|---|"
     );
-    let start = match Simulation::new(mechanism.clone()) {
-        Ok(simulation) => simulation.state().clone(),
-        Err(error) => return println!("{error}"),
-    };
-    let Some(last) = SETS.last() else { return };
-    let Some(exact) = run(mechanism, &start, &last.stages(), time, FINE) else {
-        return println!("the fine run stopped");
-    };
+    let start = Simulation::new(mechanism.clone()).map_err(|error| error.to_string())?;
+    let start = start.state().clone();
+    let last = SETS.last().ok_or("there are no sets")?;
+    let exact = run(mechanism, &start, &last.stages(), time, FINE);
+    let exact = exact.ok_or("the fine run stopped")?;
     for set in SETS {
         let stages = set.stages();
         let errors: Vec<(f64, f64)> = (0..RUNS)
@@ -243,7 +263,13 @@ fn compare<M, S, const Q: usize, const N: usize, const R: usize>(
             set.name,
             cells.join(" | ")
         );
+        let mut row = vec![name.to_owned(), set.order.to_string(), set.name.to_owned()];
+        row.push(time.to_string());
+        row.extend(cells);
+        row.push(format!("{slope:.2}"));
+        file.put(row)?;
     }
+    Ok(())
 }
 
 /// q after `time` in whole steps, and the stages a second that were taken; `None` if a step fails.

@@ -1,12 +1,24 @@
 //! How long each scene takes to compile from its declaration to Rust, stage by stage.
 //!
 //! Procedural macros run unoptimised in users' builds, so run this unoptimised, too:
-//! `cargo run -p mbs-examples --example derivation_times`
+//! `cargo run --profile unoptimised -p mbs-examples --example derivation_times [-- --csv book/src/results/readme]`
 
+use mbs_examples::pages::record::Recorder;
 use mbs_macros_core::{analyse, dag, emit};
 use std::time::{Duration, Instant};
 
-fn main() {
+fn main() -> Result<(), String> {
+    const COLUMNS: [&str; 6] = [
+        "scene",
+        "analyse_ms",
+        "lower_ms",
+        "emit_ms",
+        "total_ms",
+        "operations",
+    ];
+    let recorder =
+        Recorder::new("cargo run --profile unoptimised -p mbs-examples --example derivation_times");
+    let mut file = recorder.file("derivation.csv", &COLUMNS, 1)?;
     println!(
         "{:<22} {:>12} {:>10} {:>10} {:>10} {:>12}",
         "scene", "analyse", "lower", "emit", "total", "operations"
@@ -15,6 +27,13 @@ fn main() {
         let best = (0..3)
             .filter_map(|_| compile(scene.model.declaration))
             .min_by_key(|times| times.total());
+        if let Some(times) = &best {
+            let stages = [times.analyse, times.lower, times.emit, times.total()];
+            let mut row = vec![scene.name.to_owned()];
+            row.extend(stages.map(|stage| format!("{:.2}", milliseconds(stage))));
+            row.push(times.operations.to_string());
+            file.put(row)?;
+        }
         match best {
             Some(times) => println!(
                 "{:<22} {:>9.1} ms {:>7.1} ms {:>7.1} ms {:>7.1} ms {:>12}",
@@ -28,6 +47,7 @@ fn main() {
             None => println!("{:<22} does not compile from its own text", scene.name),
         }
     }
+    Ok(())
 }
 
 struct Times {

@@ -1,12 +1,15 @@
 //! Singular passages at random steps from random phases: failures, wrong branches, and how far the worst energy error of a
 //! step is from the usual one.
 //!
-//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene] [constraint tolerance]`
+//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene] [constraint tolerance]
+//! [--csv book/src/results/readme]`
 //!
 //! Each step, drawn log-uniformly, is run from several states on the smooth branch, drawn from its first ten seconds, and
 //! compared with a fine run from the same state at every half second. Energy alone does not show a wrong branch: on the
 //! smooth one the rods of the slider-crank stay mirror images, and the cranks of the double four-bar parallel.
 
+use mbs_examples::pages::phases::{COLUMNS, KEYS};
+use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::scenes::{double_four_bar, slider_crank};
 use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, State, System};
 
@@ -33,19 +36,22 @@ struct Phase<const Q: usize, const N: usize, const R: usize> {
 /// How far named points are from the symmetry of the smooth branch, m.
 type Asymmetry = fn(&dyn Fn(&str) -> [f64; 3]) -> f64;
 
-fn main() {
-    let count = std::env::args().nth(1).and_then(|n| n.parse().ok());
+fn main() -> Result<(), String> {
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example passage_phases");
+    let mut file = recorder.file("phases.csv", &COLUMNS, KEYS)?;
+    let mut arguments = recorder.arguments.iter();
+    let count = arguments.next().and_then(|n| n.parse().ok());
     let count: usize = count.unwrap_or(500);
-    let scene = std::env::args().nth(2);
-    let constraint_tolerance = std::env::args()
-        .nth(3)
+    let scene = arguments.next();
+    let constraint_tolerance = arguments
+        .next()
         .and_then(|tolerance| tolerance.parse().ok());
     let settings =
         constraint_tolerance.map_or(Settings::default(), |constraint_tolerance| Settings {
             constraint_tolerance,
             ..Settings::default()
         });
-    let wanted = |name: &str| scene.as_deref().is_none_or(|scene| scene == name);
+    let wanted = |name: &str| scene.is_none_or(|scene| scene == name);
     println!(
         "{count} steps an order in [{:e}, {:e}] s, each from {PHASES_OF_A_STEP} phases, {DURATION} s; energy errors in J",
         STEPS[0], STEPS[1]
@@ -59,7 +65,8 @@ fn main() {
             &slider_crank::SliderCrank::default(),
             |point| (point("rod.b")[0] - 2.0 * point("crank.b")[0]).abs(),
             (count, settings),
-        );
+            &mut file,
+        )?;
     }
     if wanted("double-four-bar") {
         sweep(
@@ -71,8 +78,10 @@ fn main() {
                 first.max((height("crank1.b") - height("crank2.b")).abs())
             },
             (count, settings),
-        );
+            &mut file,
+        )?;
     }
+    Ok(())
 }
 
 fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
@@ -80,15 +89,14 @@ fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
     mechanism: &M,
     asymmetry: Asymmetry,
     (count, settings): (usize, Settings),
-) where
+    file: &mut File,
+) -> Result<(), String>
+where
     M: Mechanism<System = S>,
     S: System<Q, N, R>,
 {
     let mut random = 0x9e37_79b9_7f4a_7c15_u64;
-    let phases = match phases(mechanism, &mut random) {
-        Ok(phases) => phases,
-        Err(error) => return println!("{name}: {error}"),
-    };
+    let phases = phases(mechanism, &mut random).map_err(|error| format!("{name}: {error}"))?;
     for placement in [false, true] {
         for order in ORDERS {
             let (mut failed, mut astray) = (0, 0);
@@ -135,8 +143,21 @@ fn sweep<M, S, const Q: usize, const N: usize, const R: usize>(
                 at(&ratios, 1.0),
                 100.0 * within as f64 / count as f64,
             );
+            let mut row = vec![name.to_owned(), order.to_string()];
+            row.push(if placement { "yes" } else { "no" }.to_owned());
+            row.push(format!("{:e}", settings.constraint_tolerance));
+            row.extend([count * PHASES_OF_A_STEP, failed, astray].map(|n| n.to_string()));
+            row.extend(
+                [&errors, &distances]
+                    .into_iter()
+                    .flat_map(|values| [0.5, 1.0].map(|part| format!("{:.4e}", at(values, part)))),
+            );
+            row.extend([0.5, 0.9, 0.99, 1.0].map(|part| format!("{:.4}", at(&ratios, part))));
+            row.push(format!("{:.1}", 100.0 * within as f64 / count as f64));
+            file.put(row)?;
         }
     }
+    Ok(())
 }
 
 /// States of a fine run at random times, and where fine runs lead from them.

@@ -1,47 +1,54 @@
 //! Singular passages at every order, with and without placement: a table of orders and steps, then a sweep over random
 //! steps that counts failures and wrong branches.
 //!
-//! `cargo run --release -p mbs-examples --example passage_sweep [steps per order]`
+//! `cargo run --release -p mbs-examples --example passage_sweep [steps per order] [--csv book/src/results/readme]`
 
-use mbs_examples::reference::ReferenceTable;
-use mbs_examples::scene::Scene;
-use mbs_examples::scenes::{double_four_bar, slider_crank};
-use mbs_runtime::output::Frame;
-use mbs_runtime::{Report, Settings};
+use mbs_examples::pages::orders::{COLUMNS, DURATION, INTERVALS, KEYS, SCENES, row, run};
+use mbs_examples::pages::record::Recorder;
+use mbs_examples::pages::scene_runs::reference;
+use mbs_runtime::Settings;
 
-const SCENES: [(&Scene, &[&str]); 2] = [
-    (&slider_crank::SCENE, &["p1x_m", "p1y_m", "p2x_m"]),
-    (&double_four_bar::SCENE, &["b0x_m", "b0y_m"]),
-];
 const ORDERS: [u8; 4] = [2, 4, 6, 8];
 const TABLE: [f64; 6] = [5e-2, 2.5e-2, 1e-2, 5e-3, 2.5e-3, 1e-3];
 /// Steps are drawn from here, log-uniformly.
 const STEPS: [f64; 2] = [5e-4, 2e-2];
-/// s
-const DURATION: f64 = 10.0;
-/// s; the references have these instants.
-const INTERVAL: f64 = 0.5;
 /// A run that is this far from the reference, m, is on another branch.
 const ASTRAY: f64 = 0.3;
 
-struct Outcome {
-    report: Report,
-    /// Largest error of the named columns, m; `None` if the run stopped.
-    position: Option<f64>,
-}
+/// Columns of the file of the sweeps; the first three identify one.
+const SWEEPS: [&str; 12] = [
+    "scene",
+    "order",
+    "placement",
+    "runs",
+    "failed",
+    "astray",
+    "energy_error_median_J",
+    "energy_error_90_J",
+    "energy_error_worst_J",
+    "position_error_median_m",
+    "position_error_worst_m",
+    "placed_percent",
+];
 
-fn main() {
-    let count = std::env::args().nth(1).and_then(|n| n.parse().ok());
+fn main() -> Result<(), String> {
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example passage_sweep");
+    let count = recorder.arguments.first().and_then(|n| n.parse().ok());
     let count: usize = count.unwrap_or(100);
+    let mut orders = recorder.file("orders.csv", &COLUMNS, KEYS)?;
+    let mut sweeps = recorder.file("passages.csv", &SWEEPS, 3)?;
     for (scene, columns) in SCENES {
-        let reference = scene
-            .reference
-            .and_then(|r| ReferenceTable::find(&r, scene.model).ok().flatten());
-        let Some(reference) = reference else {
-            println!("{}: the reference was not found", scene.name);
+        let Some(reference) = reference(scene)? else {
+            println!("{}: there is no reference", scene.name);
             continue;
         };
-        let run = |order, step, placement| run(scene, columns, &reference, order, step, placement);
+        let case = (scene, columns);
+        let settings = |order, step, placement| Settings {
+            order,
+            step,
+            placement,
+            ..Settings::default()
+        };
         println!(
             "\n{}, {DURATION} s: energy error, J (position error, m) [stages; iterations a stage; placed steps]",
             scene.name
@@ -50,7 +57,12 @@ fn main() {
             for order in ORDERS {
                 for step in TABLE {
                     let with = if placement { "placed" } else { "fixed " };
-                    let outcome = run(order, step, placement);
+                    let settings = settings(order, step, placement);
+                    for interval in INTERVALS {
+                        let outcome = run(case, &reference, settings, interval);
+                        orders.put(row(scene, &settings, interval, &outcome))?;
+                    }
+                    let outcome = run(case, &reference, settings, INTERVALS[0]);
                     let report = outcome.report;
                     println!(
                         "order {order} {with} h = {step:<6} {:>9.1e} ({}) [{}; {:.2}; {}]",
@@ -80,7 +92,12 @@ fn main() {
                 for _ in 0..count {
                     let ratio: f64 = STEPS[1] / STEPS[0];
                     let step = STEPS[0] * ratio.powf(uniform(&mut random));
-                    let outcome = run(order, step, placement);
+                    let outcome = run(
+                        case,
+                        &reference,
+                        settings(order, step, placement),
+                        INTERVALS[0],
+                    );
                     placed += outcome.report.placed_steps;
                     steps += outcome.report.steps;
                     match outcome.position {
@@ -101,62 +118,29 @@ fn main() {
                         .copied()
                         .unwrap_or(f64::NAN)
                 };
-                println!(
-                    "{order:>5} {:>9} {failed:>6} {astray:>6} {:>8.1e} {:>9.1e} {:>8.1e} {:>8.1e} {:>8.1e}  {:.2}",
-                    if placement { "yes" } else { "no" },
+                let placement = if placement { "yes" } else { "no" };
+                let placed = 100.0 * placed as f64 / steps as f64;
+                let errors = [
                     at(&errors, 0.5),
                     at(&errors, 0.9),
                     at(&errors, 1.0),
                     at(&positions, 0.5),
                     at(&positions, 1.0),
-                    100.0 * placed as f64 / steps as f64,
+                ];
+                let [median, most, worst, position, farthest] = errors;
+                println!(
+                    "{order:>5} {placement:>9} {failed:>6} {astray:>6} {median:>8.1e} {most:>9.1e} {worst:>8.1e} {position:>8.1e} {farthest:>8.1e}  {placed:.2}",
                 );
+                let mut row = vec![scene.name.to_owned(), order.to_string()];
+                row.push(placement.to_owned());
+                row.extend([count, failed, astray].map(|count| count.to_string()));
+                row.extend(errors.map(|error| format!("{error:.4e}")));
+                row.push(format!("{placed:.2}"));
+                sweeps.put(row)?;
             }
         }
     }
-}
-
-fn run(
-    scene: &Scene,
-    columns: &[&str],
-    reference: &ReferenceTable,
-    order: u8,
-    step: f64,
-    placement: bool,
-) -> Outcome {
-    let settings = Settings {
-        order,
-        step,
-        placement,
-        ..Settings::default()
-    };
-    let stopped = Outcome {
-        report: Report::default(),
-        position: None,
-    };
-    let Ok(mut simulation) = (scene.build)(&[], settings) else {
-        return stopped;
-    };
-    let mut frames = Vec::new();
-    for instant in 0..=(DURATION / INTERVAL) as u32 {
-        if simulation.run_until(f64::from(instant) * INTERVAL).is_err() {
-            return Outcome {
-                report: simulation.report(),
-                ..stopped
-            };
-        }
-        frames.push(Frame::record(simulation.as_ref()));
-    }
-    let deviations = reference.compare(&frames);
-    let position = deviations
-        .iter()
-        .filter(|deviation| columns.contains(&deviation.column))
-        .map(|deviation| deviation.largest)
-        .fold(0.0, |most, e| if e > most || e.is_nan() { e } else { most });
-    Outcome {
-        report: simulation.report(),
-        position: Some(position),
-    }
+    Ok(())
 }
 
 /// The next number in [0, 1): xorshift64*.

@@ -1,13 +1,15 @@
 //! The two-level method against explicit Runge–Kutta on the index-1 form, both on the same generated code.
 //!
-//! For each scene and method: the least processor time of a loop of bare steps over ten seconds whose energy error stays
-//! within a bound, with the best order, step and setting of each. A setting counts only if it and the two next finer steps
-//! (1 % and 2 % more of them) all stay within the bound and end on the right branch. Times are the least of interleaved
-//! repeats.
+//! For each scene and family: the least processor time of a loop of bare steps over ten seconds whose energy error stays
+//! within a bound, with the best order, step and setting of each family. A number of steps counts only if it and four larger
+//! ones, up to a tenth more, all stay within the bound and end on the right branch. Times are the least of interleaved repeats.
 //!
-//! `cargo run --release -p mbs-examples --example rival [SCENE…]`
+//! `cargo run --release -p mbs-examples --example rival [SCENE…] [--csv book/src/results/readme]`
 
 use cpu_time::ProcessTime;
+use mbs_examples::pages::record::{File, Recorder};
+use mbs_examples::pages::rival::{COLUMNS, FAMILIES, KEYS};
+use mbs_examples::pages::scene_runs::reference;
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{bricard, double_four_bar, pendulum, slider_crank};
@@ -24,10 +26,12 @@ const DURATION: f64 = 10.0;
 const BOUNDS: [f64; 3] = [1e-1, 1e-3, 1e-6];
 /// A run that ends this far from the reference, m, is on another branch.
 const ASTRAY: f64 = 0.3;
-/// Numbers of steps grow by this factor.
-const FINER: f64 = 1.1;
-/// Numbers of steps that are tried.
-const STEPS: [f64; 2] = [60.0, 100_000.0];
+/// Numbers of steps that are tried, and by what factor they grow.
+const STEPS: [f64; 2] = [4.0, 20_000.0];
+const FINER: f64 = 1.03;
+/// By how many steps more at least, and by what factor, a run has to be as good.
+const NEIGHBOURS: [(u32, f64); 5] = [(0, 1.0), (1, 1.01), (2, 1.02), (3, 1.05), (4, 1.1)];
+const GAINS: [f64; 7] = [0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0];
 const REPEATS: usize = 40;
 
 /// One way to integrate.
@@ -37,7 +41,40 @@ struct Entry {
     settings: Settings,
 }
 
+/// With the index of its bound, its steps and its least time, s.
+type Run = (Entry, usize, u32, f64);
+
+/// Evaluations of the accelerations in a step of an explicit method.
+fn stages(order: u8) -> u32 {
+    match order {
+        4 => 4,
+        6 => 7,
+        _ => 12,
+    }
+}
+
 impl Entry {
+    /// Order, gain, tolerance, steps and calls.
+    fn cells(&self, steps: u32) -> [String; 5] {
+        let order = self.settings.order;
+        let (gain, tolerance, calls) = match self.settings.method {
+            Method::Baumgarte(baumgarte) => (Some(baumgarte.gain), None, Some(stages(order))),
+            Method::Projected => (
+                None,
+                Some(self.settings.constraint_tolerance),
+                Some(stages(order)),
+            ),
+            _ => (None, Some(self.settings.constraint_tolerance), None),
+        };
+        [
+            order.to_string(),
+            gain.map_or_else(String::new, |gain| gain.to_string()),
+            tolerance.map_or_else(String::new, |tolerance| format!("{tolerance:e}")),
+            steps.to_string(),
+            calls.map_or_else(String::new, |calls| (calls * steps).to_string()),
+        ]
+    }
+
     fn label(&self) -> String {
         let setting = match self.settings.method {
             Method::Baumgarte(baumgarte) => format!("gain {}", baumgarte.gain),
@@ -46,9 +83,6 @@ impl Entry {
         format!("order {}, {setting}", self.settings.order)
     }
 }
-
-/// The first is what the others are measured by; `rk4-gain10` is order 4 with gain 10 alone.
-const FAMILIES: [&str; 4] = ["two-level", "rk4-gain10", "baumgarte", "projected"];
 
 fn entries() -> Vec<Entry> {
     let mut entries = Vec::new();
@@ -68,7 +102,7 @@ fn entries() -> Vec<Entry> {
             }
         }
     }
-    for gain in [3.0, 10.0, 30.0] {
+    for gain in GAINS {
         for order in [4, 6, 8] {
             let settings = Settings {
                 method: Method::Baumgarte(BaumgarteSettings {
@@ -80,10 +114,6 @@ fn entries() -> Vec<Entry> {
             };
             let family = "baumgarte";
             entries.push(Entry { family, settings });
-            if gain == 10.0 && order == 4 {
-                let family = "rk4-gain10";
-                entries.push(Entry { family, settings });
-            }
         }
     }
     entries
@@ -196,28 +226,32 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Contest
             .fold(0.0, |most, e| if e > most || e.is_nan() { e } else { most })
     }
 
-    /// For each bound the least number of steps with which it holds, and holds with 1 % and 2 % more.
+    /// For each bound the least number of steps with which it holds, and holds with the neighbours.
     fn coarsest(&self, settings: &Settings) -> [Option<u32>; 3] {
         let mut found = [None; 3];
         let mut count = STEPS[0];
+        let mut last = 0;
         while count < STEPS[1] && found.contains(&None) {
-            let tried = [1.0, 1.01, 1.02].map(|factor| (count * factor).ceil() as u32);
-            let wanted = found
-                .iter()
-                .position(Option::is_none)
-                .map_or(0.0, |i| BOUNDS[i]);
+            let steps = count.ceil() as u32;
+            count *= FINER;
+            if steps == last {
+                continue;
+            }
+            last = steps;
+            let missing = found.iter().position(Option::is_none);
+            let wanted = missing.map_or(0.0, |i| BOUNDS[i]);
             let mut worst: f64 = 0.0;
-            for steps in tried {
+            for (more, factor) in NEIGHBOURS {
                 if worst <= wanted {
-                    worst = worst.max(self.energy_error(settings, steps));
+                    let neighbour = (f64::from(steps) * factor).ceil() as u32;
+                    worst = worst.max(self.energy_error(settings, neighbour.max(steps + more)));
                 }
             }
             for (found, bound) in found.iter_mut().zip(BOUNDS) {
                 if found.is_none() && worst <= bound {
-                    *found = Some(tried[0]);
+                    *found = Some(steps);
                 }
             }
-            count *= FINER;
         }
         found
     }
@@ -238,25 +272,25 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Contest
     }
 }
 
-fn compete<M, S, const Q: usize, const N: usize, const R: usize>(scene: &Scene, mechanism: M)
+fn compete<M, S, const Q: usize, const N: usize, const R: usize>(
+    scene: &Scene,
+    mechanism: M,
+    wanted: &[String],
+    file: &mut File,
+) -> Result<(), String>
 where
     M: Mechanism<System = S>,
     S: System<Q, N, R>,
 {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
     if !wanted.is_empty() && !wanted.iter().any(|name| name == scene.name) {
-        return;
+        return Ok(());
     }
-    let reference = scene
-        .reference
-        .and_then(|r| ReferenceTable::find(&r, scene.model).ok().flatten());
     let (Some(reference), Ok(system), Ok(simulation)) = (
-        reference,
+        reference(scene)?,
         mechanism.prepare(),
         Simulation::new(mechanism.clone()),
     ) else {
-        println!("{}: without a reference or a start", scene.name);
-        return;
+        return Err(format!("{}: without a reference or a start", scene.name));
     };
     let contest = Contest {
         system,
@@ -264,7 +298,7 @@ where
         reference,
     };
     println!("\n{} ({N} velocities, {R} rows), {DURATION} s", scene.name);
-    let mut runs = Vec::new();
+    let mut runs: Vec<Run> = Vec::new();
     for entry in entries() {
         for (bound, steps) in contest.coarsest(&entry.settings).into_iter().enumerate() {
             if let Some(steps) = steps {
@@ -284,35 +318,58 @@ where
     for (index, bound) in BOUNDS.iter().enumerate() {
         let mut ours = f64::NAN;
         for family in FAMILIES {
+            let of_family = |run: &&Run| run.1 == index && run.0.family == family;
             let best = runs
                 .iter()
-                .filter(|run| run.1 == index && run.0.family == family)
+                .filter(of_family)
                 .min_by(|a, b| a.3.total_cmp(&b.3));
-            match best {
-                Some((entry, _, steps, time)) => {
-                    if family == FAMILIES[0] {
-                        ours = *time;
-                    }
-                    println!(
-                        "{bound:>8.0e}  {family:<11} {:>10.4} {steps:>7}  {:<24} {:>9.3}  {:>8.2}",
-                        1e3 * time,
-                        entry.label(),
-                        1e6 * time / f64::from(*steps),
-                        time / ours,
-                    );
-                }
-                None => println!("{bound:>8.0e}  {family:<11} {:>10}", "never"),
+            let mut row = vec![scene.name.to_owned(), format!("{bound:e}")];
+            row.push(family.to_owned());
+            let Some((entry, _, steps, time)) = best else {
+                println!("{bound:>8.0e}  {family:<11} {:>10}", "never");
+                row.resize(COLUMNS.len(), String::new());
+                file.put(row)?;
+                continue;
+            };
+            if family == FAMILIES[0] {
+                ours = *time;
             }
+            println!(
+                "{bound:>8.0e}  {family:<11} {:>10.4} {steps:>7}  {:<24} {:>9.3}  {:>8.2}",
+                1e3 * time,
+                entry.label(),
+                1e6 * time / f64::from(*steps),
+                time / ours,
+            );
+            row.extend(entry.cells(*steps));
+            row.push(format!("{:.5}", 1e3 * time));
+            file.put(row)?;
         }
     }
+    Ok(())
 }
 
-fn main() {
-    compete(&pendulum::SCENE, pendulum::Pendulum::default());
-    compete(&slider_crank::SCENE, slider_crank::SliderCrank::default());
+fn main() -> Result<(), String> {
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example rival");
+    let file = &mut recorder.file("rival.csv", &COLUMNS, KEYS)?;
+    let wanted = &recorder.arguments;
+    compete(
+        &pendulum::SCENE,
+        pendulum::Pendulum::default(),
+        wanted,
+        file,
+    )?;
+    compete(
+        &slider_crank::SCENE,
+        slider_crank::SliderCrank::default(),
+        wanted,
+        file,
+    )?;
     compete(
         &double_four_bar::SCENE,
         double_four_bar::DoubleFourBar::default(),
-    );
-    compete(&bricard::SCENE, bricard::Bricard::default());
+        wanted,
+        file,
+    )?;
+    compete(&bricard::SCENE, bricard::Bricard::default(), wanted, file)
 }

@@ -1,8 +1,11 @@
 //! What a tolerance means: the largest error of a run beside its reference as a multiple of the tolerance, for every
 //! tolerance and order, and the order with the fewest stages.
 //!
-//! `cargo run --release -p mbs-examples --example tolerances [scene…]`
+//! `cargo run --release -p mbs-examples --example tolerances [scene…] [--csv book/src/results/readme]`
 
+use mbs_examples::pages::record::Recorder;
+use mbs_examples::pages::scene_runs::reference;
+use mbs_examples::pages::tolerances::{COLUMNS, KEYS};
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
@@ -68,11 +71,15 @@ const CASES: [Case; 8] = [
 ];
 const TOLERANCES: [f64; 7] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 const ORDERS: [u8; 4] = [2, 4, 6, 8];
+/// Instants that are looked at.
+const LOOKS: u32 = 1000;
 /// Below this, second order takes too long to be of interest.
 const LEAST_OF_SECOND: f64 = 1e-7;
 
-fn main() {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
+fn main() -> Result<(), String> {
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example tolerances");
+    let wanted = &recorder.arguments;
+    let mut file = recorder.file("tolerances.csv", &COLUMNS, KEYS)?;
     println!(
         "| scene | order | error / tolerance (stages) at 1e-3 | 1e-4 | 1e-5 | 1e-6 | 1e-7 | 1e-8 | 1e-9 |"
     );
@@ -84,39 +91,45 @@ fn main() {
         if !wanted.is_empty() && !wanted.iter().any(|name| name == case.scene) {
             continue;
         }
-        let found = scene
-            .reference
-            .map(|reference| ReferenceTable::find(&reference, scene.model));
-        let Some(Ok(Some(reference))) = found else {
-            println!("| {} | the reference was not found |", scene.name);
+        let Some(reference) = reference(scene)? else {
             continue;
         };
         for order in ORDERS {
-            let cells = TOLERANCES.map(|tolerance| {
+            let mut cells = Vec::new();
+            for tolerance in TOLERANCES {
                 if order == 2 && tolerance < 0.9 * LEAST_OF_SECOND {
-                    return String::new();
+                    cells.push(String::new());
+                    continue;
                 }
                 match run(case, scene, &reference, order, tolerance) {
-                    Ok((error, report)) => {
-                        format!("{:.2} ({})", error / tolerance, report.stages)
+                    Ok((error, report, with_looks)) => {
+                        let ratio = error / tolerance;
+                        cells.push(format!("{ratio:.2} ({})", report.stages));
+                        let mut row = vec![scene.name.to_owned(), order.to_string()];
+                        row.push(format!("{tolerance:e}"));
+                        row.push(format!("{ratio:.4}"));
+                        row.extend([report.stages, with_looks].map(|count| count.to_string()));
+                        file.put(row)?;
                     }
-                    Err(SimulationError::Order { .. }) => "–".to_owned(),
-                    Err(error) => error.to_string(),
+                    Err(SimulationError::Order { .. }) => cells.push("–".to_owned()),
+                    Err(error) => cells.push(error.to_string()),
                 }
-            });
+            }
             println!("| {} | {order} | {} |", scene.name, cells.join(" | "));
         }
     }
+    Ok(())
 }
 
-/// The largest error at the instants of the reference, in sizes; stages without those of looking.
+/// The largest error at the instants of the reference, in sizes; counts without those of looking, and stages with a look
+/// every thousandth of the run.
 fn run(
     case: &Case,
     scene: &Scene,
     reference: &ReferenceTable,
     order: u8,
     tolerance: f64,
-) -> Result<(f64, Report), SimulationError> {
+) -> Result<(f64, Report, u64), SimulationError> {
     let settings = Settings {
         order,
         step: scene.step,
@@ -143,5 +156,12 @@ fn run(
     });
     let mut alone = (scene.build)(&[], settings)?;
     alone.run_until(scene.duration)?;
-    Ok((largest / case.size, alone.report()))
+    let mut looking = (scene.build)(&[], settings)?;
+    for instant in 1..LOOKS {
+        let time = f64::from(instant) * scene.duration / f64::from(LOOKS);
+        looking.run_past(time, scene.duration)?;
+        looking.look_at(time, &mut |_| {})?;
+    }
+    looking.run_until(scene.duration)?;
+    Ok((largest / case.size, alone.report(), looking.report().stages))
 }

@@ -145,6 +145,21 @@ impl ReferenceTable {
         self.columns.iter().map(deviation).collect()
     }
 
+    /// The largest error of a column that is a position, m or rad, over the recorded instants; infinite where it is not a
+    /// number.
+    pub fn position_error(&self, frames: &[Frame]) -> f64 {
+        let deviations = self.compare(frames);
+        let position = |d: &&Deviation| d.column.ends_with("_m") || d.column.ends_with("_rad");
+        let errors = deviations.iter().filter(position).map(|d| d.largest);
+        errors.fold(0.0, |most, e| {
+            if e.is_nan() {
+                f64::INFINITY
+            } else {
+                most.max(e)
+            }
+        })
+    }
+
     fn row_at(&self, time: f64) -> Option<usize> {
         let tolerance = SAME_INSTANT * time.abs().max(self.interval().unwrap_or(0.0));
         let row = self.time.partition_point(|t| *t < time - tolerance);

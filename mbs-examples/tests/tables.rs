@@ -1,18 +1,15 @@
 //! Tables: trusted values that runs are compared with, the columns of the command line, and those of the charts.
 
-#[path = "../src/cli/table.rs"]
-mod table;
-
 use mbs_examples::laboratory::outcome::Outcome;
 use mbs_examples::laboratory::tables::front;
 use mbs_examples::laboratory::work_precision::Point;
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Reference;
 use mbs_examples::scenes::scenes;
+use mbs_examples::table::{Align, table};
 use mbs_runtime::Energy;
 use mbs_runtime::output::Frame;
 use std::path::Path;
-use table::{Align, table};
 
 /// The first output of a scene against three trusted values.
 fn trusted(name: &str) -> ReferenceTable {

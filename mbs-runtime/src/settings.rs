@@ -23,8 +23,9 @@ pub enum Method {
     /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
     Baumgarte(BaumgarteSettings),
     /// The same without stabilisation: positions and velocities are projected onto the rows after each step, and steps
-    /// keep clear of singular poses ([`Settings::placement`]). The least processor time for a given accuracy over some
-    /// seconds, where forces are not stiff; over long times its energy drifts, which that of [`Method::TwoLevel`] does not.
+    /// keep clear of singular poses ([`Settings::placement`]). Over some seconds, with few rows and forces that are not stiff
+    /// it often takes less processor time than [`Method::TwoLevel`] for the same accuracy; it is not symmetric, so that its
+    /// energy drifts over long times.
     Projected,
     /// RATTLE without regularisation.
     Rattle,

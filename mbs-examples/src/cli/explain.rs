@@ -3,6 +3,7 @@
 use std::fmt::{self, Write as _};
 
 use clap::Args;
+use mbs_examples::pages::candidates::considered;
 use mbs_examples::scene::Scene;
 use mbs_runtime::{AnySimulation, Coordinate, Model, Quantity, RowKind, Settings};
 
@@ -37,47 +38,6 @@ impl Explain {
     }
 }
 
-/// The descriptions that were compared.
-fn candidates(out: &mut String, model: &Model) {
-    let rows = model.candidates.iter().map(|candidate| {
-        [
-            candidate.formulation.to_owned(),
-            cut(candidate.cut),
-            candidate.velocities.to_string(),
-            candidate.rows.to_string(),
-            candidate
-                .rank
-                .map_or_else(String::new, |rank| rank.to_string()),
-            candidate
-                .operations
-                .map_or_else(|| "more".to_owned(), |operations| operations.to_string()),
-            if candidate.taken { "taken" } else { "" }.to_owned(),
-        ]
-    });
-    section(
-        out,
-        "Coordinates considered, with the estimated operations of a step",
-        [
-            ("choice", Left),
-            ("loops cut at", Left),
-            ("velocities", Right),
-            ("rows", Right),
-            ("rank", Right),
-            ("operations", Right),
-            ("", Left),
-        ],
-        rows,
-    );
-}
-
-/// The joints that close loops; their number where there are many.
-fn cut(joints: &[&str]) -> String {
-    match joints.len() {
-        0..=3 => joints.join(", "),
-        many => format!("{many} joints"),
-    }
-}
-
 /// The equations of motion in LaTeX.
 fn latex(model: &Model) -> Result<String, String> {
     mbs_macros_core::explain::latex(model.declaration)
@@ -91,7 +51,9 @@ fn explain(out: &mut String, scene: &Scene) -> fmt::Result {
             writeln!(out, "{line}")?;
         }
     }
-    candidates(out, model);
+    if !model.candidates.is_empty() {
+        write!(out, "\n{}", considered(model))?;
+    }
     section(
         out,
         "Parts",

@@ -5,6 +5,7 @@ mod explain;
 mod failure;
 mod find;
 mod list;
+mod pages;
 mod paper;
 mod print;
 mod progress;
@@ -12,11 +13,11 @@ mod request;
 mod results;
 mod simulate;
 mod summary;
-mod table;
 
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use mbs_examples::table;
 
 use failure::Failure;
 
@@ -40,6 +41,8 @@ enum Command {
     Chart(chart::Chart),
     /// Draw the figures of the paper, with other methods beside its own.
     Paper(paper::Paper),
+    /// Write measured numbers into the README and the book.
+    Pages(pages::Pages),
 }
 
 /// Runs the command line of this process.
@@ -51,6 +54,7 @@ pub fn main() -> ExitCode {
             Command::Explain(explain) => explain.run(),
             Command::Chart(chart) => chart.run(),
             Command::Paper(paper) => paper.run(),
+            Command::Pages(pages) => pages.run(),
         },
         // Asked for help or the version: not a failure.
         Err(message) if !message.use_stderr() => print::print(&message.to_string()),

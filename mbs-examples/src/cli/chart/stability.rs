@@ -4,8 +4,8 @@ use std::path::Path;
 
 use mbs_examples::laboratory::outcome_map::draw;
 use mbs_examples::laboratory::page::{Picture, page};
-use mbs_examples::laboratory::stability::{COLUMNS, Cell, KEYS, Map, maps, measure};
-use mbs_examples::laboratory::tables::failed_cells;
+use mbs_examples::laboratory::stability::{COLUMNS, KEYS, Map, maps, measure};
+use mbs_examples::pages::charts::{cells, map_of};
 
 use super::super::failure::Failure;
 use super::super::find::unknown;
@@ -35,16 +35,15 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
     let wanted: Vec<&Map> = all.iter().filter(wanted).collect();
     let path = directory.join("stability.csv");
     let (mut store, note) = chart.store(&path, SETTINGS, &COLUMNS, KEYS)?;
-    let cells = |map: &&Map| map.rows.len() * map.columns.len();
-    let progress = Points::new("stability", wanted.iter().map(cells).sum::<usize>() as u64);
+    let size = |map: &&Map| map.rows.len() * map.columns.len();
+    let progress = Points::new("stability", wanted.iter().map(size).sum::<usize>() as u64);
     let mut pictures = Vec::new();
     let (mut failed, mut tables) = (0, String::new());
     for map in &wanted {
         progress.at(map.name);
         measure(map, patience, &mut store, &mut || progress.tick())
             .map_err(|e| Failure::writing(&path, e))?;
-        let rows = store.rows().iter().filter(|row| row[0] == map.name);
-        let cells: Vec<Cell> = rows.filter_map(Cell::read).collect();
+        let cells = cells(map, store.rows());
         let remarks: Vec<String> = cells
             .iter()
             .filter(|cell| cell.outcome.is_failure())
@@ -59,12 +58,7 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
             })
             .collect();
         failed += remarks.len();
-        tables += &format!(
-            "\n## {0}\n\n![{0}](stability-{1}.svg)\n\n{2}",
-            map.title,
-            map.name,
-            failed_cells(map, &cells)
-        );
+        tables += &map_of(map, &cells);
         let picture = Picture {
             scene: map.name.to_owned(),
             measure: "outcome".to_owned(),

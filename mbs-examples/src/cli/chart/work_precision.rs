@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use mbs_examples::laboratory::diagram::{MEASURES, Measure, draw};
+use mbs_examples::laboratory::diagram::draw;
 use mbs_examples::laboratory::methods::entries;
 use mbs_examples::laboratory::page::{Picture, page};
 use mbs_examples::laboratory::store::{Row, Store};
-use mbs_examples::laboratory::tables;
 use mbs_examples::laboratory::work_precision::{COLUMNS, Effort, KEYS, Point, measure};
 use mbs_examples::laboratory::yardstick::Yardstick;
+use mbs_examples::pages::charts::{IN_FULL, fronts, measures};
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
 
@@ -18,8 +18,6 @@ use super::super::print::print;
 use super::super::progress::Points;
 use super::{Chart, write};
 
-/// Scenes of a quick chart.
-const QUICK: [&str; 3] = ["slider-crank", "double-four-bar", "bricard"];
 const SETTINGS: &str =
     "processor time: least of interleaved repeats, with the energy balance of each step";
 
@@ -53,7 +51,8 @@ pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
         let name = format!("work-precision-{}-{}.svg", picture.scene, picture.measure);
         write(&directory.join(name), &picture.svg)?;
     }
-    let text = tables(&yardsticks, &store);
+    let measured: Vec<&Scene> = yardsticks.iter().map(|yardstick| yardstick.scene).collect();
+    let text = fronts(&measured, store.rows());
     write(&directory.join("work-precision-tables.txt"), &text)?;
     let html = page("Processor time against accuracy", &note, &pictures);
     write(&directory.join("work-precision.html"), &html)?;
@@ -73,58 +72,13 @@ fn points<'s>(store: &'s Store, scene: &Scene) -> (Vec<&'s Row>, Vec<Point>) {
         .unzip()
 }
 
-/// The tables of the book's page.
-fn tables(yardsticks: &[Yardstick], store: &Store) -> String {
-    let entries = entries();
-    let labels: Vec<&str> = entries.iter().map(|entry| entry.label).collect();
-    let (mut shown, mut others) = (String::new(), String::from("## The other scenes\n"));
-    let mut failures =
-        String::from("## Runs that failed\n\n| scene | method | runs |\n|---|---|---|\n");
-    let mut refused = Vec::new();
-    for yardstick in yardsticks {
-        let scene = yardstick.scene;
-        let (_, points) = points(store, scene);
-        let picture = |measure: &str| format!("work-precision-{}-{measure}.svg", scene.name);
-        if QUICK.contains(&scene.name) {
-            shown += &format!("\n## `{}`\n", scene.name);
-            for measure in ["energy", "position"] {
-                shown += &format!("\n![{measure} error]({})\n", picture(measure));
-            }
-            shown += &format!("\n{}", tables::front(&points, &tables::FINE_BOUNDS));
-        } else {
-            let measures = measures(scene);
-            let links: Vec<String> = measures
-                .map(|measure| format!("[{}]({})", measure.name, picture(measure.name)))
-                .collect();
-            let front = tables::front(&points, &tables::COARSE_BOUNDS);
-            others += &format!("\n`{}`: {}\n\n{front}", scene.name, links.join(", "));
-        }
-        failures += &tables::failures(scene.name, &points, &labels);
-        let list = tables::refused(&points, &labels);
-        if !list.is_empty() {
-            refused.push(format!("`{}`: {}", scene.name, list.join(", ")));
-        }
-    }
-    if !refused.is_empty() {
-        failures += &format!("\nNot applicable: {}.\n", refused.join("; "));
-    }
-    format!("{shown}\n{others}\n{failures}")
-}
-
-/// What there is to measure in a scene.
-fn measures(scene: &Scene) -> impl Iterator<Item = Measure> {
-    let reacts = !scene.model.reactions.is_empty();
-    MEASURES
-        .into_iter()
-        .filter(move |measure| measure.index != 2 || reacts)
-}
-
 fn wanted(chart: &Chart) -> Result<Vec<&'static Scene>, Failure> {
     if !chart.scenes.is_empty() {
         return chart.scenes.iter().map(|name| find::scene(name)).collect();
     }
-    let wanted =
-        |scene: &&Scene| scene.reference.is_some() && (!chart.quick || QUICK.contains(&scene.name));
+    let wanted = |scene: &&Scene| {
+        scene.reference.is_some() && (!chart.quick || IN_FULL.contains(&scene.name))
+    };
     Ok(scenes().iter().filter(wanted).collect())
 }
 

@@ -1,0 +1,28 @@
+//! What programs write into the README and the book.
+//!
+//! Programs that measure keep their results as CSV below `book/src/results`. `mbs pages` renders these into the pages: into
+//! blocks between two comments, and into whole files that pages include. `tests/pages.rs` fails where a page is not what its
+//! data render to. [`registry`] lists the blocks; a new one is a function from [`Data`](data::Data) to Markdown, a line
+//! there, and two comments on the page.
+
+pub mod block;
+mod calls;
+pub mod candidates;
+pub mod charts;
+mod compositions;
+pub mod data;
+mod derivation;
+mod instructions;
+pub mod markdown;
+mod model_size;
+pub mod orders;
+pub mod phases;
+pub mod record;
+pub mod registry;
+pub mod rival;
+pub mod rows;
+pub mod scene_runs;
+mod scenes;
+mod springs;
+pub mod tolerances;
+pub mod update;

@@ -1,0 +1,83 @@
+//! Every text that `mbs pages` writes.
+
+use super::data::Data;
+use super::{
+    calls, candidates, charts, compositions, derivation, instructions, model_size, orders, phases,
+    rival, rows, scenes, springs, tolerances,
+};
+
+/// From the data to Markdown; what is missing, for people.
+pub type Render = fn(&Data) -> Result<String, String>;
+
+/// Where a text is; paths from the top of the repository.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place<'p> {
+    /// Between the two comments of this name.
+    Block {
+        /// The page.
+        page: &'p str,
+        /// The name.
+        name: &'p str,
+    },
+    /// The whole of a file, which a page includes.
+    File(&'p str),
+}
+
+/// A text and where it is.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// Where.
+    pub place: Place<'static>,
+    /// What.
+    pub render: Render,
+}
+
+/// A block of a page.
+pub const fn block(page: &'static str, name: &'static str, render: Render) -> Entry {
+    let place = Place::Block { page, name };
+    Entry { place, render }
+}
+
+/// A file that a page includes.
+pub const fn file(path: &'static str, render: Render) -> Entry {
+    let place = Place::File(path);
+    Entry { place, render }
+}
+
+const README: &str = "README.md";
+const ACCURACY: &str = "book/src/accuracy.md";
+const COORDINATES: &str = "book/src/coordinates.md";
+const COMMAND_LINE: &str = "book/src/command-line.md";
+const TWO_LEVELS: &str = "book/src/theory/two-levels.md";
+const MODEL_SIZE: &str = "book/src/results/model-size.md";
+
+/// All of them.
+pub const ENTRIES: &[Entry] = &[
+    block(README, "scenes", scenes::table),
+    block(README, "rows", rows::measured),
+    block(README, "orders", orders::table),
+    block(README, "samples", orders::samples),
+    block(README, "rival", rival::table),
+    block(README, "stiff springs", springs::sentence),
+    block(README, "instructions", instructions::beside_hand),
+    block(README, "derivation", derivation::sentence),
+    block(ACCURACY, "samples", orders::samples),
+    block(ACCURACY, "looks", tolerances::looks),
+    block(ACCURACY, "tolerances", tolerances::table),
+    block(ACCURACY, "other orders", tolerances::others),
+    block(ACCURACY, "compositions", compositions::table),
+    block(ACCURACY, "phases", phases::table),
+    block(ACCURACY, "rival settings", rival::settings),
+    block(ACCURACY, "calls", calls::table),
+    block(COMMAND_LINE, "samples", orders::samples),
+    block(COORDINATES, "candidates", candidates::text),
+    block(TWO_LEVELS, "rows", rows::measured),
+    block(TWO_LEVELS, "corrections", rows::corrections),
+    block(TWO_LEVELS, "redundant rows", instructions::redundant),
+    block(MODEL_SIZE, "models", model_size::table),
+    file(
+        "book/src/results/work-precision-tables.txt",
+        charts::work_precision,
+    ),
+    file("book/src/results/stability-tables.txt", charts::stability),
+];
