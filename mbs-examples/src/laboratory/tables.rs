@@ -15,13 +15,18 @@ pub const COARSE_BOUNDS: [i32; 3] = [-2, -5, -8];
 /// Families that are compared with the fastest.
 const FAMILIES: [&str; 2] = ["two-level", "projected"];
 
-/// Methods by the time, s, that an energy error takes: the fastest first.
-fn ranking(points: &[Point], bound: f64) -> Vec<(&str, f64)> {
+/// The place of the position error and of the energy error in [`Point::errors`].
+pub const POSITION: usize = 0;
+/// As [`POSITION`].
+pub const ENERGY: usize = 1;
+
+/// Methods by the time, s, that an error of this measure takes: the fastest first.
+pub fn ranking(points: &[Point], measure: usize, bound: f64) -> Vec<(&str, f64)> {
     let mut curves: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     for point in points {
         curves.entry(&point.method).or_default().push(point);
     }
-    let within = |point: &Point| point.outcome == Outcome::Ok && point.errors[1] <= bound;
+    let within = |point: &Point| point.outcome == Outcome::Ok && point.errors[measure] <= bound;
     let mut ranking = Vec::new();
     for (method, mut curve) in curves {
         curve.sort_by(|a, b| b.value.total_cmp(&a.value));
@@ -44,7 +49,7 @@ pub fn front(points: &[Point], bounds: &[i32]) -> String {
     }
     out += "\n|---|---|---|---|---|---|---|---|---|\n";
     for &power in bounds {
-        let ranking = ranking(points, 10_f64.powi(power));
+        let ranking = ranking(points, ENERGY, 10_f64.powi(power));
         let Some(&(fastest, least)) = ranking.first() else {
             let _ = writeln!(out, "| 1e{power} | – | – | – | – | – | – | – | – |");
             continue;

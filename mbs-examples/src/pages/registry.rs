@@ -2,8 +2,8 @@
 
 use super::data::Data;
 use super::{
-    calls, candidates, charts, compositions, derivation, instructions, model_size, orders, phases,
-    rival, rows, scenes, springs, tolerances,
+    calls, candidates, charts, compositions, derivation, instructions, model_size, orders, paper,
+    phases, rival, rows, scenes, springs, tolerances, which,
 };
 
 /// From the data to Markdown; what is missing, for people.
@@ -49,6 +49,16 @@ const ACCURACY: &str = "book/src/accuracy.md";
 const COORDINATES: &str = "book/src/coordinates.md";
 const COMMAND_LINE: &str = "book/src/command-line.md";
 const TWO_LEVELS: &str = "book/src/theory/two-levels.md";
+const FIGURES: [&str; 7] = [
+    "book/src/results/paper/figure-1.md",
+    "book/src/results/paper/figure-2.md",
+    "book/src/results/paper/figure-3.md",
+    "book/src/results/paper/figure-4.md",
+    "book/src/results/paper/figure-5.md",
+    "book/src/results/paper/figure-6.md",
+    "book/src/results/paper/figure-7.md",
+];
+const WHICH: &str = "book/src/results/which-method.md";
 const MODEL_SIZE: &str = "book/src/results/model-size.md";
 
 /// All of them.
@@ -75,6 +85,18 @@ pub const ENTRIES: &[Entry] = &[
     block(TWO_LEVELS, "corrections", rows::corrections),
     block(TWO_LEVELS, "redundant rows", instructions::redundant),
     block(MODEL_SIZE, "models", model_size::table),
+    block(FIGURES[0], "runs", paper::runs_1),
+    block(FIGURES[1], "runs", paper::runs_2),
+    block(FIGURES[1], "ensemble", paper::ensembles_2),
+    block(FIGURES[2], "runs", paper::runs_3),
+    block(FIGURES[2], "ensemble", paper::ensembles_3),
+    block(FIGURES[3], "runs", paper::runs_4),
+    block(FIGURES[3], "ensemble", paper::ensembles_4),
+    block(FIGURES[4], "runs", paper::runs_5),
+    block(FIGURES[5], "runs", paper::runs_6),
+    block(FIGURES[5], "ensemble", paper::ensembles_6),
+    block(FIGURES[6], "runs", paper::runs_7),
+    block(WHICH, "fastest", which::table),
     file(
         "book/src/results/work-precision-tables.txt",
         charts::work_precision,

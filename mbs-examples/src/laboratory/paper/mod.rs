@@ -27,7 +27,7 @@ pub use draw::draw;
 pub use ensemble::{ENSEMBLE_COLUMNS, ENSEMBLE_KEYS, measure_ensemble};
 pub use probe::{Instant, Probe};
 pub use record::{RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores, measure};
-pub use report::{ensemble_table, run_table};
+pub use report::{COMPARED, ensemble_table, run_table};
 pub use run::{Extent, Run, Source, Subject};
 pub use sketch::Sketch;
 

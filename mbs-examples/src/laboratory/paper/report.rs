@@ -6,8 +6,8 @@ use super::figure1::EXACT;
 use crate::laboratory::outcome::Outcome;
 use crate::laboratory::store::Row;
 
-/// The instant at which runs are compared, s.
-const COMPARED: &str = "20";
+/// The instant at which runs are compared, s, as it stands in the files.
+pub const COMPARED: &str = "20";
 /// Places in a row of [`RUN_COLUMNS`](super::RUN_COLUMNS).
 const SETTINGS: usize = 1;
 const OUTCOME: usize = 2;
@@ -19,17 +19,14 @@ const PHI: usize = 9;
 const RATE: usize = 10;
 const BRANCH: usize = 11;
 
-/// How the runs of a figure ended. `energy` is the place of the energy error in a row of samples.
-pub fn run_table(runs: &[Row], samples: &[Row], energy: usize) -> String {
+/// How the runs of a figure ended; `compared` tells the energy error of a run after [`COMPARED`].
+pub fn run_table(runs: &[Row], compared: &dyn Fn(&str) -> Option<String>) -> String {
     let mut out = String::from(
         "| run | settings | reached, s | energy error at 20 s, J | at the end | largest | \\|φ\\| | \\|ψ̇\\| | rejected |\n\
          |---|---|---|---|---|---|---|---|---|\n",
     );
     for row in runs.iter().filter(|row| row[0] != EXACT) {
-        let compared = samples
-            .iter()
-            .find(|sample| sample[0] == row[0] && sample[1] == COMPARED)
-            .map_or(String::new(), |sample| short(&sample[energy]));
+        let compared = compared(&row[0]).map_or(String::new(), |cell| short(&cell));
         let mut reached = row[REACHED].clone();
         if row[OUTCOME] != Outcome::Ok.name() {
             reached = format!("{reached}, {}", row[OUTCOME]);
