@@ -25,6 +25,7 @@ mod sketch;
 pub use column::Column;
 pub use draw::draw;
 pub use ensemble::{ENSEMBLE_COLUMNS, ENSEMBLE_KEYS, measure_ensemble};
+pub use figure1::EXACT;
 pub use probe::{Instant, Probe};
 pub use record::{RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores, measure};
 pub use report::{COMPARED, ensemble_table, run_table};
