@@ -124,3 +124,46 @@ fn check(case: &Case) {
     }
     assert!(wrong.is_empty(), "{}: {wrong:?}", case.scene);
 }
+
+/// Orders above 2 are not A-stable. Without a cap on its steps, and with one that lets it use all orders, backward
+/// differentiation gains no more than 3 % of the largest kinetic energy in 20 s.
+#[test]
+fn backward_differentiation_gains_no_energy() {
+    with_room(|| {
+        for name in ["pendulum", "slider-crank", "double-four-bar", "bricard"] {
+            check_gain(name);
+        }
+    });
+}
+
+fn check_gain(name: &str) {
+    let scene = scenes().iter().find(|scene| scene.name == name);
+    let scene = scene.expect(name);
+    for tolerance in [1e-2, 1e-3, 1e-4] {
+        for (step, looks) in [(0.01, 2000), (1000.0, 20)] {
+            let settings = Settings {
+                method: Method::Bdf(BdfSettings {
+                    tolerance,
+                    ..BdfSettings::default()
+                }),
+                step,
+                ..Settings::default()
+            };
+            let mut simulation = (scene.build)(&[], settings).expect("assembles");
+            let start = simulation.energy();
+            let (mut kinetic, mut gain) = (start.kinetic, 0.0_f64);
+            for look in 1..=looks {
+                let until = 20.0 * f64::from(look) / f64::from(looks);
+                simulation.run_until(until).expect("it runs to the end");
+                let energy = simulation.energy();
+                kinetic = kinetic.max(energy.kinetic);
+                gain = gain.max(energy.error);
+            }
+            println!("{name} {tolerance:e}, steps to {step} s: {gain:.2e} J of {kinetic:.2e} J");
+            assert!(
+                gain <= 0.03 * kinetic,
+                "{name} with {tolerance:e}, steps to {step} s: {gain} J of {kinetic} J"
+            );
+        }
+    }
+}
