@@ -32,7 +32,7 @@ pub const COLUMNS: [&str; 9] = [
 /// How many of them identify a candidate.
 pub const KEYS: usize = 2;
 /// Rounds at most.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 2;
 
 /// Searches for the best parameters of a method; candidates that the store holds are not run again. `tick` hears of each.
 ///

@@ -13,7 +13,7 @@
 //! The order is that of the longest step, as in the codes of the literature (Brenan, Campbell, Petzold: Numerical Solution of
 //! Initial-Value Problems in Differential-Algebraic Equations, 1996, 5.2), which also want differences that fall with their order
 //! before they raise it. For undamped mechanisms that is not enough: with tolerances of 1e-2 orders from 3 amplify what they
-//! follow. Here differences have to fall by five from order to order (ω h ≤ 1/5), or the order is 2 at most.
+//! follow. Here differences have to fall by more from order to order, or the order is 2 at most.
 
 use super::bdf_history::{History, MOST_ORDER};
 use super::bench::Bench;
@@ -50,9 +50,19 @@ const NEWTON_ITERATIONS: usize = 8;
 const SMALLEST: f64 = 1e-9;
 /// Growth below which a step is left as it is, and most growth.
 const GROWTH: [f64; 2] = [1.2, 2.0];
-/// (ω h)² up to which orders above 2 are taken. They are not A-stable: an undamped oscillation grows at the rate
+/// Pivots of rows that follow from others, below this fraction of the largest, in poses that violate the rows: predicted
+/// ones do, and a row that is left in by mistake throws the step anywhere.
+const DEPENDENT: f64 = 1e-8;
+/// (ω h)² up to which an order is taken. Orders 3 to 5 are not A-stable: an undamped oscillation grows at the rate
 /// ω (ω h)³/4 with order 3, ω (ω h)⁵/3 with order 4.
-const RESOLVED: f64 = 0.04;
+const RESOLVED: [f64; MOST_ORDER + 1] = [
+    f64::INFINITY,
+    f64::INFINITY,
+    f64::INFINITY,
+    0.01,
+    0.04,
+    0.04,
+];
 
 pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
     settings: BdfSettings,
@@ -86,7 +96,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             size: 0.0,
             lambda: [0.0; R],
             motion: Motion::new(),
-            saddle: Saddle::new(),
+            saddle: Saddle::with_threshold(DEPENDENT),
         }
     }
 
@@ -247,23 +257,29 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
 
     /// Order and length of the next step, after one of h with this error in tolerances of `bound`.
     ///
-    /// An order above the one in use, or below it, is taken where it allows the longest step. Orders above 2 have to
-    /// resolve the oscillations that they see ([`RESOLVED`]), and their steps do not grow beyond that.
+    /// The order in use, that above it or that below it is taken, whichever allows the longest step; all of them only with
+    /// steps that resolve the oscillations that they see ([`RESOLVED`]).
     fn choose(&mut self, h: f64, error: f64, next: &Trial<Q, N, R>) {
         let bound = self.bound(&next.q);
         self.since += 1;
         let k = self.order;
-        let growth = |order: usize, error: f64, safety: f64| {
-            1.0 / (safety * error.max(1e-12).powf(1.0 / (order + 1) as f64))
+        // How many times as long a step may be; `None` where that is not known.
+        let growth = |order: usize, safety: f64| {
+            let error = match order == k {
+                true => error,
+                false => self.history.error(order, &next.turn)? / bound,
+            };
+            let accurate = error.max(1e-12).powf(-1.0 / (order + 1) as f64) / safety;
+            let coarseness = self.history.coarseness(order, &next.turn, &next.v);
+            let stable = (RESOLVED[order] / coarseness.max(f64::MIN_POSITIVE)).sqrt();
+            Some((accurate.min(stable), stable))
         };
-        let judged = |order: usize| {
-            self.history
-                .error(order, &next.turn)
-                .map(|error| error / bound)
-        };
-        if self.history.coarseness(k, &next.turn, &next.v) > RESOLVED {
+        if k > 2
+            && let Some((_, stable)) = growth(k, 1.0)
+            && stable < 1.0
+        {
             // At once: what such a step gains the next ones would amplify.
-            let factor = judged(k - 1).map_or(1.0, |error| growth(k - 1, error, 1.3));
+            let factor = growth(k - 1, 1.3).map_or(1.0, |(factor, _)| factor);
             (self.order, self.size) = (k - 1, h * factor.clamp(0.25, 1.0));
             self.since = 0;
             return;
@@ -272,25 +288,21 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         if self.since <= k {
             return;
         }
-        let mut best = (k, growth(k, error, 1.2));
+        let mut best = (k, growth(k, 1.2).map_or(1.0, |(factor, _)| factor));
         if k > 1
-            && let Some(error) = judged(k - 1)
-            && growth(k - 1, error, 1.3) > best.1
+            && let Some((factor, _)) = growth(k - 1, 1.3)
+            && factor > best.1
         {
-            best = (k - 1, growth(k - 1, error, 1.3));
+            best = (k - 1, factor);
         }
         if k < usize::from(self.settings.max_order)
-            && let Some(error) = judged(k + 1)
-            && growth(k + 1, error, 1.4) > best.1
-            && self.history.coarseness(k + 1, &next.turn, &next.v) <= RESOLVED
+            && let Some((factor, stable)) = growth(k + 1, 1.4)
+            && factor > best.1
+            && stable >= 1.0
         {
-            best = (k + 1, growth(k + 1, error, 1.4));
+            best = (k + 1, factor);
         }
-        let (order, mut factor) = best;
-        let coarseness = self.history.coarseness(order, &next.turn, &next.v);
-        if coarseness > 0.0 {
-            factor = factor.min((RESOLVED / coarseness).sqrt());
-        }
+        let (order, factor) = best;
         if !(0.9..GROWTH[0]).contains(&factor) || order != k {
             self.size = h * factor.clamp(0.5, GROWTH[1]);
             self.order = order;

@@ -118,7 +118,9 @@ fn run(candidate: &Candidate, problem: &Problem, control: f64) -> End {
     let settings = candidate.settings(control, problem.unit);
     let mut simulation = match problem.build(settings) {
         Ok(simulation) => simulation,
-        Err(SimulationError::Method { .. }) => return End::Refused,
+        Err(SimulationError::Method { .. } | SimulationError::Setting { .. }) => {
+            return End::Refused;
+        }
         Err(_) => return End::Stopped,
     };
     let nominal = match candidate.subject.tolerant {
