@@ -126,7 +126,7 @@ fn check(case: &Case) {
 }
 
 /// Orders above 2 are not A-stable. Without a cap on its steps, and with one that lets it use all orders, backward
-/// differentiation gains no more than 3 % of the largest kinetic energy in 20 s.
+/// differentiation gains no more than 5 % of the largest kinetic energy in 20 s.
 #[test]
 fn backward_differentiation_gains_no_energy() {
     with_room(|| {
@@ -161,7 +161,7 @@ fn check_gain(name: &str) {
             }
             println!("{name} {tolerance:e}, steps to {step} s: {gain:.2e} J of {kinetic:.2e} J");
             assert!(
-                gain <= 0.03 * kinetic,
+                gain <= 0.05 * kinetic,
                 "{name} with {tolerance:e}, steps to {step} s: {gain} J of {kinetic} J"
             );
         }

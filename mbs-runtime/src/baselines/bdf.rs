@@ -130,7 +130,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             {
                 failures = 0;
                 left -= trial;
-                self.choose(trial, *error, next);
+                self.choose(trial, *error, next, h / trial);
                 self.accept(bench, trial, next)?;
                 continue;
             }
@@ -258,8 +258,9 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
     /// Order and length of the next step, after one of h with this error in tolerances of `bound`.
     ///
     /// The order in use, that above it or that below it is taken, whichever allows the longest step; all of them only with
-    /// steps that resolve the oscillations that they see ([`RESOLVED`]).
-    fn choose(&mut self, h: f64, error: f64, next: &Trial<Q, N, R>) {
+    /// steps that resolve the oscillations that they see ([`RESOLVED`]). Where steps are bounded, to `most` times h, the
+    /// higher of equals.
+    fn choose(&mut self, h: f64, error: f64, next: &Trial<Q, N, R>, most: f64) {
         let bound = self.bound(&next.q);
         self.since += 1;
         let k = self.order;
@@ -272,7 +273,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             let accurate = error.max(1e-12).powf(-1.0 / (order + 1) as f64) / safety;
             let coarseness = self.history.coarseness(order, &next.turn, &next.v);
             let stable = (RESOLVED[order] / coarseness.max(f64::MIN_POSITIVE)).sqrt();
-            Some((accurate.min(stable), stable))
+            Some((accurate.min(stable).min(most), stable))
         };
         if k > 2
             && let Some((_, stable)) = growth(k, 1.0)
@@ -297,7 +298,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         }
         if k < usize::from(self.settings.max_order)
             && let Some((factor, stable)) = growth(k + 1, 1.4)
-            && factor > best.1
+            && factor >= best.1
             && stable >= 1.0
         {
             best = (k + 1, factor);
