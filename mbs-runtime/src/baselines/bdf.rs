@@ -59,7 +59,7 @@ const RESOLVED: [f64; MOST_ORDER + 1] = [
     f64::INFINITY,
     f64::INFINITY,
     f64::INFINITY,
-    0.01,
+    0.04,
     0.04,
     0.04,
 ];
