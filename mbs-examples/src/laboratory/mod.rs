@@ -16,5 +16,6 @@ pub mod stability;
 pub mod store;
 pub mod svg;
 pub mod tables;
+pub mod tuning;
 pub mod work_precision;
 pub mod yardstick;

@@ -19,6 +19,7 @@ pub mod rattleback;
 pub mod rolling_disk;
 pub mod slider_crank;
 pub mod spherical_pendulum;
+pub mod tuning;
 
 use crate::scene::Scene;
 

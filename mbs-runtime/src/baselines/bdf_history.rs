@@ -118,6 +118,38 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         let difference: [f64; N] = std::array::from_fn(|i| turn[i] - predicted[i]);
         Some(h / (self.sought - self.times[order]) * largest(&difference))
     }
+
+    /// The largest deviations of θ₀ and v₀ from the polynomials of this degree: the backward differences after as many,
+    /// for even steps.
+    fn differences(&self, degree: usize, turn: &[f64; N], v: &[f64; N]) -> [f64; 2] {
+        let [turns, rates] = self.predict(degree);
+        let largest_of = |a: &[f64; N], b: &[f64; N]| {
+            let difference: [f64; N] = std::array::from_fn(|i| a[i] - b[i]);
+            largest(&difference)
+        };
+        [largest_of(turn, &turns), largest_of(v, &rates)]
+    }
+
+    /// (ω h)² of an oscillation ω, from differences that are two orders apart: these are in phase. Those of v, which are
+    /// differences of θ one order higher, tell of the jolts beside singular poses. Zero for orders up to 2, and infinite
+    /// where too little of the past is known.
+    pub(super) fn coarseness(&self, order: usize, turn: &[f64; N], v: &[f64; N]) -> f64 {
+        if order <= 2 {
+            return 0.0;
+        }
+        if self.len <= order {
+            return f64::INFINITY;
+        }
+        let differences: [[f64; 2]; KEPT] = std::array::from_fn(|degree| match degree <= order {
+            true => self.differences(degree, turn, v),
+            false => [0.0; 2],
+        });
+        let ratio = |degree: usize, of: usize| {
+            differences[degree][of] / differences[degree - 2][of].max(f64::MIN_POSITIVE)
+        };
+        let worst = |degree: usize| ratio(degree, 0).max(ratio(degree - 1, 1));
+        (3..=order).map(worst).fold(0.0, f64::max)
+    }
 }
 
 /// Σ c_j x_j.

@@ -30,7 +30,7 @@ pub struct ProjectionSettings {
 
 impl Default for ProjectionSettings {
     fn default() -> Self {
-        ProjectionSettings { penalty: 1e5 }
+        ProjectionSettings { penalty: 1e9 }
     }
 }
 

@@ -29,8 +29,8 @@ pub struct PenaltySettings {
 impl Default for PenaltySettings {
     fn default() -> Self {
         PenaltySettings {
-            penalty: 1e8,
-            damping_ratio: 1.0,
+            penalty: 1e7,
+            damping_ratio: 3.0,
         }
     }
 }

@@ -21,11 +21,19 @@ pub(crate) struct Saddle<const N: usize, const R: usize> {
     order: [[usize; R]; 2],
     scale: [f64; R],
     rank: usize,
+    /// Pivots below this fraction of the largest belong to rows that follow from others.
+    threshold: f64,
 }
 
 impl<const N: usize, const R: usize> Saddle<N, R> {
     pub(crate) fn new() -> Self {
+        Self::with_threshold(DEPENDENT)
+    }
+
+    /// For poses that violate the rows, where those that follow from others are not quite dependent.
+    pub(crate) fn with_threshold(threshold: f64) -> Self {
         Saddle {
+            threshold,
             jacobian: Box::new(Pivoted::new()),
             along: clear(),
             matrix: clear(),
@@ -81,7 +89,7 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
             if k == 0 {
                 first = most;
             }
-            if !(most > DEPENDENT * first) {
+            if !(most > self.threshold * first) {
                 self.rank = k;
                 return;
             }
