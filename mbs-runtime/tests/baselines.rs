@@ -80,20 +80,30 @@ fn exact<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     })
 }
 
+/// Explicit steps of an order that the steps of these tests resolve: the default gain asks for shorter ones before the
+/// order shows.
+fn explicit(name: &str, order: u8, step: f64) -> Settings {
+    let mut settings = by_name(name, order, step);
+    if let Method::Baumgarte(baumgarte) = &mut settings.method {
+        baumgarte.gain = 10.0;
+    }
+    settings
+}
+
 #[test]
 fn explicit_methods_have_their_order() {
     for name in ["baumgarte", "projected"] {
         for (order, h) in [(4, 0.01), (6, 0.04)] {
-            let by = by_name(name, order, h);
+            let by = explicit(name, order, h);
             let expected = f64::from(order);
             slope(SliderCrank, by, expected, 0.24);
             slope(SliderCrankAngles, by, expected, 0.24);
             slope(Shaken, by, expected, 0.48);
         }
-        let by = by_name(name, 4, 0.05);
+        let by = explicit(name, 4, 0.05);
         slope(Sleigh::default(), by, 4.0, 2.0);
         slope(Towing, by, 4.0, 1.0);
-        slope(DampedSliderCrank, by_name(name, 4, 0.01), 4.0, 0.2);
+        slope(DampedSliderCrank, explicit(name, 4, 0.01), 4.0, 0.2);
     }
 }
 
@@ -102,15 +112,15 @@ fn explicit_methods_turn_bodies_with_their_order() {
     for name in ["baumgarte", "projected"] {
         for (order, h) in [(4, 5e-3), (6, 1e-2)] {
             let expected = f64::from(order);
-            slope(HeavyTop, by_name(name, order, h), expected, 0.1);
-            slope(RollingDisk, by_name(name, order, 10.0 * h), expected, 1.0);
+            slope(HeavyTop, explicit(name, order, h), expected, 0.1);
+            slope(RollingDisk, explicit(name, order, 10.0 * h), expected, 1.0);
             slope(
                 Sprung::<false> {
                     stiffness: 40.0,
                     damping: 0.0,
                     spin: [1.0, 2.0, -1.0],
                 },
-                by_name(name, order, 2.0 * h),
+                explicit(name, order, 2.0 * h),
                 expected,
                 0.2,
             );

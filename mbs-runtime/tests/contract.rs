@@ -88,7 +88,10 @@ fn resuming_continues_bit_for_bit() {
     resumes(Towing, settings);
     resumes(Shaken, settings);
     for carried_fields in [true, false] {
+        // A state is resumed if it satisfies the rows.
         let paper = PaperSettings {
+            velocity_tolerance: 1e-6,
+            residual_tolerance: 1e-6,
             carried_fields,
             ..PaperSettings::default()
         };

@@ -33,14 +33,16 @@ fn tolerance(velocity_tolerance: f64) -> PaperSettings {
 fn fine(residual_tolerance: f64) -> PaperSettings {
     PaperSettings {
         residual_tolerance,
+        newton_tolerance: 1e-10,
+        penalty: 1e4,
         ..tolerance(residual_tolerance)
     }
 }
 
-/// The accuracy of 0.01 that the paper names.
+/// The accuracy of 0.01 that the paper names, and a penalty that suits the step.
 fn accuracy() -> PaperSettings {
     PaperSettings {
-        residual_tolerance: 1e-2,
+        penalty: 1e4,
         ..tolerance(1e-2)
     }
 }

@@ -59,6 +59,7 @@ fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
         "baumgarte adaptive" => ("#8a6d1f", Marker::Ring, "", 1.4),
         "rattle" => ("#3c9c8f", Marker::Ring, "", 2.0),
         "alf3f-paper" => ("#b3202a", Marker::Cross, "", 2.0),
+        "alf3f-paper 1e4" => ("#b3202a", Marker::Cross, "5 3", 1.6),
         "m-alf" => ("#e2737b", Marker::Plus, "6 2 2 2", 2.0),
         "index3-projections" => ("#6f7680", Marker::Cross, "6 2 2 2", 1.8),
         "generalized-alpha" => ("#7b4b9e", Marker::Frame, "", 1.8),

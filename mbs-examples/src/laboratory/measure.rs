@@ -39,11 +39,6 @@ impl Errors {
             detail,
         }
     }
-
-    /// Of a run that was not tried, and why.
-    pub fn too_slow(why: String) -> Self {
-        Self::of(Outcome::TooSlow, why)
-    }
 }
 
 /// Runs to the end of the yardstick and compares; gives up after `patience` seconds of processor time.

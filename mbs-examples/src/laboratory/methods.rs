@@ -1,9 +1,17 @@
 //! The methods that are compared, each tuned as its users would.
 
 use mbs_runtime::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, PenaltySettings,
-    Settings,
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, PaperSettings,
+    PenaltySettings, Settings,
 };
+
+/// Algorithm 1 halves its steps down to this part of the step, which nobody can stop in between.
+const SMALLEST: f64 = 1e-3;
+/// The penalty that Algorithm 1 needs at the singular poses of the paper's mechanisms with steps of 1e-3 s; that of its
+/// default suits longer steps.
+const HEAVY: f64 = 1e4;
+/// Its label.
+const PAPER_HEAVY: &str = "alf3f-paper 1e4";
 
 /// What makes a method finer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,11 +69,6 @@ impl Entry {
         }
     }
 
-    /// Whether one of its steps may take any number of smaller ones, so that nobody can stop it in between.
-    pub fn halves_without_end(&self) -> bool {
-        matches!(self.method, Method::Paper(_) | Method::MAlf(_))
-    }
-
     /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance.
     ///
     /// What has the unit of a frequency follows the duration: a user gives a mechanism of milliseconds a stiffer
@@ -85,6 +88,16 @@ impl Entry {
             }),
             Method::Penalty(settings) => Method::Penalty(PenaltySettings {
                 penalty: pace * pace * settings.penalty,
+                ..settings
+            }),
+            Method::Paper(settings) => Method::Paper(PaperSettings {
+                smallest_step: SMALLEST * control,
+                ..settings
+            }),
+            Method::MAlf(settings) => Method::MAlf(PaperSettings {
+                penalty: pace * pace * settings.penalty,
+                max_penalty: pace * pace * settings.max_penalty,
+                smallest_step: SMALLEST * control,
                 ..settings
             }),
             Method::Bdf(settings) => Method::Bdf(BdfSettings {
@@ -117,6 +130,10 @@ pub fn entries() -> Vec<Entry> {
         adaptive: Some(1e-6),
         ..BaumgarteSettings::default()
     });
+    let heavy = Method::Paper(PaperSettings {
+        penalty: HEAVY,
+        ..PaperSettings::default()
+    });
     let with = |label, method| {
         Some(Entry {
             label,
@@ -137,6 +154,7 @@ pub fn entries() -> Vec<Entry> {
             tolerant: true,
         }),
         Entry::named("alf3f-paper", "alf3f-paper", 2),
+        with(PAPER_HEAVY, heavy),
         Entry::named("m-alf", "m-alf", 2),
         Entry::named("index3-projections", "index3-projections", 2),
         Entry::named("generalized-alpha", "generalized-alpha", 2),

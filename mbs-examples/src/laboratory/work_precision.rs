@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::measure::{Errors, errors, time};
+use super::measure::{errors, time};
 use super::methods::{Control, Entry, entries};
 use super::outcome::Outcome;
 use super::store::{Row, Store};
@@ -25,9 +25,6 @@ pub const COLUMNS: [&str; 12] = [
 ];
 /// How many of them identify a point.
 pub const KEYS: usize = 4;
-
-/// Algorithm 1 is not tried with more rows: one step of `four-bar-40` came to no end within 40 s.
-const MOST_ROWS: usize = 50;
 
 /// After so many runs in a row that were given up finer ones are not tried.
 const ENOUGH: u32 = 3;
@@ -176,12 +173,7 @@ fn first(
     effort: &Effort,
     key: &[&str; KEYS],
 ) -> Row {
-    let rows = yardstick.scene.model.rows.len();
-    let found = if entry.halves_without_end() && rows > MOST_ROWS {
-        Errors::too_slow(format!("steps are halved without end with {rows} rows"))
-    } else {
-        errors(yardstick, entry, value, effort.patience)
-    };
+    let found = errors(yardstick, entry, value, effort.patience);
     let cpu = match found.outcome {
         Outcome::Ok => time(yardstick, entry, value).unwrap_or(f64::NAN),
         _ => found.cpu,

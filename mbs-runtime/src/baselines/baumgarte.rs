@@ -33,7 +33,7 @@ pub struct BaumgarteSettings {
 impl Default for BaumgarteSettings {
     fn default() -> Self {
         BaumgarteSettings {
-            gain: 10.0,
+            gain: 30.0,
             adaptive: None,
         }
     }

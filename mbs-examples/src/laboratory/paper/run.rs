@@ -302,11 +302,9 @@ pub fn strict(penalty: f64) -> PaperSettings {
     }
 }
 
-/// M-ALF with its default penalty, a stiffness, and the accuracy of [`algorithm`].
+/// M-ALF with its default penalty, a stiffness, and its default tolerances: rows of velocities to 0.01.
 pub fn m_alf() -> Method {
     Method::MAlf(PaperSettings {
-        velocity_tolerance: ACCURACY,
-        residual_tolerance: ACCURACY,
         smallest_step: 1e-6,
         ..PaperSettings::m_alf()
     })

@@ -263,7 +263,7 @@ fn mass_scales() -> Map {
         "Factor on the effective masses of the rows, constant penalties, step 0.001 s",
         "factor on m̄",
         (-4..=4).map(|e| 10_f64.powi(e)).collect(),
-        &["alf3f-paper"],
+        &["alf3f-paper", "alf3f-paper 1e4"],
         |method, value| match method {
             Method::Paper(settings) => Method::Paper(PaperSettings {
                 mass_scale: value,

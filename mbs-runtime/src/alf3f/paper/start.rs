@@ -106,9 +106,7 @@ pub(super) fn begin<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
             fields.length = 1.0;
         }
         RowMotion::Static => {
-            for i in 0..R {
-                fields.lambda[i] = reactions[i];
-            }
+            fields.lambda.copy_from_slice(&reactions);
             fields.mu = [0.0; R];
             system.momentum(positions, velocities, &mut fields.momentum);
             fields.started = true;
