@@ -24,6 +24,16 @@ pub fn measures(scene: &Scene) -> impl Iterator<Item = Measure> {
         .filter(move |measure| measure.index != 2 || reacts)
 }
 
+/// Where the points of speed against accuracy are from.
+pub fn work_precision_source(data: &Data) -> Result<String, String> {
+    Ok(data.table("work-precision.csv")?.source())
+}
+
+/// Where the cells of the maps are from.
+pub fn stability_source(data: &Data) -> Result<String, String> {
+    Ok(data.table("stability.csv")?.source())
+}
+
 /// Speed against accuracy, from the committed points.
 pub fn work_precision(data: &Data) -> Result<String, String> {
     let results = data.table("work-precision.csv")?;

@@ -26,5 +26,6 @@ pub mod scene_runs;
 mod scenes;
 mod springs;
 pub mod tolerances;
+mod tuning;
 pub mod update;
 mod which;

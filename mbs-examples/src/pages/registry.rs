@@ -3,7 +3,7 @@
 use super::data::Data;
 use super::{
     calls, candidates, charts, compositions, derivation, instructions, model_size, orders, paper,
-    phases, rival, rows, scenes, springs, tolerances, which,
+    phases, rival, rows, scenes, springs, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; what is missing, for people.
@@ -58,7 +58,10 @@ const FIGURES: [&str; 7] = [
     "book/src/results/paper/figure-6.md",
     "book/src/results/paper/figure-7.md",
 ];
+const TUNING: &str = "book/src/results/tuning.md";
 const WHICH: &str = "book/src/results/which-method.md";
+const WORK_PRECISION: &str = "book/src/results/work-precision.md";
+const STABILITY: &str = "book/src/results/stability.md";
 const MODEL_SIZE: &str = "book/src/results/model-size.md";
 
 /// All of them.
@@ -99,6 +102,9 @@ pub const ENTRIES: &[Entry] = &[
     block(FIGURES[5], "ensemble", paper::ensembles_6),
     block(FIGURES[6], "runs", paper::runs_7),
     block(WHICH, "fastest", which::table),
+    block(TUNING, "tuning", tuning::table),
+    block(WORK_PRECISION, "source", charts::work_precision_source),
+    block(STABILITY, "source", charts::stability_source),
     file(
         "book/src/results/work-precision-tables.txt",
         charts::work_precision,
