@@ -272,6 +272,7 @@ pub fn algorithm(penalty: f64, most: f64) -> PaperSettings {
     PaperSettings {
         velocity_tolerance: ACCURACY,
         residual_tolerance: ACCURACY,
+        min_updates: 1,
         penalty,
         penalty_growth: 2.0,
         max_penalty: most,
@@ -305,6 +306,7 @@ pub fn strict(penalty: f64) -> PaperSettings {
 /// M-ALF with its default penalty, a stiffness, and its default tolerances: rows of velocities to 0.01.
 pub fn m_alf() -> Method {
     Method::MAlf(PaperSettings {
+        min_updates: 1,
         smallest_step: 1e-6,
         ..PaperSettings::m_alf()
     })

@@ -231,7 +231,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             k += 1;
             // 32
             self.end.place(&self.system, &settings, t1, &x.q, &x.v)?;
-            if self.is_settled(t1, h, &known, &x) {
+            if k >= settings.min_updates && self.is_settled(t1, h, &known, &x) {
                 break;
             }
             if k == settings.max_updates {

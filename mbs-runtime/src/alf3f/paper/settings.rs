@@ -50,6 +50,9 @@ pub struct PaperSettings {
     pub max_newton_iterations: usize,
     /// j_max of line 28.
     pub max_augmentations: usize,
+    /// The least number of updates of q₁ (lines 6–32). The first one leaves an error of second order in each step where M
+    /// or the forces depend on q, which adds up to one of first order; the second one takes it away.
+    pub min_updates: usize,
     /// k_max of line 32.
     pub max_updates: usize,
     /// The step is halved on failure, down to this, s.
@@ -80,6 +83,7 @@ impl Default for PaperSettings {
             augmentation_ratio: 0.5,
             max_newton_iterations: 20,
             max_augmentations: 40,
+            min_updates: 2,
             max_updates: 30,
             smallest_step: 1e-9,
             mass_scale: 1.0,
