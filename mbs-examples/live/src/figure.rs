@@ -1,7 +1,9 @@
 //! The runs of one figure.
 
 use crate::{MECHANISMS, Refusal};
-use mbs_runtime::{AnySimulation, Method, Settings};
+use mbs_runtime::{
+    AnySimulation, BaumgarteSettings, Method, PenaltySettings, ProjectionSettings, Settings,
+};
 
 /// The least and the largest step of the page, s. Below it a browser cannot follow the clock, above it no mechanism of the
 /// page is resolved.
@@ -24,6 +26,24 @@ pub const METHODS: [(&str, &str); 7] = [
     ("index3-projections", "index 3, projected"),
     ("penalty", "penalties"),
 ];
+
+/// The settings of the module that the book has: its digits are compared with those of this code.
+fn as_built(method: Method) -> Method {
+    match method {
+        Method::Baumgarte(settings) => Method::Baumgarte(BaumgarteSettings {
+            gain: 10.0,
+            ..settings
+        }),
+        Method::Penalty(_) => Method::Penalty(PenaltySettings {
+            penalty: 1e8,
+            damping_ratio: 1.0,
+        }),
+        Method::Index3Projections(_) => {
+            Method::Index3Projections(ProjectionSettings { penalty: 1e5 })
+        }
+        other => other,
+    }
+}
 
 struct Run {
     simulation: Box<dyn AnySimulation>,
@@ -59,6 +79,7 @@ impl Figure {
         let method = METHODS
             .get(method)
             .and_then(|(name, _)| Method::by_name(name))
+            .map(as_built)
             .ok_or(Refusal::Method(method))?;
         if !(STEPS[0]..=STEPS[1]).contains(&step) {
             return Err(Refusal::Step(step));
