@@ -96,7 +96,7 @@ impl Default for PaperSettings {
 }
 
 impl PaperSettings {
-    /// Those that suit [`Method::MAlf`]: its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
+    /// Those that suit [`Method::MAlf`](crate::Method::MAlf): its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
     pub fn m_alf() -> Self {
         PaperSettings {
             residual_tolerance: 1e-3,
