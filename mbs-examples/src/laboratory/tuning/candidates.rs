@@ -48,7 +48,7 @@ pub static SUBJECTS: &[Subject] = &[
             RATIO,
         ],
         controls: STEPS,
-        method: |x, h, unit| Method::Paper(paper(PaperSettings::default(), x, [1.0; 2], h, unit)),
+        method: |x, h, unit| Method::Paper(paper(PaperSettings::default(), x, 1.0, h, unit)),
         tolerant: false,
     },
     Subject {
@@ -64,7 +64,7 @@ pub static SUBJECTS: &[Subject] = &[
         controls: STEPS,
         method: |x, h, unit| {
             let square = (h / unit).powi(2);
-            Method::Paper(paper(PaperSettings::default(), x, [square; 2], h, unit))
+            Method::Paper(paper(PaperSettings::default(), x, square, h, unit))
         },
         tolerant: false,
     },
@@ -79,7 +79,7 @@ pub static SUBJECTS: &[Subject] = &[
             RATIO,
         ],
         controls: STEPS,
-        method: |x, h, unit| Method::MAlf(paper(PaperSettings::m_alf(), x, [1.0; 2], h, unit)),
+        method: |x, h, unit| Method::MAlf(m_alf(x, 1.0, h, unit)),
         tolerant: false,
     },
     Subject {
@@ -95,7 +95,7 @@ pub static SUBJECTS: &[Subject] = &[
         controls: STEPS,
         method: |x, h, unit| {
             let square = (h / unit).powi(2);
-            Method::MAlf(paper(PaperSettings::m_alf(), x, [square; 2], h, unit))
+            Method::MAlf(m_alf(x, square, h, unit))
         },
         tolerant: false,
     },
@@ -171,24 +171,28 @@ pub static SUBJECTS: &[Subject] = &[
     },
 ];
 
-/// Penalty, the two tolerances (as parts of `scale`), and the rest, as the grids have them.
-fn paper(base: PaperSettings, x: &[f64], scale: [f64; 2], h: f64, unit: f64) -> PaperSettings {
-    // M-ALF's penalty is a stiffness.
-    let stiffness = match base.max_penalty == PaperSettings::m_alf().max_penalty {
-        true => 1.0 / (unit * unit),
-        false => 1.0,
-    };
+/// Algorithm 1: penalty, the two tolerances (as parts of `scale`), and the rest, as the grids have them.
+fn paper(base: PaperSettings, x: &[f64], scale: f64, h: f64, unit: f64) -> PaperSettings {
     PaperSettings {
-        penalty: stiffness * x[0],
-        max_penalty: stiffness * base.max_penalty,
-        velocity_tolerance: scale[0] * x[1] / unit,
-        residual_tolerance: scale[1] * x[2],
+        penalty: x[0],
+        velocity_tolerance: scale * x[1] / unit,
+        residual_tolerance: scale * x[2],
         newton_tolerance: x[3],
         penalty_growth: x[4],
         augmentation_ratio: x[5],
         // A step that comes to no end otherwise.
         smallest_step: h / 1024.0,
         ..base
+    }
+}
+
+/// The same of M-ALF, whose penalty is a stiffness.
+fn m_alf(x: &[f64], scale: f64, h: f64, unit: f64) -> PaperSettings {
+    let settings = paper(PaperSettings::m_alf(), x, scale, h, unit);
+    PaperSettings {
+        penalty: settings.penalty / (unit * unit),
+        max_penalty: settings.max_penalty / (unit * unit),
+        ..settings
     }
 }
 

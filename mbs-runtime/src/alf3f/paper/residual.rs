@@ -30,9 +30,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             self.system.solve_mass(&self.end.node.mass, &mut y);
             dot(x, &y).sqrt()
         };
-        let mut momentum = [0.0; N];
-        self.system.momentum(&x.q, &x.v, &mut momentum);
-        let scale = dot(&momentum, &x.v).sqrt() + h * size(self.end.force());
+        let scale = dot(self.end.mechanical_momentum(), &x.v).sqrt() + h * size(self.end.force());
         // Newton's tolerance leaves a ψ̇ that the penalty multiplies: no smaller residual can be asked for.
         let floor = NEWTON_NOISE * self.settings.newton_tolerance * self.heaviest_penalty(h, x);
         size(&residual) <= self.settings.residual_tolerance.max(floor) * scale

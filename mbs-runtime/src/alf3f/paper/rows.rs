@@ -151,6 +151,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         total
     }
 
+    /// M v of the last `momentum`.
+    pub(super) fn mechanical_momentum(&self) -> &[f64; N] {
+        &self.momentum
+    }
+
     /// f + ∂T/∂q of the last `total_force`.
     pub(super) fn force(&self) -> &[f64; N] {
         &self.force
