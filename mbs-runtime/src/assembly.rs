@@ -1,7 +1,7 @@
 //! From the declared guess to a state that satisfies the constraints.
 
-use crate::alf3f::{Fault, Node};
-use crate::linear::{SymmetricDual, accumulate, dependence, dot, largest};
+use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::linear::{DelassusFactor, accumulate, dependence, dot, largest};
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 
 /// Newton steps of the position problem; each is damped until it improves the rows.
@@ -27,26 +27,35 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
     let size = largest(&guess).max(1.0);
-    let mut node = Node::new(system, &guess).map_err(fault)?;
+    let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
     let mut phi = [0.0; R];
-    node.evaluate(system, 0.0, &guess, &mut phi)
+    geometry
+        .evaluate(system, 0.0, &guess, &mut phi)
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
     close(
         system,
-        &mut node,
+        &mut geometry,
         &mut q,
         &mut phi,
         settings.constraint_tolerance * size,
     )
     .map_err(fault)?;
 
-    let verdict = judge(system, settings, &node, &phi, residual_before, &guess, &q);
+    let verdict = judge(
+        system,
+        settings,
+        &geometry,
+        &phi,
+        residual_before,
+        &guess,
+        &q,
+    );
     if !(verdict.residual <= ASSEMBLED * size) {
         return Err(SimulationError::Assembly(verdict));
     }
-    project(system, &node, &mut v);
+    project(system, &geometry, &mut v);
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -69,25 +78,34 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
         }
     }
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
-    let mut node = Node::new(system, q).map_err(fault)?;
+    let mut geometry = ConstraintGeometry::new(system, q).map_err(fault)?;
     let mut phi = [0.0; R];
-    node.evaluate(system, state.time, q, &mut phi)
+    geometry
+        .evaluate(system, state.time, q, &mut phi)
         .map_err(fault)?;
-    Ok(judge(system, settings, &node, &phi, largest(&phi), q, q))
+    Ok(judge(
+        system,
+        settings,
+        &geometry,
+        &phi,
+        largest(&phi),
+        q,
+        q,
+    ))
 }
 
 /// What there is to say about the pose q, reached from `guess`.
 fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
-    node: &Node<S, Q, N, R>,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
     phi: &[f64; R],
     residual_before: f64,
     guess: &[f64; Q],
     q: &[f64; Q],
 ) -> AssemblyVerdict {
     let size = largest(guess).max(1.0);
-    let rows = dependence(&node.a, &node.w);
+    let rows = dependence(&geometry.a, &geometry.w);
     let mut change = [0.0; N];
     let way = system.difference(guess, q);
     system.momentum(q, &way, &mut change);
@@ -121,24 +139,24 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 /// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
 fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    node: &mut Node<S, Q, N, R>,
+    geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut [f64; Q],
     phi: &mut [f64; R],
     tolerance: f64,
 ) -> Result<(), Fault> {
-    let mut solver = Box::new(SymmetricDual::new());
+    let mut solver = Box::new(DelassusFactor::new());
     for _ in 0..MAX_ITERATIONS {
         let before = dot(phi, phi);
         if largest(&phi[..]) <= tolerance {
             return Ok(());
         }
-        solver.factor(&holonomic_gram(node));
+        solver.factor(&holonomic_delassus(geometry));
         let mut multiplier = phi.map(|residual| -residual);
         solver.solve(&mut multiplier);
         let mut factor = 1.0;
         loop {
             let mut way = [0.0; N];
-            accumulate(&mut way, &node.w, &multiplier);
+            accumulate(&mut way, &geometry.w, &multiplier);
             let trial = system.advance(q, &way, factor);
             let mut residual = [0.0; R];
             system.holonomic(0.0, &trial, &mut residual);
@@ -152,43 +170,43 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
                 return Ok(());
             }
         }
-        node.evaluate(system, 0.0, q, phi)?;
+        geometry.evaluate(system, 0.0, q, phi)?;
     }
     Ok(())
 }
 
 /// S of the holonomic rows, with unit rows in place of the others.
-fn holonomic_gram<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    node: &Node<S, Q, N, R>,
+fn holonomic_delassus<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    geometry: &ConstraintGeometry<S, Q, N, R>,
 ) -> crate::linear::Matrix<R, R> {
-    let mut gram = node.gram.clone();
+    let mut delassus = geometry.delassus.clone();
     for i in S::STRUCTURE.holonomic_rows..R {
         for j in 0..R {
-            gram[i][j] = 0.0;
-            gram[j][i] = 0.0;
+            delassus[i][j] = 0.0;
+            delassus[j][i] = 0.0;
         }
-        gram[i][i] = 1.0;
+        delassus[i][i] = 1.0;
     }
-    gram
+    delassus
 }
 
 /// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
 fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    node: &Node<S, Q, N, R>,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
     v: &mut [f64; N],
 ) {
-    let mut solver = Box::new(SymmetricDual::new());
-    solver.factor(&node.gram);
+    let mut solver = Box::new(DelassusFactor::new());
+    solver.factor(&geometry.delassus);
     for _ in 0..3 {
-        let rates = node.velocity_rows(system, v);
+        let rates = geometry.velocity_rows(system, v);
         // Velocities that satisfy the rows are left as they are.
         if largest(&rates) <= 1e-14 * largest(&v[..]) {
             return;
         }
         let mut multiplier = rates.map(|rate| -rate);
         solver.solve(&mut multiplier);
-        accumulate(v, &node.w, &multiplier);
+        accumulate(v, &geometry.w, &multiplier);
     }
 }
 

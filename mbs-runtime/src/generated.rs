@@ -113,13 +113,13 @@ pub fn multiply_rows<const N: usize, const R: usize>(
     }
 }
 
-/// gram = A Wᵀ, skipping the zeros of A.
-pub fn gram<const N: usize, const R: usize>(
+/// delassus = A Wᵀ, skipping the zeros of A.
+pub fn delassus<const N: usize, const R: usize>(
     a: &[[f64; N]; R],
     w: &[[f64; N]; R],
-    gram: &mut [[f64; R]; R],
+    delassus: &mut [[f64; R]; R],
 ) {
-    for (row, a) in gram.iter_mut().zip(a) {
+    for (row, a) in delassus.iter_mut().zip(a) {
         *row = [0.0; R];
         for (column, &entry) in a.iter().enumerate() {
             if entry != 0.0 {
@@ -196,7 +196,7 @@ impl System<0, 0, 0> for Unfinished {
     }
     fn solve_mass(&self, _: &(), _: &mut [f64; 0]) {}
     fn solve_mass_rows(&self, _: &(), _: &[[f64; 0]; 0], _: &mut [[f64; 0]; 0]) {}
-    fn gram(&self, _: &[[f64; 0]; 0], _: &[[f64; 0]; 0], _: &mut [[f64; 0]; 0]) {}
+    fn delassus(&self, _: &[[f64; 0]; 0], _: &[[f64; 0]; 0], _: &mut [[f64; 0]; 0]) {}
     fn momentum(&self, _: &[f64; 0], _: &[f64; 0], _: &mut [f64; 0]) {}
     fn affinities(&self, _: &[f64; 0], _: &mut impl TensorSink) {}
     fn holonomic(&self, _: f64, _: &[f64; 0], _: &mut [f64; 0]) {}

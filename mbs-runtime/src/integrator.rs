@@ -1,7 +1,7 @@
 //! One face for the integrators.
 
-use crate::alf3f::{Counters, PaperStepper, Passage};
-use crate::linear::Independence;
+use crate::alf3f::{Counters, PaperStepper, StepMonitor};
+use crate::linear::RankMargin;
 use crate::{
     BaselineStepper, Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper,
 };
@@ -32,9 +32,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
-    pub(crate) fn step(&mut self, h: f64, passage: &mut Passage) -> Result<(), SimulationError> {
+    pub(crate) fn step(
+        &mut self,
+        h: f64,
+        monitor: &mut StepMonitor,
+    ) -> Result<(), SimulationError> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.pass(h, passage),
+            Integrator::TwoLevel(stepper) => stepper.pass(h, monitor),
             Integrator::Paper(stepper) => {
                 stepper.step(h)?;
                 let State {
@@ -46,19 +50,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 let power = stepper
                     .system
                     .nonconservative_power(*time, positions, velocities);
-                passage.nonconservative_work += 0.5 * h * (passage.power + power);
-                passage.power = power;
-                passage.drive_work += stepper.drive().iter().sum::<f64>();
+                monitor.nonconservative_work += 0.5 * h * (monitor.power + power);
+                monitor.power = power;
+                monitor.drive_work += stepper.drive().iter().sum::<f64>();
                 Ok(())
             }
             Integrator::Baseline(stepper) => {
                 stepper.step(h)?;
                 let works = stepper.take_stock()?;
-                passage.nonconservative_work += works.nonconservative;
-                passage.drive_work += works.drive;
-                if passage.independence.is_some() {
-                    passage.independence = stepper.independence();
-                    passage.clearance = passage.clearance.min(stepper.clearance());
+                monitor.nonconservative_work += works.nonconservative;
+                monitor.drive_work += works.drive;
+                if monitor.rank_margin.is_some() {
+                    monitor.rank_margin = stepper.rank_margin();
+                    monitor.clearance = monitor.clearance.min(stepper.clearance());
                 }
                 Ok(())
             }
@@ -66,10 +70,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     }
 
     /// How independent the rows are; `None` where there is nothing to lose, or nobody to ask.
-    pub(crate) fn independence(&mut self) -> Option<Independence> {
+    pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.independence(),
-            Integrator::Baseline(stepper) => stepper.independence(),
+            Integrator::TwoLevel(stepper) => stepper.rank_margin(),
+            Integrator::Baseline(stepper) => stepper.rank_margin(),
             Integrator::Paper(_) => None,
         }
     }
@@ -93,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
 
     pub(crate) fn system(&self) -> &S {
         match self {
-            Integrator::TwoLevel(stepper) => &stepper.core.system,
+            Integrator::TwoLevel(stepper) => &stepper.context.system,
             Integrator::Paper(stepper) => &stepper.system,
             Integrator::Baseline(stepper) => &stepper.bench.system,
         }
@@ -101,7 +105,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
 
     pub(crate) fn system_mut(&mut self) -> &mut S {
         match self {
-            Integrator::TwoLevel(stepper) => &mut stepper.core.system,
+            Integrator::TwoLevel(stepper) => &mut stepper.context.system,
             Integrator::Paper(stepper) => &mut stepper.system,
             Integrator::Baseline(stepper) => &mut stepper.bench.system,
         }
@@ -109,7 +113,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
 
     pub(crate) fn state(&self) -> &State<Q, N, R> {
         match self {
-            Integrator::TwoLevel(stepper) => &stepper.core.state,
+            Integrator::TwoLevel(stepper) => &stepper.context.state,
             Integrator::Paper(stepper) => &stepper.state,
             Integrator::Baseline(stepper) => &stepper.bench.state,
         }
@@ -117,7 +121,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
 
     pub(crate) fn state_mut(&mut self) -> &mut State<Q, N, R> {
         match self {
-            Integrator::TwoLevel(stepper) => &mut stepper.core.state,
+            Integrator::TwoLevel(stepper) => &mut stepper.context.state,
             Integrator::Paper(stepper) => &mut stepper.state,
             Integrator::Baseline(stepper) => &mut stepper.bench.state,
         }
@@ -139,9 +143,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn trace(&self) -> Trace<'_, Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => {
-                let core = &stepper.core;
+                let context = &stepper.context;
                 Trace {
-                    phi: &core.work.phi,
+                    phi: &context.work.phi,
                     rates: stepper.rates(),
                 }
             }
@@ -154,7 +158,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                 Trace {
                     phi: &bench.phi,
                     rates: bench
-                        .node
+                        .geometry
                         .velocity_rows(&bench.system, &bench.state.velocities),
                 }
             }

@@ -21,7 +21,7 @@ impl Model {
     /// and 8. A division counts as 5 and an elementary function as 20.
     ///
     /// ```text
-    /// (n + 1) (constraints + flight) + n (solve + κ₁) + metric + gram + B + S + 3 (solve + rates + κ₂) + acceleration + books
+    /// (n + 1) (constraints + flight) + n (solve + κ₁) + metric + delassus + B + S + 3 (solve + rates + κ₂) + acceleration + books
     /// ```
     ///
     /// with the counts of [`Model::operations`], and for factorisations and solves the fall-back that beside a singular
@@ -47,9 +47,9 @@ impl Model {
             )
         };
         let cost = |name: &str| of(name).unwrap_or(0);
-        let gram = of("gram").unwrap_or(2 * n * r * r);
+        let delassus = of("delassus").unwrap_or(2 * n * r * r);
         let rows = of("solve_mass_rows").unwrap_or(2 * n * n * r);
-        let metric = of("metric").unwrap_or(rows + gram);
+        let metric = of("metric").unwrap_or(rows + delassus);
         let rates = of("row_rates").unwrap_or(2 * n * r) + 2 * r;
         let flight = 4 * n + FLIGHT * structure.rotations;
         let directions = TANGENT * structure.rotations * r;
@@ -60,7 +60,7 @@ impl Model {
         let multiplier = 2 * n * r + 4 * r;
         let evaluations = (iterations + 1) * (cost("constraints") + flight + 3 * r);
         let corrections = iterations * (solve + multiplier);
-        let position = metric + gram + directions + 2 * factorisation;
+        let position = metric + delassus + directions + 2 * factorisation;
         let velocity = VELOCITY_SOLVES * (solve + rates + multiplier);
         let motion = cost("acceleration") + 2 * multiplier + 12 * n + flight + 10 * r;
         let books = cost("nonconservative_power")

@@ -105,4 +105,4 @@ pub use settings::{Flow, Method, Settings};
 pub use simulation::Simulation;
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
-pub use state::{Ledger, Pace, State, ThreeFields};
+pub use state::{Ledger, State, StepController, ThreeFields};

@@ -83,9 +83,9 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
     fn solve_mass(&self, mass: &Self::Mass, x: &mut [f64; N]);
     /// Row by row w = M⁻¹ a; `a` has the zero pattern of A.
     fn solve_mass_rows(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R]);
-    /// `gram[i][j]` = a_i · w_j, where `a` has the zero pattern of A.
-    fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]);
-    /// `w` = M⁻¹ a row by row and `gram` = A M⁻¹ Aᵀ, where `a` is A(q, t) and `mass` the factor of M(q). Generated where
+    /// `delassus[i][j]` = a_i · w_j, where `a` has the zero pattern of A.
+    fn delassus(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]);
+    /// `w` = M⁻¹ a row by row and `delassus` = A M⁻¹ Aᵀ, where `a` is A(q, t) and `mass` the factor of M(q). Generated where
     /// one fused function is cheaper than the two it stands for.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
@@ -96,11 +96,11 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
         q: &[f64; Q],
         a: &[[f64; N]; R],
         w: &mut [[f64; N]; R],
-        gram: &mut [[f64; R]; R],
+        delassus: &mut [[f64; R]; R],
     ) {
         let _ = (t, q);
         self.solve_mass_rows(mass, a, w);
-        self.gram(a, w, gram);
+        self.delassus(a, w, delassus);
     }
     /// A v, where `a` has the zero pattern of A.
     #[inline(always)]
@@ -203,7 +203,7 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
 
     /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`], or
     /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
-    /// minimum norm. `weakness` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
+    /// minimum norm. `pivot_loss` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
     /// orthogonal to those before it, or always redundant; 0 if it was passed over here. Generated where it is straight-line code
     /// of bearable length; else it computes nothing and answers `false`.
     #[inline(always)]
@@ -216,9 +216,9 @@ pub trait System<const Q: usize, const N: usize, const R: usize>: Clone {
         correction: &[f64; R],
         acceleration: &mut [f64; N],
         lambda: &mut [f64; R],
-        weakness: &mut [f64; R],
+        pivot_loss: &mut [f64; R],
     ) -> bool {
-        let _ = (t, q, v, correction, acceleration, lambda, weakness);
+        let _ = (t, q, v, correction, acceleration, lambda, pivot_loss);
         false
     }
 

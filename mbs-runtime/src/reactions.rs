@@ -1,8 +1,8 @@
 //! Multipliers and joint reactions at an instant, from the equations at acceleration level.
 
-use crate::alf3f::{Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::free::free;
-use crate::linear::{SymmetricDual, accumulate, dependence, dot, finite};
+use crate::linear::{DelassusFactor, accumulate, dependence, dot, finite};
 use crate::sink::Discard;
 use crate::{Reactions, State, System};
 
@@ -14,21 +14,21 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     state: &State<Q, N, R>,
 ) -> Result<Reactions, Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
-    let mut node = Node::new(system, q)?;
-    node.evaluate(system, t, q, &mut [0.0; R])?;
+    let mut geometry = ConstraintGeometry::new(system, q)?;
+    geometry.evaluate(system, t, q, &mut [0.0; R])?;
 
-    let mut acceleration = free(system, &node.mass, t, q, v);
+    let mut acceleration = free(system, &geometry.mass, t, q, v);
     let mut gamma = [0.0; R];
     system.constraint_rates(t, q, v, &mut Discard, &mut gamma);
-    let mut solver = Box::new(SymmetricDual::new());
-    solver.factor(&node.gram);
+    let mut solver = Box::new(DelassusFactor::new());
+    solver.factor(&geometry.delassus);
     let mut lambda = [0.0; R];
     // The second pass is a correction where the proximal solve was needed, and round-off elsewhere.
     for _ in 0..2 {
         let mut change: [f64; R] =
-            std::array::from_fn(|i| -gamma[i] - dot(&node.a[i], &acceleration));
+            std::array::from_fn(|i| -gamma[i] - dot(&geometry.a[i], &acceleration));
         solver.solve(&mut change);
-        accumulate(&mut acceleration, &node.w, &change);
+        accumulate(&mut acceleration, &geometry.w, &change);
         for i in 0..R {
             lambda[i] += change[i];
         }
@@ -41,7 +41,7 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     Ok(Reactions {
         unique: !solver.regularised
             && !S::MODEL.leaves_rows_out()
-            && dependence(&node.a, &node.w).dependent.is_empty(),
+            && dependence(&geometry.a, &geometry.w).dependent.is_empty(),
         values,
         multipliers: lambda.to_vec(),
     })

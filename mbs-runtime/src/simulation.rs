@@ -2,18 +2,18 @@
 
 mod dense;
 mod hermite;
-mod passages;
 mod placement;
 mod run;
+mod singularity_detector;
 mod tolerance;
 mod yardstick;
 
-use self::passages::Passages;
+use self::singularity_detector::SingularityDetector;
 use self::yardstick::Yardstick;
-use crate::alf3f::Passage;
+use crate::alf3f::StepMonitor;
 use crate::assembly::assemble;
 use crate::integrator::Integrator;
-use crate::linear::{Independence, largest};
+use crate::linear::{RankMargin, largest};
 use crate::{
     AssemblyVerdict, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample, Samples,
     Settings, SimulationError, State, System, UnknownName,
@@ -38,9 +38,9 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// Power of nonconservative forces at the current instant, W.
     power: f64,
     /// How independent the rows are where it stands, if the last step found out; else the next one asks.
-    independence: Option<Independence>,
+    rank_margin: Option<RankMargin>,
     /// Singular poses passed.
-    passages: Passages,
+    singularities: SingularityDetector,
     /// Where a step that is tried began.
     before: Box<State<Q, N, R>>,
     /// Where the last step began that can be looked into; at infinity where there is none.
@@ -134,8 +134,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             assembly,
             report,
             power: 0.0,
-            independence: None,
-            passages: Passages::new(),
+            rank_margin: None,
+            singularities: SingularityDetector::new(),
             events: vec![0.0; S::MODEL.events.len()],
         };
         simulation.yardstick = Box::new(Yardstick::new(S::MODEL.velocities, &simulation.points()));
@@ -145,7 +145,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let ledger = &mut simulation.integrator.state_mut().ledger;
             ledger.initial = Some(energy.kinetic + energy.potential);
         }
-        simulation.independence = simulation.integrator.independence();
+        simulation.rank_margin = simulation.integrator.rank_margin();
         simulation.watch();
         Ok(simulation)
     }
@@ -202,53 +202,58 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
-        let known = self.independence.take();
-        let independence = known.or_else(|| self.integrator.independence());
-        let mut passage = Passage::new(self.power, independence);
-        self.halving(h, HALVINGS, &mut passage)?;
-        self.independence = passage.independence;
+        let known = self.rank_margin.take();
+        let rank_margin = known.or_else(|| self.integrator.rank_margin());
+        let mut monitor = StepMonitor::new(self.power, rank_margin);
+        self.halving(h, HALVINGS, &mut monitor)?;
+        self.rank_margin = monitor.rank_margin;
         self.report.steps += 1;
-        Ok(passage.clearance)
+        Ok(monitor.clearance)
     }
 
-    fn halving(&mut self, h: f64, left: u32, passage: &mut Passage) -> Result<(), SimulationError> {
-        match self.integrator.step(h, passage) {
+    fn halving(
+        &mut self,
+        h: f64,
+        left: u32,
+        monitor: &mut StepMonitor,
+    ) -> Result<(), SimulationError> {
+        match self.integrator.step(h, monitor) {
             Ok(()) => {
-                self.keep_books(passage);
+                self.keep_books(monitor);
                 Ok(())
             }
             Err(SimulationError::NotConverged { .. }) if left > 0 => {
                 self.report.rejected_steps += 1;
                 // Its parts hold no promise of a good landing: other lengths come first.
-                let watched = passage.independence.is_some() || passage.clearance == 0.0;
-                *passage = Passage::new(self.power, None);
+                let watched = monitor.rank_margin.is_some() || monitor.clearance == 0.0;
+                *monitor = StepMonitor::new(self.power, None);
                 if watched {
-                    passage.clearance = 0.0;
+                    monitor.clearance = 0.0;
                 }
-                self.halving(0.5 * h, left - 1, passage)?;
-                self.halving(0.5 * h, left - 1, passage)
+                self.halving(0.5 * h, left - 1, monitor)?;
+                self.halving(0.5 * h, left - 1, monitor)
             }
             Err(error) => Err(error),
         }
     }
 
     /// Work and errors of the step just taken.
-    fn keep_books(&mut self, passage: &mut Passage) {
+    fn keep_books(&mut self, monitor: &mut StepMonitor) {
         let trace = self.integrator.trace();
         let holonomic = largest(trace.phi);
         let velocity = largest(&trace.rates);
         self.report.holonomic_error = self.report.holonomic_error.max(holonomic);
         self.report.velocity_error = self.report.velocity_error.max(velocity);
-        self.power = passage.power;
+        self.power = monitor.power;
         let ledger = &mut self.integrator.state_mut().ledger;
-        ledger.nonconservative_work += std::mem::take(&mut passage.nonconservative_work);
-        ledger.drive_work += std::mem::take(&mut passage.drive_work);
+        ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
+        ledger.drive_work += std::mem::take(&mut monitor.drive_work);
         self.report.energy_error = self.report.energy_error.max(self.energy().error.abs());
     }
 
     /// What the next step's balance needs of the current instant.
     fn take_stock(&mut self) {
-        self.independence = None;
+        self.rank_margin = None;
         let state = self.state();
         self.power =
             self.system()
@@ -411,7 +416,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// The singular poses passed so far, in the order of time. Rows that are always redundant do not count.
     pub fn rank_losses(&self) -> &[RankLoss] {
-        self.passages.losses()
+        self.singularities.losses()
     }
 
     /// Work done and errors met so far.
@@ -422,7 +427,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             iterations: counters.iterations,
             rejected_steps: self.report.rejected_steps + counters.rejected,
             regularised_solves: counters.regularised,
-            rank_losses: self.passages.losses().len(),
+            rank_losses: self.singularities.losses().len(),
             ..self.report
         }
     }

@@ -23,7 +23,7 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// Accumulated work.
     pub ledger: Ledger,
     /// What the choice of steps remembers, where there is a tolerance.
-    pub pace: Pace,
+    pub step_controller: StepController,
     /// The fields that only Algorithm 1 carries from step to step.
     pub fields: ThreeFields<N, R>,
 }
@@ -90,7 +90,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         self.multiplier_changes = other.multiplier_changes;
         self.stage_multipliers.clone_from(&other.stage_multipliers);
         self.ledger = other.ledger;
-        self.pace = other.pace;
+        self.step_controller = other.step_controller;
         self.fields = other.fields;
     }
 
@@ -125,7 +125,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             multiplier_changes: [0.0; R],
             stage_multipliers: Vec::new(),
             ledger: Ledger::default(),
-            pace: Pace::default(),
+            step_controller: StepController::default(),
             fields: ThreeFields::default(),
         }
     }
@@ -144,7 +144,7 @@ pub struct Ledger {
 
 /// What the choice of steps by a tolerance remembers from step to step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Pace {
+pub struct StepController {
     /// The step in use, s; zero: none was chosen yet.
     pub step: f64,
     /// Comparisons in a row that would have allowed a longer step …

@@ -144,22 +144,22 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 table.insert(("solve_mass_rows", "w", [i, j, 0]), value);
             }
         }
-        let mut gram = Box::new([[0.0; R]; R]);
-        system.gram(&rows, &w, &mut gram);
-        for (i, row) in gram.iter().enumerate() {
+        let mut delassus = Box::new([[0.0; R]; R]);
+        system.delassus(&rows, &w, &mut delassus);
+        for (i, row) in delassus.iter().enumerate() {
             for (j, &value) in row.iter().enumerate() {
-                table.insert(("gram", "gram", [i, j, 0]), value);
+                table.insert(("delassus", "delassus", [i, j, 0]), value);
             }
         }
         // Either generated, or the two kernels above one after the other.
         *w = [[0.0; N]; R];
-        system.metric(&mass, t, q, &rows, &mut w, &mut gram);
+        system.metric(&mass, t, q, &rows, &mut w, &mut delassus);
         for i in 0..R {
             for (j, &value) in w[i].iter().enumerate() {
                 table.insert(("metric", "w", [i, j, 0]), value);
             }
-            for (j, &value) in gram[i].iter().enumerate() {
-                table.insert(("metric", "gram", [i, j, 0]), value);
+            for (j, &value) in delassus[i].iter().enumerate() {
+                table.insert(("metric", "delassus", [i, j, 0]), value);
             }
         }
     }

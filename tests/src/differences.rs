@@ -433,16 +433,20 @@ fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         system.solve_mass(&factor, &mut expected);
         findings.identity(&format!("row {i} of M⁻¹ a"), &w[i], &expected);
     }
-    let mut gram = Box::new([[0.0; R]; R]);
-    system.gram(&a, &w, &mut gram);
+    let mut delassus = Box::new([[0.0; R]; R]);
+    system.delassus(&a, &w, &mut delassus);
     for i in 0..R {
         let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
-        findings.identity(&format!("row {i} of the Gram matrix"), &gram[i], &expected);
+        findings.identity(
+            &format!("row {i} of the Gram matrix"),
+            &delassus[i],
+            &expected,
+        );
     }
     let mut a = Box::new([[0.0; N]; R]);
     system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
     let mut w = Box::new([[0.0; N]; R]);
-    system.metric(&factor, at.time, q, &a, &mut w, &mut gram);
+    system.metric(&factor, at.time, q, &a, &mut w, &mut delassus);
     for i in 0..R {
         let mut expected = a[i];
         system.solve_mass(&factor, &mut expected);
@@ -452,7 +456,7 @@ fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
         findings.identity(
             &format!("row {i} of A W of the metric"),
-            &gram[i],
+            &delassus[i],
             &expected,
         );
     }

@@ -28,9 +28,9 @@ pub const QUANTITIES: &[&str] = &[
     "free_flight",
     "solve_mass",
     "solve_mass_rows",
-    "gram",
+    "delassus",
     "metric_rows",
-    "metric_gram",
+    "metric_delassus",
     "row_rates",
     "accelerations",
     "multipliers",
@@ -193,9 +193,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         self.inner.solve_mass_rows(mass, a, w);
         self.vector("solve_mass_rows", w.as_flattened_mut());
     }
-    fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]) {
-        self.inner.gram(a, w, gram);
-        self.vector("gram", gram.as_flattened_mut());
+    fn delassus(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]) {
+        self.inner.delassus(a, w, delassus);
+        self.vector("delassus", delassus.as_flattened_mut());
     }
     fn metric(
         &self,
@@ -204,11 +204,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         q: &[f64; Q],
         a: &[[f64; N]; R],
         w: &mut [[f64; N]; R],
-        gram: &mut [[f64; R]; R],
+        delassus: &mut [[f64; R]; R],
     ) {
-        self.inner.metric(mass, t, q, a, w, gram);
+        self.inner.metric(mass, t, q, a, w, delassus);
         self.vector("metric_rows", w.as_flattened_mut());
-        self.vector("metric_gram", gram.as_flattened_mut());
+        self.vector("metric_delassus", delassus.as_flattened_mut());
     }
     fn accelerations(
         &self,

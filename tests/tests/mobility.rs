@@ -302,7 +302,7 @@ fn rows_that_joint_coordinates_leave_nothing_to_hold_are_left_out() {
     assert_eq!((door.rank, door.mobility), (0, 1));
     assert_eq!(door.redundant.len(), 5);
     for redundancy in &door.redundant {
-        assert!(redundancy.idle && redundancy.row.starts_with("upper."));
+        assert!(redundancy.vacuous && redundancy.row.starts_with("upper."));
         assert_eq!(redundancy.follows_from, ["lower"]);
     }
     assert_eq!(door.undetermined, ["lower", "upper"]);
@@ -329,7 +329,7 @@ fn loops_of_the_plane_in_space_keep_two_rows() {
     let ring = mobility("Spatial(coordinates = Joint)", ring);
     assert_eq!((ring.rank, ring.mobility), (2, 1));
     assert_eq!(ring.redundant.len(), 3);
-    assert!(ring.redundant.iter().all(|redundancy| redundancy.idle));
+    assert!(ring.redundant.iter().all(|redundancy| redundancy.vacuous));
     let mut open = ring.undetermined;
     open.sort();
     assert_eq!(open, ["a", "b", "c", "d"]);

@@ -367,7 +367,7 @@ mod program {
             forces: Vec::new(),
             power: zero,
             rows: Vec::new(),
-            idle: Vec::new(),
+            vacuous: Vec::new(),
             pull: None,
             reactions: Vec::new(),
             outputs: outputs.to_vec(),
@@ -375,7 +375,7 @@ mod program {
             points: Vec::new(),
             kinetic: None,
             layout: Default::default(),
-            windings: Vec::new(),
+            unwrapped_angles: Vec::new(),
         });
         let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {

@@ -442,9 +442,9 @@ fn rows_that_stay() {
     let pinned = "Planar(), bead: Particle(mass = 1.0_kg), x: Holonomic(bead.origin.x - 1.0_m), y: Holonomic(bead.origin.y),";
     assert_eq!(count(&tried(pinned).expect("it is right")), (2, 2));
     // A rope of constant length between what two rows hold says nothing any more.
-    let idle = "Planar(), bead: Particle(mass = 1.0_kg), other: Particle(mass = 1.0_kg), rope: Distance(bead.origin, other.origin, length = 1.0_m),
+    let vacuous = "Planar(), bead: Particle(mass = 1.0_kg), other: Particle(mass = 1.0_kg), rope: Distance(bead.origin, other.origin, length = 1.0_m),
         x: Coupling(bead.origin.x, other.origin.x, ratio = 1.0), y: Coupling(bead.origin.y, other.origin.y, ratio = 1.0, offset = 1.0_m),";
-    let idle = tried(idle).expect("redundancy is no error");
-    assert_eq!(count(&idle), (4, 3));
-    assert_eq!(idle.mobility.expect("it assembles").rank, 2);
+    let vacuous = tried(vacuous).expect("redundancy is no error");
+    assert_eq!(count(&vacuous), (4, 3));
+    assert_eq!(vacuous.mobility.expect("it assembles").rank, 2);
 }

@@ -218,7 +218,7 @@ impl System<N, N, R> for Andrews {
         }
     }
     #[inline]
-    fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]) {
+    fn delassus(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]) {
         for i in 0..R {
             for j in 0..R {
                 let mut sum = a[i][0] * w[j][0] + a[i][1] * w[j][1];
@@ -229,7 +229,7 @@ impl System<N, N, R> for Andrews {
                         _ => a[i][5] * w[j][5] + a[i][6] * w[j][6],
                     };
                 }
-                gram[i][j] = sum;
+                delassus[i][j] = sum;
             }
         }
     }

@@ -208,7 +208,7 @@ fn count_rows(model: &mut Model) -> usize {
     let rows: usize = joints
         .map(|(_, joint)| joint.equations(graph).rows.len())
         .sum();
-    rows - model.idle.len() - model.solved.rows.len()
+    rows - model.vacuous.len() - model.solved.rows.len()
 }
 
 fn candidate(analysis: &mut Analysis) -> Candidate {
@@ -254,14 +254,14 @@ fn step(program: &Program) -> usize {
         let functions = (1 + PASSES) * cost("constraints") + cost("applied_forces");
         return functions + 2 * (1 + PASSES) * n + sparse.operations();
     }
-    let gram = of("gram").unwrap_or(2 * n * r * r);
+    let delassus = of("delassus").unwrap_or(2 * n * r * r);
     let metric = of("metric").unwrap_or_else(|| {
         let rows = of("solve_mass_rows").unwrap_or(2 * n * n * r);
-        rows + gram
+        rows + delassus
     });
     let rows = cost("constraints")
         + metric
-        + gram
+        + delassus
         + PASSES * (cost("holonomic") + 2 * n * r)
         + cost("row_rates");
     let motion = if explicit {

@@ -9,12 +9,12 @@
 //! A kick would move one side of a stiff damper only; the metric M − h/2 ∂F/∂v lets its far side follow. The springs'
 //! −h²/4 ∂F/∂q is part of Newton's J but not of this metric: with it the error grows with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
 
-use super::core::Core;
 use super::kicks::{STAGNATED, not_converged, residual_of};
-use super::{Fault, Node};
+use super::step_context::StepContext;
+use super::{ConstraintGeometry, Fault};
 use crate::System;
 use crate::flow::{Implicit, imperceptible, transport, trapezoid};
-use crate::linear::{Dual, Matrix, Pivoted, accumulate, clear, dot, largest};
+use crate::linear::{Matrix, Pivoted, ProjectionLu, accumulate, clear, dot, largest};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
 const CONVERGED: f64 = 1e-14;
@@ -46,7 +46,7 @@ pub(super) struct ImplicitStep<const Q: usize, const N: usize, const R: usize> {
     /// J⁻¹A₁ᵀ, row by row.
     along_end: Matrix<R, N>,
     metric: Matrix<R, R>,
-    end_dual: Dual<R>,
+    end_projection: ProjectionLu<R>,
     velocity_metric: Pivoted<N>,
 }
 
@@ -59,18 +59,18 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             along_mean: clear(),
             along_end: clear(),
             metric: clear(),
-            end_dual: Dual::new(),
+            end_projection: ProjectionLu::new(),
             velocity_metric: Pivoted::new(),
         })
     }
 
     pub(super) fn step<S: System<Q, N, R>>(
         &mut self,
-        core: &mut Core<S, Q, N, R>,
+        context: &mut StepContext<S, Q, N, R>,
         h: f64,
     ) -> Result<Outcome, Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
-        let Core {
+        let StepContext {
             system,
             state,
             max_iterations,
@@ -80,7 +80,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             scale,
             counters,
             ..
-        } = core;
+        } = context;
         let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
         let mut weights = scale.weights;
         let floor = largest(&v0).max(1e-3);
@@ -114,10 +114,10 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             if !last_change.is_finite() || slow || self.solver.is_stale() {
                 self.solver.refresh(system, &q, &v0, &vb)?;
                 let turn = std::array::from_fn(|i| 0.5 * h * (v0[i] + vb[i]));
-                if !self.factor(system, end, &turn, &mut work.dual) {
+                if !self.factor(system, end, &turn, &mut work.projection) {
                     return Ok(Outcome::Lost);
                 }
-                counters.regularised += u64::from(work.dual.regularised);
+                counters.regularised += u64::from(work.projection.regularised);
             }
             self.solver.jacobian.solve(&mut change);
             let mut moved = [change];
@@ -132,7 +132,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
                     -defect[i] - dot(&end.a[i], &change)
                 }
             });
-            work.dual.solve(&mut multiplier);
+            work.projection.solve(&mut multiplier);
             accumulate(&mut change, &self.along_mean, &multiplier);
             for i in 0..N {
                 vb[i] += change[i];
@@ -169,8 +169,8 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
 
         end.metric(system, t1, &q)?;
         work.impulse[1] = self.project(system, end, &mut vb)?;
-        let weak = core.work.dual.regularised || self.end_dual.regularised;
-        core.commit(t1, h, q, vb, weak)?;
+        let weak = context.work.projection.regularised || self.end_projection.regularised;
+        context.commit(t1, h, q, vb, weak)?;
         Ok(Outcome::Done)
     }
 
@@ -178,35 +178,36 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
     fn factor<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, Q, N, R>,
+        end: &ConstraintGeometry<S, Q, N, R>,
         turn: &[f64; N],
-        dual: &mut Dual<R>,
+        projection: &mut ProjectionLu<R>,
     ) -> bool {
         let lengths = self.factor_end(system, end, Along::Position);
         for i in 0..R {
             self.along_mean[i] = self.mean[i];
             self.solver.jacobian.solve(&mut self.along_mean[i]);
         }
-        system.gram(&end.a, &self.along_mean, &mut self.metric);
+        system.delassus(&end.a, &self.along_mean, &mut self.metric);
         if !S::ROTATIONS.is_empty() {
             self.turn_holonomic(system, end, turn);
         }
-        dual.factor(&self.metric, &lengths, None);
-        self.end_dual.regularised
-            || dual.smallest_pivot(&lengths) >= LOST * self.end_dual.smallest_pivot(&lengths)
+        projection.factor(&self.metric, &lengths, None);
+        self.end_projection.regularised
+            || projection.smallest_pivot(&lengths)
+                >= LOST * self.end_projection.smallest_pivot(&lengths)
     }
 
     /// Makes A₁TJ⁻¹½(A₀ + A₁)ᵀ of the holonomic rows: velocities reach positions through the tangent of ⊕.
     fn turn_holonomic<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, Q, N, R>,
+        end: &ConstraintGeometry<S, Q, N, R>,
         turn: &[f64; N],
     ) {
         let plain = *self.metric;
         *self.along_end = *self.along_mean;
         transport::<S, Q, N, R>(turn, &mut *self.along_end);
-        system.gram(&end.a, &self.along_end, &mut self.metric);
+        system.delassus(&end.a, &self.along_end, &mut self.metric);
         for i in S::STRUCTURE.holonomic_rows..R {
             self.metric[i] = plain[i];
         }
@@ -216,7 +217,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
     fn factor_end<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, Q, N, R>,
+        end: &ConstraintGeometry<S, Q, N, R>,
         along: Along,
     ) -> [f64; R] {
         let metric = match along {
@@ -227,9 +228,9 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             self.along_end[i] = end.a[i];
             metric.solve(&mut self.along_end[i]);
         }
-        system.gram(&end.a, &self.along_end, &mut self.metric);
+        system.delassus(&end.a, &self.along_end, &mut self.metric);
         let lengths = std::array::from_fn(|i| self.metric[i][i].abs());
-        self.end_dual.factor(&self.metric, &lengths, None);
+        self.end_projection.factor(&self.metric, &lengths, None);
         lengths
     }
 
@@ -237,16 +238,20 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
     fn project<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        end: &Node<S, Q, N, R>,
+        end: &ConstraintGeometry<S, Q, N, R>,
         v: &mut [f64; N],
     ) -> Result<[f64; R], Fault> {
         self.solver.velocity_metric(&mut self.velocity_metric)?;
         self.factor_end(system, end, Along::Velocity);
         let mut total = [0.0; R];
-        let passes = if self.end_dual.regularised { 4 } else { 1 };
+        let passes = if self.end_projection.regularised {
+            4
+        } else {
+            1
+        };
         for _ in 0..passes {
             let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
-            self.end_dual.solve(&mut multiplier);
+            self.end_projection.solve(&mut multiplier);
             accumulate(v, &self.along_end, &multiplier);
             for i in 0..R {
                 total[i] += multiplier[i];

@@ -8,7 +8,7 @@
 //! ```
 
 use super::Fault;
-use super::core::Core;
+use super::step_context::StepContext;
 use crate::System;
 use crate::flow::KickFlow;
 use crate::linear::accumulate;
@@ -33,7 +33,7 @@ enum Matrix {
 }
 
 pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
-    core: &mut Core<S, Q, N, R>,
+    context: &mut StepContext<S, Q, N, R>,
     flow: &mut F,
     h: f64,
 ) -> Result<(), Fault>
@@ -41,43 +41,43 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    let (weak_start, beside) = (core.work.symmetric.weak, core.work.symmetric.beside);
-    let t1 = core.state.time + h;
+    let (weak_start, beside) = (context.work.delassus.weak, context.work.delassus.beside);
+    let t1 = context.state.time + h;
     let mut kick = Kick {
-        kappa: core.state.expected_impulse(h),
-        va: core.state.velocities,
-        q: core.state.positions,
+        kappa: context.state.expected_impulse(h),
+        va: context.state.velocities,
+        q: context.state.positions,
         matrix: Matrix::None,
     };
-    accumulate(&mut kick.va, &core.start.w, &kick.kappa);
+    accumulate(&mut kick.va, &context.start.w, &kick.kappa);
     flow.begin(
-        &core.system,
-        core.state.time,
-        &core.state.positions,
+        &context.system,
+        context.state.time,
+        &context.state.positions,
         &kick.va,
-        &core.start,
+        &context.start,
         h,
     );
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
     // Where their number is fixed B is factored once, for all of them.
-    if flow.is_direct() && !weak_start && core.fixed_iterations.is_none() {
+    if flow.is_direct() && !weak_start && context.fixed_iterations.is_none() {
         kick.matrix = Matrix::Start;
     }
-    core.work.dual.regularised = false;
-    let left = close(core, flow, h, &mut kick, beside)?;
-    let mut v = arrive(core, flow, t1, &kick)?;
-    let unforeseen = core.work.symmetric.beside && !beside && left > EXACT;
-    if unforeseen && core.fixed_iterations.is_none() {
-        v = close_again(core, flow, h, &mut kick)?;
+    context.work.projection.regularised = false;
+    let left = close(context, flow, h, &mut kick, beside)?;
+    let mut v = arrive(context, flow, t1, &kick)?;
+    let unforeseen = context.work.delassus.beside && !beside && left > EXACT;
+    if unforeseen && context.fixed_iterations.is_none() {
+        v = close_again(context, flow, h, &mut kick)?;
     }
-    let weak = weak_start || core.work.symmetric.weak || core.work.dual.regularised;
-    core.commit(t1, h, kick.q, v, weak)
+    let weak = weak_start || context.work.delassus.weak || context.work.projection.regularised;
+    context.commit(t1, h, kick.q, v, weak)
 }
 
 /// The velocities at the end of the step, on the rows there.
 #[inline(always)]
 fn arrive<S, F, const Q: usize, const N: usize, const R: usize>(
-    core: &mut Core<S, Q, N, R>,
+    context: &mut StepContext<S, Q, N, R>,
     flow: &mut F,
     t1: f64,
     kick: &Kick<Q, N, R>,
@@ -86,10 +86,10 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    core.work.impulse[0] = kick.kappa;
-    core.end.metric(&core.system, t1, &kick.q)?;
-    let mut v = flow.velocities(&core.system, &kick.va, &kick.q, &mut core.end);
-    core.project_velocity(&mut v);
+    context.work.impulse[0] = kick.kappa;
+    context.end.metric(&context.system, t1, &kick.q)?;
+    let mut v = flow.velocities(&context.system, &kick.va, &kick.q, &mut context.end);
+    context.project_velocity(&mut v);
     Ok(v)
 }
 
@@ -97,7 +97,7 @@ where
 #[cold]
 #[inline(never)]
 fn close_again<S, F, const Q: usize, const N: usize, const R: usize>(
-    core: &mut Core<S, Q, N, R>,
+    context: &mut StepContext<S, Q, N, R>,
     flow: &mut F,
     h: f64,
     kick: &mut Kick<Q, N, R>,
@@ -107,8 +107,8 @@ where
     F: KickFlow<S, Q, N, R>,
 {
     kick.matrix = Matrix::None;
-    close(core, flow, h, kick, true)?;
-    arrive(core, flow, core.state.time + h, kick)
+    close(context, flow, h, kick, true)?;
+    arrive(context, flow, context.state.time + h, kick)
 }
 
 /// What is iterated on.
@@ -122,7 +122,7 @@ struct Kick<const Q: usize, const N: usize, const R: usize> {
 /// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; what is left, in squared tolerances.
 #[inline(always)]
 fn close<S, F, const Q: usize, const N: usize, const R: usize>(
-    core: &mut Core<S, Q, N, R>,
+    context: &mut StepContext<S, Q, N, R>,
     flow: &mut F,
     h: f64,
     kick: &mut Kick<Q, N, R>,
@@ -132,7 +132,7 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    let Core {
+    let StepContext {
         system,
         state,
         max_iterations,
@@ -142,7 +142,7 @@ where
         work,
         scale,
         counters,
-    } = core;
+    } = context;
     let Kick {
         kappa,
         va,
@@ -173,7 +173,7 @@ where
         let slow = !(residual * residual <= last) && iterations > 0;
         let slow = slow && (fixed.is_none() || !residual.is_finite());
         if *matrix == Matrix::None || slow {
-            let taken = if work.dual.regularised {
+            let taken = if work.projection.regularised {
                 scale.lost
             } else {
                 STAGNATED
@@ -184,23 +184,23 @@ where
             if (iterations >= *max_iterations && fixed.is_none()) || !residual.is_finite() {
                 return Err(not_converged(&work.phi, weights, iterations));
             }
-            let directions = flow.directions(system, va, start)?;
-            system.gram(&end.a, directions, &mut work.matrix);
-            (work.dual).factor(
+            let directions = flow.position_sensitivity(system, va, start)?;
+            system.delassus(&end.a, directions, &mut work.matrix);
+            (work.projection).factor(
                 &work.matrix,
                 &start.lengths_squared(),
-                work.symmetric.idle(),
+                work.delassus.skipped(),
             );
-            counters.regularised += u64::from(work.dual.regularised);
+            counters.regularised += u64::from(work.projection.regularised);
             *matrix = Matrix::Fresh;
         } else if *matrix == Matrix::Fresh {
             *matrix = Matrix::Kept;
         }
         let mut change = work.phi;
         if *matrix == Matrix::Start {
-            work.symmetric.solve(&mut change);
+            work.delassus.solve(&mut change);
         } else {
-            work.dual.solve(&mut change);
+            work.projection.solve(&mut change);
         }
         for i in 0..R {
             change[i] *= -rate;

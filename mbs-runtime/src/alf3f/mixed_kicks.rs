@@ -9,15 +9,15 @@
 //! nonholonomic row i:  N₁ᵢ · P ((∂v_b/∂v_a) W₀ⱼ + [j nonholonomic] W₁ⱼ)
 //! ```
 
-use super::core::{Core, Work};
 use super::kicks::{EXACT, SLOW, STAGNATED, not_converged, residual_of};
-use super::{Fault, Node};
+use super::step_context::{StepContext, Workspace};
+use super::{ConstraintGeometry, Fault};
 use crate::System;
 use crate::flow::KickFlow;
 use crate::linear::{accumulate, dot, largest};
 
 pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
-    core: &mut Core<S, Q, N, R>,
+    context: &mut StepContext<S, Q, N, R>,
     flow: &mut F,
     h: f64,
 ) -> Result<(), Fault>
@@ -26,7 +26,7 @@ where
     F: KickFlow<S, Q, N, R>,
 {
     let holonomic = S::STRUCTURE.holonomic_rows;
-    let Core {
+    let StepContext {
         system,
         state,
         max_iterations,
@@ -36,7 +36,7 @@ where
         scale,
         counters,
         ..
-    } = core;
+    } = context;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let mut weights = scale.weights;
@@ -45,7 +45,7 @@ where
         *weight /= speed * speed;
     }
 
-    let beside = holonomic > 0 && work.symmetric.beside;
+    let beside = holonomic > 0 && work.delassus.beside;
     let mut kappa = state.expected_impulse(h);
     let mut va = state.velocities;
     accumulate(&mut va, &start.w, &kappa);
@@ -55,7 +55,7 @@ where
     // NaN is below nothing: the first correction always begins with a factorisation.
     let mut last = f64::NAN;
     let mut fresh = false;
-    work.dual.regularised = false;
+    work.projection.regularised = false;
     let mut iterations = 0;
     let v = loop {
         flow.positions(system, &va, &mut q)?;
@@ -77,13 +77,13 @@ where
         }
         let residual = residual_of(&defect, &weights);
         // Beside a singular pose down to round-off.
-        let beside = beside || (holonomic > 0 && work.symmetric.beside);
+        let beside = beside || (holonomic > 0 && work.delassus.beside);
         let stuck = residual >= 0.25 * last || iterations >= *max_iterations;
         if residual <= 1.0 && (!beside || residual <= EXACT || stuck) {
             break v;
         }
         if !(residual < SLOW * last) {
-            let taken = if work.dual.regularised {
+            let taken = if work.projection.regularised {
                 scale.lost
             } else {
                 STAGNATED
@@ -94,9 +94,9 @@ where
             if iterations >= *max_iterations || !residual.is_finite() {
                 return Err(not_converged(&defect, &weights, iterations));
             }
-            let directions = flow.directions(system, &va, start)?;
-            system.gram(&end.a, directions, &mut work.matrix);
-            let far = flow.far(&start.w);
+            let directions = flow.position_sensitivity(system, &va, start)?;
+            system.delassus(&end.a, directions, &mut work.matrix);
+            let far = flow.velocity_sensitivity(&start.w);
             for j in 0..R {
                 let mut column = far[j];
                 if j >= holonomic {
@@ -114,9 +114,9 @@ where
             for length in &mut lengths[holonomic..] {
                 *length *= 2.0;
             }
-            work.dual
-                .factor(&work.matrix, &lengths, work.symmetric.idle());
-            counters.regularised += u64::from(work.dual.regularised);
+            work.projection
+                .factor(&work.matrix, &lengths, work.delassus.skipped());
+            counters.regularised += u64::from(work.projection.regularised);
             fresh = true;
         } else {
             fresh = false;
@@ -125,7 +125,7 @@ where
         for value in &mut change[..holonomic] {
             *value /= h;
         }
-        work.dual.solve(&mut change);
+        work.projection.solve(&mut change);
         for i in 0..R {
             change[i] = -change[i];
             kappa[i] += change[i];
@@ -137,9 +137,9 @@ where
     };
     counters.iterations += iterations as u64;
     work.impulse[0] = kappa;
-    let weak =
-        core.work.dual.regularised || (S::STRUCTURE.holonomic_rows > 0 && core.work.symmetric.weak);
-    core.commit(t1, h, q, v, weak)
+    let weak = context.work.projection.regularised
+        || (S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.weak);
+    context.commit(t1, h, q, v, weak)
 }
 
 /// Factors S of the holonomic rows, with unit rows in place of the others.
@@ -149,28 +149,28 @@ pub(super) fn factor_holonomic<
     const N: usize,
     const R: usize,
 >(
-    end: &Node<S, Q, N, R>,
-    work: &mut Work<R>,
+    end: &ConstraintGeometry<S, Q, N, R>,
+    work: &mut Workspace<R>,
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
     if holonomic > 0 {
         // On the stack: a step allocates nothing.
-        let mut gram = *end.gram;
+        let mut delassus = *end.delassus;
         for i in holonomic..R {
-            gram[i] = [0.0; R];
-            for row in &mut gram {
+            delassus[i] = [0.0; R];
+            for row in &mut delassus {
                 row[i] = 0.0;
             }
-            gram[i][i] = 1.0;
+            delassus[i][i] = 1.0;
         }
-        work.symmetric.factor(&gram);
+        work.delassus.factor(&delassus);
     }
 }
 
 /// Projects v onto the holonomic velocity rows and adds the multipliers to the second impulse.
 fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    end: &Node<S, Q, N, R>,
-    work: &mut Work<R>,
+    end: &ConstraintGeometry<S, Q, N, R>,
+    work: &mut Workspace<R>,
     v: &mut [f64; N],
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
@@ -178,13 +178,13 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         return;
     }
     work.impulse[1][..holonomic].fill(0.0);
-    let passes = if work.symmetric.weak { 4 } else { 1 };
+    let passes = if work.delassus.weak { 4 } else { 1 };
     for _ in 0..passes {
         let mut multiplier = [0.0; R];
         for i in 0..holonomic {
             multiplier[i] = -dot(&end.a[i], v) - end.b[i];
         }
-        work.symmetric.solve(&mut multiplier);
+        work.delassus.solve(&mut multiplier);
         accumulate(v, &end.w, &multiplier);
         for i in 0..holonomic {
             work.impulse[1][i] += multiplier[i];
@@ -194,8 +194,8 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 
 /// x ← P x.
 fn remove_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    end: &Node<S, Q, N, R>,
-    work: &Work<R>,
+    end: &ConstraintGeometry<S, Q, N, R>,
+    work: &Workspace<R>,
     x: &mut [f64; N],
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
@@ -206,6 +206,6 @@ fn remove_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     for i in 0..holonomic {
         multiplier[i] = -dot(&end.a[i], x);
     }
-    work.symmetric.solve(&mut multiplier);
+    work.delassus.solve(&mut multiplier);
     accumulate(x, &end.w, &multiplier);
 }

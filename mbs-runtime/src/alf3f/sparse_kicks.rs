@@ -12,11 +12,11 @@
 //! that step is taken by [`kicks`].
 
 use super::Fault;
-use super::core::{Core, REFINEMENTS};
 use super::kicks::{self, EXACT, STAGNATED, residual_of};
+use super::step_context::{REFINEMENTS, StepContext};
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{Bordered, Independence, Pair, Rows, Slots, SparseMass, Thresholds, largest};
+use crate::linear::{Bordered, Pair, RankMargin, Rows, Slots, SparseMass, Thresholds, largest};
 use crate::{State, System};
 
 /// Corrections by the factor at the start of the step that are cheaper than another factor.
@@ -65,11 +65,11 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// A workspace for the state in `core`; `None` where dense arrays are the faster.
     #[inline(never)]
     pub(super) fn new<S: System<Q, N, R>, const Q: usize>(
-        core: &mut Core<S, Q, N, R>,
+        context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
-        let mass = crate::linear::constant_mass(&core.system, &core.state.positions);
-        let matrix = Bordered::new(plan, &mass, core.work.symmetric.thresholds);
+        let mass = crate::linear::constant_mass(&context.system, &context.state.positions);
+        let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,
             end: matrix.clone(),
@@ -78,12 +78,12 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             mass: SparseMass::new(plan, &mass),
             x: vec![0.0; plan.unknowns].into_boxed_slice(),
         });
-        kicks.refresh(core);
+        kicks.refresh(context);
         if kicks.start.leaves_rows_out(plan) {
             // Beside a singular pose the pivot of a redundant row is not small enough to tell it from one that is nearly lost.
             let coarse = Thresholds {
                 lost: Thresholds::SECOND_ORDER.lost,
-                ..core.work.symmetric.thresholds
+                ..context.work.delassus.thresholds
             };
             (kicks.start.thresholds, kicks.end.thresholds) = (coarse, coarse);
         }
@@ -93,16 +93,16 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// Recomputes what is known of the current instant.
     pub(super) fn refresh<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        core: &mut Core<S, Q, N, R>,
+        context: &mut StepContext<S, Q, N, R>,
     ) {
         let State {
             time, positions, ..
-        } = &core.state;
-        let (start, system) = (&mut core.start, &core.system);
+        } = &context.state;
+        let (start, system) = (&mut context.start, &context.system);
         system.sparse_constraints(
             *time,
             positions,
-            &mut core.work.phi,
+            &mut context.work.phi,
             &mut self.start.entries,
             &mut start.b,
         );
@@ -120,19 +120,19 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// A v + b at the current instant.
     pub(super) fn rates<S: System<Q, N, R>, const Q: usize>(
         &self,
-        core: &Core<S, Q, N, R>,
+        context: &StepContext<S, Q, N, R>,
     ) -> [f64; R] {
         rates(
             self.plan,
             &self.start,
-            &core.start.b,
-            &core.state.velocities,
+            &context.start.b,
+            &context.state.velocities,
         )
     }
 
     /// How independent the rows are at the current instant.
-    pub(super) fn independence(&self) -> Independence {
-        self.start.independence(self.plan)
+    pub(super) fn rank_margin(&self) -> RankMargin {
+        self.start.rank_margin(self.plan)
     }
 
     /// How much each row takes part in what is nearest to a loss of independence.
@@ -143,22 +143,22 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
 
     pub(super) fn step<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        core: &mut Core<S, Q, N, R>,
+        context: &mut StepContext<S, Q, N, R>,
         flow: &mut Leapfrog<Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
-        if self.attempt(core, h)? == Outcome::Done {
+        if self.attempt(context, h)? == Outcome::Done {
             return Ok(());
         }
-        core.refresh()?;
-        kicks::step(core, flow, h)?;
-        self.refresh(core);
+        context.refresh()?;
+        kicks::step(context, flow, h)?;
+        self.refresh(context);
         Ok(())
     }
 
     fn attempt<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        core: &mut Core<S, Q, N, R>,
+        context: &mut StepContext<S, Q, N, R>,
         h: f64,
     ) -> Result<Outcome, Fault> {
         let start = self.start.rows(self.plan);
@@ -166,10 +166,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             return Ok(Outcome::Lost);
         }
         let weak_start = start != Rows::Independent;
-        let mut kick = self.depart(core, h, weak_start);
+        let mut kick = self.depart(context, h, weak_start);
         let mut enough = if start == Rows::Beside { EXACT } else { 1.0 };
         let rows = loop {
-            let Some(left) = self.close(core, h, &mut kick, enough) else {
+            let Some(left) = self.close(context, h, &mut kick, enough) else {
                 return Ok(Outcome::Lost);
             };
             self.end.factor(self.plan);
@@ -188,17 +188,23 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let SparseKicks {
             plan, end, mass, x, ..
         } = self;
-        let t1 = core.state.time + h;
-        let (a0, node) = (&core.start.acceleration, &mut core.end);
-        mass.weigh_forces(plan, &core.system, (t1, &q), x, &mut node.acceleration);
-        let a1 = &node.acceleration;
+        let t1 = context.state.time + h;
+        let (a0, geometry) = (&context.start.acceleration, &mut context.end);
+        mass.weigh_forces(
+            plan,
+            &context.system,
+            (t1, &q),
+            x,
+            &mut geometry.acceleration,
+        );
+        let a1 = &geometry.acceleration;
         let mut v: [f64; N] = std::array::from_fn(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
-        let kappa = &mut core.work.impulse[1];
+        let kappa = &mut context.work.impulse[1];
         *kappa = [0.0; R];
         let tolerance = 1e-14 * largest(&v);
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
-            let rates = rates(plan, end, &node.b, &v).map(|rate| -rate);
+            let rates = rates(plan, end, &geometry.b, &v).map(|rate| -rate);
             if rows != Rows::Independent {
                 let residual = largest(&rates);
                 if residual <= tolerance || residual > 0.9 * last {
@@ -211,7 +217,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 break;
             }
         }
-        core.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
+        context.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
         std::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
     }
@@ -219,7 +225,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// The kick that the last steps lead to expect, and where it leads.
     fn depart<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        core: &Core<S, Q, N, R>,
+        context: &StepContext<S, Q, N, R>,
         h: f64,
         weak_start: bool,
     ) -> Kick<Q, N, R> {
@@ -230,7 +236,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             x,
             ..
         } = self;
-        let state = &core.state;
+        let state = &context.state;
         let kappa = state.expected_impulse(h);
         let mut va = [0.0; N];
         (plan.impulse)(&start.entries, &kappa, &mut va);
@@ -239,7 +245,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             va[i] += state.velocities[i];
         }
         let half = 0.5 * h * h;
-        let a0 = &core.start.acceleration;
+        let a0 = &context.start.acceleration;
         Kick {
             base: std::array::from_fn(|i| state.positions[i] + half * a0[i]),
             q: state.positions,
@@ -256,7 +262,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// it is not found.
     fn close<S: System<Q, N, R>, const Q: usize>(
         &mut self,
-        core: &mut Core<S, Q, N, R>,
+        context: &mut StepContext<S, Q, N, R>,
         h: f64,
         kick: &mut Kick<Q, N, R>,
         enough: f64,
@@ -269,8 +275,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             x,
             ..
         } = self;
-        let work = &mut core.work;
-        let (weights, t1) = (&core.scale.weights, core.state.time + h);
+        let work = &mut context.work;
+        let (weights, t1) = (&context.scale.weights, context.state.time + h);
         let rate = -1.0 / h;
         let mut last = f64::INFINITY;
         let mut iterations = 0;
@@ -278,12 +284,12 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             for i in 0..N {
                 kick.q[i] = kick.base[i] + h * kick.va[i];
             }
-            core.system.sparse_constraints(
+            context.system.sparse_constraints(
                 t1,
                 &kick.q,
                 &mut work.phi,
                 &mut end.entries,
-                &mut core.end.b,
+                &mut context.end.b,
             );
             let residual = residual_of(&work.phi, weights);
             if residual <= enough || (residual <= 1.0 && residual >= 0.25 * last) {
@@ -294,7 +300,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
                 if kick.factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
                     break residual;
                 }
-                if iterations >= core.max_iterations || !residual.is_finite() {
+                if iterations >= context.max_iterations || !residual.is_finite() {
                     return None;
                 }
                 if pair.factor(plan, start, end) == Rows::Lost {
@@ -313,7 +319,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             last = residual;
             iterations += 1;
         };
-        core.counters.iterations += iterations as u64;
+        context.counters.iterations += iterations as u64;
         work.impulse[0] = kick.kappa;
         Some(left)
     }

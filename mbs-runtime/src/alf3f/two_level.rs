@@ -1,11 +1,11 @@
 //! The two-level ALF-3F integrator: the default.
 
-use super::core::{Core, Counters};
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::sparse_kicks::SparseKicks;
-use super::{Fault, Landings, Passage, composition, kicks, mixed_kicks};
+use super::step_context::{Counters, StepContext};
+use super::{Fault, StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
-use crate::linear::Independence;
+use crate::linear::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 
 /// The integrator by itself: steps of any length, without energy balance or report.
@@ -13,13 +13,13 @@ use crate::{Flow, Settings, SimulationError, State, System};
 /// A step allocates nothing and has the length that is asked for, near singular poses too.
 /// [`Simulation`](crate::Simulation) wraps it; use it directly to measure, or to compose steps.
 pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
-    pub(crate) core: Core<S, Q, N, R>,
+    pub(crate) context: StepContext<S, Q, N, R>,
     flow: Stepping<Q, N, R>,
     /// Fractions of a step.
     stages: &'static [f64],
     /// The state before a step of several stages.
     before: State<Q, N, R>,
-    landings: Landings,
+    placement: StagePlacement,
     /// κ₁ + κ₂ over the stages of the last composed step, N s …
     impulse: [f64; R],
     /// The length of the last step, s.
@@ -40,7 +40,7 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
 /// The step that suits the kinds of rows there are.
 #[inline(always)]
 fn kick_flow_kick<S, F, const Q: usize, const N: usize, const R: usize>(
-    core: &mut Core<S, Q, N, R>,
+    context: &mut StepContext<S, Q, N, R>,
     flow: &mut F,
     h: f64,
 ) -> Result<(), Fault>
@@ -49,9 +49,9 @@ where
     F: KickFlow<S, Q, N, R>,
 {
     if S::STRUCTURE.holonomic_rows == R {
-        kicks::step(core, flow, h)
+        kicks::step(context, flow, h)
     } else {
-        mixed_kicks::step(core, flow, h)
+        mixed_kicks::step(context, flow, h)
     }
 }
 
@@ -98,13 +98,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let mut state = state;
         state.make_room(stages.len());
         let before = state.with_room(stages.len());
-        let mut core = Core::new(system, state, settings, placed)
+        let mut context = StepContext::new(system, state, settings, placed)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let flow = match flow {
             Flow::Leapfrog => {
                 // The cost that is known is that of dense arrays, which steps beside singular poses need.
                 let free = settings.fixed_iterations.is_none();
-                match free.then(|| SparseKicks::new(&mut core)).flatten() {
+                match free.then(|| SparseKicks::new(&mut context)).flatten() {
                     Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
                     None => Stepping::Leapfrog(Leapfrog::new::<S>()),
                 }
@@ -114,9 +114,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
         };
         Ok(TwoLevelStepper {
-            core,
+            context,
             flow,
-            landings: Landings::new(stages),
+            placement: StagePlacement::new(stages),
             stages,
             before,
             impulse: [0.0; R],
@@ -135,37 +135,44 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             return self.composed(h);
         }
         self.length = h;
-        self.try_step(h)
-            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+        self.try_step(h).map_err(|fault| {
+            SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
+        })
     }
 
     #[cold]
     #[inline(never)]
     fn composed(&mut self, h: f64) -> Result<(), SimulationError> {
-        self.compose(h, None)
-            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+        self.compose(h, None).map_err(|fault| {
+            SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
+        })
     }
 
     /// The same, with works and landings noted.
-    pub(crate) fn pass(&mut self, h: f64, passage: &mut Passage) -> Result<(), SimulationError> {
-        self.compose(h, Some(passage))
-            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.core.state.time, h))
+    pub(crate) fn pass(
+        &mut self,
+        h: f64,
+        monitor: &mut StepMonitor,
+    ) -> Result<(), SimulationError> {
+        self.compose(h, Some(monitor)).map_err(|fault| {
+            SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
+        })
     }
 
     /// How independent the holonomic rows are where it stands; `None` without such rows.
-    pub(crate) fn independence(&mut self) -> Option<Independence> {
+    pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         let rows = S::STRUCTURE.holonomic_rows;
         if let Stepping::Sparse(kicks, _) = &self.flow {
-            return Some(kicks.independence());
+            return Some(kicks.rank_margin());
         }
-        let Core { start, work, .. } = &mut self.core;
-        (rows > 0).then(|| work.symmetric.independence(&start.gram, rows))
+        let StepContext { start, work, .. } = &mut self.context;
+        (rows > 0).then(|| work.delassus.rank_margin(&start.delassus, rows))
     }
 
     /// The length of a composed step, as a fraction of the last one and between these bounds, that keeps clearest of the
     /// singular pose that was seen on it, and how clear; `None` where none was.
     pub(crate) fn aim(&self, bounds: [f64; 2]) -> Option<(f64, f64)> {
-        self.landings.aim(bounds)
+        self.placement.aim(bounds)
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
@@ -174,75 +181,78 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         if let Stepping::Sparse(kicks, _) = &mut self.flow {
             return kicks.weakest_rows();
         }
-        let Core { start, work, .. } = &self.core;
-        work.symmetric.combination(&start.gram, rows)
+        let StepContext { start, work, .. } = &self.context;
+        work.delassus.combination(&start.delassus, rows)
     }
 
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
         match &mut self.flow {
             Stepping::Sparse(kicks, _) => {
-                kicks.refresh(&mut self.core);
+                kicks.refresh(&mut self.context);
                 Ok(())
             }
-            _ => self.core.refresh(),
+            _ => self.context.refresh(),
         }
     }
 
     /// A v + b at the current instant.
     pub(crate) fn rates(&self) -> [f64; R] {
-        let core = &self.core;
+        let context = &self.context;
         match &self.flow {
-            Stepping::Sparse(kicks, _) => kicks.rates(core),
-            _ => core
+            Stepping::Sparse(kicks, _) => kicks.rates(context),
+            _ => context
                 .start
-                .velocity_rows(&core.system, &core.state.velocities),
+                .velocity_rows(&context.system, &context.state.velocities),
         }
     }
 
     /// A step in its stages. Each begins with its own multipliers of the last step: as forces they change smoothly from
     /// step to step, while from stage to stage time jumps back and forth.
     #[inline(never)]
-    fn compose(&mut self, h: f64, mut passage: Option<&mut Passage>) -> Result<(), Fault> {
+    fn compose(&mut self, h: f64, mut monitor: Option<&mut StepMonitor>) -> Result<(), Fault> {
         let several = self.stages.len() > 1;
         self.length = h;
         if several {
             self.impulse = [0.0; R];
-            self.before.copy_from(&self.core.state);
-            if let Some(start) = passage.as_ref().and_then(|passage| passage.independence) {
-                self.landings.begin(start);
+            self.before.copy_from(&self.context.state);
+            if let Some(start) = monitor.as_ref().and_then(|monitor| monitor.rank_margin) {
+                self.placement.begin(start);
             }
         }
         for (index, fraction) in self.stages.iter().enumerate() {
             if several {
-                self.core.state.recall_stage(index);
+                self.context.state.recall_stage(index);
             }
             if let Err(fault) = self.try_step(fraction * h) {
                 if several {
-                    self.core.state.copy_from(&self.before);
+                    self.context.state.copy_from(&self.before);
                     self.refresh()?;
                 }
                 return Err(fault);
             }
             if several {
-                self.core.state.keep_stage(index);
-                let [first, second] = &self.core.work.impulse;
+                self.context.state.keep_stage(index);
+                let [first, second] = &self.context.work.impulse;
                 for i in 0..R {
                     self.impulse[i] += first[i] + second[i];
                 }
             }
-            if let Some(passage) = passage.as_deref_mut() {
-                passage.add(&self.core, fraction * h);
-                if passage.independence.is_some() {
+            if let Some(monitor) = monitor.as_deref_mut() {
+                monitor.add(&self.context, fraction * h);
+                if monitor.rank_margin.is_some() {
                     if let Stepping::Implicit(..) = self.flow {
-                        self.core.work.symmetric.factor(&self.core.start.gram);
+                        self.context
+                            .work
+                            .delassus
+                            .factor(&self.context.start.delassus);
                     }
-                    if let Some(now) = self.independence() {
+                    if let Some(now) = self.rank_margin() {
                         if several {
-                            self.landings.add(now);
-                            passage.independence = Some(now);
+                            self.placement.add(now);
+                            monitor.rank_margin = Some(now);
                         } else {
-                            passage.land(now);
+                            monitor.land(now);
                         }
                     }
                 }
@@ -250,11 +260,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
         if several {
             // The sum of the fractions is rounded, time is not.
-            self.core.state.time = self.before.time + h;
-            if let Some(passage) = passage
-                && passage.independence.is_some()
+            self.context.state.time = self.before.time + h;
+            if let Some(monitor) = monitor
+                && monitor.rank_margin.is_some()
             {
-                passage.clearance = self.landings.settle();
+                monitor.clearance = self.placement.settle();
             }
         }
         Ok(())
@@ -265,29 +275,29 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         if !(h.is_finite() && h != 0.0) {
             return Err(Fault::NonFinite("step"));
         }
-        let core = &mut self.core;
+        let context = &mut self.context;
         match &mut self.flow {
-            Stepping::Leapfrog(flow) => kick_flow_kick(core, flow, h),
-            Stepping::Sparse(kicks, flow) => kicks.step(core, flow, h),
-            Stepping::Midpoint(flow) => kick_flow_kick(core, &mut **flow, h),
-            Stepping::Trapezoid(flow) => kick_flow_kick(core, &mut **flow, h),
-            Stepping::Implicit(step, kicks) => match step.step(core, h)? {
+            Stepping::Leapfrog(flow) => kick_flow_kick(context, flow, h),
+            Stepping::Sparse(kicks, flow) => kicks.step(context, flow, h),
+            Stepping::Midpoint(flow) => kick_flow_kick(context, &mut **flow, h),
+            Stepping::Trapezoid(flow) => kick_flow_kick(context, &mut **flow, h),
+            Stepping::Implicit(step, kicks) => match step.step(context, h)? {
                 Outcome::Done => Ok(()),
-                Outcome::Lost => kick_flow_kick(core, &mut **kicks, h),
+                Outcome::Lost => kick_flow_kick(context, &mut **kicks, h),
             },
         }
     }
 
     /// The equations.
     pub fn system(&self) -> &S {
-        &self.core.system
+        &self.context.system
     }
 
     /// (κ₁ + κ₂)/h of the last step, over all stages: the mean forces of the rows; `None` before the first step.
     pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
         let impulse = match self.stages.len() {
             1 => {
-                let [first, second] = &self.core.work.impulse;
+                let [first, second] = &self.context.work.impulse;
                 std::array::from_fn(|i| first[i] + second[i])
             }
             _ => self.impulse,
@@ -297,7 +307,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// Where it stands.
     pub fn state(&self) -> &State<Q, N, R> {
-        &self.core.state
+        &self.context.state
     }
 
     /// The flow in use.
@@ -311,6 +321,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     pub(crate) fn counters(&self) -> Counters {
-        self.core.counters
+        self.context.counters
     }
 }

@@ -14,7 +14,7 @@ use super::index1::Index1;
 use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
 use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
-use crate::linear::{Independence, accumulate};
+use crate::linear::{RankMargin, accumulate};
 use crate::{Settings, System};
 
 /// What is left of φ where rows are weak, in squared tolerances.
@@ -84,10 +84,10 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
     }
 
     /// How independent the rows are where it stands; `None` without rows, or where nobody asks.
-    pub(crate) fn independence<S: System<Q, N, R>>(
+    pub(crate) fn rank_margin<S: System<Q, N, R>>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
-    ) -> Option<Independence> {
+    ) -> Option<RankMargin> {
         if !self.watches() {
             return None;
         }
@@ -96,13 +96,15 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             self.equations.place(bench, t, &q).ok()?;
             self.placed = true;
         }
-        self.equations.independence(bench)
+        self.equations.rank_margin(bench)
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
     pub(crate) fn weakest_rows<S: System<Q, N, R>>(&self, bench: &Bench<S, Q, N, R>) -> [f64; R] {
         let rows = S::STRUCTURE.holonomic_rows;
-        self.equations.dual.combination(&bench.node.gram, rows)
+        self.equations
+            .delassus
+            .combination(&bench.geometry.delassus, rows)
     }
 
     /// See [`Index1::clearance`].
@@ -163,7 +165,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         loop {
             let residual = residual_of(&bench.phi, &scale.weights);
             // Beside a singular pose what is left of φ turns velocities by φ/σ²: as little as round-off allows.
-            let enough = if self.dual.weak { EXACT } else { 1.0 };
+            let enough = if self.delassus.weak { EXACT } else { 1.0 };
             if residual <= enough {
                 break;
             }
@@ -178,14 +180,17 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                 self.place(bench, t, q)?;
             }
             let mut change = bench.phi.map(|residual| -residual);
-            self.dual.solve(&mut change);
+            self.delassus.solve(&mut change);
             let mut way = [0.0; N];
-            accumulate(&mut way, &bench.node.w, &change);
+            accumulate(&mut way, &bench.geometry.w, &change);
             *q = bench.system.advance(q, &way, 1.0);
             let Bench {
-                system, node, phi, ..
+                system,
+                geometry,
+                phi,
+                ..
             } = &mut *bench;
-            system.constraints(t, q, phi, &mut *node.a, &mut node.b);
+            system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
             last = residual;
             iterations += 1;
         }
@@ -202,9 +207,12 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         v: &mut [f64; N],
     ) {
         for _ in 0..2 {
-            let mut multiplier = bench.node.velocity_rows(&bench.system, v).map(|rate| -rate);
-            self.dual.solve(&mut multiplier);
-            accumulate(v, &bench.node.w, &multiplier);
+            let mut multiplier = bench
+                .geometry
+                .velocity_rows(&bench.system, v)
+                .map(|rate| -rate);
+            self.delassus.solve(&mut multiplier);
+            accumulate(v, &bench.geometry.w, &multiplier);
         }
     }
 }

@@ -214,9 +214,12 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 return Ok((error, Trial { q, v, turn, lambda }));
             }
             let Bench {
-                system, node, phi, ..
+                system,
+                geometry,
+                phi,
+                ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
             let motion = &mut self.motion;
             motion.balance(system, t1, &q, &v);
             motion.tangents(system, t1, &q, &v);
@@ -229,13 +232,16 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 if i < holonomic {
                     -alpha * phi[i]
                 } else {
-                    -(dot(&node.a[i], &v) + node.b[i])
+                    -(dot(&geometry.a[i], &v) + geometry.b[i])
                 }
             });
-            if !self.saddle.factor(&motion.jacobian, &node.a, &node.a) {
+            if !self
+                .saddle
+                .factor(&motion.jacobian, &geometry.a, &geometry.a)
+            {
                 return Err(Fault::Mass);
             }
-            self.saddle.solve(&mut change, &mut rows, &node.a);
+            self.saddle.solve(&mut change, &mut rows, &geometry.a);
             bench.counters.regularised += u64::from(self.saddle.left_out() > 0);
             bench.counters.iterations += 1;
             for i in 0..N {

@@ -1,6 +1,6 @@
 //! What all baselines work on.
 
-use crate::alf3f::{Counters, Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Counters, Fault};
 use crate::linear::finite;
 use crate::{State, System};
 
@@ -8,7 +8,7 @@ use crate::{State, System};
 pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,
-    pub(crate) node: Box<Node<S, Q, N, R>>,
+    pub(crate) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
     /// φ at `node`.
     pub(crate) phi: [f64; R],
     /// Whether `node` and `phi` are those of `state`.
@@ -36,7 +36,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
             let State {
                 time, positions, ..
             } = &self.state;
-            self.node
+            self.geometry
                 .evaluate(&self.system, *time, positions, &mut self.phi)?;
             self.settled = true;
         }
@@ -69,7 +69,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
     pub(crate) fn powers(&self, t: f64, q: &[f64; Q], v: &[f64; N], lambda: &[f64; R]) -> [f64; 2] {
         let applied = self.system.nonconservative_power(t, q, v);
         let drive = if S::STRUCTURE.time_dependent {
-            -crate::linear::dot(lambda, &self.node.b)
+            -crate::linear::dot(lambda, &self.geometry.b)
         } else {
             0.0
         };
@@ -88,17 +88,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         let powers = self.powers(t + h, end.0, end.1, lambda[1]);
         self.add_works(0.5 * h, powers);
         if S::STRUCTURE.time_dependent && R > 0 {
-            let b = self.node.b;
+            let b = self.geometry.b;
             self.system.constraints(
                 t,
                 start.0,
                 &mut [0.0; R],
                 &mut crate::sink::Discard,
-                &mut self.node.b,
+                &mut self.geometry.b,
             );
             let powers = self.powers(t, start.0, start.1, lambda[0]);
             self.add_works(0.5 * h, powers);
-            self.node.b = b;
+            self.geometry.b = b;
         } else {
             let applied = self.system.nonconservative_power(t, start.0, start.1);
             self.add_works(0.5 * h, [applied, 0.0]);

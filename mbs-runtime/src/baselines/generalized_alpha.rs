@@ -122,36 +122,39 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             });
             let q = bench.system.advance(&q0, &turn, 1.0);
             let Bench {
-                system, node, phi, ..
+                system,
+                geometry,
+                phi,
+                ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let mut change = self.motion.defect(&v, &acceleration);
-            accumulate(&mut change, &node.a, &lambda);
+            accumulate(&mut change, &geometry.a, &lambda);
             if !S::ROTATIONS.is_empty() {
                 pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
             }
             self.motion.combine(to_v, to_q);
             let mut rows = [0.0; R];
             if self.stabilised {
-                *self.moved = *node.a;
+                *self.moved = *geometry.a;
                 for i in 0..R {
-                    rows[i] = -(dot(&node.a[i], &v) + node.b[i]) / to_v;
+                    rows[i] = -(dot(&geometry.a[i], &v) + geometry.b[i]) / to_v;
                 }
             } else {
-                move_rows::<S, Q, N, R>(&node.a, &turn, &mut self.moved);
+                move_rows::<S, Q, N, R>(&geometry.a, &turn, &mut self.moved);
                 for i in 0..R {
                     rows[i] = if i < holonomic {
                         -phi[i] / to_q
                     } else {
-                        -(dot(&node.a[i], &v) + node.b[i]) / to_v
+                        -(dot(&geometry.a[i], &v) + geometry.b[i]) / to_v
                     };
                 }
             }
             if !self
                 .saddle
-                .factor(&self.motion.jacobian, &node.a, &self.moved)
+                .factor(&self.motion.jacobian, &geometry.a, &self.moved)
             {
                 return Err(progress.lost());
             }
@@ -211,16 +214,16 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         carry::<S, Q, N, R>(turn, &mut carried);
         let mut rows: [f64; R] = std::array::from_fn(|i| {
             if i < holonomic {
-                -bench.phi[i] - dot(&bench.node.a[i], &carried)
+                -bench.phi[i] - dot(&bench.geometry.a[i], &carried)
             } else {
                 0.0
             }
         });
-        move_rows::<S, Q, N, R>(&bench.node.a, turn, &mut self.moved);
+        move_rows::<S, Q, N, R>(&bench.geometry.a, turn, &mut self.moved);
         let mut shift = [0.0; N];
         if !self
             .shift
-            .factor(&self.motion.mass, &bench.node.a, &self.moved)
+            .factor(&self.motion.mass, &bench.geometry.a, &self.moved)
         {
             return Err(Fault::Mass);
         }

@@ -4,7 +4,7 @@ use super::bench::Bench;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::free::free;
-use crate::linear::{Independence, SymmetricDual, accumulate};
+use crate::linear::{DelassusFactor, RankMargin, accumulate};
 use crate::sink::Discard;
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte where they are asked for:
@@ -13,7 +13,7 @@ use crate::sink::Discard;
 /// A v̇ + γ + 2α (A v + b) + β² φ = 0
 /// ```
 pub(crate) struct Index1<const N: usize, const R: usize> {
-    pub(crate) dual: Box<SymmetricDual<R>>,
+    pub(crate) delassus: Box<DelassusFactor<R>>,
     /// 2α, 1/s.
     damping: f64,
     /// β², 1/s².
@@ -21,7 +21,7 @@ pub(crate) struct Index1<const N: usize, const R: usize> {
     gamma: [f64; R],
     /// λ of the last acceleration.
     pub(crate) lambda: [f64; R],
-    weakness: [f64; R],
+    pivot_loss: [f64; R],
     /// The least and the largest 1/σ² of the evaluations since [`Self::begin`], with the smallest singular value σ of the
     /// rows.
     range: [f64; 2],
@@ -31,12 +31,12 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     /// With α = β = `gain`, 1/s.
     pub(crate) fn new(gain: f64) -> Self {
         Index1 {
-            dual: Box::new(SymmetricDual::new()),
+            delassus: Box::new(DelassusFactor::new()),
             damping: 2.0 * gain,
             stiffness: gain * gain,
             gamma: [0.0; R],
             lambda: [0.0; R],
-            weakness: [0.0; R],
+            pivot_loss: [0.0; R],
             range: [f64::INFINITY, 0.0],
         }
     }
@@ -77,13 +77,13 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         // The works of drives ask for b.
         if !S::STRUCTURE.time_dependent {
             let correction = self.stabilisation(bench, t, q, v);
-            let (system, weakness) = (&bench.system, &mut self.weakness);
+            let (system, pivot_loss) = (&bench.system, &mut self.pivot_loss);
             let (into, lambda) = (&mut acceleration, &mut self.lambda);
-            if system.accelerations(t, q, v, &correction, into, lambda, weakness) {
+            if system.accelerations(t, q, v, &correction, into, lambda, pivot_loss) {
                 let mut most: f64 = 0.0;
-                for &weakness in &*weakness {
-                    let lost = weakness == 0.0;
-                    most = most.max(if lost { f64::INFINITY } else { weakness });
+                for &pivot_loss in &*pivot_loss {
+                    let lost = pivot_loss == 0.0;
+                    most = most.max(if lost { f64::INFINITY } else { pivot_loss });
                 }
                 if R > 0 {
                     self.note(most);
@@ -92,19 +92,19 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             }
         }
         self.place(bench, t, q)?;
-        if let Some(now) = self.independence(bench) {
+        if let Some(now) = self.rank_margin(bench) {
             self.note(1.0 / (now.least * now.least));
         }
         Ok(self.acceleration(bench, t, q, v))
     }
 
     /// How independent the holonomic rows are where the bench was placed; `None` without such rows.
-    pub(crate) fn independence<S: System<Q, N, R>, const Q: usize>(
+    pub(crate) fn rank_margin<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &Bench<S, Q, N, R>,
-    ) -> Option<Independence> {
+    ) -> Option<RankMargin> {
         let rows = S::STRUCTURE.holonomic_rows;
-        (rows > 0).then(|| self.dual.independence(&bench.node.gram, rows))
+        (rows > 0).then(|| self.delassus.rank_margin(&bench.geometry.delassus, rows))
     }
 
     /// 2α (A v + b) + β² φ.
@@ -120,10 +120,13 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             return [0.0; R];
         }
         let Bench {
-            system, node, phi, ..
+            system,
+            geometry,
+            phi,
+            ..
         } = bench;
-        system.constraints(t, q, phi, &mut *node.a, &mut node.b);
-        let rates = node.velocity_rows(system, v);
+        system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+        let rates = geometry.velocity_rows(system, v);
         std::array::from_fn(|i| self.damping * rates[i] + self.stiffness * phi[i])
     }
 
@@ -136,12 +139,15 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         q: &[f64; Q],
     ) -> Result<(), Fault> {
         let Bench {
-            system, node, phi, ..
+            system,
+            geometry,
+            phi,
+            ..
         } = bench;
-        system.constraints(t, q, phi, &mut *node.a, &mut node.b);
-        node.metric(system, t, q)?;
-        self.dual.factor(&node.gram);
-        bench.counters.regularised += u64::from(self.dual.regularised);
+        system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+        geometry.metric(system, t, q)?;
+        self.delassus.factor(&geometry.delassus);
+        bench.counters.regularised += u64::from(self.delassus.regularised);
         Ok(())
     }
 
@@ -154,8 +160,8 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         q: &[f64; Q],
         v: &[f64; N],
     ) -> [f64; N] {
-        let (system, node) = (&bench.system, &bench.node);
-        let mut acceleration = free(system, &node.mass, t, q, v);
+        let (system, geometry) = (&bench.system, &bench.geometry);
+        let mut acceleration = free(system, &geometry.mass, t, q, v);
         if R == 0 {
             return acceleration;
         }
@@ -163,15 +169,15 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         // A v̇ + 2α A v in one product.
         let along = std::array::from_fn(|i| acceleration[i] + self.damping * v[i]);
         let mut rates = [0.0; R];
-        system.row_rates(&node.a, &along, &mut rates);
+        system.row_rates(&geometry.a, &along, &mut rates);
         for i in 0..R {
             self.lambda[i] = -(rates[i]
                 + self.gamma[i]
-                + self.damping * node.b[i]
+                + self.damping * geometry.b[i]
                 + self.stiffness * bench.phi[i]);
         }
-        self.dual.solve(&mut self.lambda);
-        accumulate(&mut acceleration, &node.w, &self.lambda);
+        self.delassus.solve(&mut self.lambda);
+        accumulate(&mut acceleration, &geometry.w, &self.lambda);
         acceleration
     }
 }

@@ -87,7 +87,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         let before = old.acceleration;
         bench.settle()?;
         // ξ m̄, that is h²/4 α.
-        let lengths = bench.node.lengths_squared();
+        let lengths = bench.geometry.lengths_squared();
         let weights = lengths.map(|length| self.penalty / length.max(f64::MIN_POSITIVE));
         let quarter = 0.25 * h * h;
         let (q0, v0, t0) = (
@@ -104,9 +104,12 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             let turn: [f64; N] = std::array::from_fn(|i| 0.5 * h * (v0[i] + v[i]));
             let q = bench.system.advance(&q0, &turn, 1.0);
             let Bench {
-                system, node, phi, ..
+                system,
+                geometry,
+                phi,
+                ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let mut change = self.motion.defect(&v, &after);
@@ -117,15 +120,15 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 }
             }
             let force = std::array::from_fn(|i| lambda[i] + penalties[i]);
-            accumulate(&mut change, &node.a, &force);
+            accumulate(&mut change, &geometry.a, &force);
             if !S::ROTATIONS.is_empty() {
                 pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
             }
             self.motion.combine(0.5 * h, quarter);
-            move_rows::<S, Q, N, R>(&node.a, &turn, &mut self.moved);
+            move_rows::<S, Q, N, R>(&geometry.a, &turn, &mut self.moved);
             for r in 0..R {
                 for i in 0..N {
-                    let left = weights[r] * node.a[r][i];
+                    let left = weights[r] * geometry.a[r][i];
                     if left == 0.0 {
                         continue;
                     }
@@ -150,15 +153,17 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         bench.counters.iterations += progress.count();
         bench.counters.stages += 1;
 
-        let Bench { system, node, .. } = &mut *bench;
-        let rates: [f64; R] = node.velocity_rows(system, &v);
-        self.project(&node.a, &weights, &rates, &mut v);
+        let Bench {
+            system, geometry, ..
+        } = &mut *bench;
+        let rates: [f64; R] = geometry.velocity_rows(system, &v);
+        self.project(&geometry.a, &weights, &rates, &mut v);
         let mut gamma = [0.0; R];
         system.constraint_rates(t1, &q, &v, &mut Discard, &mut gamma);
         for i in 0..R {
-            gamma[i] += dot(&node.a[i], &after);
+            gamma[i] += dot(&geometry.a[i], &after);
         }
-        self.project(&node.a, &weights, &gamma, &mut after);
+        self.project(&geometry.a, &weights, &gamma, &mut after);
 
         bench.commit(t1, q, v, false)?;
         let consistent = if S::STRUCTURE.time_dependent {

@@ -63,7 +63,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             penalty,
             damping_ratio,
         } = self.settings;
-        let lengths = bench.node.lengths_squared();
+        let lengths = bench.geometry.lengths_squared();
         // A row that vanishes where the simulation starts takes the strength of the longest.
         let longest = largest(&lengths).max(f64::MIN_POSITIVE);
         std::array::from_fn(|i| {
@@ -111,9 +111,12 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         let q = loop {
             let q = trapezoid(&bench.system, &q0, &v0, &v, h);
             let Bench {
-                system, node, phi, ..
+                system,
+                geometry,
+                phi,
+                ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *node.a, &mut node.b);
+            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let force = forces(bench, &rows, &v);
@@ -157,7 +160,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             pull_back::<S, Q, N, R>(&turn, &mut motion.p_q);
         }
         motion.combine(0.5 * h, 0.25 * h * h);
-        let a = &bench.node.a;
+        let a = &bench.geometry.a;
         move_rows::<S, Q, N, R>(a, &turn, &mut self.moved);
         for (r, [k, c]) in rows.iter().enumerate() {
             for i in 0..N {
@@ -179,7 +182,7 @@ fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     rows: &[[f64; 2]; R],
     v: &[f64; N],
 ) -> [f64; R] {
-    let rates = bench.node.velocity_rows(&bench.system, v);
+    let rates = bench.geometry.velocity_rows(&bench.system, v);
     std::array::from_fn(|i| -rows[i][0] * bench.phi[i] - rows[i][1] * rates[i])
 }
 
@@ -190,5 +193,5 @@ fn pull<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     weight: f64,
     force: &[f64; R],
 ) {
-    crate::linear::accumulate(x, &bench.node.a, &force.map(|force| weight * force));
+    crate::linear::accumulate(x, &bench.geometry.a, &force.map(|force| weight * force));
 }

@@ -10,7 +10,7 @@
 //! elimination: dependent rows and singular poses are more than it can do.
 
 use super::bench::Bench;
-use crate::alf3f::{Fault, Node, RowScale, not_converged, residual_of};
+use crate::alf3f::{ConstraintGeometry, Fault, RowScale, not_converged, residual_of};
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
 use crate::linear::{Matrix, Pivoted, accumulate, clear};
 use crate::{Settings, System};
@@ -30,7 +30,7 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
 
 /// All but the flow.
 struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
-    end: Box<Node<S, Q, N, R>>,
+    end: Box<ConstraintGeometry<S, Q, N, R>>,
     matrix: Matrix<R, R>,
     factors: Box<Pivoted<R>>,
     scale: Box<RowScale<R>>,
@@ -47,7 +47,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<
                 Stepping::Midpoint(Midpoint::new())
             },
             rows: Rows {
-                end: Node::new(system, q)?,
+                end: ConstraintGeometry::new(system, q)?,
                 matrix: clear(),
                 factors: Box::new(Pivoted::new()),
                 scale: Box::new(RowScale::new(system, settings.constraint_tolerance)?),
@@ -79,7 +79,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         let Bench {
             system,
             state,
-            node: start,
+            geometry: start,
             phi,
             counters,
             ..
@@ -99,8 +99,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
             if residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED) {
                 break;
             }
-            let directions = flow.directions(system, &va, start)?;
-            system.gram(&self.end.a, directions, &mut self.matrix);
+            let directions = flow.position_sensitivity(system, &va, start)?;
+            system.delassus(&self.end.a, directions, &mut self.matrix);
             if iterations >= bench.max_iterations
                 || !residual.is_finite()
                 || !self.factors.factor(&self.matrix)
@@ -124,7 +124,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         end.metric(system, t1, &q)?;
         let mut v = flow.velocities(system, &va, &q, end);
         let mut multiplier = end.velocity_rows(system, &v).map(|rate| -rate);
-        if !self.factors.factor(&end.gram) {
+        if !self.factors.factor(&end.delassus) {
             self.force = [0.0; R];
             return Err(not_converged(&multiplier, &[1.0; R], iterations));
         }

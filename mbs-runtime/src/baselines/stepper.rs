@@ -9,8 +9,8 @@ use super::generalized_alpha::GeneralizedAlpha;
 use super::index3_projections::Index3;
 use super::penalty::Penalty;
 use super::rattle::Rattle;
-use crate::alf3f::{Counters, Fault, Node};
-use crate::linear::Independence;
+use crate::alf3f::{ConstraintGeometry, Counters, Fault};
+use crate::linear::RankMargin;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
 
 /// A baseline by itself: steps of any length, without energy balance or report.
@@ -84,12 +84,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 });
             }
         };
-        let node = Node::new(&system, &state.positions).map_err(fault)?;
+        let geometry = ConstraintGeometry::new(&system, &state.positions).map_err(fault)?;
         let mut stepper = BaselineStepper {
             bench: Bench {
                 system,
                 state,
-                node,
+                geometry,
                 phi: [0.0; R],
                 settled: false,
                 counters: Counters::default(),
@@ -154,9 +154,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// How independent the rows are where it stands; `None` where there is nothing to lose, or nobody to ask.
-    pub(crate) fn independence(&mut self) -> Option<Independence> {
+    pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         match &mut self.rule {
-            Rule::Explicit(rule) => rule.independence(&mut self.bench),
+            Rule::Explicit(rule) => rule.rank_margin(&mut self.bench),
             _ => None,
         }
     }

@@ -59,7 +59,7 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
 
     /// The rows `w0` after the last flight. Bodies fly by themselves, so that three more flights, each with one component
     /// of all angular velocities changed, give the tangents of all.
-    pub(super) fn directions<S: System<Q, N, R>>(
+    pub(super) fn position_sensitivity<S: System<Q, N, R>>(
         &mut self,
         system: &S,
         w0: &[[f64; N]; R],

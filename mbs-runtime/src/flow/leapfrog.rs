@@ -6,7 +6,7 @@
 use super::KickFlow;
 use super::drift::Drift;
 use crate::System;
-use crate::alf3f::{Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Fault};
 
 pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {
     h: f64,
@@ -41,7 +41,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         t: f64,
         q: &[f64; Q],
         va: &[f64; N],
-        start: &Node<S, Q, N, R>,
+        start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
         self.h = h;
@@ -76,21 +76,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     }
 
     #[inline(always)]
-    fn directions<'a>(
+    fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
         _: &[f64; N],
-        start: &'a Node<S, Q, N, R>,
+        start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault> {
         match &mut self.drift {
-            Some(drift) if !S::ROTATIONS.is_empty() => Ok(drift.directions(system, &start.w)),
+            Some(drift) if !S::ROTATIONS.is_empty() => {
+                Ok(drift.position_sensitivity(system, &start.w))
+            }
             _ => Ok(&start.w),
         }
     }
 
     /// Leaves out h²/2 of the force gradient, which only slows the iteration a little.
     #[inline(always)]
-    fn far<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+    fn velocity_sensitivity<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
         match &self.drift {
             Some(drift) if !S::ROTATIONS.is_empty() => &drift.far,
             _ => w0,
@@ -106,7 +108,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         system: &S,
         va: &[f64; N],
         q1: &[f64; Q],
-        end: &mut Node<S, Q, N, R>,
+        end: &mut ConstraintGeometry<S, Q, N, R>,
     ) -> [f64; N] {
         system.acceleration(self.t1, q1, &mut end.acceleration);
         match &self.drift {

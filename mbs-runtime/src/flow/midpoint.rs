@@ -15,7 +15,7 @@ use super::KickFlow;
 use super::group::transport;
 use super::implicit::Implicit;
 use crate::System;
-use crate::alf3f::{Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::linear::{Matrix, clear};
 
 pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
@@ -58,7 +58,15 @@ impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
     for Midpoint<Q, N, R>
 {
-    fn begin(&mut self, _: &S, t: f64, q: &[f64; Q], va: &[f64; N], _: &Node<S, Q, N, R>, h: f64) {
+    fn begin(
+        &mut self,
+        _: &S,
+        t: f64,
+        q: &[f64; Q],
+        va: &[f64; N],
+        _: &ConstraintGeometry<S, Q, N, R>,
+        h: f64,
+    ) {
         (self.h, self.t0, self.q0, self.vm) = (h, t, *q, *va);
         self.solver.begin(t + 0.5 * h, h);
     }
@@ -78,11 +86,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         Ok(())
     }
 
-    fn directions<'a>(
+    fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
         _: &[f64; N],
-        start: &'a Node<S, Q, N, R>,
+        start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault> {
         let at_rest = [0.0; N];
         self.solver
@@ -104,7 +112,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         Ok(&self.directions)
     }
 
-    fn far<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+    fn velocity_sensitivity<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
         &self.far
     }
 
@@ -117,7 +125,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         system: &S,
         _: &[f64; N],
         _: &[f64; Q],
-        end: &mut Node<S, Q, N, R>,
+        end: &mut ConstraintGeometry<S, Q, N, R>,
     ) -> [f64; N] {
         let mut vb = [0.0; N];
         system.momentum(&self.middle, &self.vm, &mut vb);

@@ -16,7 +16,7 @@ pub(crate) use midpoint::Midpoint;
 pub(crate) use trapezoid::Trapezoid;
 
 use crate::System;
-use crate::alf3f::{Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Fault};
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -27,7 +27,7 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
         t: f64,
         q: &[f64; Q],
         va: &[f64; N],
-        start: &Node<S, Q, N, R>,
+        start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     );
     /// Whether ∂q₁/∂v_a is h I, or hardly differs, so that B is close to A₀M⁻¹A₀ᵀ.
@@ -35,14 +35,14 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
     /// q₁ for the kicked velocity v_a.
     fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault>;
     /// Row by row (∂q₁/∂v_a) w / h for the rows w of W at the start.
-    fn directions<'a>(
+    fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
         va: &[f64; N],
-        start: &'a Node<S, Q, N, R>,
+        start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault>;
     /// Row by row (∂v_b/∂v_a) w, after `directions` for the same rows.
-    fn far<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R];
+    fn velocity_sensitivity<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R];
     /// The multipliers, and with them v_a, are about to change by `change`.
     fn predict(&mut self, change: &[f64; R]);
     /// v_b, where `end` has the metric of the end already, and what the end of the step keeps for the next one.
@@ -51,6 +51,6 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
         system: &S,
         va: &[f64; N],
         q1: &[f64; Q],
-        end: &mut Node<S, Q, N, R>,
+        end: &mut ConstraintGeometry<S, Q, N, R>,
     ) -> [f64; N];
 }

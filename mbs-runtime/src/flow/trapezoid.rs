@@ -13,7 +13,7 @@ use super::KickFlow;
 use super::group::transport;
 use super::implicit::Implicit;
 use crate::System;
-use crate::alf3f::{Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::linear::{Matrix, clear};
 
 pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
@@ -51,7 +51,15 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlow<S, Q, N, R>
     for Trapezoid<Q, N, R>
 {
-    fn begin(&mut self, _: &S, t: f64, q: &[f64; Q], va: &[f64; N], _: &Node<S, Q, N, R>, h: f64) {
+    fn begin(
+        &mut self,
+        _: &S,
+        t: f64,
+        q: &[f64; Q],
+        va: &[f64; N],
+        _: &ConstraintGeometry<S, Q, N, R>,
+        h: f64,
+    ) {
         (self.h, self.t0, self.q0, self.vb) = (h, t, *q, *va);
         self.solver.begin(t + h, h);
     }
@@ -67,11 +75,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         Ok(())
     }
 
-    fn directions<'a>(
+    fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
         va: &[f64; N],
-        start: &'a Node<S, Q, N, R>,
+        start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a [[f64; N]; R], Fault> {
         let h = self.h;
         // The tangent is that of the end, and what is factored for it begins the next iteration.
@@ -101,7 +109,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         Ok(&self.directions)
     }
 
-    fn far<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+    fn velocity_sensitivity<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
         &self.far
     }
 
@@ -114,7 +122,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         _: &S,
         _: &[f64; N],
         _: &[f64; Q],
-        _: &mut Node<S, Q, N, R>,
+        _: &mut ConstraintGeometry<S, Q, N, R>,
     ) -> [f64; N] {
         self.vb
     }

@@ -3,13 +3,13 @@
 /// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
 const WEAKEST: f64 = 1e14;
 
-/// Whether the pivots of M = L D Lᵀ are positive: D⁻¹ leads the factor, `weakness` is diag(M) D⁻¹.
+/// Whether the pivots of M = L D Lᵀ are positive: D⁻¹ leads the factor, `pivot_loss` is diag(M) D⁻¹.
 #[inline]
-pub fn positive<const N: usize>(factor: &[f64], weakness: &[f64; N]) -> bool {
-    let inverses = factor.iter().zip(weakness);
+pub fn positive<const N: usize>(factor: &[f64], pivot_loss: &[f64; N]) -> bool {
+    let inverses = factor.iter().zip(pivot_loss);
     // Written so that NaN is refused, too.
-    inverses.fold(true, |all, (&inverse, &weakness)| {
-        all & (inverse > 0.0) & (weakness < WEAKEST)
+    inverses.fold(true, |all, (&inverse, &pivot_loss)| {
+        all & (inverse > 0.0) & (pivot_loss < WEAKEST)
     })
 }
 

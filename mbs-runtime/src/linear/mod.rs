@@ -1,20 +1,20 @@
 //! Small dense kernels on fixed-size arrays, and elimination without zeros. None allocates; all accept size 0.
 
-mod independence;
-mod ldlt;
-mod lu;
+mod delassus_factor;
 mod pivoted;
+mod projection_lu;
 mod proximal;
 mod rank;
+mod rank_margin;
 mod sparse;
 mod thresholds;
 mod vector;
 
-pub(crate) use independence::Independence;
-pub(crate) use ldlt::SymmetricDual;
-pub(crate) use lu::Dual;
+pub(crate) use delassus_factor::DelassusFactor;
 pub(crate) use pivoted::Pivoted;
+pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::dependence;
+pub(crate) use rank_margin::RankMargin;
 pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 pub(crate) use thresholds::Thresholds;
 pub(crate) use vector::{accumulate, dot, finite, largest};

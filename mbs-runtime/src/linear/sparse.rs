@@ -1,6 +1,6 @@
 //! K of a large mechanism at one instant, and its factor.
 
-use super::{Independence, Thresholds, WEAK_PIVOT, clear};
+use super::{RankMargin, Thresholds, WEAK_PIVOT, clear};
 use crate::System;
 use crate::generated::Elimination;
 
@@ -126,29 +126,29 @@ impl Bordered {
 
     /// How independent the rows are.
     #[inline]
-    pub(crate) fn independence<const N: usize, const R: usize>(
+    pub(crate) fn rank_margin<const N: usize, const R: usize>(
         &self,
         plan: &Elimination<N, R>,
-    ) -> Independence {
-        let mut independence = Independence::of(1.0 / self.most.sqrt());
+    ) -> RankMargin {
+        let mut rank_margin = RankMargin::of(1.0 / self.most.sqrt());
         if self.most < 1.0 / self.thresholds.lost {
-            return independence;
+            return rank_margin;
         }
         let (mut small, mut least) = (f64::INFINITY, f64::INFINITY);
         for pivot in self.relative(plan) {
             if pivot > 0.0 {
                 least = least.min(pivot);
             } else {
-                independence.dependent += 1;
+                rank_margin.dependent += 1;
             }
             if pivot > self.thresholds.lost {
                 small = small.min(pivot);
             } else {
-                independence.lost += 1;
+                rank_margin.lost += 1;
             }
         }
-        (independence.sigma, independence.least) = (small.sqrt(), least.sqrt());
-        independence
+        (rank_margin.sigma, rank_margin.least) = (small.sqrt(), least.sqrt());
+        rank_margin
     }
 
     /// The combination of the rows, each taken with unit length, that comes closest to none: a step of inverse iteration

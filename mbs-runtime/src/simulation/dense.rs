@@ -88,14 +88,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Err(SimulationError::Time { now, wanted: time });
         }
         self.before.copy_from(self.integrator.state());
-        let kept = (self.report, self.power, self.independence);
+        let kept = (self.report, self.power, self.rank_margin);
         let shown = self.show(time);
         if shown.is_ok() {
             self.integrator.state_mut().time = time;
             look(self);
         }
         self.integrator.state_mut().copy_from(&self.before);
-        (self.report, self.power, self.independence) = kept;
+        (self.report, self.power, self.rank_margin) = kept;
         self.integrator.refresh(&self.settings)?;
         shown
     }

@@ -119,7 +119,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.state_mut().copy_from(&self.before);
         self.report = report;
         self.power = power;
-        self.independence = None;
+        self.rank_margin = None;
         self.integrator.refresh(&self.settings)
     }
 }

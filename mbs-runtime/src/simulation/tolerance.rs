@@ -16,7 +16,7 @@
 //! after these with a shorter pair.
 
 use super::Simulation;
-use crate::{Pace, SimulationError, System};
+use crate::{SimulationError, StepController, System};
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
 const SHARE: f64 = 0.02;
@@ -58,7 +58,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The step in use, s.
     pub(super) fn nominal(&self) -> f64 {
         match self.settings.tolerance {
-            Some(_) if self.state().pace.step > 0.0 => self.state().pace.step,
+            Some(_) if self.state().step_controller.step > 0.0 => self.state().step_controller.step,
             _ => self.settings.step,
         }
     }
@@ -73,27 +73,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// Two steps of h, and of shorter ones until their error is small enough.
     fn pair(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
-        let mut pace = self.state().pace;
-        if pace.step == 0.0 {
-            pace = Pace::starting(self.settings.step);
+        let mut step_controller = self.state().step_controller;
+        if step_controller.step == 0.0 {
+            step_controller = StepController::starting(self.settings.step);
         }
         let (mut report, power) = (self.report, self.power);
         self.pair.copy_from(self.integrator.state());
         let sigma = self.sigma();
         let mut sidestep = 0;
         loop {
-            let h = SIDESTEPS[sidestep] * pace.step.min(0.5 * left);
+            let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
-            let found = self.compare(tolerance, h, left, (pace.speed, sigma), last);
+            let found = self.compare(tolerance, h, left, (step_controller.speed, sigma), last);
             let (excess, error) = match found {
                 Ok(found) => {
                     let notches = notches(self.settings.order, found.excess);
                     if found.excess <= 1.0 {
-                        pace.speed = pace.speed.max(found.speed);
-                        if h == pace.step && found.even {
-                            pace.lengthen(notches);
+                        step_controller.speed = step_controller.speed.max(found.speed);
+                        if h == step_controller.step && found.even {
+                            step_controller.lengthen(notches);
                         }
-                        self.integrator.state_mut().pace = pace;
+                        self.integrator.state_mut().step_controller = step_controller;
                         return Ok(());
                     }
                     let velocity = S::MODEL.velocities.get(found.worst);
@@ -114,16 +114,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             report.rejected_steps += 1;
             self.integrator.state_mut().copy_from(&self.pair);
-            (self.report, self.power, self.independence) = (report, power, None);
+            (self.report, self.power, self.rank_margin) = (report, power, None);
             self.integrator.refresh(&self.settings)?;
             if excess.is_nan() {
                 sidestep += 1;
                 continue;
             }
             sidestep = 0;
-            pace.shorten(h, notches(self.settings.order, excess));
+            step_controller.shorten(h, notches(self.settings.order, excess));
             let clock = 1e-13 * self.pair.time.abs();
-            if !(pace.step > SHORTEST * self.settings.step && pace.step > clock) {
+            if !(step_controller.step > SHORTEST * self.settings.step
+                && step_controller.step > clock)
+            {
                 return Err(error);
             }
         }
@@ -142,7 +144,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let second = self.place(h.min(left - first), left - first)?;
         let noise = self.settings.constraint_tolerance / self.sigma().min(sigma).max(WEAKEST);
         self.before.copy_from(self.integrator.state());
-        let kept = (self.report, self.power, self.independence);
+        let kept = (self.report, self.power, self.rank_margin);
 
         let length = first + second;
         let moved = self
@@ -183,22 +185,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             found.excess = LEAP.exp2();
         }
         self.integrator.state_mut().copy_from(&self.before);
-        (self.report, self.power, self.independence) = kept;
+        (self.report, self.power, self.rank_margin) = kept;
         self.integrator.refresh(&self.settings)?;
         Ok(found)
     }
 
     /// How far the rows are from losing their independence, 1 at most.
     fn sigma(&mut self) -> f64 {
-        let known = self.independence;
-        let now = known.or_else(|| self.integrator.independence());
+        let known = self.rank_margin;
+        let now = known.or_else(|| self.integrator.rank_margin());
         now.map_or(1.0, |now| now.least.min(1.0))
     }
 
     /// From the beginning of the pair in other steps; their least clearance, or `None` if one does not converge.
     fn others(&mut self, steps: [f64; 2]) -> Result<Option<f64>, SimulationError> {
         self.integrator.state_mut().copy_from(&self.pair);
-        self.independence = None;
+        self.rank_margin = None;
         self.integrator.refresh(&self.settings)?;
         let rejected = self.report.rejected_steps;
         let mut least = f64::INFINITY;
@@ -232,15 +234,15 @@ fn notches(order: u8, excess: f64) -> f64 {
     (NOTCHES / f64::from(order) * -excess.log2()).floor()
 }
 
-impl Pace {
+impl StepController {
     /// Before the first comparison.
     fn starting(step: f64) -> Self {
-        Pace {
+        StepController {
             step,
             eager: true,
             allowed: LEAP,
             patience: PATIENCE[0],
-            ..Pace::default()
+            ..StepController::default()
         }
     }
 

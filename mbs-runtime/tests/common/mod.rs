@@ -282,10 +282,10 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q
             w[i] = times(mass, &a[i]);
         }
     }
-    fn gram(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R]) {
+    fn delassus(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]) {
         for i in 0..R {
             for j in 0..R {
-                gram[i][j] = (0..N).map(|k| a[i][k] * w[j][k]).sum();
+                delassus[i][j] = (0..N).map(|k| a[i][k] * w[j][k]).sum();
             }
         }
     }

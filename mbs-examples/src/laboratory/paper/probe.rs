@@ -53,10 +53,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
 
     fn effective_masses(&self) -> Vec<f64> {
         let state = self.state();
-        let Some((_, _, gram)) = geometry(self.system(), state.time, &state.positions) else {
+        let Some((_, _, delassus)) = geometry(self.system(), state.time, &state.positions) else {
             return vec![f64::NAN; R];
         };
-        (0..R).map(|i| 1.0 / gram[i][i]).collect()
+        (0..R).map(|i| 1.0 / delassus[i][i]).collect()
     }
 
     fn algorithm(&self) -> (f64, Vec<f64>) {
@@ -88,7 +88,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
         let start: [f64; Q] = std::array::from_fn(|i| before.q[i]);
         let (t, q) = (before.time + 0.5 * h, system.advance(&start, &v, 0.5 * h));
         let unknown = || vec![f64::NAN; S::MODEL.reactions.len()];
-        let (Some((a, w, gram)), Some(mass)) = (geometry(system, t, &q), system.factor_mass(&q))
+        let (Some((a, w, delassus)), Some(mass)) =
+            (geometry(system, t, &q), system.factor_mass(&q))
         else {
             return unknown();
         };
@@ -99,8 +100,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
         system.solve_mass(&mass, &mut rest);
         let wanted: Vec<f64> = a.iter().map(|row| dot(row, &rest)).collect();
         drop(w);
-        let gram: Vec<Vec<f64>> = gram.iter().map(|row| row.to_vec()).collect();
-        let lambda = least(gram, &wanted);
+        let delassus: Vec<Vec<f64>> = delassus.iter().map(|row| row.to_vec()).collect();
+        let lambda = least(delassus, &wanted);
         let lambda: [f64; R] = std::array::from_fn(|i| lambda[i]);
         let mut reactions = unknown();
         system.reactions(t, &q, &v, &acceleration, &lambda, &mut reactions);
@@ -134,27 +135,27 @@ fn geometry<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     q: &[f64; Q],
 ) -> Option<(Rows<R, N>, Rows<R, N>, Rows<R, R>)> {
     let (mut a, mut w) = (Box::new([[0.0; N]; R]), Box::new([[0.0; N]; R]));
-    let mut gram = Box::new([[0.0; R]; R]);
+    let mut delassus = Box::new([[0.0; R]; R]);
     system.constraints(t, q, &mut [0.0; R], &mut a, &mut [0.0; R]);
     system.solve_mass_rows(&system.factor_mass(q)?, &a, &mut w);
-    system.gram(&a, &w, &mut gram);
-    Some((a, w, gram))
+    system.delassus(&a, &w, &mut delassus);
+    Some((a, w, delassus))
 }
 
-/// The least x, in rows of unit length, with `gram` x = `wanted`.
-fn least(mut gram: Vec<Vec<f64>>, wanted: &[f64]) -> Vec<f64> {
+/// The least x, in rows of unit length, with `delassus` x = `wanted`.
+fn least(mut delassus: Vec<Vec<f64>>, wanted: &[f64]) -> Vec<f64> {
     let count = wanted.len();
-    let scale: Vec<f64> = (0..count).map(|i| gram[i][i].sqrt().recip()).collect();
+    let scale: Vec<f64> = (0..count).map(|i| delassus[i][i].sqrt().recip()).collect();
     for i in 0..count {
         for j in 0..count {
-            gram[i][j] *= scale[i] * scale[j];
+            delassus[i][j] *= scale[i] * scale[j];
         }
     }
-    let factor = cholesky(&gram);
+    let factor = cholesky(&delassus);
     let mut x = vec![0.0; count];
     for _ in 0..REFINEMENTS {
         let left: Vec<f64> = (0..count)
-            .map(|i| scale[i] * wanted[i] - dot(&gram[i], &x))
+            .map(|i| scale[i] * wanted[i] - dot(&delassus[i], &x))
             .collect();
         for (x, change) in x.iter_mut().zip(solve(&factor, left)) {
             *x += change;

@@ -13,7 +13,7 @@
 //! redundant on the constraints is not quite so there: its pivot alone would not tell.)
 
 use super::elimination::{Factor, Rank, Sparse, Upper};
-use super::kernels::{Rows, gram, rows};
+use super::kernels::{Rows, delassus, rows};
 use super::lower::{Hoisted, Lowering};
 use super::{Function, Operand, Place};
 use crate::derivatives::{Derived, InverseMass};
@@ -77,7 +77,7 @@ fn with_inverse(code: &mut Lowering, derived: &Derived, demand: &Demand) {
     let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
     let rows = rows_asked(derived);
     let free = inverse.apply(code.graph(), &demand.forces);
-    let upper: Upper = gram(code.graph(), &inverse, &rows)
+    let upper: Upper = delassus(code.graph(), &inverse, &rows)
         .into_iter()
         .map(|(place, entry)| (place, code.operand(entry)))
         .filter(|(_, entry)| *entry != Operand::number(0.0))
@@ -184,11 +184,11 @@ fn solve(code: &mut Lowering, derived: &Derived, upper: Upper, lambda: &mut Spar
     let factor = Factor::new(code, rows, upper, Rank::MayBeLost, "pivot");
     factor.solve(code, lambda);
     for r in 0..rows {
-        let weakness = match redundant.contains(&r) {
+        let pivot_loss = match redundant.contains(&r) {
             true => Operand::number(1.0),
-            false => factor.weakness(code, Rank::MayBeLost, r),
+            false => factor.pivot_loss(code, Rank::MayBeLost, r),
         };
-        code.write("weakness", Place::Element(r), weakness);
+        code.write("pivot_loss", Place::Element(r), pivot_loss);
     }
     for r in 0..rows {
         let value = *lambda.entry(r).or_insert(Operand::number(0.0));

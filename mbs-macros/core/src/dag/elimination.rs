@@ -98,7 +98,7 @@ impl Factor {
     }
 
     /// What a pivot began with, divided by it: 1 where a row is orthogonal to those before it.
-    pub(super) fn weakness(&self, code: &mut Lowering, rank: Rank, k: usize) -> Operand {
+    pub(super) fn pivot_loss(&self, code: &mut Lowering, rank: Rank, k: usize) -> Operand {
         // A row that may be lost may also be none.
         if self.untouched[k] && rank == Rank::Full {
             return Operand::number(1.0);

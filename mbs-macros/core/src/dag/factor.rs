@@ -51,8 +51,8 @@ fn factor(code: &mut Lowering, derived: &Derived) -> Factor {
         code.write("factor", Place::Element(place), value);
     }
     for k in 0..size {
-        let weakness = factor.weakness(code, Rank::Full, k);
-        code.write("weakness", Place::Element(k), weakness);
+        let pivot_loss = factor.pivot_loss(code, Rank::Full, k);
+        code.write("pivot_loss", Place::Element(k), pivot_loss);
     }
     factor.stored()
 }
@@ -78,9 +78,9 @@ fn metric(code: &mut Lowering, derived: &Derived, factor: &Factor) {
     for (r, [_, scaled]) in halves.iter().enumerate() {
         for (s, [other, _]) in halves.iter().enumerate().skip(r) {
             let entry = code.dot(scaled, other).unwrap_or(Operand::number(0.0));
-            code.write("gram", Place::Entry(r, s), entry);
+            code.write("delassus", Place::Entry(r, s), entry);
             if s > r {
-                code.write("gram", Place::Entry(s, r), entry);
+                code.write("delassus", Place::Entry(s, r), entry);
             }
         }
         let mut w = scaled.clone();

@@ -3,7 +3,7 @@
 use super::accelerations::accelerations;
 use super::kernels::{LONGEST, kernels};
 use super::lower::{Hoisted, Lowering};
-use super::{Constant, Function, Operand, Place, Program, Sparse, Structure, Turning};
+use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
@@ -80,8 +80,10 @@ pub fn lower(derived: &Derived) -> Program {
                 )
             });
         }
-        if !system.windings.is_empty() {
-            make("windings", &mut |f| vector(f, "angles", &system.windings));
+        if !system.unwrapped_angles.is_empty() {
+            make("unwrapped_angles", &mut |f| {
+                vector(f, "angles", &system.unwrapped_angles)
+            });
         }
         make("kinetic_energy", &mut |f| {
             f.output("", Place::Value, derived.kinetic)
@@ -137,7 +139,11 @@ pub fn lower(derived: &Derived) -> Program {
         functions,
         guesses,
         rotations,
-        windings: layout.windings.iter().map(|(slot, _)| *slot).collect(),
+        unwrapped_angles: layout
+            .unwrapped_angles
+            .iter()
+            .map(|(slot, _)| *slot)
+            .collect(),
         coordinates: layout.coordinates.len(),
         slots: layout.slots.clone(),
         size: system.size,
@@ -212,7 +218,7 @@ fn turning(
     hoisted: &mut Hoisted,
     derived: &Derived,
     rotation: &Rotation,
-) -> Turning {
+) -> RotationBlock {
     let zero = graph.zero();
     let entry = |i: usize, j: usize| {
         let (row, column) = (rotation.velocity + i.min(j), rotation.velocity + i.max(j));
@@ -227,7 +233,7 @@ fn turning(
         lowering.output("inertia", Place::Element(i), value);
     }
     let values = lowering.finish("inertia").outputs;
-    Turning {
+    RotationBlock {
         part: rotation.part.clone(),
         velocity: rotation.velocity,
         coordinate: rotation.coordinate,

@@ -24,20 +24,20 @@ pub(super) fn kernels(
     if derived.constant_mass {
         let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
         list.push(maker.solve_mass(&inverse));
-        let (weighted, gram) = (maker.solve_mass_rows(&inverse), maker.gram());
+        let (weighted, delassus) = (maker.solve_mass_rows(&inverse), maker.delassus());
         // Where the two are long, so is what replaces them.
-        let separate = gram
+        let separate = delassus
             .as_ref()
-            .map(|gram| weighted.cost().total() + gram.cost().total())
+            .map(|delassus| weighted.cost().total() + delassus.cost().total())
             .filter(|&total| total <= LONGEST);
         list.push(weighted);
-        list.extend(gram);
+        list.extend(delassus);
         if let Some(separate) = separate {
             let metric = maker.metric(&inverse);
             list.extend((metric.cost().total() < separate).then_some(metric));
         }
     } else {
-        list.extend(maker.gram());
+        list.extend(maker.delassus());
     }
     list.push(maker.row_rates());
     list.retain(|kernel| kernel.operations.len() <= LONGEST);
@@ -96,7 +96,7 @@ impl Maker<'_> {
     }
 
     /// S = A W, each entry the product of a row of A with a row of W; `None` if that is too long.
-    fn gram(&mut self) -> Option<Function> {
+    fn delassus(&mut self) -> Option<Function> {
         let rows = self.rows();
         // No two entries share an operation, so that the length is known without making them: a square number of
         // operations is no trifle.
@@ -117,10 +117,10 @@ impl Maker<'_> {
                     })
                     .collect();
                 let value = graph.sum(terms);
-                lowering.output("gram", Place::Entry(r, s), value);
+                lowering.output("delassus", Place::Entry(r, s), value);
             }
         }
-        Some(lowering.finish("gram"))
+        Some(lowering.finish("delassus"))
     }
 
     /// a · v for each row.
@@ -164,10 +164,10 @@ impl Maker<'_> {
                 }
             }
         }
-        for ((r, s), value) in gram(lowering.graph(), inverse, &rows) {
-            lowering.output("gram", Place::Entry(r, s), value);
+        for ((r, s), value) in delassus(lowering.graph(), inverse, &rows) {
+            lowering.output("delassus", Place::Entry(r, s), value);
             if s > r {
-                lowering.output("gram", Place::Entry(s, r), value);
+                lowering.output("delassus", Place::Entry(s, r), value);
             }
         }
         lowering.finish("metric")
@@ -186,7 +186,7 @@ pub(super) fn rows(derived: &Derived) -> Rows {
 }
 
 /// S = A M⁻¹Aᵀ straight from q, on and above its diagonal.
-pub(super) fn gram(
+pub(super) fn delassus(
     graph: &mut Graph,
     inverse: &InverseMass,
     rows: &Rows,

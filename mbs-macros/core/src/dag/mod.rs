@@ -37,9 +37,9 @@ pub struct Program {
     /// Guesses of q and v.
     pub guesses: Function,
     /// Rotations, for their free flight.
-    pub rotations: Vec<Turning>,
-    /// Where the counted joint angles are stored, in the order of the function `windings`.
-    pub windings: Vec<usize>,
+    pub rotations: Vec<RotationBlock>,
+    /// Where the counted joint angles are stored, in the order of the function `unwrapped_angles`.
+    pub unwrapped_angles: Vec<usize>,
     /// Q.
     pub coordinates: usize,
     /// For each velocity where its coordinate is stored.
@@ -73,7 +73,7 @@ impl Program {
 
 /// A rotation: a unit quaternion and three angular velocities in body axes.
 #[derive(Debug, Clone)]
-pub struct Turning {
+pub struct RotationBlock {
     /// The part.
     pub part: String,
     /// Index of its first velocity.

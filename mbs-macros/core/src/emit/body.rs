@@ -124,7 +124,7 @@ impl<'a> Body<'a> {
                 Place::Value => write!(out, "{value}"),
                 Place::Element(i) => writeln!(out, "{}[{i}] = {value};", output.sink),
                 // Kernels write plain arrays; everything else goes through a sink and leaves its zeros unwritten.
-                Place::Entry(i, j) if output.sink == "w" || output.sink == "gram" => {
+                Place::Entry(i, j) if output.sink == "w" || output.sink == "delassus" => {
                     writeln!(out, "{}[{i}][{j}] = {value};", output.sink)
                 }
                 Place::Entry(..) | Place::Tensor(..) if output.value == Operand::number(0.0) => {

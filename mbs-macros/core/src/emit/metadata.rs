@@ -188,7 +188,7 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         .map(|redundancy| {
             format!(
                 "::mbs_runtime::Redundancy {{ row: {:?}, follows_from: &{:?}, left_out: {} }}",
-                redundancy.row, redundancy.follows_from, redundancy.idle
+                redundancy.row, redundancy.follows_from, redundancy.vacuous
             )
         })
         .collect();

@@ -111,12 +111,12 @@ const METHODS: &[(&str, &str, Ending)] = &[
     ),
     (
         "accelerations",
-        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], correction: &[f64; R], acceleration: &mut [f64; N], lambda: &mut [f64; R], weakness: &mut [f64; R]) -> bool",
+        "(&self, t: f64, q: &[f64; Q], v: &[f64; N], correction: &[f64; R], acceleration: &mut [f64; N], lambda: &mut [f64; R], pivot_loss: &mut [f64; R]) -> bool",
         Ending::Available,
     ),
     (
         "metric",
-        "(&self, mass: &Self::Mass, t: f64, q: &[f64; Q], a: &[[f64; N]; R], w: &mut [[f64; N]; R], gram: &mut [[f64; R]; R])",
+        "(&self, mass: &Self::Mass, t: f64, q: &[f64; Q], a: &[[f64; N]; R], w: &mut [[f64; N]; R], delassus: &mut [[f64; R]; R])",
         Ending::Writes,
     ),
     (
@@ -150,10 +150,10 @@ const KERNELS: &[Kernel] = &[
         varying_mass: "for (w, a) in w.iter_mut().zip(a) { *w = *a; self.solve_mass(mass, w); }",
     },
     Kernel {
-        name: "gram",
-        signature: "(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], gram: &mut [[f64; R]; R])",
-        constant_mass: "::mbs_runtime::generated::gram(a, w, gram);",
-        varying_mass: "::mbs_runtime::generated::gram(a, w, gram);",
+        name: "delassus",
+        signature: "(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R])",
+        constant_mass: "::mbs_runtime::generated::delassus(a, w, delassus);",
+        varying_mass: "::mbs_runtime::generated::delassus(a, w, delassus);",
     },
 ];
 
@@ -267,7 +267,7 @@ fn factor_mass(out: &mut String, graph: &Graph, program: &Program) {
         (None, Some((function, entries))) => {
             let body = Body::of_method(graph, function);
             let text = format!(
-                "let (mut factor, mut weakness) = ([0.0; {entries}], [0.0; {size}]);\n{}{}::mbs_runtime::generated::positive(&factor, &weakness).then_some(factor)",
+                "let (mut factor, mut pivot_loss) = ([0.0; {entries}], [0.0; {size}]);\n{}{}::mbs_runtime::generated::positive(&factor, &pivot_loss).then_some(factor)",
                 body.statements(),
                 body.writes()
             );

@@ -23,7 +23,7 @@ pub(super) const SIGNATURES: [(&str, &str); 3] = [
 
 /// Their bodies, in the same order.
 pub(super) fn bodies(graph: &Graph, program: &Program) -> [String; 3] {
-    if program.rotations.is_empty() && program.windings.is_empty() {
+    if program.rotations.is_empty() && program.unwrapped_angles.is_empty() {
         return [
             "::mbs_runtime::generated::translated(q, v, h)".to_owned(),
             "::mbs_runtime::generated::displacement(from, to)".to_owned(),
@@ -99,12 +99,12 @@ fn count(graph: &Graph, program: &Program, q: &str) -> String {
     let function = program
         .functions
         .iter()
-        .find(|function| function.name == "windings");
-    let (Some(function), false) = (function, program.windings.is_empty()) else {
+        .find(|function| function.name == "unwrapped_angles");
+    let (Some(function), false) = (function, program.unwrapped_angles.is_empty()) else {
         return String::new();
     };
     let targets: Vec<String> = program
-        .windings
+        .unwrapped_angles
         .iter()
         .map(|slot| format!("{q}[{slot}]"))
         .collect();

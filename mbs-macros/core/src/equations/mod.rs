@@ -4,11 +4,11 @@
 //! velocities v, time, parameters and inputs. There are no parts, points or tokens any more.
 
 pub mod forces;
-mod idle;
 mod inertia;
 pub mod joints;
 mod reactions;
 mod start;
+mod vacuous;
 
 use crate::model::{Dimension, Layout, Model, Solved, Vector};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
@@ -37,7 +37,7 @@ pub struct System {
     /// Rows, holonomic ones first.
     pub rows: Vec<Row>,
     /// Rows that are zero in every pose, and are left out.
-    pub idle: Vec<Idle>,
+    pub vacuous: Vec<VacuousRow>,
     /// Reactions in terms of v̇ and λ.
     pub reactions: Vec<Reaction>,
     /// Output expressions.
@@ -51,7 +51,7 @@ pub struct System {
     /// What pulls the guesses of positions and of velocities towards rows that were solved, where M is constant.
     pub pull: Option<[Vec<Expr>; 2]>,
     /// Counted joint angles, in the order of their memories.
-    pub windings: Vec<Expr>,
+    pub unwrapped_angles: Vec<Expr>,
 }
 
 /// A constraint row.
@@ -73,7 +73,7 @@ pub struct Row {
 
 /// A row that is left out, because joints that have become coordinates hold what it says.
 #[derive(Debug, Clone)]
-pub struct Idle {
+pub struct VacuousRow {
     /// Its name: joint and component.
     pub name: String,
     /// The entry it comes from.
@@ -144,7 +144,7 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(name, joint)| (name.clone(), joint.equations(&mut graph)))
         .collect();
-    let idle = idle::rows(&graph, model, &joints);
+    let vacuous = vacuous::rows(&graph, model, &joints);
     let rows = rows(&mut graph, &mut reduction, &joints, model);
     let solved = solved_rows(&joints, &model.solved);
     let balance = reactions::Balance {
@@ -183,9 +183,9 @@ pub fn derive(model: &mut Model) -> System {
         .iter()
         .map(|(_, position)| position.map(|x| global(&mut graph, x)))
         .collect();
-    let windings = model
+    let unwrapped_angles = model
         .layout
-        .windings
+        .unwrapped_angles
         .iter()
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
@@ -211,14 +211,14 @@ pub fn derive(model: &mut Model) -> System {
         forces,
         power,
         rows,
-        idle,
+        vacuous,
         reactions,
         outputs,
         events,
         points,
         layout: model.layout.clone(),
         pull,
-        windings,
+        unwrapped_angles,
     }
 }
 
@@ -277,19 +277,19 @@ fn power(graph: &mut Graph, loads: &[Load]) -> Expr {
 }
 
 /// What becomes of a row of a joint.
-enum Fate {
+enum RowStatus {
     Stays,
     /// It is zero in every pose, and left out.
-    Idle,
+    Vacuous,
     /// It was solved, as which one.
     Solved(usize),
 }
 
-fn fate(model: &Model, entry: &str, slot: usize) -> Fate {
+fn row_status(model: &Model, entry: &str, slot: usize) -> RowStatus {
     match model.solved.position(entry, slot) {
-        Some(position) => Fate::Solved(position),
-        None if model.idle.contains(&(entry.to_owned(), slot)) => Fate::Idle,
-        None => Fate::Stays,
+        Some(position) => RowStatus::Solved(position),
+        None if model.vacuous.contains(&(entry.to_owned(), slot)) => RowStatus::Vacuous,
+        None => RowStatus::Stays,
     }
 }
 
@@ -304,7 +304,8 @@ fn rows(
     for level in [Level::Position, Level::Velocity] {
         for (entry, equations) in joints {
             for (slot, row) in equations.rows.iter().enumerate() {
-                if row.level != level || !matches!(fate(model, entry, slot), Fate::Stays) {
+                if row.level != level || !matches!(row_status(model, entry, slot), RowStatus::Stays)
+                {
                     continue;
                 }
                 let expr = graph.substitute(row.expr, reduction);
@@ -363,10 +364,10 @@ fn multipliers(
                 if row.level != level {
                     continue;
                 }
-                let index = match fate(model, name, slot) {
-                    Fate::Solved(position) => rows + position,
-                    Fate::Idle => continue,
-                    Fate::Stays => {
+                let index = match row_status(model, name, slot) {
+                    RowStatus::Solved(position) => rows + position,
+                    RowStatus::Vacuous => continue,
+                    RowStatus::Stays => {
                         next += 1;
                         next - 1
                     }

@@ -16,7 +16,7 @@ mod rows;
 mod words;
 
 use crate::derivatives::Derived;
-use crate::equations::{Idle, Row, System};
+use crate::equations::{Row, System, VacuousRow};
 use crate::model::Model;
 use crate::symbolic::Symbol;
 use numbers::Numbers;
@@ -58,7 +58,7 @@ pub struct Redundancy {
     /// The entry of the declaration it comes from.
     pub entry: String,
     /// It is left out, as joints that have become coordinates hold what it says.
-    pub idle: bool,
+    pub vacuous: bool,
     /// Entries of the declaration whose rows it follows from.
     pub follows_from: Vec<String>,
     /// Joints on its loop that have become coordinates and left no rows.
@@ -71,7 +71,8 @@ pub struct Redundancy {
 /// The rows cannot be fulfilled together, whatever the pose.
 pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Open> {
     let system = &derived.system;
-    let mut redundant: Vec<Redundancy> = system.idle.iter().map(Redundancy::of_idle).collect();
+    let mut redundant: Vec<Redundancy> =
+        system.vacuous.iter().map(Redundancy::of_vacuous).collect();
     if system.rows.is_empty() {
         return Ok(Some(Mobility {
             rank: 0,
@@ -106,7 +107,7 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
         redundant.push(Redundancy {
             row: system.rows[*row].name.clone(),
             entry: system.rows[*row].entry.clone(),
-            idle: false,
+            vacuous: false,
             follows_from: entries(&system.rows, &involved[..involved.len() - 1]),
             along: along(model, derived, &involved),
         });
@@ -123,11 +124,11 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
 }
 
 impl Redundancy {
-    fn of_idle(row: &Idle) -> Redundancy {
+    fn of_vacuous(row: &VacuousRow) -> Redundancy {
         Redundancy {
             row: row.name.clone(),
             entry: row.entry.clone(),
-            idle: true,
+            vacuous: true,
             follows_from: row.follows_from.clone(),
             along: Vec::new(),
         }
@@ -140,10 +141,10 @@ fn undetermined(system: &System, open: &[usize]) -> Vec<String> {
     for reaction in &system.reactions {
         let symbols = system.graph.symbols([reaction.expr]);
         let is_open = |symbol: &Symbol| matches!(symbol, Symbol::Multiplier(row) if open.contains(&(*row as usize)));
-        let shares = |idle: &Idle| {
-            idle.entry == reaction.joint || idle.follows_from.contains(&reaction.joint)
+        let shares = |vacuous: &VacuousRow| {
+            vacuous.entry == reaction.joint || vacuous.follows_from.contains(&reaction.joint)
         };
-        let touched = symbols.iter().any(is_open) || system.idle.iter().any(shares);
+        let touched = symbols.iter().any(is_open) || system.vacuous.iter().any(shares);
         if touched && !joints.contains(&reaction.joint) {
             joints.push(reaction.joint.clone());
         }

@@ -11,8 +11,8 @@ pub fn summary(mobility: &Mobility, rows: &[Row], velocities: usize) -> String {
         1 => format!("1 row, rank {}", mobility.rank),
         _ => format!("{count} rows, rank {}", mobility.rank),
     };
-    for (mark, idle) in [(": ", false), ("; left out: ", true)] {
-        let sentences: Vec<String> = sentences(mobility, rows, idle)
+    for (mark, vacuous) in [(": ", false), ("; left out: ", true)] {
+        let sentences: Vec<String> = sentences(mobility, rows, vacuous)
             .into_iter()
             .map(|(_, text)| text)
             .collect();
@@ -22,7 +22,7 @@ pub fn summary(mobility: &Mobility, rows: &[Row], velocities: usize) -> String {
     }
     text += &format!("; mobility {}", mobility.mobility);
     // Grübler's count takes every row for independent.
-    let left_out = mobility.redundant.iter().filter(|row| row.idle).count();
+    let left_out = mobility.redundant.iter().filter(|row| row.vacuous).count();
     let counted = velocities as i64 - (count + left_out) as i64;
     if counted != mobility.mobility as i64 {
         text += &format!("; Grübler counts {counted}");
@@ -55,9 +55,14 @@ pub fn redundancies(mobility: &Mobility, rows: &[Row]) -> Vec<(String, String)> 
 }
 
 /// The sentences about rows that are left out, or about the others.
-fn sentences(mobility: &Mobility, rows: &[Row], idle: bool) -> Vec<(String, String)> {
+fn sentences(mobility: &Mobility, rows: &[Row], vacuous: bool) -> Vec<(String, String)> {
     let mut entries: Vec<&String> = Vec::new();
-    let listed = || mobility.redundant.iter().filter(|row| row.idle == idle);
+    let listed = || {
+        mobility
+            .redundant
+            .iter()
+            .filter(|row| row.vacuous == vacuous)
+    };
     for redundancy in listed() {
         if !entries.contains(&&redundancy.entry) {
             entries.push(&redundancy.entry);
@@ -75,7 +80,7 @@ fn sentences(mobility: &Mobility, rows: &[Row], idle: bool) -> Vec<(String, Stri
             }
         }
         let left_out = mobility.redundant.iter();
-        let left_out = left_out.filter(|row| row.idle && row.entry == *entry);
+        let left_out = left_out.filter(|row| row.vacuous && row.entry == *entry);
         let all = rows.iter().filter(|row| row.entry == *entry).count() + left_out.count();
         let subject = match (what.len(), all) {
             (1, 1) => format!("the row of `{entry}`"),

@@ -116,8 +116,8 @@ impl Merged<'_> {
             set(&mut reduction.substitution, local, values);
         }
         let substitution = &mut reduction.substitution;
-        reduction.windings = counted::replace(resolver, self.tree, substitution);
-        counted::renumber(resolver, &reduction.windings, substitution);
+        reduction.unwrapped_angles = counted::replace(resolver, self.tree, substitution);
+        counted::renumber(resolver, &reduction.unwrapped_angles, substitution);
         reduction.motions = self.walk(resolver, substitution);
     }
 

@@ -6,7 +6,7 @@ use super::tree::Tree;
 use crate::symbolic::{Substitution, Symbol};
 
 /// Replaces the counted angles of the joints of a tree, whose coordinates have their values in `substitution` or stand for
-/// themselves. Answers the other angles, by their index in [`Resolver::windings`].
+/// themselves. Answers the other angles, by their index in [`Resolver::unwrapped_angles`].
 pub(super) fn replace(
     resolver: &mut Resolver,
     tree: &Tree,
@@ -14,7 +14,7 @@ pub(super) fn replace(
 ) -> Vec<usize> {
     let graph = &mut resolver.graph;
     let mut others = Vec::new();
-    for (index, winding) in resolver.windings.iter().enumerate() {
+    for (index, winding) in resolver.unwrapped_angles.iter().enumerate() {
         let mut joints = tree.joints.iter();
         let own = joints.find_map(|joint| {
             let local = joint.angle.filter(|_| joint.joint == winding.joint)?;
@@ -31,7 +31,7 @@ pub(super) fn replace(
         };
         let angle = graph.scale(sign, angle);
         // What was counted last is the same, so that no turns are added.
-        substitution.insert(Symbol::Winding(index as u32), angle);
+        substitution.insert(Symbol::UnwrappedAngle(index as u32), angle);
         substitution.equate(winding.within, angle);
     }
     others
@@ -40,10 +40,10 @@ pub(super) fn replace(
 /// Gives the angles that need a memory their places among those that have one.
 pub(super) fn renumber(resolver: &mut Resolver, kept: &[usize], substitution: &mut Substitution) {
     for (place, &index) in kept.iter().enumerate() {
-        let memory = Symbol::Winding(place as u32);
-        let name = format!("{}.angle", resolver.windings[index].joint);
+        let memory = Symbol::UnwrappedAngle(place as u32);
+        let name = format!("{}.angle", resolver.unwrapped_angles[index].joint);
         resolver.graph.set_name(memory, name);
         let value = resolver.graph.symbol(memory);
-        substitution.insert(Symbol::Winding(index as u32), value);
+        substitution.insert(Symbol::UnwrappedAngle(index as u32), value);
     }
 }

@@ -30,7 +30,7 @@ pub(super) struct JointMotion {
 /// A joint angle that is counted over full turns: `atan2` answers within one turn, and the coordinate that remembers the
 /// last angle says which.
 #[derive(Debug, Clone)]
-pub struct Winding {
+pub struct UnwrappedAngle {
     /// The joint.
     pub joint: String,
     /// The counted angle, in local coordinates.
@@ -78,8 +78,8 @@ impl Resolver<'_> {
         let turned = joint.child.axes[0];
         let (sin, cos) = (self.graph.dot(y, turned), self.graph.dot(x, turned));
         let angle = self.graph.atan2(sin, cos);
-        let index = self.windings.len() as u32;
-        let symbol = Symbol::Winding(index);
+        let index = self.unwrapped_angles.len() as u32;
+        let symbol = Symbol::UnwrappedAngle(index);
         self.graph.set_name(symbol, format!("{}.angle", joint.name));
         // angle + 2π round((last − angle)/2π)
         let last = self.graph.symbol(symbol);
@@ -89,7 +89,7 @@ impl Resolver<'_> {
         let counted = self
             .graph
             .linear(0.0, &[(angle, 1.0), (turns, 2.0 * std::f64::consts::PI)]);
-        self.windings.push(Winding {
+        self.unwrapped_angles.push(UnwrappedAngle {
             joint: joint.name.clone(),
             angle: counted,
             within: angle,

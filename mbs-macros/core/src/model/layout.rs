@@ -19,7 +19,7 @@ pub struct Layout {
     /// Rotations, in order.
     pub rotations: Vec<Rotation>,
     /// Counted joint angles: for each its coordinate and the angle, in local coordinates, that it remembers.
-    pub windings: Vec<(usize, Expr)>,
+    pub unwrapped_angles: Vec<(usize, Expr)>,
 }
 
 /// A coordinate or velocity.
@@ -53,7 +53,10 @@ impl Layout {
             Symbol::Coordinate(velocity) | Symbol::Rotation(velocity, _) => {
                 self.slots.get(velocity as usize).copied()
             }
-            Symbol::Winding(index) => self.windings.get(index as usize).map(|(slot, _)| *slot),
+            Symbol::UnwrappedAngle(index) => self
+                .unwrapped_angles
+                .get(index as usize)
+                .map(|(slot, _)| *slot),
             _ => None,
         }
     }
@@ -152,11 +155,11 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
         });
         layout.slots.push(slot);
     }
-    for &index in &reduction.windings {
-        let winding = &resolver.windings[index];
+    for &index in &reduction.unwrapped_angles {
+        let winding = &resolver.unwrapped_angles[index];
         let guess = resolver.graph.zero();
         layout
-            .windings
+            .unwrapped_angles
             .push((layout.coordinates.len(), winding.angle));
         layout.coordinates.push(Stored {
             name: format!("{}.angle", winding.joint),

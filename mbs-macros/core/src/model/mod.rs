@@ -16,7 +16,6 @@ mod formulation;
 mod frames;
 mod geometry;
 mod home;
-mod idle;
 mod joint_frames;
 mod joint_motion;
 mod kinematics;
@@ -30,6 +29,7 @@ mod solved;
 mod spanning;
 mod tree;
 mod turning;
+mod vacuous;
 mod value;
 
 use crate::equations::{forces::Force, joints::Joint};
@@ -42,15 +42,15 @@ pub use dimension::{Dimension, UNITS, unit};
 pub use drawing::Drawing;
 pub use formulation::{Description, Formulation, requested};
 pub use geometry::{Attachment, Axes, Frame, Owner, Point, Vector};
-pub use idle::IdleRow;
 pub use joint_frames::JointFrames;
-pub use joint_motion::Winding;
+pub use joint_motion::UnwrappedAngle;
 pub use layout::{Layout, Rotation, Stored};
 pub use parts::{Part, Representation, Shape, Tensor};
 pub use reduce::MergedJoint;
 pub use resolve::resolve;
 pub use solved::{Solved, SolvedCoordinate};
 pub use tree::{Link, Motion, Tree, TreeJoint};
+pub use vacuous::VacuousPlace;
 
 /// A mechanism with all names resolved.
 #[derive(Debug)]
@@ -84,7 +84,7 @@ pub struct Model {
     /// Joints and constraints that leave rows (merged joints are in `merged`).
     pub joints: Vec<(String, Box<dyn Joint>)>,
     /// Rows of these joints that are zero in every pose, and are left out.
-    pub idle: BTreeSet<IdleRow>,
+    pub vacuous: BTreeSet<VacuousPlace>,
     /// Force elements.
     pub forces: Vec<(String, Box<dyn Force>)>,
     /// The generalized coordinates and velocities.

@@ -34,7 +34,7 @@ pub(super) struct Reduction {
     /// Rows that were solved, and the coordinates that followed from them.
     pub solved: Solved,
     /// Counted joint angles that need a memory.
-    pub windings: Vec<usize>,
+    pub unwrapped_angles: Vec<usize>,
     /// Joints of the tree: they left no rows.
     carried: Vec<String>,
     /// Local coordinates that stay, in order: (local, name).
@@ -85,7 +85,7 @@ pub(super) fn reduce(
         sentences: Vec::new(),
         motions: Vec::new(),
         solved: Solved::default(),
-        windings: Vec::new(),
+        unwrapped_angles: Vec::new(),
         carried: tree
             .joints
             .iter()

@@ -1,13 +1,13 @@
 //! Name resolution: entries are evaluated when first asked for, so that they may stand in any order.
 
 use super::geometry::{Owner, Point, Vector};
-use super::joint_motion::{JointMotion, Winding};
+use super::joint_motion::{JointMotion, UnwrappedAngle};
 use super::parts::Part;
 use super::turning::turning;
 use super::value::Value;
 use super::{
     Arguments, Description, Dimension, Formulation, Law, Local, Model, Quantity, Tree, check, home,
-    idle, layout, placement, reduce,
+    layout, placement, reduce, vacuous,
 };
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Group, World};
@@ -54,7 +54,7 @@ pub fn resolve(
         World::Spatial => home::guesses(&mut resolver, &joints, &tree),
     };
     let mut reduction = reduce::reduce(&mut resolver, &joints, &tree, &description.keep, &guesses)?;
-    let idle = idle::rows(&mut resolver, &joints, &tree, &mut reduction);
+    let vacuous = vacuous::rows(&mut resolver, &joints, &tree, &mut reduction);
     // A joint coordinate moves all that comes after it.
     if tree.joints.is_empty() {
         check::massive(&mut resolver, &reduction);
@@ -92,7 +92,7 @@ pub fn resolve(
         locals,
         parts,
         joints,
-        idle,
+        vacuous,
         forces: forces
             .into_iter()
             .map(|element| (element.name, element.force))
@@ -129,7 +129,7 @@ pub struct Resolver<'d> {
     pub(super) parts: Vec<Part>,
     pub(super) laws: Vec<Law>,
     /// Joint angles that are counted over full turns, by the name of their joint.
-    pub(super) windings: Vec<Winding>,
+    pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
     /// Motions of joints that some expression has asked for.
     pub(super) joint_motions: Vec<JointMotion>,
     /// Names that some expression has asked for.
@@ -158,7 +158,7 @@ impl<'d> Resolver<'d> {
             locals: Vec::new(),
             parts: Vec::new(),
             laws: Vec::new(),
-            windings: Vec::new(),
+            unwrapped_angles: Vec::new(),
             joint_motions: Vec::new(),
             used: HashSet::new(),
             misplaced: HashSet::new(),

@@ -61,7 +61,7 @@ pub enum Symbol {
     /// The same of a generalized rotation, by the index of its first velocity.
     Rotation(u32, u8),
     /// What a joint angle was when it was last counted: it tells the full turns.
-    Winding(u32),
+    UnwrappedAngle(u32),
     /// An element of q as it is stored: what the three above become in generated code.
     Stored(u32),
     /// Generalized velocity v.

@@ -26,7 +26,7 @@ pub use settings::{MultiplierStart, PaperSettings, RowDirection};
 
 use self::rows::{Instant, Jacobian, RowMotion, Unknowns};
 use self::start::Origin;
-use super::core::Counters;
+use super::step_context::Counters;
 use super::{Fault, kicks};
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest};
@@ -127,7 +127,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     /// A v + b now.
     pub(crate) fn rates(&self) -> [f64; R] {
         self.start
-            .node
+            .geometry
             .velocity_rows(&self.system, &self.state.velocities)
     }
 
@@ -244,7 +244,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         if !finite(&x.v) || !finite(&x.q) || !finite(&momentum) {
             return Err(Fault::NonFinite("velocities"));
         }
-        let rates = self.end.node.velocity_rows(&self.system, &x.v);
+        let rates = self.end.geometry.velocity_rows(&self.system, &x.v);
         for i in 0..R {
             let (start, end) = (&self.start, &self.end);
             let impulse = end.constraint_mass[i] * x.mu[i]
@@ -254,7 +254,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
                     * (start.row_force(i, &origin.mu, &origin.lambda)
                         + end.row_force(i, &x.mu, &x.lambda));
             self.impulse[i] += impulse;
-            self.drive[i] -= 0.5 * impulse * (start.node.b[i] + end.node.b[i]);
+            self.drive[i] -= 0.5 * impulse * (start.geometry.b[i] + end.geometry.b[i]);
         }
         let State {
             time,
@@ -361,8 +361,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// The row furthest from ψ̇ = 0.
     fn worst_row(&self, v: &[f64; N], iterations: usize) -> Fault {
-        let node = &self.end.node;
-        let rates: [f64; R] = std::array::from_fn(|i| dot(&node.a[i], v) + node.b[i]);
+        let geometry = &self.end.geometry;
+        let rates: [f64; R] = std::array::from_fn(|i| dot(&geometry.a[i], v) + geometry.b[i]);
         kicks::not_converged(&rates, &[1.0; R], iterations)
     }
 }

@@ -27,7 +27,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let residual = self.residual(t1, h, known, x, &mu, &lambda);
         let size = |x: &[f64; N]| {
             let mut y = *x;
-            self.system.solve_mass(&self.end.node.mass, &mut y);
+            self.system.solve_mass(&self.end.geometry.mass, &mut y);
             dot(x, &y).sqrt()
         };
         let scale = dot(self.end.mechanical_momentum(), &x.v).sqrt() + h * size(self.end.force());
@@ -40,7 +40,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     fn heaviest_penalty(&self, h: f64, x: &Unknowns<Q, N, R>) -> f64 {
         let weights = (0..R).map(|r| match self.motion {
             RowMotion::Own => x.penalty[r],
-            RowMotion::Static => 0.25 * h * h * x.penalty[r] * self.end.node.gram[r][r],
+            RowMotion::Static => 0.25 * h * h * x.penalty[r] * self.end.geometry.delassus[r][r],
         });
         weights.fold(0.0, f64::max)
     }
@@ -49,12 +49,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     /// form of (31), [m̄ψ̇] + h/2 Σ (c̄ψ̇ + k̄φ) divided by m̄ + h/2 c̄. The latter lets φ move, and brings it back.
     pub(super) fn defects(&self, h: f64, v: &[f64; N]) -> [f64; R] {
         let (start, end) = (&self.start, &self.end);
-        let rates = end.node.velocity_rows(&self.system, v);
+        let rates = end.geometry.velocity_rows(&self.system, v);
         if !self.solves_row_motion() {
             return rates;
         }
         let before = start
-            .node
+            .geometry
             .velocity_rows(&self.system, &self.state.velocities);
         std::array::from_fn(|i| {
             let inertia = end.constraint_mass[i] + 0.5 * h * end.constraint_damping[i];

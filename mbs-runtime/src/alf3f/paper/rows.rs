@@ -2,7 +2,7 @@
 
 use super::{PaperSettings, RowDirection};
 use crate::System;
-use crate::alf3f::{Fault, Node};
+use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::linear::{Matrix, clear, dot};
 use crate::sink::Discard;
 
@@ -28,7 +28,7 @@ pub(super) struct Unknowns<const Q: usize, const N: usize, const R: usize> {
 /// One instant of Algorithm 1.
 pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     motion: RowMotion,
-    pub(super) node: Box<Node<S, Q, N, R>>,
+    pub(super) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
     pub(super) phi: [f64; R],
     /// m̄ of (18), times the scale of the settings.
     pub(super) constraint_mass: [f64; R],
@@ -55,7 +55,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
     pub(super) fn new(system: &S, q: &[f64; Q], motion: RowMotion) -> Result<Self, Fault> {
         Ok(Instant {
             motion,
-            node: Node::new(system, q)?,
+            geometry: ConstraintGeometry::new(system, q)?,
             phi: [0.0; R],
             constraint_mass: [0.0; R],
             constraint_damping: [0.0; R],
@@ -81,9 +81,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         q: &[f64; Q],
         v: &[f64; N],
     ) -> Result<(), Fault> {
-        let Instant { node, phi, .. } = self;
-        system.constraints(t, q, phi, &mut *node.a, &mut node.b);
-        node.metric(system, t, q)?;
+        let Instant { geometry, phi, .. } = self;
+        system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+        geometry.metric(system, t, q)?;
         system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
         if self.motion == RowMotion::Static {
             self.constraint_stiffness = [1.0; R];
@@ -94,7 +94,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         }
         let omega = settings.stabilisation_frequency;
         for i in 0..R {
-            let length_squared = self.node.gram[i][i];
+            let length_squared = self.geometry.delassus[i][i];
             if !(length_squared > 0.0) {
                 return Err(Fault::Row {
                     row: i,
@@ -103,9 +103,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
                 });
             }
             let direction = match settings.direction {
-                RowDirection::Metric => self.node.w[i].map(|w| w / length_squared),
+                RowDirection::Metric => self.geometry.w[i].map(|w| w / length_squared),
                 RowDirection::Euclidean => {
-                    let row = &self.node.a[i];
+                    let row = &self.geometry.a[i];
                     let square = dot(row, row);
                     row.map(|a| a / square)
                 }
@@ -145,7 +145,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
             let force = self.row_force(i, mu, lambda);
             let momentum = self.constraint_mass[i] * mu[i];
             for j in 0..N {
-                total[j] += force * self.node.a[i][j] - momentum * self.a_rate[i][j];
+                total[j] += force * self.geometry.a[i][j] - momentum * self.a_rate[i][j];
             }
         }
         total
@@ -183,7 +183,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         for i in 0..R {
             let share = self.constraint_mass[i] * mu[i];
             for j in 0..N {
-                momentum[j] -= share * self.node.a[i][j];
+                momentum[j] -= share * self.geometry.a[i][j];
             }
         }
         momentum
@@ -208,7 +208,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
             }
         }
         for r in 0..R {
-            let row = &self.node.a[r];
+            let row = &self.geometry.a[r];
             let weight = match self.motion {
                 RowMotion::Own => self.constraint_mass[r] + 0.5 * h * self.constraint_damping[r],
                 RowMotion::Static => 0.25 * h * h * self.constraint_stiffness[r],

@@ -9,7 +9,7 @@
 //! Two landings, the beginning and the end of the step, tell y. Where the others land is known before they are taken, so
 //! that the length which leaves the widest gap about the pose is found without trying.
 
-use crate::linear::Independence;
+use crate::linear::RankMargin;
 
 /// The clearance of a step that is left as it is, as a fraction of it: below, another length can do better.
 pub(crate) const CLEAR: f64 = 0.06;
@@ -26,16 +26,16 @@ const AHEAD: f64 = 1.5;
 
 /// What was seen at the landings of a step.
 #[derive(Debug, Clone)]
-pub(crate) struct Landings {
+pub(crate) struct StagePlacement {
     /// Fractions of a step.
     places: Vec<f64>,
-    start: Independence,
-    seen: Vec<Independence>,
+    start: RankMargin,
+    seen: Vec<RankMargin>,
     /// Where the singular pose is, as a fraction of the step; infinite where there is none.
     pose: f64,
 }
 
-impl Landings {
+impl StagePlacement {
     /// For a composition of these stages.
     pub(crate) fn new(stages: &[f64]) -> Self {
         let mut place = 0.0;
@@ -43,22 +43,22 @@ impl Landings {
             place += stage;
             place
         });
-        Landings {
+        StagePlacement {
             places: places.collect(),
-            start: Independence::FULL,
+            start: RankMargin::FULL,
             seen: Vec::with_capacity(stages.len()),
             pose: f64::INFINITY,
         }
     }
 
     /// A step begins here.
-    pub(crate) fn begin(&mut self, start: Independence) {
+    pub(crate) fn begin(&mut self, start: RankMargin) {
         self.start = start;
         self.seen.clear();
         self.pose = f64::INFINITY;
     }
 
-    pub(crate) fn add(&mut self, landing: Independence) {
+    pub(crate) fn add(&mut self, landing: RankMargin) {
         self.seen.push(landing);
     }
 
@@ -80,7 +80,7 @@ impl Landings {
         // Rows that are redundant everywhere do not count; landings where more are lost are nearest to a pose.
         let all = || self.seen.iter().chain([&self.start]);
         let fewest = all().map(|landing| landing.lost).min().unwrap_or(0);
-        let sigma = |landing: &Independence| match landing.lost == fewest {
+        let sigma = |landing: &RankMargin| match landing.lost == fewest {
             true => landing.sigma,
             false => landing.weakest,
         };
@@ -155,24 +155,24 @@ mod tests {
     use super::super::composition::stages;
     use super::*;
 
-    fn landings(order: u8, pose: f64) -> Landings {
-        let sigma = |place: f64| Independence::of(0.01 * (place - pose).abs());
-        let mut landings = Landings::new(stages(order));
-        landings.begin(sigma(0.0));
-        for place in landings.places.clone() {
-            landings.add(sigma(place));
+    fn placement(order: u8, pose: f64) -> StagePlacement {
+        let sigma = |place: f64| RankMargin::of(0.01 * (place - pose).abs());
+        let mut placement = StagePlacement::new(stages(order));
+        placement.begin(sigma(0.0));
+        for place in placement.places.clone() {
+            placement.add(sigma(place));
         }
-        landings
+        placement
     }
 
     #[test]
     fn the_pose_is_found() {
         for order in [4, 6, 8] {
             for pose in [0.1, 0.4, 0.5, 0.55, 0.9, 1.1, 1.4] {
-                let (found, _) = landings(order, pose).find();
+                let (found, _) = placement(order, pose).find();
                 assert!((found - pose).abs() < 1e-9, "{order}: {found} for {pose}");
             }
-            assert_eq!(landings(order, 3.0).find().0, f64::INFINITY);
+            assert_eq!(placement(order, 3.0).find().0, f64::INFINITY);
         }
     }
 
@@ -180,11 +180,11 @@ mod tests {
     fn nearest_on_the_way(order: u8, pose: f64) -> f64 {
         let (mut begin, mut nearest) = (0.0, f64::INFINITY);
         while begin < pose + 2.0 {
-            let mut landings = landings(order, pose - begin);
-            let clear = landings.settle() >= CLEAR;
-            let aimed = landings.aim([0.5, 1.15]).filter(|_| !clear);
+            let mut placement = placement(order, pose - begin);
+            let clear = placement.settle() >= CLEAR;
+            let aimed = placement.aim([0.5, 1.15]).filter(|_| !clear);
             let length = aimed.map_or(1.0, |(length, _)| length);
-            for place in &landings.places {
+            for place in &placement.places {
                 nearest = nearest.min((pose - begin - length * place).abs());
             }
             begin += length;

@@ -19,7 +19,7 @@ const POSES: u32 = 3;
 const VANISHES: f64 = 1e-12;
 
 /// A row that is left out: its entry, and its place among the rows of the entry.
-pub type IdleRow = (String, usize);
+pub type VacuousPlace = (String, usize);
 
 /// A row in generalized coordinates.
 struct Candidate {
@@ -35,7 +35,7 @@ pub(super) fn rows(
     joints: &[JointElement],
     tree: &Tree,
     reduction: &mut Reduction,
-) -> BTreeSet<IdleRow> {
+) -> BTreeSet<VacuousPlace> {
     let mut candidates = Vec::new();
     for (element, joint) in joints.iter().enumerate() {
         if reduction.dissolved(&joint.name) {
@@ -63,7 +63,7 @@ pub(super) fn rows(
             [false, true].map(|varied| vanishing(resolver, joints, reduction, &candidates, varied))
         }
     };
-    let mut idle = BTreeSet::new();
+    let mut vacuous = BTreeSet::new();
     let mut stuck = BTreeSet::new();
     for (candidate, (by_default, otherwise)) in
         candidates.iter().zip(by_default.into_iter().zip(otherwise))
@@ -72,7 +72,7 @@ pub(super) fn rows(
             symbol.is_configuration() || matches!(symbol, Symbol::Velocity(_))
         });
         if by_default && otherwise {
-            idle.insert((joints[candidate.element].name.clone(), candidate.slot));
+            vacuous.insert((joints[candidate.element].name.clone(), candidate.slot));
         } else if by_default || !moves {
             stuck.insert(candidate.element);
         }
@@ -81,7 +81,7 @@ pub(super) fn rows(
         let message = stuck_message(resolver, &joints[element].name, tree);
         resolver.fail::<()>(joints[element].span, message);
     }
-    idle
+    vacuous
 }
 
 /// Which rows vanish in a few poses that have nothing to do with each other, with default or varied parameters.
@@ -136,7 +136,7 @@ fn sample(resolver: &Resolver, symbol: Symbol, pose: u32, varied: bool) -> f64 {
         Symbol::Parameter(i) => near(resolver.parameters[i as usize].default, i),
         Symbol::Input(i) => near(resolver.inputs[i as usize].default, i),
         Symbol::Time => 0.17 * f64::from(pose + 1),
-        Symbol::Coordinate(i) | Symbol::Winding(i) => scattered(i, 0.0),
+        Symbol::Coordinate(i) | Symbol::UnwrappedAngle(i) => scattered(i, 0.0),
         Symbol::Velocity(i) => scattered(i, 0.5),
         Symbol::Rotation(first, entry) => {
             let quaternion = [0.1, 0.4, 0.6, 0.8].map(|salt| scattered(first, salt));

@@ -1,7 +1,7 @@
 //! Singular poses on the way, found from how independent the rows are at the ends of steps.
 
 use super::Simulation;
-use crate::linear::Independence;
+use crate::linear::RankMargin;
 use crate::{RankLoss, System};
 
 /// σ_min below which a pose counts as singular.
@@ -41,7 +41,7 @@ struct Found {
 
 /// The last instants, and what was found before.
 #[derive(Debug, Clone)]
-pub(super) struct Passages {
+pub(super) struct SingularityDetector {
     /// Latest last.
     instants: [Instant; 3],
     /// Whether σ_min fell in the last step.
@@ -58,9 +58,9 @@ pub(super) struct Passages {
     losses: Vec<RankLoss>,
 }
 
-impl Passages {
+impl SingularityDetector {
     pub(super) fn new() -> Self {
-        Passages {
+        SingularityDetector {
             instants: [NOWHERE; 3],
             falling: true,
             redundant: usize::MAX,
@@ -82,7 +82,7 @@ impl Passages {
 
     /// Takes note of the end of a step; time and σ_min of a singular pose that has just been passed.
     #[inline]
-    fn note(&mut self, time: f64, now: Independence) -> Option<(f64, f64)> {
+    fn note(&mut self, time: f64, now: RankMargin) -> Option<(f64, f64)> {
         let mut sigma = now.least;
         if now.dependent != self.redundant || time <= self.instants[2].time {
             sigma = self.reconsider(time, now);
@@ -103,7 +103,7 @@ impl Passages {
 
     /// σ_min where it is not simply that of the rows: when rows were lost or came back, or a step was taken again.
     #[cold]
-    fn reconsider(&mut self, time: f64, now: Independence) -> f64 {
+    fn reconsider(&mut self, time: f64, now: RankMargin) -> f64 {
         while time <= self.instants[2].time {
             self.instants = [NOWHERE, self.instants[0], self.instants[1]];
             self.falling = self.instants[2].sigma <= self.instants[1].sigma;
@@ -196,8 +196,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Looks for a singular pose after each step.
     #[inline]
     pub(super) fn watch(&mut self) {
-        if let Some(now) = self.independence
-            && let Some((time, sigma)) = self.passages.note(self.time(), now)
+        if let Some(now) = self.rank_margin
+            && let Some((time, sigma)) = self.singularities.note(self.time(), now)
         {
             self.record(time, sigma);
         }
@@ -215,7 +215,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .filter(|&i| weights[i] >= INVOLVED * most && most > 0.0)
             .filter_map(|i| Some(S::MODEL.rows.get(i)?.entry));
         let loss = RankLoss::new(time, sigma, involved);
-        self.passages.losses.push(loss);
+        self.singularities.losses.push(loss);
     }
 }
 
@@ -223,18 +223,24 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 mod tests {
     use super::*;
 
-    fn noted(passages: &mut Passages, step: f64, sigma: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    fn noted(
+        singularities: &mut SingularityDetector,
+        step: f64,
+        sigma: impl Fn(f64) -> f64,
+    ) -> Vec<(f64, f64)> {
         (0..200)
             .filter_map(|i| {
                 let time = f64::from(i) * step;
-                passages.note(time, Independence::of(sigma(time)))
+                singularities.note(time, RankMargin::of(sigma(time)))
             })
             .collect()
     }
 
     #[test]
     fn poses_between_steps_are_found() {
-        let found = noted(&mut Passages::new(), 0.05, |t| (t - 1.0 / 3.0).sin().abs());
+        let found = noted(&mut SingularityDetector::new(), 0.05, |t| {
+            (t - 1.0 / 3.0).sin().abs()
+        });
         let expected = [1.0, 2.0, 3.0].map(|turn| 1.0 / 3.0 + turn * std::f64::consts::PI);
         assert_eq!(found.len(), 4, "{found:?}");
         for (found, expected) in found[1..].iter().zip(expected) {
@@ -248,18 +254,18 @@ mod tests {
     #[test]
     fn weak_poses_and_rest_are_no_passages() {
         let weak = |t: f64| 0.05_f64.hypot((t - 0.3).sin());
-        assert!(noted(&mut Passages::new(), 0.05, weak).is_empty());
+        assert!(noted(&mut SingularityDetector::new(), 0.05, weak).is_empty());
         // At rest in a singular pose, with noise.
         let rest = |t: f64| 1e-9 * (1.0 + (1e3 * t).sin());
-        assert!(noted(&mut Passages::new(), 0.05, rest).is_empty());
+        assert!(noted(&mut SingularityDetector::new(), 0.05, rest).is_empty());
         // Never far from one, and never nearer.
         let small = |t: f64| 4e-3 + 2e-3 * t.sin();
-        assert!(noted(&mut Passages::new(), 0.05, small).is_empty());
+        assert!(noted(&mut SingularityDetector::new(), 0.05, small).is_empty());
     }
 
     #[test]
     fn a_start_in_a_singular_pose_counts() {
-        let found = noted(&mut Passages::new(), 0.01, |t| 0.2 * t);
+        let found = noted(&mut SingularityDetector::new(), 0.01, |t| 0.2 * t);
         assert_eq!(found, [(0.0, 0.0)]);
     }
 }

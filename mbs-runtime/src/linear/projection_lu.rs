@@ -7,7 +7,7 @@ use super::{SPARSE_FROM, Thresholds};
 ///
 /// B differs from the positive definite A₀M⁻¹A₀ᵀ by O(h), so that elimination needs no pivoting; a pivot that is small
 /// beside the effective mass of its row tells of a redundant row or of a singular pose.
-pub(crate) struct Dual<const K: usize> {
+pub(crate) struct ProjectionLu<const K: usize> {
     lu: super::Matrix<K, K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
@@ -16,9 +16,9 @@ pub(crate) struct Dual<const K: usize> {
     pub(crate) thresholds: Thresholds,
 }
 
-impl<const K: usize> Dual<K> {
+impl<const K: usize> ProjectionLu<K> {
     pub(crate) fn new() -> Self {
-        Dual {
+        ProjectionLu {
             lu: super::clear(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
@@ -27,17 +27,17 @@ impl<const K: usize> Dual<K> {
         }
     }
 
-    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Idle rows, where there are any, get no multiplier.
+    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Skipped rows, where there are any, get no multiplier.
     #[inline(always)]
     pub(crate) fn factor(
         &mut self,
         matrix: &[[f64; K]; K],
         length_squared: &[f64; K],
-        idle: Option<&[bool; K]>,
+        skipped: Option<&[bool; K]>,
     ) {
-        let regular = match idle {
+        let regular = match skipped {
             None => self.eliminate(|_| false, matrix, length_squared),
-            Some(idle) => self.eliminate_but(idle, matrix, length_squared),
+            Some(skipped) => self.eliminate_but(skipped, matrix, length_squared),
         };
         self.regularised = !regular;
         if self.regularised {
@@ -45,22 +45,22 @@ impl<const K: usize> Dual<K> {
         }
     }
 
-    /// Elimination past idle rows. Out of line: the other is the one to be unrolled.
+    /// Elimination past skipped rows. Out of line: the other is the one to be unrolled.
     #[inline(never)]
     fn eliminate_but(
         &mut self,
-        idle: &[bool; K],
+        skipped: &[bool; K],
         matrix: &[[f64; K]; K],
         length_squared: &[f64; K],
     ) -> bool {
-        self.eliminate(|k| idle[k], matrix, length_squared)
+        self.eliminate(|k| skipped[k], matrix, length_squared)
     }
 
     /// Elimination; false at the first pivot that is small (or not a number).
     #[inline(always)]
     fn eliminate(
         &mut self,
-        idle: impl Fn(usize) -> bool,
+        skipped: impl Fn(usize) -> bool,
         matrix: &[[f64; K]; K],
         length_squared: &[f64; K],
     ) -> bool {
@@ -69,7 +69,7 @@ impl<const K: usize> Dual<K> {
         for k in 0..K {
             let pivot_row = lu[k];
             let pivot = pivot_row[k];
-            if idle(k) {
+            if skipped(k) {
                 self.inverse_pivot[k] = 0.0;
                 for row in &mut lu[k + 1..] {
                     row[k] = 0.0;

@@ -8,7 +8,7 @@ const FALLS_FROM: f64 = 3e-3;
 
 /// A cheap estimate of the smallest singular value of the rows, each of unit length, from the pivots of S.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Independence {
+pub(crate) struct RankMargin {
     /// √ of the smallest relative pivot; of those rows that have a direction of their own.
     pub(crate) sigma: f64,
     /// √ of the smallest relative pivot of all rows.
@@ -21,13 +21,13 @@ pub(crate) struct Independence {
     pub(crate) dependent: usize,
 }
 
-impl Independence {
+impl RankMargin {
     /// Rows at right angles.
     pub(crate) const FULL: Self = Self::of(1.0);
 
     /// Rows none of which is lost.
     pub(crate) const fn of(sigma: f64) -> Self {
-        Independence {
+        RankMargin {
             sigma,
             weakest: sigma,
             lost: 0,

@@ -1,7 +1,7 @@
 //! What every two-level step works on.
 
-use super::{Fault, Node};
-use crate::linear::{Dual, SymmetricDual, Thresholds, dot, largest};
+use super::{ConstraintGeometry, Fault};
+use crate::linear::{DelassusFactor, ProjectionLu, Thresholds, dot, largest};
 use crate::{Settings, State, System};
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
@@ -13,37 +13,37 @@ pub(crate) const FIXED_REFINEMENTS: usize = 2;
 const LOST: f64 = 1e-6;
 
 /// System, state, and the workspace of a step.
-pub(crate) struct Core<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,
     pub(crate) max_iterations: usize,
     pub(crate) fixed_iterations: Option<usize>,
-    pub(crate) start: Box<Node<S, Q, N, R>>,
-    pub(crate) end: Box<Node<S, Q, N, R>>,
-    pub(crate) work: Box<Work<R>>,
+    pub(crate) start: Box<ConstraintGeometry<S, Q, N, R>>,
+    pub(crate) end: Box<ConstraintGeometry<S, Q, N, R>>,
+    pub(crate) work: Box<Workspace<R>>,
     pub(crate) scale: RowScale<R>,
     pub(crate) counters: Counters,
 }
 
 /// Factorisations and multipliers of a step.
-pub(crate) struct Work<const R: usize> {
+pub(crate) struct Workspace<const R: usize> {
     /// B.
     pub(crate) matrix: crate::linear::Matrix<R, R>,
-    pub(crate) dual: Dual<R>,
-    pub(crate) symmetric: SymmetricDual<R>,
+    pub(crate) projection: ProjectionLu<R>,
+    pub(crate) delassus: DelassusFactor<R>,
     /// Impulses of the constraints at the two ends of the last step.
     pub(crate) impulse: [[f64; R]; 2],
     /// φ at the end of the last step.
     pub(crate) phi: [f64; R],
 }
 
-impl<const R: usize> Work<R> {
+impl<const R: usize> Workspace<R> {
     #[inline(never)]
     fn new() -> Box<Self> {
-        Box::new(Work {
+        Box::new(Workspace {
             matrix: crate::linear::clear(),
-            dual: Dual::new(),
-            symmetric: SymmetricDual::new(),
+            projection: ProjectionLu::new(),
+            delassus: DelassusFactor::new(),
             impulse: [[0.0; R]; 2],
             phi: [0.0; R],
         })
@@ -73,11 +73,11 @@ pub(crate) struct RowScale<const R: usize> {
 /// The constraint geometry at the declared guess.
 fn at_guess<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-) -> Result<Box<Node<S, Q, N, R>>, Fault> {
+) -> Result<Box<ConstraintGeometry<S, Q, N, R>>, Fault> {
     let (q, _) = system.guess();
-    let mut node = Node::new(system, &q)?;
-    node.evaluate(system, 0.0, &q, &mut [0.0; R])?;
-    Ok(node)
+    let mut geometry = ConstraintGeometry::new(system, &q)?;
+    geometry.evaluate(system, 0.0, &q, &mut [0.0; R])?;
+    Ok(geometry)
 }
 
 impl<const R: usize> RowScale<R> {
@@ -87,13 +87,13 @@ impl<const R: usize> RowScale<R> {
     ) -> Result<Self, Fault> {
         let (q, _) = system.guess();
         let size = tolerance * largest(&q).max(1.0);
-        let node = at_guess(system)?;
-        let lengths = node.lengths_squared();
+        let geometry = at_guess(system)?;
+        let lengths = geometry.lengths_squared();
         let longest = largest(&lengths);
         let weights = std::array::from_fn(|i| {
             // A row that vanishes at the guess has no length to go by there.
             let length = if lengths[i] > 1e-8 * longest {
-                dot(&node.a[i], &node.a[i])
+                dot(&geometry.a[i], &geometry.a[i])
             } else {
                 1.0
             };
@@ -106,41 +106,44 @@ impl<const R: usize> RowScale<R> {
     }
 }
 
-impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S, Q, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepContext<S, Q, N, R> {
     pub(crate) fn new(
         system: S,
         state: State<Q, N, R>,
         settings: &Settings,
         placed: bool,
     ) -> Result<Self, Fault> {
-        let node = Node::new(&system, &state.positions)?;
-        let mut core = Core {
+        let geometry = ConstraintGeometry::new(&system, &state.positions)?;
+        let mut context = StepContext {
             scale: RowScale::new(&system, settings.constraint_tolerance)?,
             system,
             state,
             max_iterations: settings.max_iterations,
             fixed_iterations: settings.fixed_iterations,
-            end: node.clone(),
-            start: node,
-            work: Work::new(),
+            end: geometry.clone(),
+            start: geometry,
+            work: Workspace::new(),
             counters: Counters::default(),
         };
         if settings.order > 2 {
-            let usual = SymmetricDual::new().least_pivot(&at_guess(&core.system)?.gram);
+            let usual = DelassusFactor::new().least_pivot(&at_guess(&context.system)?.delassus);
             let thresholds = Thresholds::high_order(usual, placed);
-            (core.work.symmetric.thresholds, core.work.dual.thresholds) = (thresholds, thresholds);
+            (
+                context.work.delassus.thresholds,
+                context.work.projection.thresholds,
+            ) = (thresholds, thresholds);
         }
-        core.refresh()?;
-        (core.work.symmetric).expect_redundancy(&core.start.gram);
+        context.refresh()?;
+        (context.work.delassus).expect_redundancy(&context.start.delassus);
         if S::STRUCTURE.holonomic_rows < R {
-            core.refresh()?;
+            context.refresh()?;
         }
-        Ok(core)
+        Ok(context)
     }
 
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        let Core {
+        let StepContext {
             system,
             state,
             start,
@@ -149,7 +152,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
         } = self;
         start.evaluate(system, state.time, &state.positions, &mut work.phi)?;
         if S::STRUCTURE.holonomic_rows == R {
-            work.symmetric.factor(&start.gram);
+            work.delassus.factor(&start.delassus);
         } else {
             super::mixed_kicks::factor_holonomic(start, work);
         }
@@ -184,7 +187,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
     /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.
     #[inline(always)]
     pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
-        let Core {
+        let StepContext {
             system,
             end,
             work,
@@ -192,14 +195,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
             fixed_iterations,
             ..
         } = self;
-        work.symmetric.factor(&end.gram);
+        work.delassus.factor(&end.delassus);
         let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
-        work.symmetric.solve(&mut multiplier);
+        work.delassus.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
-        counters.regularised += u64::from(work.symmetric.reduced);
-        if work.symmetric.weak {
-            counters.regularised += u64::from(work.symmetric.regularised);
+        counters.regularised += u64::from(work.delassus.reduced);
+        if work.delassus.weak {
+            counters.regularised += u64::from(work.delassus.regularised);
             let passes = fixed_iterations.map_or(REFINEMENTS, |_| FIXED_REFINEMENTS);
             refine(system, end, work, v, passes);
         }
@@ -212,8 +215,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Core<S,
 #[inline(never)]
 fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    end: &Node<S, Q, N, R>,
-    work: &mut Work<R>,
+    end: &ConstraintGeometry<S, Q, N, R>,
+    work: &mut Workspace<R>,
     v: &mut [f64; N],
     passes: usize,
 ) {
@@ -226,7 +229,7 @@ fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             return;
         }
         last = residual;
-        work.symmetric.solve(&mut multiplier);
+        work.delassus.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         for i in 0..R {
             work.impulse[1][i] += multiplier[i];

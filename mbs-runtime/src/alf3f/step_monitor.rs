@@ -1,12 +1,12 @@
 //! What is watched while a step passes through its stages: works, and how far its landings stay from singular poses.
 
-use super::core::Core;
+use super::step_context::StepContext;
 use crate::System;
-use crate::linear::Independence;
+use crate::linear::RankMargin;
 
 /// Works and clearance of a step, stage by stage.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Passage {
+pub(crate) struct StepMonitor {
     /// Power of forces without potential where the passage stands, W.
     pub(crate) power: f64,
     /// Work of these forces so far, J.
@@ -14,21 +14,21 @@ pub(crate) struct Passage {
     /// Work of the rheonomic rows so far, J.
     pub(crate) drive_work: f64,
     /// The distance of landings from a singular pose, as a fraction of the step: σ₁/(σ₀ + σ₁) for a step of one stage,
-    /// which is ½ far from any pose; the clearance of its [`Landings`](super::Landings) for a composed one.
+    /// which is ½ far from any pose; the clearance of its [`StagePlacement`](super::StagePlacement) for a composed one.
     pub(crate) clearance: f64,
     /// Where the passage stands; `None` if clearance is of no interest.
-    pub(crate) independence: Option<Independence>,
+    pub(crate) rank_margin: Option<RankMargin>,
 }
 
-impl Passage {
+impl StepMonitor {
     /// From an instant with this power and independence of the rows.
-    pub(crate) fn new(power: f64, independence: Option<Independence>) -> Self {
-        Passage {
+    pub(crate) fn new(power: f64, rank_margin: Option<RankMargin>) -> Self {
+        StepMonitor {
             power,
             nonconservative_work: 0.0,
             drive_work: 0.0,
             clearance: f64::INFINITY,
-            independence,
+            rank_margin,
         }
     }
 
@@ -37,26 +37,27 @@ impl Passage {
     #[inline]
     pub(crate) fn add<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         &mut self,
-        core: &Core<S, Q, N, R>,
+        context: &StepContext<S, Q, N, R>,
         h: f64,
     ) {
-        let state = &core.state;
+        let state = &context.state;
         let power =
-            core.system
+            context
+                .system
                 .nonconservative_power(state.time, &state.positions, &state.velocities);
         self.nonconservative_work += 0.5 * h * (self.power + power);
         self.power = power;
         // After the commit `end` is the node where the stage began.
-        let impulse = &core.work.impulse;
+        let impulse = &context.work.impulse;
         self.drive_work += (0..R)
-            .map(|i| -impulse[0][i] * core.end.b[i] - impulse[1][i] * core.start.b[i])
+            .map(|i| -impulse[0][i] * context.end.b[i] - impulse[1][i] * context.start.b[i])
             .sum::<f64>();
     }
 
     /// Takes note of the landing of a step of one stage. Where it began was settled by the step before.
     #[inline]
-    pub(crate) fn land(&mut self, now: Independence) {
-        if let Some(before) = self.independence.replace(now) {
+    pub(crate) fn land(&mut self, now: RankMargin) {
+        if let Some(before) = self.rank_margin.replace(now) {
             self.clearance = self.clearance.min(now.after(&before));
         }
     }

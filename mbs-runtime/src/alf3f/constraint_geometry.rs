@@ -6,7 +6,12 @@ use crate::linear::{Matrix, clear};
 
 /// A, b, W = M⁻¹Aᵀ, S = A M⁻¹ Aᵀ and M⁻¹f at one instant.
 #[derive(Clone)]
-pub(crate) struct Node<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+pub(crate) struct ConstraintGeometry<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+> {
     pub(crate) mass: S::Mass,
     /// A, row by row.
     pub(crate) a: Matrix<R, N>,
@@ -14,24 +19,26 @@ pub(crate) struct Node<S: System<Q, N, R>, const Q: usize, const N: usize, const
     pub(crate) w: Matrix<R, N>,
     pub(crate) b: [f64; R],
     /// A M⁻¹ Aᵀ; its diagonal holds 1/m̄ of equation (18).
-    pub(crate) gram: Matrix<R, R>,
+    pub(crate) delassus: Matrix<R, R>,
     /// M⁻¹ f where it is needed (leapfrog).
     pub(crate) acceleration: [f64; N],
 }
 
-impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Node<S, Q, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
+    ConstraintGeometry<S, Q, N, R>
+{
     /// A node with the metric at q and all arrays clear.
     ///
     /// On the heap from the start, and in a frame of its own: large systems are built on small stacks.
     #[inline(never)]
     pub(crate) fn new(system: &S, q: &[f64; Q]) -> Result<Box<Self>, Fault> {
         let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
-        Ok(Box::new(Node {
+        Ok(Box::new(ConstraintGeometry {
             mass,
             a: clear(),
             w: clear(),
             b: [0.0; R],
-            gram: clear(),
+            delassus: clear(),
             acceleration: [0.0; N],
         }))
     }
@@ -42,7 +49,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Node<S,
         if !S::STRUCTURE.constant_mass {
             self.mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         }
-        system.metric(&self.mass, t, q, &self.a, &mut self.w, &mut self.gram);
+        system.metric(&self.mass, t, q, &self.a, &mut self.w, &mut self.delassus);
         Ok(())
     }
 
@@ -63,7 +70,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Node<S,
     /// 1/m̄ of each row.
     #[inline(always)]
     pub(crate) fn lengths_squared(&self) -> [f64; R] {
-        ::core::array::from_fn(|i| self.gram[i][i])
+        ::core::array::from_fn(|i| self.delassus[i][i])
     }
 
     /// A v + b.

@@ -1,18 +1,22 @@
 //! Rows that are left out, with the joints that hold what they say.
 
-use super::Idle;
+use super::VacuousRow;
 use super::joints::JointEquations;
 use crate::model::Model;
 use crate::symbolic::{Graph, Symbol};
 use std::collections::BTreeSet;
 
-/// The idle rows of all joints.
-pub(super) fn rows(graph: &Graph, model: &Model, joints: &[(String, JointEquations)]) -> Vec<Idle> {
-    let mut idle = Vec::new();
+/// The vacuous rows of all joints.
+pub(super) fn rows(
+    graph: &Graph,
+    model: &Model,
+    joints: &[(String, JointEquations)],
+) -> Vec<VacuousRow> {
+    let mut vacuous = Vec::new();
     for (entry, equations) in joints {
         for (slot, row) in equations.rows.iter().enumerate() {
-            if model.idle.contains(&(entry.clone(), slot)) {
-                idle.push(Idle {
+            if model.vacuous.contains(&(entry.clone(), slot)) {
+                vacuous.push(VacuousRow {
                     name: row.name(entry),
                     entry: entry.clone(),
                     follows_from: between(model, graph.symbols([row.expr])),
@@ -20,7 +24,7 @@ pub(super) fn rows(graph: &Graph, model: &Model, joints: &[(String, JointEquatio
             }
         }
     }
-    idle
+    vacuous
 }
 
 /// The joints of the tree between the parts that an expression in local coordinates is about.

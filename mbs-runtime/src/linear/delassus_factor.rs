@@ -1,11 +1,11 @@
 //! The multiplier solve of the velocity rows, whose matrix S = A M⁻¹ Aᵀ is symmetric.
 
-use super::Independence;
+use super::RankMargin;
 use super::proximal::Proximal;
 use super::{SPARSE_FROM, Thresholds, WEAK_PIVOT};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
-pub(crate) struct SymmetricDual<const K: usize> {
+pub(crate) struct DelassusFactor<const K: usize> {
     upper: super::Matrix<K, K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
@@ -19,7 +19,7 @@ pub(crate) struct SymmetricDual<const K: usize> {
     /// Rows that follow from those before them wherever the mechanism is, as far as is known.
     redundant: Option<[bool; K]>,
     /// Which of them did at the last factorisation: their multipliers are zero.
-    idle: [bool; K],
+    skipped: [bool; K],
     /// Whether there are any.
     pub(crate) reduced: bool,
 }
@@ -33,9 +33,9 @@ fn round_off(least: f64) -> f64 {
     (16.0 * f64::EPSILON / least).max(1e-11)
 }
 
-impl<const K: usize> SymmetricDual<K> {
+impl<const K: usize> DelassusFactor<K> {
     pub(crate) fn new() -> Self {
-        SymmetricDual {
+        DelassusFactor {
             upper: super::clear(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
@@ -44,7 +44,7 @@ impl<const K: usize> SymmetricDual<K> {
             beside: false,
             thresholds: Thresholds::SECOND_ORDER,
             redundant: None,
-            idle: [false; K],
+            skipped: [false; K],
             reduced: false,
         }
     }
@@ -56,7 +56,7 @@ impl<const K: usize> SymmetricDual<K> {
     pub(crate) fn expect_redundancy(&mut self, matrix: &[[f64; K]; K]) {
         self.redundant = None;
         let found = self.eliminate_but(&[true; K], matrix) && self.reduced;
-        self.redundant = found.then_some(self.idle);
+        self.redundant = found.then_some(self.skipped);
         self.factor(matrix);
     }
 
@@ -74,8 +74,8 @@ impl<const K: usize> SymmetricDual<K> {
 
     /// Rows that get no multiplier, where there are any.
     #[inline(always)]
-    pub(crate) fn idle(&self) -> Option<&[bool; K]> {
-        self.reduced.then_some(&self.idle)
+    pub(crate) fn skipped(&self) -> Option<&[bool; K]> {
+        self.reduced.then_some(&self.skipped)
     }
 
     /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots.
@@ -101,7 +101,7 @@ impl<const K: usize> SymmetricDual<K> {
     /// The same past rows that still are redundant. Out of line: the other is the one to be unrolled.
     #[inline(never)]
     fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> bool {
-        let (mut idle, mut reduced) = ([false; K], false);
+        let (mut skipped, mut reduced) = ([false; K], false);
         let known = self.redundant.is_some();
         let mut least = 1.0_f64;
         let regular = self.eliminate_where(
@@ -110,17 +110,17 @@ impl<const K: usize> SymmetricDual<K> {
                 if redundant[k] {
                     let most = if known { 1.0 } else { REDUNDANT[1] };
                     let bound = round_off(least).clamp(REDUNDANT[0], most);
-                    idle[k] = pivot.abs() <= bound * length;
-                    reduced |= idle[k];
+                    skipped[k] = pivot.abs() <= bound * length;
+                    reduced |= skipped[k];
                 }
-                if !idle[k] && pivot < least * length {
+                if !skipped[k] && pivot < least * length {
                     least = pivot / length;
                 }
-                idle[k]
+                skipped[k]
             },
             matrix,
         );
-        (self.idle, self.reduced) = (idle, reduced && regular);
+        (self.skipped, self.reduced) = (skipped, reduced && regular);
         regular
     }
 
@@ -174,7 +174,7 @@ impl<const K: usize> SymmetricDual<K> {
 
     /// How independent the first `rows` rows of `matrix` are, which was factored last.
     #[inline]
-    pub(crate) fn independence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> Independence {
+    pub(crate) fn rank_margin(&mut self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
         if self.regularised {
             return self.dependence(matrix, rows);
         }
@@ -182,13 +182,13 @@ impl<const K: usize> SymmetricDual<K> {
         for k in 0..rows {
             most = most.max(self.inverse_pivot[k] * matrix[k][k]);
         }
-        Independence::of(1.0 / most.sqrt())
+        RankMargin::of(1.0 / most.sqrt())
     }
 
     /// Eliminates past rows without a direction of their own. The proximal solve does not need the room this takes.
     #[cold]
     #[inline(never)]
-    fn dependence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> Independence {
+    fn dependence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
         let upper = &mut self.upper;
         **upper = *matrix;
         let (mut least, mut weakest) = (f64::INFINITY, f64::INFINITY);
@@ -215,7 +215,7 @@ impl<const K: usize> SymmetricDual<K> {
                 }
             }
         }
-        Independence {
+        RankMargin {
             sigma: sigma.sqrt(),
             weakest: weakest.sqrt(),
             lost,
