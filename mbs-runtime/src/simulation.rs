@@ -18,6 +18,7 @@ use crate::{
     AssemblyVerdict, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample, Samples,
     Settings, SimulationError, State, System, UnknownName,
 };
+use nalgebra::SVector;
 
 /// How often a step that does not converge is halved before it is given up.
 const HALVINGS: u32 = 8;
@@ -98,7 +99,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let simulation = Self::start(system, settings, state, verdict)?;
         let rates = simulation.integrator.trace().rates;
         let speed = largest(simulation.velocities()).max(1.0);
-        for (row, value) in S::MODEL.rows.iter().zip(rates) {
+        for (row, &value) in S::MODEL.rows.iter().zip(rates.iter()) {
             if value.abs() > RESUMABLE * speed {
                 return Err(SimulationError::State {
                     what: row.name,
@@ -181,12 +182,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// q, in the order and units of [`Model::coordinates`].
-    pub fn positions(&self) -> &[f64; Q] {
+    pub fn positions(&self) -> &SVector<f64, Q> {
         &self.state().positions
     }
 
     /// v, in the order and units of [`Model::velocities`].
-    pub fn velocities(&self) -> &[f64; N] {
+    pub fn velocities(&self) -> &SVector<f64, N> {
         &self.state().velocities
     }
 
@@ -366,7 +367,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ///
     /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
     /// [`Simulation::reactions`].
-    pub fn step_multipliers(&self) -> Option<[f64; R]> {
+    pub fn step_multipliers(&self) -> Option<SVector<f64, R>> {
         self.integrator.multipliers()
     }
 

@@ -1,8 +1,9 @@
 //! What every two-level step works on.
 
 use super::{ConstraintGeometry, Fault};
-use crate::linear::{DelassusFactor, ProjectionLu, Thresholds, dot, largest};
+use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, Thresholds, dot, largest, vector};
 use crate::{Settings, State, System};
+use nalgebra::SVector;
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
 pub(super) const REFINEMENTS: usize = 10;
@@ -28,24 +29,24 @@ pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize
 /// Factorisations and multipliers of a step.
 pub(crate) struct Workspace<const R: usize> {
     /// B.
-    pub(crate) matrix: crate::linear::Matrix<R, R>,
+    pub(crate) matrix: RowMatrix<R, R>,
     pub(crate) projection: ProjectionLu<R>,
     pub(crate) delassus: DelassusFactor<R>,
     /// Impulses of the constraints at the two ends of the last step.
-    pub(crate) impulse: [[f64; R]; 2],
+    pub(crate) impulse: [SVector<f64, R>; 2],
     /// φ at the end of the last step.
-    pub(crate) phi: [f64; R],
+    pub(crate) phi: SVector<f64, R>,
 }
 
 impl<const R: usize> Workspace<R> {
     #[inline(never)]
     fn new() -> Box<Self> {
         Box::new(Workspace {
-            matrix: crate::linear::clear(),
+            matrix: RowMatrix::zeros(),
             projection: ProjectionLu::new(),
             delassus: DelassusFactor::new(),
-            impulse: [[0.0; R]; 2],
-            phi: [0.0; R],
+            impulse: [SVector::zeros(); 2],
+            phi: SVector::zeros(),
         })
     }
 }
@@ -65,7 +66,7 @@ pub(crate) struct Counters {
 #[derive(Clone, Copy)]
 pub(crate) struct RowScale<const R: usize> {
     /// 1/(tolerance · size · |a_i|)².
-    pub(crate) weights: [f64; R],
+    pub(crate) weights: SVector<f64, R>,
     /// (LOST / tolerance)².
     pub(crate) lost: f64,
 }
@@ -76,7 +77,7 @@ fn at_guess<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 ) -> Result<Box<ConstraintGeometry<S, Q, N, R>>, Fault> {
     let (q, _) = system.guess();
     let mut geometry = ConstraintGeometry::new(system, &q)?;
-    geometry.evaluate(system, 0.0, &q, &mut [0.0; R])?;
+    geometry.evaluate(system, 0.0, &q, &mut SVector::zeros())?;
     Ok(geometry)
 }
 
@@ -90,7 +91,7 @@ impl<const R: usize> RowScale<R> {
         let geometry = at_guess(system)?;
         let lengths = geometry.lengths_squared();
         let longest = largest(&lengths);
-        let weights = std::array::from_fn(|i| {
+        let weights = vector(|i| {
             // A row that vanishes at the guess has no length to go by there.
             let length = if lengths[i] > 1e-8 * longest {
                 dot(&geometry.a[i], &geometry.a[i])
@@ -165,8 +166,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         &mut self,
         time: f64,
         h: f64,
-        q: [f64; Q],
-        v: [f64; N],
+        q: SVector<f64, Q>,
+        v: SVector<f64, N>,
         weak: bool,
     ) -> Result<(), Fault> {
         if !crate::linear::finite(&q) {
@@ -186,7 +187,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
 
     /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.
     #[inline(always)]
-    pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
+    pub(crate) fn project_velocity(&mut self, v: &mut SVector<f64, N>) {
         let StepContext {
             system,
             end,
@@ -217,10 +218,10 @@ fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
-    v: &mut [f64; N],
+    v: &mut SVector<f64, N>,
     passes: usize,
 ) {
-    let tolerance = 1e-14 * largest(&v[..]);
+    let tolerance = 1e-14 * largest(&v);
     let mut last = f64::INFINITY;
     for _ in 0..passes {
         let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);

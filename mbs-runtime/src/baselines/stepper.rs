@@ -12,6 +12,7 @@ use super::rattle::Rattle;
 use crate::alf3f::{ConstraintGeometry, Counters, Fault};
 use crate::linear::RankMargin;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
+use nalgebra::SVector;
 
 /// A baseline by itself: steps of any length, without energy balance or report.
 ///
@@ -90,7 +91,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 system,
                 state,
                 geometry,
-                phi: [0.0; R],
+                phi: SVector::zeros(),
                 settled: false,
                 counters: Counters::default(),
                 works: Works::default(),
@@ -145,7 +146,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// λ at the end of the last step; `None` for methods that have no such unknown.
-    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+    pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         self.bench.multipliers
     }
 
@@ -162,10 +163,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// How much each row takes part in what is nearest to a loss of independence.
-    pub(crate) fn weakest_rows(&self) -> [f64; R] {
+    pub(crate) fn weakest_rows(&self) -> SVector<f64, R> {
         match &self.rule {
             Rule::Explicit(rule) => rule.weakest_rows(&self.bench),
-            _ => [0.0; R],
+            _ => SVector::zeros(),
         }
     }
 

@@ -1,11 +1,12 @@
 //! What errors and motions are measured in: the size of the mechanism for lengths, radians for angles.
 
 use crate::Coordinate;
-use crate::linear::{finite, largest};
+use crate::linear::{finite, largest, vector};
+use nalgebra::SVector;
 
 /// Weights of the velocities: 1/size for those in m/s, 1 for those in rad/s.
 pub(super) struct Yardstick<const N: usize> {
-    weights: [f64; N],
+    weights: SVector<f64, N>,
 }
 
 impl<const N: usize> Yardstick<N> {
@@ -13,7 +14,7 @@ impl<const N: usize> Yardstick<N> {
     pub(super) fn new(velocities: &[Coordinate], points: &[[f64; 3]]) -> Self {
         let size = extent(points);
         Yardstick {
-            weights: std::array::from_fn(|i| match velocities.get(i) {
+            weights: vector(|i| match velocities.get(i) {
                 Some(velocity) if velocity.unit == "m/s" => 1.0 / size,
                 _ => 1.0,
             }),
@@ -21,7 +22,7 @@ impl<const N: usize> Yardstick<N> {
     }
 
     /// max |x| in sizes and radians; infinite if any is not a number.
-    pub(super) fn measure(&self, x: &[f64; N]) -> f64 {
+    pub(super) fn measure(&self, x: &SVector<f64, N>) -> f64 {
         let sizes = self.sizes(x);
         match finite(&sizes) {
             true => largest(&sizes),
@@ -30,14 +31,14 @@ impl<const N: usize> Yardstick<N> {
     }
 
     /// The entry that [`Self::measure`] comes from.
-    pub(super) fn worst(&self, x: &[f64; N]) -> usize {
+    pub(super) fn worst(&self, x: &SVector<f64, N>) -> usize {
         let sizes = self.sizes(x).map(f64::abs);
         let larger = |i: &usize, j: &usize| sizes[*i].total_cmp(&sizes[*j]);
         (0..N).max_by(larger).unwrap_or(0)
     }
 
-    fn sizes(&self, x: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.weights[i] * x[i])
+    fn sizes(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
+        vector(|i| self.weights[i] * x[i])
     }
 }
 
