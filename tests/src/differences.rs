@@ -165,7 +165,7 @@ fn gyroscopic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize
     p: &SVector<f64, N>,
     v: &SVector<f64, N>,
 ) -> SVector<f64, N> {
-    let mut torque = SVector::zeros();
+    let mut torque = SVector::<f64, N>::zeros();
     for &first in S::ROTATIONS {
         let [p, v] = [p, v].map(|x| Vector3::from_column_slice(&x.as_slice()[first..][..3]));
         torque.as_mut_slice()[first..][..3].copy_from_slice(p.cross(&v).as_slice());

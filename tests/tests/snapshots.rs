@@ -16,7 +16,7 @@ fn rust(declaration: &str) -> String {
 fn methods(declaration: &str, names: &[&str]) -> String {
     let mut file: syn::File =
         syn::parse2(mbs_macros_core::compile(stages::tokens(declaration))).expect("it parses");
-    // The implementation is inside `const _: () = { … };`.
+    // The implementations are inside `const _: () = { … };`.
     let inner = file.items.iter().filter_map(|item| match item {
         syn::Item::Const(constant) => match &*constant.expr {
             syn::Expr::Block(block) => Some(&block.block.stmts),
@@ -33,17 +33,13 @@ fn methods(declaration: &str, names: &[&str]) -> String {
         .collect();
     file.items.retain(|item| match item {
         syn::Item::Impl(block) => {
-            let system = block
-                .trait_
-                .as_ref()
-                .and_then(|(_, path, _)| path.segments.last());
             let hidden = block.attrs.iter().any(|attribute| {
                 let syn::Meta::List(list) = &attribute.meta else {
                     return false;
                 };
                 list.path.is_ident("cfg") && list.tokens.to_string() == "rust_analyzer"
             });
-            system.is_some_and(|segment| segment.ident == "System") && !hidden
+            block.trait_.is_some() && !hidden
         }
         _ => false,
     });
@@ -55,6 +51,8 @@ fn methods(declaration: &str, names: &[&str]) -> String {
             });
         }
     }
+    file.items
+        .retain(|item| !matches!(item, syn::Item::Impl(block) if block.items.is_empty()));
     prettyplease::unparse(&file)
 }
 
