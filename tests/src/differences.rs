@@ -230,7 +230,8 @@ fn constraints<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usiz
         &phi.as_slice()[..holonomic],
     );
     for j in 0..N {
-        let entries = &list(&a.column(j).into_owned())[..holonomic];
+        let entries = a.column(j);
+        let entries = &entries.as_slice()[..holonomic];
         findings.derivative(&format!("A, column {j}"), entries, &|s| {
             let phi = dense.holonomic(t, &system.advance(q, &unit(j), s));
             phi.as_slice()[..holonomic].to_vec()
@@ -426,20 +427,13 @@ fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
                   delassus: &SMatrix<f64, R, R>| {
         for i in 0..R {
             let expected = solved(a.column(i).into_owned());
-            let given = w.column(i).into_owned();
-            findings.identity(
-                &format!("row {i} of M⁻¹ a{of}"),
-                given.as_slice(),
-                expected.as_slice(),
-            );
+            let what = format!("row {i} of M⁻¹ a{of}");
+            findings.identity(&what, w.column(i).as_slice(), expected.as_slice());
         }
-        let expected = Box::new(w.tr_mul(a));
         for i in 0..R {
-            findings.identity(
-                &format!("row {i} of A W{of}"),
-                delassus.column(i).into_owned().as_slice(),
-                expected.column(i).into_owned().as_slice(),
-            );
+            let expected = w.tr_mul(&a.column(i));
+            let what = format!("row {i} of A W{of}");
+            findings.identity(&what, delassus.column(i).as_slice(), expected.as_slice());
         }
     };
     // Aᵀ; any rows with the zeros of A.
