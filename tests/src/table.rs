@@ -1,6 +1,7 @@
 //! Values of generated functions by name and place.
 
 use mbs_macros_core::dag::Place;
+use mbs_runtime::nalgebra::SMatrix;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Function, argument that receives the value, and indices in it.
@@ -23,6 +24,20 @@ impl Table {
     pub fn vector(&mut self, function: &'static str, sink: &'static str, values: &[f64]) {
         for (i, &value) in values.iter().enumerate() {
             self.insert((function, sink, [i, 0, 0]), value);
+        }
+    }
+
+    /// Stores a matrix by its rows, which are the columns of `rows`.
+    pub fn rows<const N: usize, const R: usize>(
+        &mut self,
+        function: &'static str,
+        sink: &'static str,
+        rows: &SMatrix<f64, N, R>,
+    ) {
+        for (i, row) in rows.column_iter().enumerate() {
+            for (j, &value) in row.iter().enumerate() {
+                self.insert((function, sink, [i, j, 0]), value);
+            }
         }
     }
 

@@ -152,7 +152,7 @@ fn text<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     at: &Arguments<Q, N, R>,
 ) -> String {
     let mut out = format!("t = {}\n", number(at.time));
-    for (symbol, values) in [("q", at.q.as_slice()), ("v", &at.v)] {
+    for (symbol, values) in [("q", at.q.as_slice()), ("v", at.v.as_slice())] {
         for (i, &value) in values.iter().enumerate() {
             let _ = writeln!(out, "{symbol}[{i}] = {}", number(value));
         }

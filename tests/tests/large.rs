@@ -113,15 +113,11 @@ where
         sparse.step(settings.step).expect("a step");
         dense.step(settings.step).expect("a step");
     }
-    let most = |a: &[f64], b: &[f64]| {
-        let pairs = a.iter().zip(b);
-        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-    };
     let (sparse, dense) = (sparse.state(), dense.state());
     [
-        most(&sparse.positions, &dense.positions),
-        most(&sparse.velocities, &dense.velocities),
-        most(&sparse.positions, &state.positions),
+        (sparse.positions - dense.positions).amax(),
+        (sparse.velocities - dense.velocities).amax(),
+        (sparse.positions - state.positions).amax(),
     ]
 }
 

@@ -76,16 +76,19 @@ mod tests {
     fn lengths_count_in_sizes_and_angles_in_radians() {
         let points = [[1.0, -1.0, 0.0], [2.0, 3.0, 0.0]];
         let yardstick = Yardstick::new(&VELOCITIES, &points);
-        assert_eq!(yardstick.measure(&[2.0, 0.25]), 0.5);
-        assert_eq!(yardstick.worst(&[2.0, 0.25]), 0);
-        assert_eq!(yardstick.measure(&[0.5, -0.25]), 0.25);
-        assert_eq!(yardstick.worst(&[0.5, -0.25]), 1);
-        assert_eq!(yardstick.measure(&[f64::NAN, 0.0]), f64::INFINITY);
+        assert_eq!(yardstick.measure(&SVector::from([2.0, 0.25])), 0.5);
+        assert_eq!(yardstick.worst(&SVector::from([2.0, 0.25])), 0);
+        assert_eq!(yardstick.measure(&SVector::from([0.5, -0.25])), 0.25);
+        assert_eq!(yardstick.worst(&SVector::from([0.5, -0.25])), 1);
+        assert_eq!(
+            yardstick.measure(&SVector::from([f64::NAN, 0.0])),
+            f64::INFINITY
+        );
     }
 
     #[test]
     fn without_an_extent_lengths_are_metres() {
         let yardstick = Yardstick::new(&VELOCITIES, &[[1.0; 3]]);
-        assert_eq!(yardstick.measure(&[2.0, 0.25]), 2.0);
+        assert_eq!(yardstick.measure(&SVector::from([2.0, 0.25])), 2.0);
     }
 }
