@@ -105,7 +105,7 @@ pub fn refused<'a>(points: &[Point], labels: &[&'a str]) -> Vec<&'a str> {
 
 /// Every failed cell of a map: row, outcome, columns (with the number of runs where not all failed, or there were several).
 pub fn failed_cells(map: &Map, cells: &[Cell]) -> String {
-    let mut out = String::from("| row | outcome | columns |\n|---|---|---|\n");
+    let mut out = String::from("| method | outcome | columns |\n|---|---|---|\n");
     let mut any = false;
     for row in &map.rows {
         let mut groups: Vec<(Outcome, Vec<String>)> = Vec::new();
