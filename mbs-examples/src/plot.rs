@@ -21,7 +21,7 @@ const BLUE: RGBColor = RGBColor(20, 80, 125);
 const ORANGE: RGBColor = RGBColor(224, 142, 46);
 const GREEN: RGBColor = RGBColor(60, 133, 72);
 
-/// Errors below this are drawn at it: a logarithmic axis has no zero.
+/// Smaller errors are drawn at this value: a logarithmic axis has no zero.
 const FLOOR: f64 = 1e-18;
 
 /// Points of an error curve at most.
@@ -51,8 +51,8 @@ impl Curve {
     }
 }
 
-/// The largest value in each of many equal spans of time: errors matter where they are large, and the dips of an
-/// oscillating error to zero would fill a logarithmic diagram.
+/// The largest value in each of many equal spans of time. Only large errors matter, and the zeros of an oscillating
+/// error would fill a logarithmic diagram with lines.
 fn envelope(curve: &Curve) -> Curve {
     let size = curve.points.len().div_ceil(SPANS).max(1);
     let largest = |span: &[(f64, f64)]| span.iter().fold(0.0, |most, p| f64::max(most, p.1));
@@ -70,7 +70,7 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 /// Kinetic, potential and total energy above, the error of the balance below.
 ///
 /// # Errors
-/// The text of what the drawing library refused.
+/// The message of the drawing library.
 pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
     picture(|root| {
         let (upper, lower) = root.split_vertically(SIZE.1 * 11 / 20);
@@ -97,7 +97,7 @@ pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
 /// Position and velocity errors of the constraint rows.
 ///
 /// # Errors
-/// The text of what the drawing library refused.
+/// The message of the drawing library.
 pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
     picture(|root| {
         let curves = &[

@@ -1,8 +1,7 @@
 //! Andrews' squeezer mechanism written by hand: M, forces and rows in the seven angles of the test set (Hairer, Wanner:
-//! Solving Ordinary Differential Equations II, section VII.7), for the integrator that runs the generated equations, too.
-//!
-//! M has three blocks of two and one of one; three sines say all of it that varies. Rows are differences of three places of
-//! E against the first; every zero is left out, every constant precomputed.
+//! Solving Ordinary Differential Equations II, section VII.7), for the integrator that runs the generated equations,
+//! too. M has three blocks of two and one of one; it varies only with three sines. The rows are the differences between
+//! E on each of three chains and E on the first chain. Zeros are left out, and constants are precomputed.
 
 use mbs_examples::scenes::andrews::Andrews as Generated;
 use mbs_runtime::{MatrixSink, Mechanism, Model, Structure, System, TensorSink};
@@ -12,7 +11,7 @@ const N: usize = 7;
 /// E on three chains.
 const R: usize = 6;
 
-// Places, m.
+// Positions, m.
 const XA: f64 = -0.06934;
 const YA: f64 = -0.00227;
 const XB: f64 = -0.03635;
@@ -72,8 +71,8 @@ const AH_HE: Pair = Pair {
 const PAIRS: [(usize, usize, Pair); 3] = [(0, 1, OF_FE), (4, 3, AG_GE), (6, 5, AH_HE)];
 const GAMMA: usize = 2;
 
-/// Two bars, the second on the first, in the angle of the first and the angle between them:
-/// M = [[outer + 2 C s, inner + C s], [inner + C s, inner]].
+/// Two bars, the second at the end of the first, in the angle of the first and the angle between them: M = [[outer + 2
+/// C s, inner + C s], [inner + C s, inner]].
 #[derive(Clone, Copy)]
 struct Pair {
     outer: f64,
@@ -205,7 +204,7 @@ impl System<N, N, R> for Andrews {
     #[inline]
     fn solve_mass_rows(&self, mass: &Inverse, a: &[[f64; N]; R], w: &mut [[f64; N]; R]) {
         for r in 0..R {
-            // Each row holds OF and FE, and one of the others.
+            // Each row has terms of OF and FE, and of one other chain.
             let pair = |(i, j, _): (usize, usize, Pair), block: &[f64; 3], w: &mut [f64; N]| {
                 w[i] = block[0] * a[r][i] + block[1] * a[r][j];
                 w[j] = block[1] * a[r][i] + block[2] * a[r][j];
@@ -346,7 +345,7 @@ impl System<N, N, R> for Andrews {
     }
     fn acceleration(&self, _: f64, _: &[f64; N], _: &mut [f64; N]) {}
 
-    // A stepper does not ask for what follows.
+    // A stepper does not call the functions below.
     fn kinetic_energy(&self, _: &[f64; N], _: &[f64; N]) -> f64 {
         0.0
     }
