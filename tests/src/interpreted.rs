@@ -1,4 +1,4 @@
-//! What the two interpreters give for the same declaration, as tables.
+//! The values of the two interpreters for the same declaration, as tables.
 
 use crate::laws;
 use crate::random::Arguments;
@@ -10,7 +10,7 @@ use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, LawEvaluation, Symbol};
 use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::{Mechanism, System};
 
-/// A declaration that was compiled once more, inside the test.
+/// A declaration that is compiled again inside the test.
 pub struct Interpreted {
     laws: Vec<Law>,
     layout: Layout,
@@ -158,8 +158,8 @@ impl Interpreted {
             constants: &self.constants,
             laws: &laws,
         };
-        // Counted angles are no method of their own: `advance` writes them, and outputs show them. The factor of M shows
-        // in what is solved with it.
+        // Counted angles have no method of their own: `advance` writes them, and outputs test them. The solutions with
+        // the factor of M test the factor.
         let inner = ["windings", "factor_mass"];
         let methods = self.program.functions.iter();
         for function in methods.filter(|function| !inner.contains(&function.name)) {
@@ -170,7 +170,7 @@ impl Interpreted {
         (symbolic, program)
     }
 
-    /// The factor of M at q, where straight-line code computes it.
+    /// The factor of M at q, if straight-line code computes it.
     fn factor(&self, q: &[f64], laws: LawEvaluation) -> Vec<f64> {
         let Some((function, entries)) = self.program.factor_entries() else {
             return Vec::new();
@@ -192,7 +192,7 @@ impl Interpreted {
     }
 }
 
-/// Every derived expression and where the generated code writes it.
+/// Every derived expression, and the place to which the generated code writes it.
 fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
     let system = &derived.system;
     let mut list = Vec::new();

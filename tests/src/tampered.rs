@@ -1,4 +1,4 @@
-//! A system in which one function is slightly wrong, or one sign is flipped: what no test finds, no test tests.
+//! A system in which one function is slightly wrong, or one sign is flipped. The tests have to find each such error.
 
 use mbs_runtime::{MatrixSink, Model, Structure, System, TensorSink};
 
@@ -42,7 +42,7 @@ const ERROR: f64 = 1e-4;
 /// What is wrong with a quantity.
 #[derive(Debug, Clone, Copy)]
 enum Fault {
-    /// Its size: a little, in the largest component of a vector, or in every entry of a matrix.
+    /// A small relative error, in the largest component of a vector or in every entry of a matrix.
     Size,
     /// The sign of one entry.
     Sign([usize; 3]),
@@ -116,7 +116,7 @@ impl<S> Tampered<S> {
     }
 }
 
-/// Makes entries wrong on their way.
+/// Changes entries while they are written.
 struct Wrong<'a, T> {
     sink: &'a mut T,
     fault: Option<Fault>,
@@ -134,7 +134,8 @@ impl<T> Wrong<'_, T> {
 impl<T: MatrixSink> MatrixSink for Wrong<'_, T> {
     fn set(&mut self, row: usize, column: usize, value: f64) {
         let wrong = self.value([row, column, 0], value);
-        // One triangle more than the other, so that a wrong M is not merely another M.
+        // One triangle more than the other, so that M is not symmetric: otherwise it would be the right M of another
+        // mechanism.
         let more = match self.fault {
             Some(Fault::Size) if row > column => 1.5,
             _ => 1.0,
@@ -252,7 +253,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
     ) {
         self.inner.constraints(t, q, phi, &mut self.sink("a", a), b);
         self.vector("phi", &mut phi[..S::STRUCTURE.holonomic_rows]);
-        // Differences do not know b of a nonholonomic row by itself.
+        // Differences cannot test b of a nonholonomic row alone.
         let rows = match self.fault {
             Fault::Size => S::STRUCTURE.holonomic_rows,
             Fault::Sign(_) => R,
@@ -313,7 +314,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
     }
     fn potential_energy(&self, q: &[f64; Q]) -> f64 {
         let energy = self.inner.potential_energy(q);
-        // A constant error would not matter.
+        // A constant error would have no effect.
         if self.wrong == "V" {
             energy * (1.0 + ERROR) + ERROR * q[0]
         } else {
