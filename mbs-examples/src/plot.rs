@@ -27,7 +27,7 @@ const FLOOR: f64 = 1e-18;
 /// Points of an error curve at most.
 const SPANS: usize = 400;
 
-/// A curve with its place in the legend.
+/// A curve with its colour, and its label in the legend.
 struct Curve {
     label: &'static str,
     colour: RGBColor,
@@ -151,7 +151,7 @@ fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Draw
     let curves: Vec<Curve> = curves.iter().map(envelope).collect();
     let values = curves.iter().flat_map(|c| &c.points).map(|p| p.1);
     let (low, high) = span(values.filter(|y| *y > 0.0)).unwrap_or((FLOOR, FLOOR));
-    // Whole decades, and the smallest ones only as far as they tell something.
+    // Whole decades, nine at most.
     let top = high.max(FLOOR * 10.0).log10().ceil();
     let bottom = low.max(FLOOR).log10().floor().max(top - 9.0).min(top - 1.0);
     let axis = Axis {
@@ -259,7 +259,7 @@ fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// The decimals that tell neighbouring ticks apart.
+/// The number of decimals with which neighbouring ticks differ.
 fn decimals(range: f64) -> usize {
     (1.3 - range.max(f64::MIN_POSITIVE).log10()).ceil().max(0.0) as usize
 }

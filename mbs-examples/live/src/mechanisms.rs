@@ -15,7 +15,7 @@ mod pendulum;
 #[allow(dead_code)]
 mod slider_crank;
 
-/// A scene, and how far the sliders of the page move its parameters.
+/// A scene, and the ranges of its parameters on the page.
 #[derive(Debug)]
 pub struct Mechanism {
     /// The scene.

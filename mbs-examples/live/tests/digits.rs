@@ -198,7 +198,7 @@ fn what_cannot_be_is_answered_with_a_sentence() {
     refused(2, 0, 1e-3, &[1.0, 0.0], "not positive definite");
 }
 
-/// Parameters at and beyond the ends of the sliders, and such as nobody means. Either side may refuse or stop; neither
+/// Parameters at and beyond the ends of the sliders, and meaningless ones. Either side may refuse or stop; neither
 /// panics, and both have the same messages, except for the digits of residuals that are round-off.
 #[test]
 fn no_value_makes_a_panic() {

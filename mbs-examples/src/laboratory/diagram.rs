@@ -69,7 +69,7 @@ fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
     }
 }
 
-/// Log-log axes over the place of the diagram.
+/// Log-log axes over the area of the diagram.
 struct Axes {
     x: [i32; 2],
     y: [i32; 2],

@@ -95,7 +95,7 @@ pub fn others(data: &Data) -> Result<String, String> {
         })
         .collect();
     Ok(paragraph(&format!(
-        "Other orders above 2 have larger multiples in some places: the largest are {}.",
+        "Other orders above 2 have larger multiples on some scenes: the largest are {}.",
         list.join(", ")
     )))
 }
