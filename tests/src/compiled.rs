@@ -1,11 +1,11 @@
-//! What the compiled functions give, as a table.
+//! The values of the compiled functions, as a table.
 
 use crate::random::Arguments;
 use crate::table::Table;
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{MatrixSink, System, TensorSink};
 
-/// Receives entries and keeps them as they come, so that a zero never written is seen to be absent.
+/// Stores the entries that are written, so that a zero that is never written is absent.
 #[derive(Debug, Default)]
 struct Entries(Vec<([usize; 3], f64)>);
 

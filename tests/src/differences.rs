@@ -1,15 +1,15 @@
-//! Compiled functions against differences of the functions they are derivatives of.
+//! Compiled derivatives compared with differences of the functions from which they are derived.
 
 use crate::random::{Arguments, Random};
 use mbs_runtime::System;
 use mbs_runtime::nalgebra::{SMatrix, SVector, Vector3};
 
-/// Steps of the differences. Each slope is taken with all of them; the one that agrees best with its neighbour counts,
-/// so that neither the curvature of a mechanism of a few centimetres nor the round-off of one of metres decides.
+/// Steps of the differences. Each slope is computed with all of them, and the value that agrees best with its neighbour
+/// counts: so neither the curvature in a mechanism of centimetres nor the round-off in one of metres matters.
 const STEPS: [f64; 5] = [1e-2, 2e-3, 4e-4, 8e-5, 1.6e-5];
-/// Agreement asked for, relative to the largest component of the slope and of the function.
+/// Required agreement, relative to the largest component of the slope and of the function.
 const TOLERANCE: f64 = 2e-7;
-/// Agreement asked of identities without differences.
+/// Required agreement of identities without differences.
 const EXACT: f64 = 1e-11;
 
 /// d/ds of a vector function at s = 0, by central differences of fourth order.
@@ -43,14 +43,14 @@ fn slope(function: &dyn Fn(f64) -> Vec<f64>) -> (Vec<f64>, f64) {
     (best, size)
 }
 
-/// What does not agree.
+/// The quantities that do not agree.
 struct Findings(Vec<String>);
 
 impl Findings {
     fn compare(&mut self, what: &str, given: &[f64], expected: &[f64], tolerance: f64) {
         assert_eq!(given.len(), expected.len(), "{what}");
         for (i, (given, expected)) in given.iter().zip(expected).enumerate() {
-            // A NaN is a finding, too.
+            // A NaN is a disagreement, too.
             let agrees = (given - expected).abs() <= tolerance;
             if !agrees {
                 self.0.push(format!(
@@ -75,7 +75,7 @@ impl Findings {
     }
 }
 
-/// All functions of a system in dense form, as closures of the arguments would be too long to write each time.
+/// All functions of a system in dense form, because closures of their arguments would be long.
 struct Dense<'a, S, const Q: usize, const N: usize, const R: usize>(&'a S);
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dense<'_, S, Q, N, R> {
@@ -144,7 +144,7 @@ fn unit<const N: usize>(i: usize) -> SVector<f64, N> {
     SVector::from_fn(|j, _| f64::from(u8::from(i == j)))
 }
 
-/// All that does not agree at an instant.
+/// All disagreements at an instant.
 pub fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     at: &Arguments<Q, N, R>,
@@ -160,7 +160,7 @@ pub fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usi
     findings.0
 }
 
-/// (p × ω)_j where v_j is a component of an angular velocity: what F has beside f and ∂T/∂q.
+/// (p × ω)_j if v_j is a component of an angular velocity: the term of F in addition to f and ∂T/∂q.
 fn gyroscopic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     p: &SVector<f64, N>,
     v: &SVector<f64, N>,
@@ -249,7 +249,7 @@ fn constraints<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usiz
     });
 }
 
-/// f + ∂V/∂q is what does work without potential.
+/// f + ∂V/∂q is the force without potential.
 fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
@@ -273,7 +273,7 @@ fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let torque = gyroscopic::<S, Q, N, R>(&dense.momentum(q, v), v);
     let inertial = total - f - torque;
     for j in 0..N {
-        // Beside large applied forces the difference has their round-off.
+        // With large applied forces the difference has their round-off.
         let round_off = 1e-8 * f[j];
         findings.derivative(&format!("F − f, {j}"), &[inertial[j], 0.0], &|s| {
             let energy = system.kinetic_energy(&system.advance(q, &unit(j), s), v);
@@ -462,7 +462,7 @@ fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     accelerations(findings, system, at, random, &mass);
 }
 
-/// M v̇ + ṗ|_v = F + Aᵀλ, and A v̇ + γ + correction = 0 for every row that is asked for.
+/// M v̇ + ṗ|_v = F + Aᵀλ, and A v̇ + γ + correction = 0 for every selected row.
 fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,

@@ -1,5 +1,6 @@
-//! Mechanisms that between them use every kind and every function of the language. They need not be sensible machines,
-//! and they need not be assembled: derivatives hold everywhere. (But what can be assembled nowhere is refused.)
+//! Mechanisms that together use every kind and every function of the language. They need not be useful machines, and
+//! the tests need no assembled pose: derivatives are right in every pose. (But the compiler refuses a mechanism that
+//! has no assembled pose.)
 
 use crate::laws;
 use mbs_runtime::mechanism;

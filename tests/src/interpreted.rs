@@ -1,4 +1,4 @@
-//! What the two interpreters give for the same declaration, as tables.
+//! The values of the two interpreters for the same declaration, as tables.
 
 use crate::laws;
 use crate::random::Arguments;
@@ -11,7 +11,7 @@ use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::nalgebra::{DMatrix, SMatrix, SVector};
 use mbs_runtime::{Mechanism, System};
 
-/// A declaration that was compiled once more, inside the test.
+/// A declaration that is compiled again inside the test.
 pub struct Interpreted {
     laws: Vec<Law>,
     layout: Layout,
@@ -174,7 +174,7 @@ impl Interpreted {
         (symbolic, program)
     }
 
-    /// The factor of M at q, where straight-line code computes it.
+    /// The factor of M at q, if straight-line code computes it.
     fn factor(&self, q: &[f64], laws: LawEvaluation) -> Vec<f64> {
         let Some((function, entries)) = self.program.factor_entries() else {
             return Vec::new();
@@ -196,7 +196,7 @@ impl Interpreted {
     }
 }
 
-/// Every derived expression and where the generated code writes it.
+/// Every derived expression, and the place to which the generated code writes it.
 fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
     let system = &derived.system;
     let mut list = Vec::new();

@@ -1,4 +1,4 @@
-//! A declaration after each stage of the compiler, as text that is stable and made for people.
+//! A declaration after each stage of the compiler, as stable and readable text.
 
 use crate::formulas::Formulas;
 use mbs_macros_core::derivatives::Derived;
@@ -169,8 +169,7 @@ pub fn derived(derived: &Derived) -> String {
     )
 }
 
-/// What a mechanism's rows, inertia and forces have beyond the model: M, Γ, A, b, Ȧ, γ and the tangents, with all that they
-/// consist of.
+/// The quantities that the later stages derive: M, Γ, A, b, Ȧ, γ and the tangents, with all their subexpressions.
 pub fn quantities(derived: &Derived) -> String {
     let mut formulas = Formulas::new(&derived.system.graph);
     formulas.matrix("M", &derived.system.mass);

@@ -54,8 +54,9 @@ impl Table {
         self.values.keys().map(|key| key.0).collect()
     }
 
-    /// Where this table differs from another by more than `relative` of the largest value of the same function and sink
-    /// (`each_by_itself`: of the value itself). Functions that only one of the two has are not compared.
+    /// The places at which this table differs from another by more than `relative` times the largest value of the same
+    /// function and sink (with `each_by_itself`: times the value itself). A function that is in only one of the two is
+    /// not compared.
     pub fn differences(&self, other: &Table, relative: f64, each_by_itself: bool) -> Vec<String> {
         let mut sizes: BTreeMap<(&str, &str), f64> = BTreeMap::new();
         for (key, value) in self.values.iter().chain(&other.values) {

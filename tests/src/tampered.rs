@@ -1,4 +1,4 @@
-//! A system in which one function is slightly wrong, or one sign is flipped: what no test finds, no test tests.
+//! A system in which one function is slightly wrong, or one sign is flipped. The tests have to find each such error.
 
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
@@ -46,7 +46,7 @@ const ERROR: f64 = 1e-4;
 /// What is wrong with a quantity.
 #[derive(Debug, Clone, Copy)]
 enum Fault {
-    /// Its size: a little, in the largest component of a vector, or in every entry of a matrix.
+    /// A small relative error, in the largest component of a vector or in every entry of a matrix.
     Size,
     /// The sign of one entry.
     Sign([usize; 3]),
@@ -120,7 +120,7 @@ impl<S> Tampered<S> {
     }
 }
 
-/// Makes entries wrong on their way.
+/// Changes entries while they are written.
 struct Wrong<'a, T> {
     sink: &'a mut T,
     fault: Option<Fault>,
@@ -138,7 +138,8 @@ impl<T> Wrong<'_, T> {
 impl<T: MatrixSink> MatrixSink for Wrong<'_, T> {
     fn set(&mut self, row: usize, column: usize, value: f64) {
         let wrong = self.value([row, column, 0], value);
-        // One triangle more than the other, so that a wrong M is not merely another M.
+        // One triangle more than the other, so that M is not symmetric: otherwise it would be the right M of another
+        // mechanism.
         let more = match self.fault {
             Some(Fault::Size) if row > column => 1.5,
             _ => 1.0,
@@ -331,7 +332,7 @@ impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Tampered<S>
     }
     fn potential_energy(&self, q: &SVector<f64, Q>) -> f64 {
         let energy = self.inner.potential_energy(q);
-        // A constant error would not matter.
+        // A constant error would have no effect.
         if self.wrong == "V" {
             energy * (1.0 + ERROR) + ERROR * q[0]
         } else {

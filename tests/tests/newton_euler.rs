@@ -1,5 +1,6 @@
-//! Inertia as the derivation by Lagrange has it, against Newton and Euler: m a of every centre of mass and J ω̇ + ω × J ω of
-//! every body, with masses and tensors written here and accelerations by differences along the motion. And power is dE/dt.
+//! The inertia terms of Lagrange's equations compared with the equations of Newton and Euler: m a of every centre of
+//! mass and J ω̇ + ω × J ω of every body, with masses and tensors written here and accelerations from differences along
+//! the motion. Also: the power is dE/dt.
 
 use mbs_examples::scenes;
 use mbs_macros_core::Analysis;
@@ -13,7 +14,7 @@ use mbs_tests::tampered::Tampered;
 
 /// Half the width of the stencils is four of these: their error is then some 1e-12 of a motion at a few rad/s.
 const STEP: f64 = 2e-2;
-/// Agreement asked for, relative to the largest component.
+/// Required agreement, relative to the largest component.
 const TOLERANCE: f64 = 1e-9;
 /// Central differences of eighth order, for s = 1…4: the slope, and the curvature with its weight of the centre.
 const SLOPE: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
@@ -60,7 +61,7 @@ fn turning(r: &Matrix3<f64>, b: &Matrix3<f64>) -> Vector3<f64> {
     })
 }
 
-/// Coordinates of the parts on their own, by name, whatever the mechanism's coordinates are.
+/// The local coordinates of the parts, by name, for any coordinates of the mechanism.
 struct Named<'a> {
     analysis: &'a Analysis,
     q: &'a [f64],
@@ -104,7 +105,7 @@ impl<'a> Named<'a> {
     }
 }
 
-/// What has mass.
+/// A part with mass.
 enum Matter {
     /// A body with its tensor about the centre of mass, in its axes.
     Rigid(&'static str, f64, Matrix3<f64>),
@@ -113,7 +114,7 @@ enum Matter {
     Slender(f64, [&'static str; 2]),
 }
 
-/// A point, or a frame, with its inertia: what Newton and Euler speak about.
+/// A point or a frame with its inertia, for the equations of Newton and Euler.
 struct Piece<'a> {
     mass: f64,
     tensor: Matrix3<f64>,
@@ -137,7 +138,7 @@ impl Matter {
                 axes: Box::new(move |q| q.axes(name)),
             }],
             Matter::Point(mass, place) => vec![point(mass, Box::new(place))],
-            // Half the mass at each of Gauss' two points: exact for what is quadratic along the bar.
+            // Half the mass at each of Gauss' two points: exact for functions that are quadratic along the bar.
             Matter::Slender(mass, [a, b]) => [-1.0, 1.0]
                 .map(|side: f64| 0.5 + side / 12f64.sqrt())
                 .map(|part| {
@@ -176,7 +177,7 @@ fn motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system.advance(q, &way, 1.0)
 }
 
-/// What does not agree at an instant.
+/// The disagreements at an instant.
 fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     matter: &[Matter],
@@ -245,7 +246,7 @@ fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let work = free.component_mul(v).abs().sum();
     free -= quadratic;
     system.solve_mass(&factor, &mut free);
-    // Light bodies are thrown about: the shorter the time, the smaller what the stencil leaves out.
+    // Light bodies have large accelerations: with a shorter time the error of the stencil is smaller.
     let fastest = free.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
     let scale = 1.0 / fastest.sqrt();
     let [_, rate, _] = jet(|s| {
@@ -409,7 +410,7 @@ fn a_workshop() {
     check::<fixtures::Workshop, _, _, _, _>(&workshop());
 }
 
-/// What is slightly wrong is found.
+/// A small error is found.
 #[test]
 fn an_error_in_inertia_or_power_is_found() {
     let (system, states) = random_states(&fixtures::Workshop::default());

@@ -1,5 +1,5 @@
-//! Small declarations after every stage of the compiler, and what is derived for some scenes: as formulas, and as numbers
-//! that the generated code gives. `cargo insta review` shows what a change does to them.
+//! Small declarations after every stage of the compiler, and the derived quantities of some scenes, as formulas and as
+//! numbers from the generated code. `cargo insta review` shows the effect of a change on them.
 
 use mbs_tests::interpreted::analysis;
 use mbs_tests::small;
@@ -72,7 +72,7 @@ fn stage_6() {
     }
 }
 
-/// What an integrator evaluates most often.
+/// The method that an integrator evaluates most often.
 #[test]
 fn constraints() {
     for (name, declaration) in small::ALL {
@@ -101,7 +101,7 @@ fn values() {
     }
 }
 
-/// A snapshot whose test is gone would never be looked at again.
+/// Every snapshot has a test.
 #[test]
 fn every_snapshot_has_its_test() {
     let directory = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots");

@@ -1,4 +1,5 @@
-//! Joints that become coordinates: the same motion and the same reactions as by rows, whichever partner is declared first.
+//! Joints that become coordinates: the same motion and the same reactions as with rows, for both orders of the
+//! partners.
 
 use mbs_runtime::{Mechanism, Model, Settings, Simulation, System, mechanism};
 
@@ -143,7 +144,7 @@ mod welds {
 
     #[test]
     fn welded_bodies_have_no_coordinates() {
-        // Neither has an angle that is a coordinate a memory of its turns.
+        // An angle that is a coordinate does not count turns either.
         assert_eq!(size(joints::Welds::MODEL), (3, 3, 0));
         agree(
             [&|h| run::<rows::Welds, _, _, _, _>(h, 0.4), &|h| {
@@ -205,7 +206,8 @@ mod cuts {
 
     #[test]
     fn the_joint_with_most_freedoms_is_cut() {
-        // Reached as early as possible, the block would hang on the ball, and a joint of four rows would close the loop.
+        // With the shortest chain the block would be carried by the ball, and a joint of four rows would close the
+        // loop.
         let rows: Vec<&str> = joints::Cuts::MODEL
             .rows
             .iter()

@@ -1,8 +1,7 @@
 //! Andrews' squeezer mechanism written by hand: M, forces and rows in the seven angles of the test set (Hairer, Wanner:
-//! Solving Ordinary Differential Equations II, section VII.7), for the integrator that runs the generated equations, too.
-//!
-//! M has three blocks of two and one of one; three sines say all of it that varies. Rows are differences of three places of
-//! E against the first; every zero is left out, every constant precomputed.
+//! Solving Ordinary Differential Equations II, section VII.7), for the integrator that runs the generated equations,
+//! too. M has three blocks of two and one of one; it varies only with three sines. The rows are the differences between
+//! E on each of three chains and E on the first chain. Zeros are left out, and constants are precomputed.
 
 use mbs_examples::scenes::andrews::Andrews as Generated;
 use mbs_runtime::generated::{rows, rows_mut};
@@ -17,7 +16,7 @@ const N: usize = 7;
 /// E on three chains.
 const R: usize = 6;
 
-// Places, m.
+// Positions, m.
 const XA: f64 = -0.06934;
 const YA: f64 = -0.00227;
 const XB: f64 = -0.03635;
@@ -77,8 +76,8 @@ const AH_HE: Pair = Pair {
 const PAIRS: [(usize, usize, Pair); 3] = [(0, 1, OF_FE), (4, 3, AG_GE), (6, 5, AH_HE)];
 const GAMMA: usize = 2;
 
-/// Two bars, the second on the first, in the angle of the first and the angle between them:
-/// M = [[outer + 2 C s, inner + C s], [inner + C s, inner]].
+/// Two bars, the second at the end of the first, in the angle of the first and the angle between them: M = [[outer + 2
+/// C s, inner + C s], [inner + C s, inner]].
 #[derive(Clone, Copy)]
 struct Pair {
     outer: f64,
