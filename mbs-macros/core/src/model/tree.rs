@@ -11,31 +11,10 @@
 //!
 //! A joint that closes a loop stays a set of rows.
 
-use super::geometry::{Attachment, Axes, Point, Vector};
+use super::geometry::Vector;
+use super::mobilizer::Mobilizer;
 use super::parts::{Part, Representation};
-use crate::symbolic::Expr;
 use std::collections::BTreeSet;
-
-/// What a joint leaves free between two frames.
-#[derive(Debug, Clone)]
-pub struct Link {
-    /// On the parent.
-    pub parent: Attachment,
-    /// On the child.
-    pub child: Attachment,
-    /// Rotation about z.
-    pub turns: bool,
-    /// A second rotation after it, about the third of these axes, which are given in those that the first has turned.
-    pub second: Option<Axes>,
-    /// In the plane, the angle of the child against the parent, in the order of the declaration.
-    pub offset: Option<Expr>,
-    /// Sliding along these axes of the parent's frame.
-    pub slides: Vec<usize>,
-    /// The child keeps its own orientation.
-    pub free_rotation: bool,
-    /// Whether the partners stand in the order of the declaration.
-    pub forwards: bool,
-}
 
 /// A joint of the tree.
 #[derive(Debug, Clone)]
@@ -47,7 +26,7 @@ pub struct TreeJoint {
     /// The part that it carries.
     pub child: usize,
     /// The joint, seen from the parent to the child.
-    pub link: Link,
+    pub mobilizer: Mobilizer,
     /// Local coordinate of the angle.
     pub angle: Option<u32>,
     /// Local coordinate of the second angle.
@@ -69,7 +48,7 @@ pub struct Tree {
 
 /// The velocity of a part, for its kinetic energy.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion {
+pub struct BodyTwist {
     /// The part.
     pub part: usize,
     /// Velocity of the centre of mass, in axes of the part's own choice.
@@ -90,8 +69,8 @@ impl Tree {
             return Vec::new();
         };
         let count = match part.representation {
-            Representation::Reference if joint.link.free_rotation => 2,
-            Representation::Rigid if joint.link.free_rotation => 3,
+            Representation::Reference if joint.mobilizer.free_rotation => 2,
+            Representation::Rigid if joint.mobilizer.free_rotation => 3,
             _ => part.locals.len(),
         };
         part.locals[..count].to_vec()
@@ -121,6 +100,15 @@ impl Tree {
         found
     }
 
+    /// Whether every part is carried by a joint that stands after that of the part before it.
+    pub(super) fn parents_come_first(&self) -> bool {
+        let carries = |part: usize| self.joints.iter().position(|joint| joint.child == part);
+        self.joints.iter().enumerate().all(|(place, joint)| {
+            let before = joint.parent.and_then(carries);
+            before.is_none_or(|before| before < place)
+        })
+    }
+
     /// Whether a joint belongs to the tree.
     pub fn contains(&self, joint: &str) -> bool {
         self.joints.iter().any(|own| own.joint == joint)
@@ -142,7 +130,7 @@ pub(super) fn chain(joints: &[TreeJoint], part: Option<usize>) -> BTreeSet<usize
 impl TreeJoint {
     /// The local coordinate of the stroke along an axis of the parent's frame.
     pub fn stroke_along(&self, axis: usize) -> Option<u32> {
-        let mut slides = self.link.slides.iter().zip(&self.strokes);
+        let mut slides = self.mobilizer.slides.iter().zip(&self.strokes);
         slides
             .find(|(own, _)| **own == axis)
             .map(|(_, &local)| local)
@@ -151,7 +139,7 @@ impl TreeJoint {
     /// How the part that it carries is modelled, in words.
     pub fn describe(&self, carried: Representation) -> String {
         let name = &self.joint;
-        let own = match (self.link.free_rotation, carried) {
+        let own = match (self.mobilizer.free_rotation, carried) {
             (true, Representation::Reference) => "its angle",
             (true, Representation::Rigid) => "its unit quaternion; angular velocity in body axes",
             _ => match (self.angle.is_some(), self.strokes.len()) {
@@ -163,43 +151,9 @@ impl TreeJoint {
                 (true, _) => "angle and strokes",
             },
         };
-        match self.link.free_rotation {
+        match self.mobilizer.free_rotation {
             true => format!("joint coordinates ({own}; `{name}` carries it)"),
             false => format!("joint coordinates ({own} of `{name}`)"),
-        }
-    }
-}
-
-impl Link {
-    /// Two points of the plane that coincide, while the child keeps its own angle.
-    pub fn of_points(parent: &Point, child: &Point) -> Link {
-        let attached = |point: &Point| Attachment {
-            axes: [point.position; 3],
-            local: [point.local; 3],
-            point: point.clone(),
-        };
-        Link {
-            parent: attached(parent),
-            child: attached(child),
-            turns: false,
-            second: None,
-            offset: None,
-            slides: Vec::new(),
-            free_rotation: true,
-            forwards: true,
-        }
-    }
-
-    /// The same joint with the partners exchanged: its coordinates change sign.
-    pub(super) fn reversed(&self) -> Link {
-        Link {
-            parent: self.child.clone(),
-            child: self.parent.clone(),
-            forwards: !self.forwards,
-            second: self
-                .second
-                .map(|axes| std::array::from_fn(|i| std::array::from_fn(|k| axes[k][i]))),
-            ..self.clone()
         }
     }
 }

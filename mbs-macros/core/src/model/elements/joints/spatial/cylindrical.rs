@@ -1,0 +1,19 @@
+//! The child slides along the axis and turns about it.
+
+use super::builder::Builder;
+use crate::model::arguments::Arguments;
+use crate::model::elements::joint::Joint;
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+    let frames = arguments.own_frames()?;
+    // p_x · d = p_y · d = 0 and z_p · c_y = z_p · c_x = 0.
+    let joint = Builder::new(arguments.graph(), &frames)
+        .on_plane(0)
+        .on_plane(1)
+        .parallel()
+        .finish();
+    Some(Joint {
+        mobilizer: Some(frames.mobilizer(true, &[2], false)),
+        ..joint
+    })
+}
