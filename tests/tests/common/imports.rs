@@ -72,7 +72,9 @@ pub fn circles(imports: &Imports) -> Vec<Vec<String>> {
         .keys()
         .filter(|file| reach[file].contains(file))
         .map(|file| {
-            let both = reach[file].iter().filter(|other| reach[*other].contains(file));
+            let both = reach[file]
+                .iter()
+                .filter(|other| reach[*other].contains(file));
             both.map(|other| (*other).clone()).collect()
         })
         .collect();
@@ -97,7 +99,10 @@ fn module_of(relative: &Path) -> Vec<String> {
     let text = relative.with_extension("").display().to_string();
     let names = text.split(['/', '\\']).map(str::to_owned);
     let mut names: Vec<String> = names.collect();
-    if names.last().is_some_and(|last| last == "mod" || last == "lib") {
+    if names
+        .last()
+        .is_some_and(|last| last == "mod" || last == "lib")
+    {
         names.pop();
     }
     names
