@@ -36,7 +36,11 @@ fn tree_reactions(
     }
     let names = [["fx", "fy", "fz"], ["tx", "ty", "tz"]];
     let dimensions = [Dimension::FORCE, Dimension::TORQUE];
-    let kinds = if joint.mobilizer.free_rotation { 1 } else { 2 };
+    let kinds = if joint.mobilizer.frees_rotation() {
+        1
+    } else {
+        2
+    };
     let mut reactions = Vec::new();
     for kind in 0..kinds {
         // In the plane there is one torque.

@@ -17,7 +17,10 @@ pub(super) fn replace(
     for (index, unwrapped) in resolver.unwrapped_angles.iter().enumerate() {
         let mut joints = tree.joints.iter();
         let own = joints.find_map(|joint| {
-            let local = joint.angle.filter(|_| joint.joint == unwrapped.joint)?;
+            if joint.joint != unwrapped.joint {
+                return None;
+            }
+            let local = *joint.angles().first()?;
             let sign = if joint.mobilizer.forwards { 1.0 } else { -1.0 };
             Some((Symbol::LocalPosition(local), sign))
         });

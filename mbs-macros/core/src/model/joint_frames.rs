@@ -1,7 +1,7 @@
 //! Where a spatial joint takes hold of its partners: two frames that coincide in the home pose, z along the joint's axis.
 
 use super::geometry::{Attachment, Owner, Point};
-use super::mobilizer::Mobilizer;
+use super::mobilizer::{Freedom, Mobilizer};
 
 /// The two frames of a joint.
 #[derive(Debug, Clone)]
@@ -19,18 +19,9 @@ pub struct JointFrames {
 }
 
 impl JointFrames {
-    /// What the joint leaves free: see [`Mobilizer`].
-    pub fn mobilizer(&self, turns: bool, slides: &[usize], free_rotation: bool) -> Mobilizer {
-        Mobilizer {
-            parent: self.parent.clone(),
-            child: self.child.clone(),
-            turns,
-            second: None,
-            offset: None,
-            slides: slides.to_vec(),
-            free_rotation,
-            forwards: true,
-        }
+    /// A joint that leaves these motions free between its frames.
+    pub fn mobilizer(&self, freedoms: impl Into<Vec<Freedom>>) -> Mobilizer {
+        Mobilizer::new(&self.parent, &self.child, freedoms)
     }
 
     /// Whether the joint has an angle about its axis.

@@ -83,11 +83,14 @@ impl Resolver<'_> {
             let Some(joint) = joints.find(|joint| joint.joint == known.joint) else {
                 continue;
             };
+            // A helix slides by its lead for each radian.
             let local = match known.variable {
-                JointVariable::Angle | JointVariable::Rate => joint.angle,
-                JointVariable::Stroke | JointVariable::Speed => joint.stroke_along(2),
+                JointVariable::Angle | JointVariable::Rate => {
+                    joint.angles().first().map(|&local| (local, None))
+                }
+                JointVariable::Stroke | JointVariable::Speed => joint.stroke(),
             };
-            let Some(local) = local else { continue };
+            let Some((local, lead)) = local else { continue };
             let symbol = match known.variable {
                 JointVariable::Angle | JointVariable::Stroke => Symbol::LocalPosition(local),
                 JointVariable::Rate | JointVariable::Speed => Symbol::LocalVelocity(local),
@@ -96,9 +99,13 @@ impl Resolver<'_> {
                 Some(coordinate) => coordinate,
                 None => self.graph.symbol(symbol),
             };
+            let value = match lead {
+                Some(lead) => self.graph.mul(lead, coordinate),
+                None => coordinate,
+            };
             let value = match joint.mobilizer.forwards {
-                true => coordinate,
-                false => self.graph.neg(coordinate),
+                true => value,
+                false => self.graph.neg(value),
             };
             substitution.equate(known.expr, value);
         }

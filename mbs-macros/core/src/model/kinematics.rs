@@ -1,6 +1,7 @@
 //! Poses and velocities along the tree, from each part to those that it carries.
 
 use super::geometry::{Axes, Owner, Vector};
+use super::mobilizer::Freedom;
 use super::parts::{Part, Representation};
 use super::tree::{BodyTwist, Tree, TreeJoint};
 use crate::schema::World;
@@ -168,24 +169,30 @@ impl Walk<'_> {
         let back = self.off_center(c.point.owner, c.point.local);
         // The joint's place, velocity and acceleration on the parent, in the parent's axes.
         let mut slide = [self.graph.zero_vector(); 2];
-        for (&axis, &local) in mobilizer.slides.iter().zip(&joint.strokes) {
+        let mut slides = false;
+        for (freedom, local) in joint.freedoms() {
+            let (axis, per_unit) = match *freedom {
+                Freedom::Slide(axis) => (axis, None),
+                Freedom::Helix(lead) => (2, Some(lead)),
+                Freedom::Turn(_) | Freedom::Rotation => continue,
+            };
+            slides = true;
             let direction = p.local[axis];
-            let stroke = self.symbol(Symbol::LocalPosition(local));
-            let along = self.graph.vector_scale(stroke, direction);
-            arm = self.graph.vector_add(arm, along);
-            let rates = [
-                Symbol::LocalVelocity(local),
-                Symbol::LocalAcceleration(local),
-            ];
-            for (slide, symbol) in slide.iter_mut().zip(rates) {
-                let rate = self.symbol(symbol);
-                let along = self.graph.vector_scale(rate, direction);
-                *slide = self.graph.vector_add(*slide, along);
-            }
+            let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
+                let mut stroke = walk.symbol(symbol);
+                if let Some(per_unit) = per_unit {
+                    stroke = walk.graph.mul(per_unit, stroke);
+                }
+                let along = walk.graph.vector_scale(stroke, direction);
+                walk.graph.vector_add(before, along)
+            };
+            arm = along(self, Symbol::LocalPosition(local), arm);
+            slide[0] = along(self, Symbol::LocalVelocity(local), slide[0]);
+            slide[1] = along(self, Symbol::LocalAcceleration(local), slide[1]);
         }
         let turn = [parent.omega, parent.alpha];
         let mut rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
-        if !mobilizer.slides.is_empty() {
+        if slides {
             // … with the acceleration of Coriolis, 2 ω × ṡ.
             let twice = slide[0].map(|x| self.graph.scale(2.0, x));
             let deflection = self.graph.cross(parent.omega, twice);
@@ -202,7 +209,7 @@ impl Walk<'_> {
                 ..*parent
             };
         }
-        let (axes, turn, rates) = if mobilizer.free_rotation {
+        let (axes, turn, rates) = if mobilizer.frees_rotation() {
             let (axes, turn) = self.own_rotation(part);
             let rates = rates.map(|rate| {
                 let outside = self.graph.turn(&parent.axes, rate);
@@ -234,13 +241,16 @@ impl Walk<'_> {
         let mut axes = self.graph.compose(&parent.axes, &outer);
         let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
         let mut vectors = vectors.map(|v| self.graph.components(&outer, v));
-        if let Some(local) = joint.angle {
-            (axes, vectors) = self.turned(&joint.joint, local, axes, vectors);
-        }
-        if let (Some(between), Some(local)) = (joint.mobilizer.second, joint.second_angle) {
-            axes = self.graph.compose(&axes, &between);
-            vectors = vectors.map(|v| self.graph.components(&between, v));
-            let name = format!("{}_second", joint.joint);
+        let turns = joint.freedoms().filter(|(freedom, _)| freedom.turns());
+        for (place, (freedom, local)) in turns.enumerate() {
+            if let Freedom::Turn(Some(between)) = freedom {
+                axes = self.graph.compose(&axes, between);
+                vectors = vectors.map(|v| self.graph.components(between, v));
+            }
+            let name = match place {
+                0 => joint.joint.clone(),
+                _ => format!("{}_second", joint.joint),
+            };
             (axes, vectors) = self.turned(&name, local, axes, vectors);
         }
         // The child's axes are those whose composition with its attachment gives the joint's.
@@ -302,7 +312,12 @@ impl Walk<'_> {
         let mut arm = self.off_center(mobilizer.parent.point.owner, mobilizer.parent.point.local);
         // The sliding against the parent, in the parent's axes.
         let mut slide = [self.graph.zero_vector(); 2];
-        for (&axis, &local) in mobilizer.slides.iter().zip(&joint.strokes) {
+        let mut slides = false;
+        for (freedom, local) in joint.freedoms() {
+            let Freedom::Slide(axis) = *freedom else {
+                continue;
+            };
+            slides = true;
             let direction = mobilizer.parent.local[axis];
             let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
                 let stroke = walk.symbol(symbol);
@@ -316,7 +331,7 @@ impl Walk<'_> {
         let arm = self.graph.turn(&parent.axes, arm);
         let turn = [parent.omega, parent.alpha];
         let mut rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
-        if !mobilizer.slides.is_empty() {
+        if slides {
             // … with the acceleration of Coriolis, 2 ω × ṡ.
             let [speed, push] = slide.map(|v| self.graph.turn(&parent.axes, v));
             let twice = speed.map(|x| self.graph.scale(2.0, x));
@@ -337,7 +352,7 @@ impl Walk<'_> {
             };
         }
         let angle = part.locals[2];
-        if let (false, Some(offset)) = (mobilizer.free_rotation, mobilizer.offset) {
+        if let (false, Some(offset)) = (mobilizer.frees_rotation(), mobilizer.offset) {
             let offset = match mobilizer.forwards {
                 true => offset,
                 false => self.graph.neg(offset),

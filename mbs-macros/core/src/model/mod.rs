@@ -54,7 +54,7 @@ pub use geometry::{Attachment, Axes, Frame, Owner, Point, Tensor, Vector};
 pub use joint_variables::UnwrappedAngle;
 pub use layout::{Layout, Rotation, Stored};
 pub use mechanism::Model;
-pub use mobilizer::Mobilizer;
+pub use mobilizer::{Freedom, Mobilizer};
 pub use outline::Outline;
 pub use parts::{Part, Representation, Shape};
 pub use passes::resolve;

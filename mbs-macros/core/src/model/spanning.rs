@@ -8,11 +8,10 @@
 use super::elements::JointEntry;
 use super::formulation::Formulation;
 use super::geometry::{Owner, mergeable};
-use super::mobilizer::Mobilizer;
+use super::mobilizer::{Freedom, Mobilizer};
 use super::parts::{Part, Representation};
 use super::resolver::Resolver;
 use super::tree::{Tree, TreeJoint, chain};
-use crate::schema::World;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Other cuts that are worth a count of operations.
@@ -222,7 +221,7 @@ impl Spanning {
             Owner::Part(part) => self.parts[part].has_frame,
         };
         let child = &self.parts[child];
-        from && (child.by_any || (child.by_points && mobilizer.free_rotation))
+        from && (child.by_any || (child.by_points && mobilizer.frees_rotation()))
     }
 
     fn index(&self, name: &str) -> usize {
@@ -244,9 +243,7 @@ impl Carrier {
                 true => self.mobilizer.clone(),
                 false => self.mobilizer.reversed(),
             },
-            angle: None,
-            second_angle: None,
-            strokes: Vec::new(),
+            coordinates: Vec::new(),
         }
     }
 }
@@ -267,21 +264,27 @@ fn has_frame(part: &Part) -> bool {
 }
 
 impl Resolver<'_> {
-    /// Makes the coordinates that a joint of the tree brings.
+    /// Makes the coordinates that a joint of the tree brings: angles first.
     fn name_coordinates(&mut self, joint: &mut TreeJoint) {
-        let name = joint.joint.clone();
-        let planar = self.world == World::Planar;
-        joint.angle =
-            (joint.mobilizer.turns && !planar).then(|| self.local(format!("{name}.angle"), "rad"));
-        joint.second_angle = (joint.mobilizer.second.is_some())
-            .then(|| self.local(format!("{name}.second_angle"), "rad"));
-        let suffix = |axis: usize| match joint.mobilizer.slides.len() {
-            1 => "stroke".to_owned(),
-            _ => format!("stroke_{}", ["x", "y", "z"][axis]),
-        };
-        let strokes = joint.mobilizer.slides.iter();
-        joint.strokes = strokes
-            .map(|&axis| self.local(format!("{name}.{}", suffix(axis)), "m"))
-            .collect();
+        let freedoms = joint.mobilizer.freedoms.clone();
+        joint.coordinates = vec![None; freedoms.len()];
+        let slides = freedoms.iter().filter(|freedom| !freedom.turns()).count();
+        for turns in [true, false] {
+            let mut angles = ["angle", "second_angle", "third_angle"].into_iter();
+            for (freedom, coordinate) in freedoms.iter().zip(&mut joint.coordinates) {
+                if freedom.turns() != turns {
+                    continue;
+                }
+                let (suffix, unit) = match freedom {
+                    Freedom::Rotation => continue,
+                    Freedom::Turn(_) | Freedom::Helix(_) => {
+                        (angles.next().unwrap_or_default(), "rad")
+                    }
+                    Freedom::Slide(_) if slides == 1 => ("stroke", "m"),
+                    Freedom::Slide(axis) => (["stroke_x", "stroke_y", "stroke_z"][*axis], "m"),
+                };
+                *coordinate = Some(self.local(format!("{}.{suffix}", joint.joint), unit));
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@
 //!
 //! | joint | coordinates of the child | kept of its own |
 //! |---|---|---|
-//! | revolute, prismatic, fixed | angle; stroke; none | nothing |
+//! | revolute, screw, prismatic, fixed | angle; angle; stroke; none | nothing |
 //! | cylindrical, planar | angle and stroke; angle and two strokes | nothing |
 //! | universal | two angles | nothing |
 //! | spherical | none | its rotation |
@@ -12,8 +12,9 @@
 //! A joint that closes a loop stays a set of rows.
 
 use super::geometry::Vector;
-use super::mobilizer::Mobilizer;
+use super::mobilizer::{Freedom, Mobilizer};
 use super::parts::{Part, Representation};
+use crate::symbolic::Expr;
 use std::collections::BTreeSet;
 
 /// A joint of the tree.
@@ -27,12 +28,8 @@ pub struct TreeJoint {
     pub child: usize,
     /// The joint, seen from the parent to the child.
     pub mobilizer: Mobilizer,
-    /// Local coordinate of the angle.
-    pub angle: Option<u32>,
-    /// Local coordinate of the second angle.
-    pub second_angle: Option<u32>,
-    /// Local coordinates of the strokes.
-    pub strokes: Vec<u32>,
+    /// The local coordinate of each of its freedoms; none of a rotation, which is the child's own.
+    pub coordinates: Vec<Option<u32>>,
 }
 
 /// A spanning tree of the mechanism.
@@ -69,18 +66,21 @@ impl Tree {
             return Vec::new();
         };
         let count = match part.representation {
-            Representation::Reference if joint.mobilizer.free_rotation => 2,
-            Representation::Rigid if joint.mobilizer.free_rotation => 3,
+            Representation::Reference if joint.mobilizer.frees_rotation() => 2,
+            Representation::Rigid if joint.mobilizer.frees_rotation() => 3,
             _ => part.locals.len(),
         };
         part.locals[..count].to_vec()
     }
 
-    /// The locals that joints bring.
+    /// The locals that joints bring: of each the angles first.
     pub(super) fn locals(&self) -> impl Iterator<Item = u32> {
         self.joints.iter().flat_map(|joint| {
-            let angles = joint.angle.iter().chain(&joint.second_angle);
-            angles.chain(&joint.strokes).copied()
+            let [turns, slides] = [true, false].map(|turns| {
+                let own = joint.freedoms();
+                own.filter(move |(freedom, _)| freedom.turns() == turns)
+            });
+            turns.chain(slides).map(|(_, local)| local)
         })
     }
 
@@ -128,30 +128,45 @@ pub(super) fn chain(joints: &[TreeJoint], part: Option<usize>) -> BTreeSet<usize
 }
 
 impl TreeJoint {
-    /// The local coordinate of the stroke along an axis of the parent's frame.
-    pub fn stroke_along(&self, axis: usize) -> Option<u32> {
-        let mut slides = self.mobilizer.slides.iter().zip(&self.strokes);
-        slides
-            .find(|(own, _)| **own == axis)
-            .map(|(_, &local)| local)
+    /// Its freedoms that are coordinates, in order, each with its local one.
+    pub fn freedoms(&self) -> impl Iterator<Item = (&Freedom, u32)> {
+        let pairs = self.mobilizer.freedoms.iter().zip(&self.coordinates);
+        pairs.filter_map(|(freedom, local)| Some((freedom, (*local)?)))
+    }
+
+    /// The local coordinates of its angles, in order.
+    pub fn angles(&self) -> Vec<u32> {
+        let turns = self.freedoms().filter(|(freedom, _)| freedom.turns());
+        turns.map(|(_, local)| local).collect()
+    }
+
+    /// The local coordinate by which the child slides along z of the frames, and the stroke per unit of it, where that is not
+    /// one.
+    pub fn stroke(&self) -> Option<(u32, Option<Expr>)> {
+        self.freedoms().find_map(|(freedom, local)| match freedom {
+            Freedom::Slide(2) => Some((local, None)),
+            Freedom::Helix(lead) => Some((local, Some(*lead))),
+            _ => None,
+        })
     }
 
     /// How the part that it carries is modelled, in words.
     pub fn describe(&self, carried: Representation) -> String {
         let name = &self.joint;
-        let own = match (self.mobilizer.free_rotation, carried) {
+        let frees_rotation = self.mobilizer.frees_rotation();
+        let own = match (frees_rotation, carried) {
             (true, Representation::Reference) => "its angle",
             (true, Representation::Rigid) => "its unit quaternion; angular velocity in body axes",
-            _ => match (self.angle.is_some(), self.strokes.len()) {
-                (false, 0) => return format!("joint coordinates (none; `{name}` carries it)"),
-                (true, 0) if self.second_angle.is_some() => "two angles",
-                (true, 0) => "angle",
-                (false, _) => "stroke",
-                (true, 1) => "angle and stroke",
-                (true, _) => "angle and strokes",
+            _ => match (self.angles().len(), self.freedoms().count()) {
+                (0, 0) => return format!("joint coordinates (none; `{name}` carries it)"),
+                (0, _) => "stroke",
+                (1, 1) => "angle",
+                (1, 2) => "angle and stroke",
+                (1, _) => "angle and strokes",
+                _ => "two angles",
             },
         };
-        match self.mobilizer.free_rotation {
+        match frees_rotation {
             true => format!("joint coordinates ({own}; `{name}` carries it)"),
             false => format!("joint coordinates ({own} of `{name}`)"),
         }

@@ -6,6 +6,7 @@
 use super::guesses::Guesses;
 use crate::model::elements::JointEntry;
 use crate::model::geometry::{Axes, Owner, Point, Vector};
+use crate::model::mobilizer::Freedom;
 use crate::model::parts::{Part, Representation};
 use crate::model::resolver::Resolver;
 use crate::model::tree::Tree;
@@ -82,7 +83,10 @@ pub(super) fn place(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses {
 /// The strokes of the tree's joints in the plane, from the places of their partners.
 pub(super) fn strokes(resolver: &mut Resolver, tree: &Tree, guesses: &mut Guesses) {
     for joint in &tree.joints {
-        for (&axis, &local) in joint.mobilizer.slides.iter().zip(&joint.strokes) {
+        for (freedom, local) in joint.freedoms() {
+            let Freedom::Slide(axis) = *freedom else {
+                continue;
+            };
             let graph = &mut resolver.graph;
             let (parent, child) = (&joint.mobilizer.parent, &joint.mobilizer.child);
             let gap = graph.vector_sub(child.point.position, parent.point.position);

@@ -4,6 +4,7 @@ use super::guesses::Guesses;
 use super::quaternion::quaternion;
 use crate::model::elements::JointEntry;
 use crate::model::geometry::{Axes, Owner, Point, Vector};
+use crate::model::mobilizer::Freedom;
 use crate::model::parts::{Part, Representation};
 use crate::model::resolver::Resolver;
 use crate::model::tree::{Tree, TreeJoint};
@@ -94,28 +95,41 @@ fn joint_guess(
     });
     let child = sides[1];
     let parent = &mut sides[0];
-    if let Some(local) = joint.angle {
+    let relative = {
         let graph = &mut resolver.graph;
-        let (sin, cos) = (
-            graph.dot(parent.1[1], child.1[0]),
-            graph.dot(parent.1[0], child.1[0]),
-        );
-        let angle = graph.atan2(sin, cos);
-        let relative = graph.vector_sub(child.3, parent.3);
-        let rate = graph.dot(parent.1[2], relative);
-        if let (Some(between), Some(second)) = (joint.mobilizer.second, joint.second_angle) {
-            let rates = [rate, graph.dot(child.1[2], relative)];
-            let angles = two_angles(graph, &parent.1, &between, &child.1);
-            for ((local, angle), rate) in [local, second].into_iter().zip(angles).zip(rates) {
+        graph.vector_sub(child.3, parent.3)
+    };
+    let mut turns = joint.freedoms().filter(|(freedom, _)| freedom.turns());
+    match (turns.next(), turns.next()) {
+        (Some((_, first)), Some((Freedom::Turn(Some(between)), second))) => {
+            let graph = &mut resolver.graph;
+            let rates = [
+                graph.dot(parent.1[2], relative),
+                graph.dot(child.1[2], relative),
+            ];
+            let angles = two_angles(graph, &parent.1, between, &child.1);
+            for ((local, angle), rate) in [first, second].into_iter().zip(angles).zip(rates) {
                 let angle = resolver.settled(angle);
                 guesses.set(local, angle, rate);
             }
-        } else {
+        }
+        (Some((_, local)), _) => {
+            let graph = &mut resolver.graph;
+            let (sin, cos) = (
+                graph.dot(parent.1[1], child.1[0]),
+                graph.dot(parent.1[0], child.1[0]),
+            );
+            let angle = graph.atan2(sin, cos);
+            let rate = graph.dot(parent.1[2], relative);
             let angle = resolver.settled(angle);
             guesses.set(local, angle, rate);
         }
+        (None, _) => {}
     }
-    for (&axis, &local) in joint.mobilizer.slides.iter().zip(&joint.strokes) {
+    for (freedom, local) in joint.freedoms() {
+        let Freedom::Slide(axis) = *freedom else {
+            continue;
+        };
         let graph = &mut resolver.graph;
         let gap = graph.vector_sub(child.0, parent.0);
         let stroke = graph.dot(parent.1[axis], gap);

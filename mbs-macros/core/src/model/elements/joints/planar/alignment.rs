@@ -4,7 +4,7 @@ use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Condition;
 use crate::model::geometry::{Attachment, Frame, Point, Vector};
-use crate::model::mobilizer::Mobilizer;
+use crate::model::mobilizer::{Freedom, Mobilizer};
 use crate::symbolic::{Expr, Graph};
 
 /// Two frames that keep an angle.
@@ -60,15 +60,10 @@ impl Alignment {
                 local,
             }
         });
+        let freedoms: Vec<Freedom> = axis.iter().map(|_| Freedom::Slide(0)).collect();
         Mobilizer {
-            parent,
-            child,
-            turns: false,
-            second: None,
             offset: Some(self.angle),
-            slides: axis.iter().map(|_| 0).collect(),
-            free_rotation: false,
-            forwards: true,
+            ..Mobilizer::new(&parent, &child, freedoms)
         }
     }
 

@@ -13,7 +13,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
         .square(0, 1)
         .finish();
     Some(Joint {
-        mobilizer: Some(frames.mobilizer(false, &[], false)),
+        mobilizer: Some(frames.mobilizer([])),
         coincident: Some(frames.origins()),
         ..joint
     })

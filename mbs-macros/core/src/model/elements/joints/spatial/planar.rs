@@ -3,6 +3,7 @@
 use super::builder::Builder;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::mobilizer::Freedom;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
@@ -12,7 +13,11 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
         .parallel()
         .finish();
     Some(Joint {
-        mobilizer: Some(frames.mobilizer(true, &[0, 1], false)),
+        mobilizer: Some(frames.mobilizer([
+            Freedom::Slide(0),
+            Freedom::Slide(1),
+            Freedom::Turn(None),
+        ])),
         ..joint
     })
 }

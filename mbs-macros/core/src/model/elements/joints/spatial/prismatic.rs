@@ -3,6 +3,7 @@
 use super::builder::Builder;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::mobilizer::Freedom;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
@@ -14,7 +15,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
         .square(0, 1)
         .finish();
     Some(Joint {
-        mobilizer: Some(frames.mobilizer(false, &[2], false)),
+        mobilizer: Some(frames.mobilizer([Freedom::Slide(2)])),
         ..joint
     })
 }

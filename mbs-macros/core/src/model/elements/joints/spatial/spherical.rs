@@ -3,6 +3,7 @@
 use super::builder::Builder;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::mobilizer::Freedom;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
@@ -14,7 +15,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
     // d = 0.
     let joint = Builder::new(arguments.graph(), &frames).coincide().finish();
     Some(Joint {
-        mobilizer: Some(frames.mobilizer(false, &[], true)),
+        mobilizer: Some(frames.mobilizer([Freedom::Rotation])),
         coincident: Some(frames.origins()),
         points: match &points {
             Some(points) => points.to_vec(),

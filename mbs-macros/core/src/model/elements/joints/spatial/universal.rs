@@ -6,7 +6,7 @@ use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
 use crate::model::geometry::Vector;
 use crate::model::joint_frames::JointFrames;
-use crate::model::mobilizer::Mobilizer;
+use crate::model::mobilizer::{Freedom, Mobilizer};
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
@@ -48,14 +48,8 @@ fn mobilizer(arguments: &mut Arguments, frames: &JointFrames, pin: Vector) -> Mo
     let graph = arguments.graph();
     let across = graph.cross(axis, pin);
     let [x, y, z] = graph.ground_axes();
-    Mobilizer {
-        parent: arguments.reattached(&frames.parent, [pin, across, axis]),
-        child: arguments.reattached(&frames.child, [across, axis, pin]),
-        turns: true,
-        second: Some([y, z, x]),
-        offset: None,
-        slides: Vec::new(),
-        free_rotation: false,
-        forwards: true,
-    }
+    let parent = arguments.reattached(&frames.parent, [pin, across, axis]);
+    let child = arguments.reattached(&frames.child, [across, axis, pin]);
+    let turns = [Freedom::Turn(None), Freedom::Turn(Some([y, z, x]))];
+    Mobilizer::new(&parent, &child, turns)
 }
