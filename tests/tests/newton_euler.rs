@@ -442,6 +442,15 @@ fn a_workshop() {
     check::<fixtures::Workshop, _, _, _, _>(&workshop());
 }
 
+#[test]
+fn a_vice() {
+    check::<fixtures::Vice, _, _, _, _>(&[
+        Matter::Rigid("bed", 2.0, diag(0.1, 0.2, 0.15)),
+        Matter::Rigid("jaw", 1.0, diag(0.05, 0.04, 0.06)),
+        Matter::Rigid("handle", 0.6, diag(0.01, 0.02, 0.025)),
+    ]);
+}
+
 /// What is slightly wrong is found.
 #[test]
 fn an_error_in_inertia_or_power_is_found() {

@@ -1,14 +1,13 @@
 //! Initial poses in space.
 
 use super::guesses::Guesses;
+use super::joint::joint_guess;
 use super::quaternion::quaternion;
 use crate::model::elements::JointEntry;
-use crate::model::geometry::{Axes, Owner, Point, Vector};
-use crate::model::mobilizer::Freedom;
+use crate::model::geometry::{Owner, Point, Vector};
 use crate::model::parts::{Part, Representation};
 use crate::model::resolver::Resolver;
-use crate::model::tree::{Tree, TreeJoint};
-use crate::symbolic::{Expr, Graph};
+use crate::model::tree::Tree;
 
 /// The home pose as initial guess. Velocities that were not declared are carried along the joints from the ground
 /// outwards; what stays unknown starts at rest, and assembly has the last word.
@@ -64,106 +63,6 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tre
         }
     }
     guesses
-}
-
-/// The coordinates and rates of a joint of the tree in the home pose.
-fn joint_guess(
-    resolver: &mut Resolver,
-    parts: &[Part],
-    speeds: &[Vector],
-    joint: &TreeJoint,
-    guesses: &mut Guesses,
-) {
-    let zero = resolver.graph.zero_vector();
-    // Frame, velocity of its origin, and angular velocity, in the ground's axes.
-    let mut sides = [&joint.mobilizer.parent, &joint.mobilizer.child].map(|side| {
-        let owner = side.point.owner;
-        let home = resolver.home(owner);
-        let (speed, spin) = match owner {
-            Owner::Ground => (zero, zero),
-            Owner::Part(part) => (speeds[part], parts[part].guess.spin.unwrap_or(zero)),
-        };
-        let graph = &mut resolver.graph;
-        let arm = graph.turn(&home.axes, side.point.local);
-        let swing = graph.cross(spin, arm);
-        (
-            graph.vector_add(home.origin, arm),
-            graph.compose(&home.axes, &side.local),
-            graph.vector_add(speed, swing),
-            spin,
-        )
-    });
-    let child = sides[1];
-    let parent = &mut sides[0];
-    let relative = {
-        let graph = &mut resolver.graph;
-        graph.vector_sub(child.3, parent.3)
-    };
-    let mut turns = joint.freedoms().filter(|(freedom, _)| freedom.turns());
-    match (turns.next(), turns.next()) {
-        (Some((_, first)), Some((Freedom::Turn(Some(between)), second))) => {
-            let graph = &mut resolver.graph;
-            let rates = [
-                graph.dot(parent.1[2], relative),
-                graph.dot(child.1[2], relative),
-            ];
-            let angles = two_angles(graph, &parent.1, between, &child.1);
-            for ((local, angle), rate) in [first, second].into_iter().zip(angles).zip(rates) {
-                let angle = resolver.settled(angle);
-                guesses.set(local, angle, rate);
-            }
-        }
-        (Some((_, local)), _) => {
-            let graph = &mut resolver.graph;
-            let (sin, cos) = (
-                graph.dot(parent.1[1], child.1[0]),
-                graph.dot(parent.1[0], child.1[0]),
-            );
-            let angle = graph.atan2(sin, cos);
-            let rate = graph.dot(parent.1[2], relative);
-            let angle = resolver.settled(angle);
-            guesses.set(local, angle, rate);
-        }
-        (None, _) => {}
-    }
-    for (freedom, local) in joint.freedoms() {
-        let Freedom::Slide(axis) = *freedom else {
-            continue;
-        };
-        let graph = &mut resolver.graph;
-        let gap = graph.vector_sub(child.0, parent.0);
-        let stroke = graph.dot(parent.1[axis], gap);
-        // The axis turns with the parent.
-        let swing = graph.cross(parent.3, gap);
-        let relative = graph.vector_sub(child.2, parent.2);
-        let relative = graph.vector_sub(relative, swing);
-        let speed = graph.dot(parent.1[axis], relative);
-        let stroke = resolver.settled(stroke);
-        guesses.set(local, stroke, speed);
-    }
-}
-
-/// The angles of two turns one after the other: about the third axis of `parent`, then about the third of `between`, which is
-/// given in the axes that the first has turned, and is that of `child`.
-fn two_angles(graph: &mut Graph, parent: &Axes, between: &Axes, child: &Axes) -> [Expr; 2] {
-    let pin = child[2];
-    let start = graph.turn(parent, between[2]);
-    let across = graph.cross(parent[2], start);
-    let (sin, cos) = (graph.dot(across, pin), graph.dot(start, pin));
-    let middle = [between[0], between[1]].map(|[x, y, z]| {
-        let turned = [
-            [(cos, x, 1.0), (sin, y, -1.0)],
-            [(sin, x, 1.0), (cos, y, 1.0)],
-        ];
-        let [x, y] = turned.map(|terms| {
-            let terms = terms.map(|(a, b, sign)| (graph.mul(a, b), sign));
-            graph.linear(0.0, &terms)
-        });
-        graph.turn(parent, [x, y, z])
-    });
-    let first = graph.atan2(sin, cos);
-    let [along, square] = middle.map(|axis| graph.dot(axis, child[0]));
-    [first, graph.atan2(square, along)]
 }
 
 /// The velocity of an end of a slender bar, which has no declared one: that of a part joined there, straight or by way of

@@ -4,6 +4,7 @@ use super::builder::Builder;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::mobilizer::Freedom;
 use std::f64::consts::PI;
 
 /// Cylindrical, and stroke = pitch · angle / 2π; λ is a force along the axis and −λ pitch / 2π a torque about it.
@@ -24,5 +25,8 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
     let torque = graph.vector_scale(minus, axis);
     let condition = builder.push("thread", thread, Dimension::LENGTH);
     builder.acts(condition, Some(axis), Some(torque));
-    Some(builder.finish())
+    Some(Joint {
+        mobilizer: Some(frames.mobilizer([Freedom::Helix(lead)])),
+        ..builder.finish()
+    })
 }
