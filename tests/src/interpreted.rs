@@ -56,7 +56,7 @@ impl Interpreted {
             })
             .collect();
         let mut interpreted = Interpreted {
-            laws: analysis.model.laws,
+            laws: analysis.outline.laws,
             layout,
             graph,
             expressions,

@@ -56,7 +56,7 @@ fn syntax(tree: &Declaration) -> String {
 }
 
 fn model(analysis: &Analysis) -> String {
-    let (model, system) = (&analysis.model, &analysis.derived.system);
+    let (model, system) = (&analysis.outline, &analysis.derived.system);
     let (graph, candidates) = (&system.graph, &analysis.candidates);
     let mut out = String::new();
     for parameter in &model.parameters {
@@ -110,10 +110,10 @@ fn model(analysis: &Analysis) -> String {
     for sentence in &model.reductions {
         let _ = writeln!(out, "reduction: {sentence}");
     }
-    for (name, _) in &model.joints {
+    for name in &model.joints {
         let _ = writeln!(out, "rows from {name}");
     }
-    for (name, _) in &model.forces {
+    for name in &model.forces {
         let _ = writeln!(out, "force from {name}");
     }
     for (name, _) in &model.drawing.points {

@@ -129,6 +129,7 @@ mechanisms! {
     knife_edge: scenes::knife_edge::KnifeEdge;
     workshop: fixtures::Workshop;
     whip: fixtures::Whip;
+    vice: fixtures::Vice;
     spherical_pendulum: scenes::spherical_pendulum::SphericalPendulum;
     heavy_top: scenes::heavy_top::HeavyTop;
     bricard: scenes::bricard::Bricard;

@@ -73,20 +73,23 @@ impl<'a> Named<'a> {
     }
 
     fn local(&self, name: &str) -> u32 {
-        let locals = &self.analysis.model.locals;
+        let locals = &self.analysis.outline.locals;
         let index = locals.iter().position(|local| local.name == name);
         index.unwrap_or_else(|| panic!("no coordinate `{name}` in {locals:?}")) as u32
     }
 
     fn value(&self, symbol: Symbol) -> f64 {
-        let Analysis { model, derived, .. } = self.analysis;
-        let expr = model.reduction.get(symbol).expect("every part is placed");
+        let Analysis {
+            outline, derived, ..
+        } = self.analysis;
+        let system = &derived.system;
+        let expr = system.reduction.get(symbol).expect("every part is placed");
         let symbols = |symbol: Symbol| match symbol {
-            Symbol::Parameter(i) => model.parameters[i as usize].default,
-            other => model.layout.value(other, self.q).expect("a position"),
+            Symbol::Parameter(i) => outline.parameters[i as usize].default,
+            other => system.layout.value(other, self.q).expect("a position"),
         };
         let laws = |_: u32, _: &[f64]| unreachable!("no law places a part");
-        Evaluator::new(&derived.system.graph, &symbols, &laws).value(expr)
+        Evaluator::new(&system.graph, &symbols, &laws).value(expr)
     }
 
     fn get(&self, name: &str) -> f64 {
@@ -408,6 +411,15 @@ fn a_spherical_pendulum() {
 #[test]
 fn a_workshop() {
     check::<fixtures::Workshop, _, _, _, _>(&workshop());
+}
+
+#[test]
+fn a_vice() {
+    check::<fixtures::Vice, _, _, _, _>(&[
+        Matter::Rigid("bed", 2.0, diag(0.1, 0.2, 0.15)),
+        Matter::Rigid("jaw", 1.0, diag(0.05, 0.04, 0.06)),
+        Matter::Rigid("handle", 0.6, diag(0.01, 0.02, 0.025)),
+    ]);
 }
 
 /// A small error is found.

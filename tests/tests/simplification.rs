@@ -359,7 +359,7 @@ mod program {
 
     pub fn run(mut graph: Graph, outputs: &[Expr], variables: &[f64]) -> Vec<f64> {
         let zero = graph.zero();
-        let derived = derivatives::derive(System {
+        let system = System {
             graph,
             size: 0,
             mass: BTreeMap::new(),
@@ -368,7 +368,8 @@ mod program {
             power: zero,
             rows: Vec::new(),
             vacuous: Vec::new(),
-            pull: None,
+            constant_mass: true,
+            reduction: Substitution::default(),
             reactions: Vec::new(),
             outputs: outputs.to_vec(),
             events: Vec::new(),
@@ -376,7 +377,8 @@ mod program {
             kinetic: None,
             layout: Default::default(),
             unwrapped_angles: Vec::new(),
-        });
+        };
+        let derived = derivatives::derive(system, Vec::new());
         let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {
             Symbol::Coordinate(i) | Symbol::Parameter(i) => variables[i as usize],

@@ -162,6 +162,7 @@ impl Configuration<N, N> for Andrews {
     fn guess(&self) -> (SVector<f64, N>, SVector<f64, N>) {
         (SVector::zeros(), SVector::zeros())
     }
+    #[inline]
     fn advance(&self, q: &SVector<f64, N>, v: &SVector<f64, N>, h: f64) -> SVector<f64, N> {
         q + h * v
     }
@@ -176,9 +177,11 @@ impl Configuration<N, N> for Andrews {
 impl Inertia<N, N> for Andrews {
     type Mass = Inverse;
 
+    #[inline]
     fn mass_matrix(&self, q: &SVector<f64, N>, mass: &mut impl MatrixSink) {
         write_mass(&couplings(q), mass);
     }
+    #[inline]
     fn factor_mass(&self, q: &SVector<f64, N>) -> Option<Inverse> {
         let couplings = couplings(q);
         let blocks: [[f64; 3]; 3] = std::array::from_fn(|k| {
@@ -189,6 +192,7 @@ impl Inertia<N, N> for Andrews {
         });
         Some(Inverse(blocks))
     }
+    #[inline]
     fn solve_mass(&self, mass: &Inverse, x: &mut SVector<f64, N>) {
         for ((i, j, _), block) in PAIRS.iter().zip(&mass.0) {
             let (a, b) = (x[*i], x[*j]);
@@ -197,6 +201,7 @@ impl Inertia<N, N> for Andrews {
         }
         x[GAMMA] *= 1.0 / BDE;
     }
+    #[inline]
     fn momentum(&self, q: &SVector<f64, N>, v: &SVector<f64, N>, p: &mut SVector<f64, N>) {
         momentum(&couplings(q), v, p);
     }
@@ -207,9 +212,11 @@ impl Inertia<N, N> for Andrews {
 }
 
 impl Constraints<N, N, R> for Andrews {
+    #[inline]
     fn holonomic(&self, _: f64, q: &SVector<f64, N>, phi: &mut SVector<f64, R>) {
         Places::new(q).rows(phi);
     }
+    #[inline]
     fn constraints(
         &self,
         _: f64,
@@ -248,6 +255,7 @@ impl Constraints<N, N, R> for Andrews {
         _: &mut SVector<f64, R>,
     ) {
     }
+    #[inline]
     fn row_rates(&self, a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>) {
         let a = rows(a);
         for i in 0..2 {
@@ -257,6 +265,7 @@ impl Constraints<N, N, R> for Andrews {
             rates[i + 4] = shared + a[i + 4][5] * v[5] + a[i + 4][6] * v[6];
         }
     }
+    #[inline]
     fn solve_mass_rows(&self, mass: &Inverse, a: &SMatrix<f64, N, R>, w: &mut SMatrix<f64, N, R>) {
         let (a, w) = (rows(a), rows_mut(w));
         for r in 0..R {
@@ -272,6 +281,7 @@ impl Constraints<N, N, R> for Andrews {
             }
         }
     }
+    #[inline]
     fn delassus(
         &self,
         a: &SMatrix<f64, N, R>,
@@ -302,6 +312,7 @@ impl Loads<N, N> for Andrews {
     fn inputs_mut(&mut self) -> &mut [f64] {
         &mut []
     }
+    #[inline]
     fn applied_forces(
         &self,
         _: f64,
@@ -312,6 +323,7 @@ impl Loads<N, N> for Andrews {
         motor(f);
         f[GAMMA] = spring(q[GAMMA]).0;
     }
+    #[inline]
     fn forces(&self, _: f64, q: &SVector<f64, N>, v: &SVector<f64, N>, f: &mut SVector<f64, N>) {
         forces(&couplings(q), q, v, f);
     }
@@ -325,6 +337,7 @@ impl Loads<N, N> for Andrews {
     ) {
         f_q.set(GAMMA, GAMMA, spring(q[GAMMA]).1);
     }
+    #[inline]
     fn force_tangents(
         &self,
         _: f64,
@@ -336,6 +349,7 @@ impl Loads<N, N> for Andrews {
     ) {
         tangents(&couplings(q), q, v, f_q, f_v, p_q);
     }
+    #[inline]
     fn balance(
         &self,
         _: f64,
@@ -348,6 +362,7 @@ impl Loads<N, N> for Andrews {
         momentum(&couplings, v, p);
         forces(&couplings, q, v, f);
     }
+    #[inline]
     fn balance_tangents(
         &self,
         _: f64,
