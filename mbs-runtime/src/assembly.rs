@@ -1,6 +1,7 @@
 //! From the declared guess to a state that satisfies the constraints.
 
-use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;

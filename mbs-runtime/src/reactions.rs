@@ -1,6 +1,7 @@
 //! Multipliers and joint reactions at an instant, from the equations at acceleration level.
 
-use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, accumulate, dependence, dot, finite, vector};
 use crate::sink::Discard;

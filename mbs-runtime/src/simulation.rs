@@ -1,5 +1,6 @@
 //! A mechanism in motion.
 
+mod any;
 mod dense;
 mod hermite;
 mod placement;

@@ -11,8 +11,9 @@
 
 use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::step_context::StepContext;
-use super::{ConstraintGeometry, Fault};
 use crate::System;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::flow::{Implicit, imperceptible, transport, trapezoid};
 use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, largest, vector};
 use nalgebra::SVector;

@@ -11,8 +11,9 @@
 
 use super::kicks::{EXACT, SLOW, STAGNATED, not_converged, residual_of};
 use super::step_context::{StepContext, Workspace};
-use super::{ConstraintGeometry, Fault};
 use crate::System;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::flow::KickFlow;
 use crate::linear::{accumulate, dot, largest};
 use nalgebra::SVector;

@@ -11,14 +11,13 @@
 //! chain. A step that begins or ends where a row is about to lose its direction needs the proximal solve, which is dense:
 //! that step is taken by [`kicks`].
 
-use super::Fault;
 use super::kicks::{self, EXACT, STAGNATED, residual_of};
+use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 use super::step_context::{REFINEMENTS, StepContext};
+use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{
-    Bordered, Pair, RankMargin, Rows, Slots, SparseMass, Thresholds, largest, vector,
-};
+use crate::linear::{RankMargin, Thresholds, largest, vector};
 use crate::{State, System};
 use nalgebra::SVector;
 
@@ -71,7 +70,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
-        let mass = crate::linear::constant_mass(&context.system, &context.state.positions);
+        let mass = constant_mass(&context.system, &context.state.positions);
         let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,

@@ -1,6 +1,7 @@
 //! What every two-level step works on.
 
-use super::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, Thresholds, dot, largest, vector};
 use crate::{Settings, State, System};
 use nalgebra::SVector;

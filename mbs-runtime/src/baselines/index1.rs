@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, RankMargin, accumulate, vector};
 use crate::sink::Discard;

@@ -10,7 +10,9 @@
 //! elimination: dependent rows and singular poses are more than it can do.
 
 use super::bench::Bench;
-use crate::alf3f::{ConstraintGeometry, Fault, RowScale, not_converged, residual_of};
+use crate::alf3f::{RowScale, not_converged, residual_of};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
 use crate::linear::{Pivoted, RowMatrix, accumulate};
 use crate::{Settings, System};

@@ -7,7 +7,6 @@ mod proximal;
 mod rank;
 mod rank_margin;
 mod row_matrix;
-mod sparse;
 mod thresholds;
 mod vector;
 
@@ -17,7 +16,6 @@ pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::dependence;
 pub(crate) use rank_margin::RankMargin;
 pub(crate) use row_matrix::{RowMatrix, rows};
-pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 pub(crate) use thresholds::Thresholds;
 pub(crate) use vector::{accumulate, dot, dot_of, finite, largest, largest_of, vector};
 
@@ -28,7 +26,7 @@ type Square<const K: usize> = Box<[[f64; K]; K]>;
 const PROXIMAL: f64 = 1e-14;
 
 /// A pivot below this fraction calls for an iteration on the residual.
-const WEAK_PIVOT: f64 = 1e-3;
+pub(crate) const WEAK_PIVOT: f64 = 1e-3;
 
 /// From this size on, a branch that skips a zero is cheaper than the row operation it saves.
 const SPARSE_FROM: usize = 16;
