@@ -46,7 +46,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     #[inline(always)]
     pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &SVector<f64, R>, weak: bool) {
         let rate = 1.0 / h;
-        let size = |x: &SVector<f64, R>| x.iter().map(|x| x * x).sum::<f64>();
+        let size = |x: &SVector<f64, R>| x.as_slice().iter().map(|x| x * x).sum::<f64>();
         let before = size(&self.multipliers);
         let now = rate * rate * size(impulse);
         let usual = if weak {
@@ -91,7 +91,9 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         self.velocities = other.velocities;
         self.multipliers = other.multipliers;
         self.multiplier_changes = other.multiplier_changes;
-        self.stage_multipliers.clone_from(&other.stage_multipliers);
+        if !(self.stage_multipliers.is_empty() && other.stage_multipliers.is_empty()) {
+            self.stage_multipliers.clone_from(&other.stage_multipliers);
+        }
         self.ledger = other.ledger;
         self.step_controller = other.step_controller;
         self.fields = other.fields;

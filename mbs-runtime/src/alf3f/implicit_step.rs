@@ -99,7 +99,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         let mut iterations = 0;
         let q = loop {
             let q = trapezoid(system, &q0, &v0, &vb, h);
-            system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+            system.constraints(t1, &q, &mut work.phi, end.a.entries_mut(), &mut end.b);
             let mut defect = work.phi;
             for i in holonomic..R {
                 defect[i] = dot(&end.a[i], &vb) + end.b[i];

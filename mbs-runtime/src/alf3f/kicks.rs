@@ -158,7 +158,7 @@ where
     let mut iterations = 0;
     let left = loop {
         flow.positions(system, va, q)?;
-        system.constraints(t1, q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(t1, q, &mut work.phi, end.a.entries_mut(), &mut end.b);
         let residual = residual_of(&work.phi, weights);
         match fixed {
             // Beside a singular pose down to round-off.

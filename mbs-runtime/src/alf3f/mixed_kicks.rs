@@ -61,7 +61,7 @@ where
     let mut iterations = 0;
     let v = loop {
         flow.positions(system, &va, &mut q)?;
-        system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(t1, &q, &mut work.phi, end.a.entries_mut(), &mut end.b);
         end.metric(system, t1, &q)?;
         let mut v = flow.velocities(system, &va, &q, end);
         factor_holonomic(end, work);

@@ -17,7 +17,7 @@ use super::step_context::{REFINEMENTS, StepContext};
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{RankMargin, Thresholds, largest, vector};
+use crate::linear::{RankMargin, Thresholds, largest, negative, vector, zeros};
 use crate::{State, System};
 use nalgebra::SVector;
 
@@ -202,11 +202,11 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let a1 = &geometry.acceleration;
         let mut v: SVector<f64, N> = vector(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut context.work.impulse[1];
-        *kappa = SVector::zeros();
+        *kappa = zeros();
         let tolerance = 1e-14 * largest(&v);
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
-            let rates = rates(plan, end, &geometry.b, &v).map(|rate| -rate);
+            let rates = negative(&rates(plan, end, &geometry.b, &v));
             if rows != Rows::Independent {
                 let residual = largest(&rates);
                 if residual <= tolerance || residual > 0.9 * last {
@@ -240,7 +240,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         } = self;
         let state = &context.state;
         let kappa = state.expected_impulse(h);
-        let mut va = SVector::zeros();
+        let mut va = zeros();
         (plan.impulse)(&start.entries, &kappa, &mut va);
         mass.solve(plan, x, &mut va);
         for i in 0..N {
@@ -312,7 +312,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             } else if kick.factor == Factor::Renewed {
                 kick.factor = Factor::Pair;
             }
-            let rates = work.phi.map(|phi| rate * phi);
+            let rates = vector(|i| rate * work.phi[i]);
             let to = (&mut kick.va, &mut kick.kappa);
             match kick.factor {
                 Factor::Start => start.solve(plan, &rates, x, to),
@@ -334,7 +334,7 @@ fn rates<const N: usize, const R: usize>(
     b: &SVector<f64, R>,
     v: &SVector<f64, N>,
 ) -> SVector<f64, R> {
-    let mut rates = SVector::zeros();
+    let mut rates = zeros();
     (plan.rates)(&matrix.entries, v, &mut rates);
     vector(|i| rates[i] + b[i])
 }

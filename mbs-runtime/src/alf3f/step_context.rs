@@ -2,7 +2,9 @@
 
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, Thresholds, dot, largest, vector};
+use crate::linear::{
+    DelassusFactor, ProjectionLu, RowMatrix, Thresholds, dot, largest, negative, vector,
+};
 use crate::{Settings, State, System};
 use nalgebra::SVector;
 
@@ -198,7 +200,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             ..
         } = self;
         work.delassus.factor(&end.delassus);
-        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
+        let mut multiplier = negative(&end.velocity_rows(system, v));
         work.delassus.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
@@ -225,7 +227,7 @@ fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let tolerance = 1e-14 * largest(&v);
     let mut last = f64::INFINITY;
     for _ in 0..passes {
-        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
+        let mut multiplier = negative(&end.velocity_rows(system, v));
         let residual = largest(&multiplier);
         if residual <= tolerance || residual > 0.9 * last {
             return;

@@ -177,7 +177,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
+            system.constraints(t, q, phi, geometry.a.entries_mut(), &mut geometry.b);
             last = residual;
             iterations += 1;
         }

@@ -97,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         loop {
             flow.positions(system, &va, &mut q)?;
             let end = &mut self.end;
-            system.constraints(t1, &q, phi, &mut end.a, &mut end.b);
+            system.constraints(t1, &q, phi, end.a.entries_mut(), &mut end.b);
             let residual = residual_of(phi, &self.scale.weights);
             if residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED) {
                 break;

@@ -17,7 +17,9 @@ pub(crate) use rank::dependence;
 pub(crate) use rank_margin::RankMargin;
 pub(crate) use row_matrix::{RowMatrix, rows};
 pub(crate) use thresholds::Thresholds;
-pub(crate) use vector::{accumulate, dot, dot_of, finite, largest, largest_of, vector};
+pub(crate) use vector::{
+    accumulate, dot, dot_of, finite, largest, largest_of, negative, vector, zeros,
+};
 
 /// The entries of a matrix inside a solver, row by row.
 type Square<const K: usize> = Box<[[f64; K]; K]>;
