@@ -260,7 +260,7 @@ fn run_scene(scene: &Scene, step: f64, steps: u64) {
             return;
         }
     }
-    println!("{:?}", simulation.outputs());
+    println!("{:?}", simulation.output_values());
 }
 
 /// The largest difference of the coordinates of the two mechanisms, which tests that they are the same mechanism.

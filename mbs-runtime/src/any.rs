@@ -32,7 +32,7 @@ macro_rules! methods_of_any_simulation {
             /// Sets an `Input`.
             fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
             /// All `Output`s.
-            fn outputs(&) -> Vec<f64>;
+            fn output_values(&) -> Vec<f64>;
             /// Named points, m.
             fn points(&) -> Vec<[f64; 3]>;
             /// The energy balance.

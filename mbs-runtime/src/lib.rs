@@ -92,7 +92,7 @@ mod state;
 pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
 pub use baselines::BaselineStepper;
-pub use contract::{Configuration, Constraints, Inertia, Loads, Observables, System};
+pub use contract::{Configuration, Constraints, Inertia, Loads, NamedValues, Observables, System};
 pub use ensemble::simulate_ensemble;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;

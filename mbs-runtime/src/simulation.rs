@@ -1,5 +1,6 @@
 //! A mechanism in motion.
 
+mod access;
 mod any;
 mod dense;
 mod hermite;
@@ -50,6 +51,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// Where steps that are compared began.
     pair: Box<State<Q, N, R>>,
     yardstick: Box<Yardstick<N>>,
+    /// Why the last inputs were refused, until a step has told it.
+    refused: Option<SimulationError>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
     events: Vec<f64>,
 }
@@ -138,6 +141,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             power: 0.0,
             rank_margin: None,
             singularities: SingularityDetector::new(),
+            refused: None,
             events: vec![0.0; S::MODEL.events.len()],
         };
         simulation.yardstick = Box::new(Yardstick::new(S::MODEL.velocities, &simulation.points()));
@@ -204,6 +208,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
+        if let Some(refused) = self.refused.take() {
+            return Err(refused);
+        }
         let known = self.rank_margin.take();
         let rank_margin = known.or_else(|| self.integrator.rank_margin());
         let mut monitor = StepMonitor::new(self.power, rank_margin);
@@ -265,76 +272,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Samples at the current instant and every `interval` seconds up to `until`, simulating in between.
     pub fn samples(&mut self, until: f64, interval: f64) -> Samples<'_> {
         Samples::new(self, until, interval)
-    }
-
-    /// The value of an `Input`, in the unit that [`Model::inputs`] tells.
-    ///
-    /// # Errors
-    /// No input has this name.
-    pub fn input(&self, name: &str) -> Result<f64, UnknownName> {
-        let index = find(
-            "input",
-            name,
-            S::MODEL.inputs.iter().map(|input| input.name),
-        )?;
-        Ok(self
-            .system()
-            .inputs()
-            .get(index)
-            .copied()
-            .unwrap_or(f64::NAN))
-    }
-
-    /// Sets an `Input` from now on.
-    ///
-    /// # Errors
-    /// No input has this name, or the value is NaN or infinite.
-    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), SimulationError> {
-        let index = find(
-            "input",
-            name,
-            S::MODEL.inputs.iter().map(|input| input.name),
-        )?;
-        if !value.is_finite() {
-            return Err(SimulationError::Input {
-                name: name.to_owned(),
-                value,
-            });
-        }
-        if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
-            *input = value;
-        }
-        self.integrator.refresh(&self.settings)?;
-        self.take_stock();
-        // What lies behind was another motion.
-        self.behind.time = f64::INFINITY;
-        Ok(())
-    }
-
-    /// The value of an `Output`, in the unit that [`Model::outputs`] tells.
-    ///
-    /// # Errors
-    /// No output has this name.
-    pub fn output(&self, name: &str) -> Result<f64, UnknownName> {
-        let index = find(
-            "output",
-            name,
-            S::MODEL.outputs.iter().map(|output| output.name),
-        )?;
-        Ok(self.outputs().get(index).copied().unwrap_or(f64::NAN))
-    }
-
-    /// All `Output`s, in the order and units of [`Model::outputs`].
-    pub fn outputs(&self) -> Vec<f64> {
-        let state = self.state();
-        let mut outputs = vec![0.0; S::MODEL.outputs.len()];
-        self.system().outputs(
-            state.time,
-            &state.positions,
-            &state.velocities,
-            &mut outputs,
-        );
-        outputs
     }
 
     /// Named points in world axes, m, in the order of [`Model::points`].
@@ -404,7 +341,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let trace = self.integrator.trace();
         Sample {
             time: self.time(),
-            outputs: self.outputs(),
+            outputs: self.output_values(),
             energy: self.energy(),
             holonomic_error: largest(trace.phi),
             velocity_error: largest(&trace.rates),
@@ -433,17 +370,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             ..self.report
         }
     }
-}
-
-fn find(
-    what: &'static str,
-    name: &str,
-    known: impl Iterator<Item = &'static str> + Clone,
-) -> Result<usize, UnknownName> {
-    known
-        .clone()
-        .position(|candidate| candidate == name)
-        .ok_or_else(|| UnknownName::new(what, name, known))
 }
 
 /// The joints that have reactions, each once.

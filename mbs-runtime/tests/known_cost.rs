@@ -100,6 +100,8 @@ impl<S: Constraints<Q, N, R>, const Q: usize, const N: usize, const R: usize> Co
 }
 
 impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Counted<S> {
+    type Inputs = S::Inputs;
+
     fn inputs(&self) -> &[f64] {
         self.inner.inputs()
     }
@@ -120,6 +122,8 @@ impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Counted<S> 
 impl<S: Observables<Q, N, R>, const Q: usize, const N: usize, const R: usize> Observables<Q, N, R>
     for Counted<S>
 {
+    type Outputs = S::Outputs;
+
     forward! {
         outputs(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
         events(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]);

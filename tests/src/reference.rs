@@ -76,7 +76,7 @@ pub fn deviation(
             break;
         }
         simulation.run_until(time).expect(scene.name);
-        let outputs = simulation.outputs();
+        let outputs = simulation.output_values();
         for (index, values) in &columns {
             let error = (outputs[*index] - values[row]).abs();
             assert!(error.is_finite(), "{}", scene.name);

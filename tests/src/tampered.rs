@@ -281,6 +281,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constra
 }
 
 impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Tampered<S> {
+    type Inputs = S::Inputs;
+
     fn inputs(&self) -> &[f64] {
         self.inner.inputs()
     }
@@ -347,6 +349,8 @@ impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Tampered<S>
 impl<S: Observables<Q, N, R>, const Q: usize, const N: usize, const R: usize> Observables<Q, N, R>
     for Tampered<S>
 {
+    type Outputs = S::Outputs;
+
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]) {
         self.inner.outputs(t, q, v, outputs);
     }

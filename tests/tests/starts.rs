@@ -32,7 +32,7 @@ mechanism!(Chain {
 #[test]
 fn particles_at_slender_bars() {
     let simulation = Simulation::new(Chain::default()).expect("it assembles");
-    assert_eq!(simulation.outputs(), [0.0, 1.0, 0.0, 0.0, 2.0, 0.5]);
+    assert_eq!(simulation.output_values(), [0.0, 1.0, 0.0, 0.0, 2.0, 0.5]);
 }
 
 mechanism!(Paddle {
@@ -56,7 +56,7 @@ mechanism!(Paddle {
 #[test]
 fn a_turning_body_at_a_slender_bar() {
     let simulation = Simulation::new(Paddle::default()).expect("it assembles");
-    let tip = simulation.outputs();
+    let tip = simulation.output_values();
     let expected = [0.0, 2.0, 0.0];
     for (found, expected) in tip.iter().zip(expected) {
         assert!((found - expected).abs() <= 1e-14, "{tip:?}");

@@ -306,6 +306,8 @@ impl Constraints<N, N, R> for Andrews {
 }
 
 impl Loads<N, N> for Andrews {
+    type Inputs = ();
+
     fn inputs(&self) -> &[f64] {
         &[]
     }
@@ -388,6 +390,8 @@ impl Loads<N, N> for Andrews {
 
 // A stepper does not ask for these.
 impl Observables<N, N, R> for Andrews {
+    type Outputs = ();
+
     fn outputs(&self, _: f64, _: &SVector<f64, N>, _: &SVector<f64, N>, _: &mut [f64]) {}
     fn events(&self, _: f64, _: &SVector<f64, N>, _: &SVector<f64, N>, _: &mut [f64]) {}
     fn points(&self, _: f64, _: &SVector<f64, N>, _: &mut [[f64; 3]]) {}

@@ -17,7 +17,7 @@ const SHOWN: usize = 3;
 pub fn json(run: &Run) -> String {
     let (model, report) = (run.simulation.model(), run.simulation.report());
     let settings = run.simulation.settings();
-    let last = by_declared_name(model, &run.simulation.outputs());
+    let last = by_declared_name(model, &run.simulation.output_values());
     let reference = run.reference.as_ref().ok().map(|columns| {
         let file = run.scene.reference.map(|reference| reference.file);
         let columns: Map<String, Value> = columns
@@ -173,7 +173,7 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
     for (index, (output, value)) in model
         .outputs
         .iter()
-        .zip(run.simulation.outputs())
+        .zip(run.simulation.output_values())
         .enumerate()
     {
         let head = if index == 0 { "final" } else { "" };

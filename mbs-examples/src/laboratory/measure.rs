@@ -65,7 +65,7 @@ pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64)
             errors.detail = format!("given up after {patience} s at t = {} s", simulation.time());
             break;
         }
-        frames.push(yardstick.frame(simulation.time(), simulation.outputs()));
+        frames.push(yardstick.frame(simulation.time(), simulation.output_values()));
         reaction = worse(reaction, reaction_error(yardstick, i, simulation.as_ref()));
     }
     let report = simulation.report();

@@ -122,7 +122,7 @@ impl Yardstick {
         let (mut frames, mut reactions) = (Vec::new(), Vec::new());
         for i in 1..=INSTANTS {
             simulation.run_until(self.instant(i)).map_err(failed)?;
-            frames.push(self.frame(simulation.time(), simulation.outputs()));
+            frames.push(self.frame(simulation.time(), simulation.output_values()));
             reactions.push(simulation.reactions().map_err(failed)?.values);
         }
         Ok((frames, reactions))

@@ -34,14 +34,17 @@ impl Capability {
 
     /// The trait, with the sizes it depends on.
     pub fn name(self, program: &Program) -> String {
+        format!("{self:?}<{}>", self.sizes(program))
+    }
+
+    /// Q, N, and R where the trait depends on it.
+    pub fn sizes(self, program: &Program) -> String {
         let (q, n, r) = (program.coordinates, program.size, program.rows.len());
         match self {
-            Capability::Configuration => format!("Configuration<{q}, {n}>"),
-            Capability::Inertia => format!("Inertia<{q}, {n}>"),
-            Capability::Constraints => format!("Constraints<{q}, {n}, {r}>"),
-            Capability::Loads => format!("Loads<{q}, {n}>"),
-            Capability::Observables => format!("Observables<{q}, {n}, {r}>"),
-            Capability::System => format!("System<{q}, {n}, {r}>"),
+            Capability::Configuration | Capability::Inertia | Capability::Loads => {
+                format!("{q}, {n}")
+            }
+            _ => format!("{q}, {n}, {r}"),
         }
     }
 }

@@ -1,11 +1,14 @@
 //! Applied forces, F, and their tangents.
 
-use super::Inertia;
+use super::{Inertia, NamedValues};
 use crate::MatrixSink;
 use nalgebra::SVector;
 
 /// The forces of a mechanism with Q coordinates and N velocities.
 pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
+    /// The `Input`s as fields.
+    type Inputs: NamedValues;
+
     /// The current values of the `Input`s, in the order of [`Model::inputs`].
     fn inputs(&self) -> &[f64];
     /// The current values of the `Input`s, to be set.

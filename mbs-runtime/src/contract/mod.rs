@@ -29,6 +29,7 @@ mod constraints;
 mod elimination;
 mod inertia;
 mod loads;
+mod named_values;
 mod observables;
 mod system;
 
@@ -37,5 +38,6 @@ pub use constraints::Constraints;
 pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use inertia::Inertia;
 pub use loads::Loads;
+pub use named_values::NamedValues;
 pub use observables::Observables;
 pub use system::System;

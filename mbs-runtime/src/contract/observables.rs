@@ -1,9 +1,13 @@
 //! What is asked of a mechanism beside its motion.
 
+use super::NamedValues;
 use nalgebra::SVector;
 
 /// Outputs, events, points and reactions of a mechanism with Q coordinates, N velocities and R constraint rows.
 pub trait Observables<const Q: usize, const N: usize, const R: usize> {
+    /// The `Output`s as fields.
+    type Outputs: NamedValues;
+
     /// `Output`s, in the order of [`Model::outputs`] (a shorter slice receives the first ones).
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
     /// `Event` expressions, in the order of [`Model::events`].

@@ -1,14 +1,15 @@
 //! The equations of a declaration that did not compile.
 
 use crate::{
-    Configuration, Constraints, Inertia, Loads, MatrixSink, Model, Observables, Structure, System,
-    TensorSink, World,
+    Configuration, Constraints, Inertia, Loads, MatrixSink, Model, NamedValues, Observables,
+    Structure, System, TensorSink, World,
 };
 use nalgebra::{SMatrix, SVector};
+use std::marker::PhantomData;
 
 /// The system of a declaration that did not compile: it exists so that only the declaration's own errors are shown.
-#[derive(Debug, Clone)]
-pub struct Unfinished;
+#[derive(Debug, Clone, Default)]
+pub struct Unfinished<I, O>(PhantomData<(I, O)>);
 
 /// The model of a declaration that did not compile.
 pub const UNFINISHED: &Model = &Model {
@@ -43,7 +44,7 @@ pub const UNFINISHED: &Model = &Model {
     candidates: &[],
 };
 
-impl Configuration<0, 0> for Unfinished {
+impl<I: NamedValues, O: NamedValues> Configuration<0, 0> for Unfinished<I, O> {
     const ROTATIONS: &'static [usize] = &[];
 
     fn guess(&self) -> (SVector<f64, 0>, SVector<f64, 0>) {
@@ -58,7 +59,7 @@ impl Configuration<0, 0> for Unfinished {
     fn free_flight(&self, _: &mut SVector<f64, 0>, _: &mut SVector<f64, 0>, _: f64) {}
 }
 
-impl Inertia<0, 0> for Unfinished {
+impl<I: NamedValues, O: NamedValues> Inertia<0, 0> for Unfinished<I, O> {
     type Mass = ();
 
     fn mass_matrix(&self, _: &SVector<f64, 0>, _: &mut impl MatrixSink) {}
@@ -73,7 +74,7 @@ impl Inertia<0, 0> for Unfinished {
     }
 }
 
-impl Constraints<0, 0, 0> for Unfinished {
+impl<I: NamedValues, O: NamedValues> Constraints<0, 0, 0> for Unfinished<I, O> {
     fn holonomic(&self, _: f64, _: &SVector<f64, 0>, _: &mut SVector<f64, 0>) {}
     fn constraints(
         &self,
@@ -98,7 +99,9 @@ impl Constraints<0, 0, 0> for Unfinished {
     }
 }
 
-impl Loads<0, 0> for Unfinished {
+impl<I: NamedValues, O: NamedValues> Loads<0, 0> for Unfinished<I, O> {
+    type Inputs = I;
+
     fn inputs(&self) -> &[f64] {
         &[]
     }
@@ -142,7 +145,9 @@ impl Loads<0, 0> for Unfinished {
     }
 }
 
-impl Observables<0, 0, 0> for Unfinished {
+impl<I: NamedValues, O: NamedValues> Observables<0, 0, 0> for Unfinished<I, O> {
+    type Outputs = O;
+
     fn outputs(&self, _: f64, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: &mut [f64]) {}
     fn events(&self, _: f64, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: &mut [f64]) {}
     fn points(&self, _: f64, _: &SVector<f64, 0>, _: &mut [[f64; 3]]) {}
@@ -158,7 +163,7 @@ impl Observables<0, 0, 0> for Unfinished {
     }
 }
 
-impl System<0, 0, 0> for Unfinished {
+impl<I: NamedValues, O: NamedValues> System<0, 0, 0> for Unfinished<I, O> {
     const MODEL: &'static Model = UNFINISHED;
     const STRUCTURE: Structure = UNFINISHED.structure;
 }

@@ -339,6 +339,8 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constrai
 impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Loads<Q, N>
     for Hand<T, Q, N, R>
 {
+    type Inputs = ();
+
     fn inputs(&self) -> &[f64] {
         &self.inputs
     }
@@ -397,6 +399,8 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Loads<Q,
 impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Observables<Q, N, R>
     for Hand<T, Q, N, R>
 {
+    type Outputs = ();
+
     fn outputs(&self, _: f64, _: &SVector<f64, Q>, _: &SVector<f64, N>, _: &mut [f64]) {}
     fn events(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]) {
         if let Some(event) = events.first_mut() {

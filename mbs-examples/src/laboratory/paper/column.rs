@@ -128,7 +128,7 @@ impl<'a> Numbers<'a> {
             .then(|| probe.reactions().ok())
             .flatten();
         let energy = probe.energy();
-        let outputs = probe.outputs();
+        let outputs = probe.output_values();
         let of_row = |values: Option<&Vec<f64>>, row: &str| {
             values.and_then(|values| values.get(index(model, row)?).copied())
         };

@@ -82,7 +82,7 @@ fn follow(subject: &Subject, settings: Settings, size: f64, end: f64, extent: Ex
             break;
         }
         if let Some(branch) = branch {
-            astray = astray.max(probe.outputs()[branch].abs());
+            astray = astray.max(probe.output_values()[branch].abs());
         }
         if !(probe.energy().error.abs() <= MOST) {
             outcome = Outcome::EnergyGrowth;

@@ -169,7 +169,7 @@ fn simulate(
             detail = error.to_string();
         }
         if let Some(branch) = branch {
-            astray = astray.max(probe.outputs()[branch].abs());
+            astray = astray.max(probe.output_values()[branch].abs());
         }
         let values = numbers.look(probe.as_ref());
         samples.push((probe.time(), values));

@@ -1,8 +1,9 @@
 //! Stage 6: program → Rust.
 //!
 //! Two types: the declared one with the parameters as public fields, and the hidden system in which everything that
-//! depends on parameters has been computed. One file for each emitted item; nothing outside this folder writes Rust.
+//! depends on parameters has been computed; inputs and outputs as fields, and a name for the simulation. One file for each emitted item; nothing outside this folder writes Rust.
 
+mod access;
 mod body;
 mod fallback;
 mod metadata;
@@ -29,8 +30,10 @@ pub fn mechanism(declaration: &Declaration, analysis: &Analysis, program: &Progr
     let mechanism = parameters::emit_mechanism(declaration, analysis, program);
     let metadata = metadata::emit(analysis, program);
     let system = system::emit(declaration, &analysis.outline, graph, program, &metadata);
+    let access = access::emit(declaration, &analysis.outline, program);
     quote! {
         #parameters
+        #access
         #mechanism
         #system
     }

@@ -1,7 +1,7 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::text::{doc, tokens};
+use super::text::{doc, tokens, visibility};
 use super::{motion, system};
 use crate::analysis::Analysis;
 use crate::dag::{Operand, Program};
@@ -18,10 +18,7 @@ pub(super) fn emit(
     analysis: &Analysis,
     program: &Program,
 ) -> TokenStream {
-    let visibility = declaration
-        .visibility
-        .as_ref()
-        .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
+    let visibility = visibility(declaration);
     let (outline, name) = (&analysis.outline, &declaration.name);
     let documentation = doc(&documentation(analysis, program));
     let fields: Vec<Ident> = outline
@@ -30,17 +27,9 @@ pub(super) fn emit(
         .map(|parameter| field(declaration, &parameter.name))
         .collect();
     let docs = outline.parameters.iter().map(|parameter| {
-        let unit = if parameter.unit.is_empty() {
-            "dimensionless".to_owned()
-        } else {
-            format!("in {}", parameter.unit)
-        };
-        let text = if parameter.doc.is_empty() {
-            String::new()
-        } else {
-            format!("{} ", parameter.doc)
-        };
-        doc(&format!("{text}({unit}; {} by default)", parameter.default))
+        let about = documented(&parameter.doc, &parameter.unit);
+        let about = about.trim_end_matches(')');
+        doc(&format!("{about}; {} by default)", parameter.default))
     });
     let defaults = outline
         .parameters
@@ -63,8 +52,20 @@ pub(super) fn emit(
     }
 }
 
-/// The field of a parameter, with the span of its declaration.
-fn field(declaration: &Declaration, name: &str) -> Ident {
+/// The documentation of a value, and its unit in parentheses.
+pub(super) fn documented(text: &str, unit: &str) -> String {
+    let unit = match unit {
+        "" => "dimensionless".to_owned(),
+        unit => format!("in {unit}"),
+    };
+    match text {
+        "" => format!("({unit})"),
+        text => format!("{text} ({unit})"),
+    }
+}
+
+/// The field of a parameter, input or output, with the span of its declaration.
+pub(super) fn field(declaration: &Declaration, name: &str) -> Ident {
     let entry = declaration.entries.iter().find(|entry| entry.name == name);
     entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
 }

@@ -1,7 +1,7 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
-use super::text::{doc, tokens};
-use super::{metadata, methods, sparse};
+use super::text::{doc, tokens, visibility};
+use super::{access, metadata, methods, sparse};
 use crate::contract::Capability;
 use crate::dag::Program;
 use crate::model::Outline;
@@ -24,10 +24,7 @@ pub(super) fn emit(
     metadata: &str,
 ) -> TokenStream {
     let (name, parameters) = (name(declaration), &declaration.name);
-    let visibility = declaration
-        .visibility
-        .as_ref()
-        .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
+    let visibility = visibility(declaration);
     let size = program.size;
     let inputs = outline.inputs.len();
     let rotations: Vec<usize> = program.rotations.iter().map(|r| r.velocity).collect();
@@ -60,10 +57,16 @@ pub(super) fn emit(
     let structure = metadata::structure(program);
     let (elimination, eliminating) = sparse::emit(program);
     let rotations = format!("const ROTATIONS: &'static [usize] = &{rotations:?};\n");
+    let (inputs_type, outputs_type) = access::names(declaration);
     let associated = [
         (Capability::Configuration, rotations),
         (Capability::Inertia, mass_type(program)),
         (Capability::Constraints, elimination),
+        (Capability::Loads, format!("type Inputs = {inputs_type};\n")),
+        (
+            Capability::Observables,
+            format!("type Outputs = {outputs_type};\n"),
+        ),
         (
             Capability::System,
             format!(

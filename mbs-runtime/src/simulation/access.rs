@@ -1,0 +1,172 @@
+//! Inputs and outputs: as fields, and by name for tools.
+
+use super::Simulation;
+use crate::{NamedValues, SimulationError, System, UnknownName};
+use std::ops::{Deref, DerefMut};
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// The `Output`s at the current instant as fields, each with its unit in its documentation. Allocates nothing.
+    pub fn outputs(&self) -> S::Outputs {
+        let state = self.state();
+        let (q, v) = (&state.positions, &state.velocities);
+        let fill = |outputs: &mut [f64]| self.system().outputs(state.time, q, v, outputs);
+        S::Outputs::from_values(fill)
+    }
+
+    /// The current values of the `Input`s as fields.
+    pub fn inputs(&self) -> S::Inputs {
+        let current = self.system().inputs();
+        S::Inputs::from_values(|inputs| copy(current, inputs))
+    }
+
+    /// The `Input`s as fields to be set: `simulation.inputs_mut().torque = 2.0`. They act from now on, as soon as the value
+    /// that this returns goes out of scope. A value that is NaN or infinite is refused by the next step, which returns the
+    /// error; [`Simulation::set_input`] returns it at once.
+    pub fn inputs_mut(&mut self) -> InputsMut<'_, S, Q, N, R> {
+        InputsMut {
+            values: self.inputs(),
+            simulation: self,
+        }
+    }
+
+    /// The value of an `Input`, in the unit that [`Model::inputs`] tells.
+    ///
+    /// # Errors
+    /// No input has this name.
+    pub fn input(&self, name: &str) -> Result<f64, UnknownName> {
+        let index = find(
+            "input",
+            name,
+            S::MODEL.inputs.iter().map(|input| input.name),
+        )?;
+        Ok(self
+            .system()
+            .inputs()
+            .get(index)
+            .copied()
+            .unwrap_or(f64::NAN))
+    }
+
+    /// Sets an `Input` from now on.
+    ///
+    /// # Errors
+    /// No input has this name, or the value is NaN or infinite.
+    pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), SimulationError> {
+        let index = find(
+            "input",
+            name,
+            S::MODEL.inputs.iter().map(|input| input.name),
+        )?;
+        if !value.is_finite() {
+            return Err(SimulationError::Input {
+                name: name.to_owned(),
+                value,
+            });
+        }
+        if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
+            *input = value;
+        }
+        self.inputs_changed()
+    }
+
+    /// Sets all inputs, in the order of [`Model::inputs`](crate::Model::inputs), or none where one of them is refused.
+    fn set_inputs(&mut self, values: &[f64]) -> Result<(), SimulationError> {
+        let mut named = values.iter().zip(S::MODEL.inputs);
+        if let Some((&value, input)) = named.find(|(value, _)| !value.is_finite()) {
+            return Err(SimulationError::Input {
+                name: input.name.to_owned(),
+                value,
+            });
+        }
+        copy(values, self.integrator.system_mut().inputs_mut());
+        self.inputs_changed()
+    }
+
+    fn inputs_changed(&mut self) -> Result<(), SimulationError> {
+        self.integrator.refresh(&self.settings)?;
+        self.take_stock();
+        // What lies behind was another motion.
+        self.behind.time = f64::INFINITY;
+        Ok(())
+    }
+
+    /// The value of an `Output`, in the unit that [`Model::outputs`] tells.
+    ///
+    /// # Errors
+    /// No output has this name.
+    pub fn output(&self, name: &str) -> Result<f64, UnknownName> {
+        let index = find(
+            "output",
+            name,
+            S::MODEL.outputs.iter().map(|output| output.name),
+        )?;
+        Ok(self.output_values().get(index).copied().unwrap_or(f64::NAN))
+    }
+
+    /// All `Output`s, in the order and units of [`Model::outputs`].
+    pub fn output_values(&self) -> Vec<f64> {
+        let state = self.state();
+        let mut outputs = vec![0.0; S::MODEL.outputs.len()];
+        self.system().outputs(
+            state.time,
+            &state.positions,
+            &state.velocities,
+            &mut outputs,
+        );
+        outputs
+    }
+}
+
+/// The inputs of a simulation as fields; made by [`Simulation::inputs_mut`].
+pub struct InputsMut<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    simulation: &'a mut Simulation<S, Q, N, R>,
+    values: S::Inputs,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Deref
+    for InputsMut<'_, S, Q, N, R>
+{
+    type Target = S::Inputs;
+    fn deref(&self) -> &S::Inputs {
+        &self.values
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> DerefMut
+    for InputsMut<'_, S, Q, N, R>
+{
+    fn deref_mut(&mut self) -> &mut S::Inputs {
+        &mut self.values
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Drop
+    for InputsMut<'_, S, Q, N, R>
+{
+    fn drop(&mut self) {
+        let simulation = &mut *self.simulation;
+        let outcome = self
+            .values
+            .with_values(|values| simulation.set_inputs(values));
+        if let Err(error) = outcome {
+            simulation.refused = Some(error);
+        }
+    }
+}
+
+fn copy(from: &[f64], to: &mut [f64]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = *from;
+    }
+}
+
+fn find(
+    what: &'static str,
+    name: &str,
+    known: impl Iterator<Item = &'static str> + Clone,
+) -> Result<usize, UnknownName> {
+    known
+        .clone()
+        .position(|candidate| candidate == name)
+        .ok_or_else(|| UnknownName::new(what, name, known))
+}
