@@ -17,8 +17,8 @@ use crate::assembly::assemble;
 use crate::integrator::Integrator;
 use crate::linear::{RankMargin, largest};
 use crate::{
-    AssemblyVerdict, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample, Samples,
-    Settings, SimulationError, State, System, UnknownName,
+    AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
+    Samples, Settings, SimulationError, State, System, UnknownName,
 };
 use nalgebra::SVector;
 
@@ -285,6 +285,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The energy balance.
     pub fn energy(&self) -> Energy {
         crate::energy::balance(self.system(), self.state())
+    }
+
+    /// The equations of motion at the current instant as matrices; [`Dynamics::evaluate`] moves them to any other state.
+    ///
+    /// # Errors
+    /// A mass matrix that is not positive definite, or rows that admit no finite multiplier.
+    pub fn dynamics(&self) -> Result<Dynamics<S, Q, N, R>, SimulationError> {
+        let system = self.system().clone();
+        Dynamics::new(system, self.time(), self.positions(), self.velocities())
     }
 
     /// Joint reactions at the current instant, from the equations at acceleration level.

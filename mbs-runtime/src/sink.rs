@@ -38,6 +38,14 @@ pub trait TensorSink {
     fn set(&mut self, i: usize, j: usize, k: usize, value: f64);
 }
 
+/// Entry (`j`, `k`) of matrix `i`.
+impl<const N: usize> TensorSink for [SMatrix<f64, N, N>; N] {
+    #[inline(always)]
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
+        self[i][(j, k)] = value;
+    }
+}
+
 impl<const N: usize> TensorSink for [[[f64; N]; N]; N] {
     #[inline(always)]
     fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {

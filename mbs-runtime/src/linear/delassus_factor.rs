@@ -6,6 +6,7 @@ use super::{SPARSE_FROM, Square, Thresholds, WEAK_PIVOT};
 use nalgebra::{SMatrix, SVector};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
+#[derive(Clone)]
 pub(crate) struct DelassusFactor<const K: usize> {
     upper: Square<K>,
     inverse_pivot: [f64; K],

@@ -13,6 +13,7 @@ const SHRINKS: f64 = 0.7;
 const ENOUGH: f64 = 1e-6;
 
 /// Kept on the heap, because it is seldom used and large systems are built on small stacks.
+#[derive(Clone)]
 pub(crate) struct Proximal<const K: usize> {
     /// B with rows and columns scaled.
     scaled: Box<[[f64; K]]>,

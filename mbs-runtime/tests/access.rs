@@ -1,0 +1,89 @@
+//! Inputs and outputs as fields, beside those by name.
+
+use mbs_runtime::nalgebra::SVector;
+use mbs_runtime::{Simulation, SimulationError, mechanism};
+
+mechanism!(Cart {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    /// Pushes the cart.
+    push: Input(0.0_N),
+    pull: Input(1.5_N),
+    cart: Particle(mass = 2.0_kg, at = [0.0, 0.0]),
+    rail: PointOnLine(cart.origin, ground.origin, axis = X),
+    along: Force(cart.origin, value = [push - pull, 0.0_N]),
+    /// Where the cart is.
+    place: Output(cart.origin.x),
+    tip: Output(cart.origin + [0.0_m, 0.5_m]),
+    speed: Output(cart.velocity.x),
+});
+
+fn cart() -> CartSimulation {
+    Simulation::new(Cart::default()).unwrap()
+}
+
+#[test]
+fn fields_are_what_names_are() {
+    let mut simulation = cart();
+    simulation.run_until(0.5).unwrap();
+    let outputs = simulation.outputs();
+    assert_eq!(outputs.place, simulation.output("place").unwrap());
+    assert_eq!(outputs.speed, simulation.output("speed").unwrap());
+    assert_eq!(outputs.tip, SVector::from([outputs.place, 0.5]));
+    let values = simulation.output_values();
+    assert_eq!(
+        values,
+        [outputs.place, outputs.tip.x, outputs.tip.y, outputs.speed]
+    );
+    assert_eq!(
+        simulation.inputs(),
+        CartInputs {
+            push: 0.0,
+            pull: 1.5
+        }
+    );
+}
+
+#[test]
+fn inputs_act_from_now_on() {
+    let mut simulation = cart();
+    simulation.inputs_mut().push = 5.5;
+    assert_eq!(simulation.input("push").unwrap(), 5.5);
+    simulation.run_until(1.0).unwrap();
+    assert!((simulation.outputs().place - 1.0).abs() < 1e-12);
+    simulation.set_input("pull", 0.5).unwrap();
+    assert_eq!(simulation.inputs().pull, 0.5);
+    // Nothing is set by looking.
+    let _ = simulation.inputs_mut().push;
+    assert_eq!(
+        simulation.inputs(),
+        CartInputs {
+            push: 5.5,
+            pull: 0.5
+        }
+    );
+}
+
+#[test]
+fn the_next_step_tells_of_a_value_that_is_not_finite() {
+    let mut simulation = cart();
+    {
+        let mut inputs = simulation.inputs_mut();
+        inputs.push = 2.0;
+        inputs.pull = f64::NAN;
+    }
+    assert_eq!(
+        simulation.inputs(),
+        CartInputs {
+            push: 0.0,
+            pull: 1.5
+        }
+    );
+    match simulation.step() {
+        Err(SimulationError::Input { name, value }) => {
+            assert_eq!(name, "pull");
+            assert!(value.is_nan());
+        }
+        other => panic!("{other:?}"),
+    }
+    simulation.step().unwrap();
+}
