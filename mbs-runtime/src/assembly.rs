@@ -1,13 +1,18 @@
 //! From the declared guess to a state that satisfies the constraints.
 
-use crate::alf3f::{ConstraintGeometry, Fault};
-use crate::linear::{DelassusFactor, accumulate, dependence, dot, largest};
+use crate::alf3f::{ConstraintGeometry, Fault, RowScale, residual_of};
+use crate::linear::{DelassusFactor, Dependence, accumulate, dependence, dot, largest};
+use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 
 /// Newton steps of the position problem; each is damped until it improves the rows.
 const MAX_ITERATIONS: usize = 60;
-/// max |φ| above which a guess counts as not assembled, relative to the size of the mechanism.
+/// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
 const ASSEMBLED: f64 = 1e-9;
+/// |a| of a row, relative to what its unit leads to expect, that is round-off.
+const VANISHING: f64 = 1e-12;
+/// The same with which a state can be resumed.
+pub(crate) const RESUMABLE: f64 = 1e-6;
 
 /// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
 /// A v + b = 0.
@@ -26,7 +31,8 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
-    let size = largest(&guess).max(1.0);
+    let yardstick = Yardstick::new(system, settings.step);
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
     let mut phi = [0.0; R];
     geometry
@@ -34,28 +40,20 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    close(
-        system,
-        &mut geometry,
-        &mut q,
-        &mut phi,
-        settings.constraint_tolerance * size,
-    )
-    .map_err(fault)?;
+    close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
 
     let verdict = judge(
         system,
-        settings,
-        &geometry,
-        &phi,
+        (&geometry, &phi),
+        (&yardstick, &scale),
         residual_before,
-        &guess,
-        &q,
+        [&guess, &q],
     );
-    if !(verdict.residual <= ASSEMBLED * size) {
+    if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
-    project(system, &geometry, &mut v);
+    let speed = yardstick.measure(&v);
+    project(system, &geometry, &mut v, &scale, speed);
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -83,29 +81,34 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     geometry
         .evaluate(system, state.time, q, &mut phi)
         .map_err(fault)?;
+    let yardstick = Yardstick::new(system, settings.step);
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    for (i, row) in S::MODEL.rows.iter().enumerate() {
+        if scale.displacement_of(i, phi[i]) > RESUMABLE {
+            return Err(SimulationError::State {
+                what: row.name,
+                value: phi[i],
+            });
+        }
+    }
     Ok(judge(
         system,
-        settings,
-        &geometry,
-        &phi,
+        (&geometry, &phi),
+        (&yardstick, &scale),
         largest(&phi),
-        q,
-        q,
+        [q, q],
     ))
 }
 
 /// What there is to say about the pose q, reached from `guess`.
 fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    settings: &Settings,
-    geometry: &ConstraintGeometry<S, Q, N, R>,
-    phi: &[f64; R],
+    (geometry, phi): (&ConstraintGeometry<S, Q, N, R>, &[f64; R]),
+    (yardstick, scale): (&Yardstick<Q, N>, &RowScale<R>),
     residual_before: f64,
-    guess: &[f64; Q],
-    q: &[f64; Q],
+    [guess, q]: [&[f64; Q]; 2],
 ) -> AssemblyVerdict {
-    let size = largest(guess).max(1.0);
-    let rows = dependence(&geometry.a, &geometry.w);
+    let rows = independent_rows(system, geometry, yardstick);
     let mut change = [0.0; N];
     let way = system.difference(guess, q);
     system.momentum(q, &way, &mut change);
@@ -113,10 +116,11 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let mut mass = crate::linear::clear::<N, N>();
     system.mass_matrix(q, &mut *mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
-    let mut worst: Vec<_> = S::MODEL.rows.iter().map(|row| row.name).zip(*phi).collect();
-    worst.truncate(S::STRUCTURE.holonomic_rows);
-    worst.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    worst.retain(|(_, residual)| residual.abs() > settings.constraint_tolerance * size);
+    let mut worst: Vec<_> = (0..S::STRUCTURE.holonomic_rows)
+        .map(|i| (i, scale.displacement_of(i, phi[i])))
+        .collect();
+    worst.sort_by(|a, b| b.1.total_cmp(&a.1));
+    worst.retain(|(_, displacement)| *displacement > scale.tolerance);
     worst.truncate(8);
     AssemblyVerdict {
         residual_before,
@@ -132,8 +136,28 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             .iter()
             .filter_map(|&i| Some(S::MODEL.rows.get(i)?.name))
             .collect(),
-        worst_rows: worst,
+        worst_rows: worst
+            .iter()
+            .filter_map(|&(i, _)| Some((S::MODEL.rows.get(i)?.name, phi[i])))
+            .collect(),
     }
+}
+
+/// Which rows depend on others. A row that vanishes but for round-off says nothing.
+pub(crate) fn independent_rows<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    _: &S,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    yardstick: &Yardstick<Q, N>,
+) -> Dependence {
+    dependence(&geometry.a, &geometry.w, |i| {
+        let expected = RowScale::<R>::expected::<S, Q, N>(i, yardstick.length);
+        yardstick.row_length_squared(&geometry.a[i]) <= (VANISHING * expected).powi(2)
+    })
 }
 
 /// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
@@ -142,12 +166,12 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut [f64; Q],
     phi: &mut [f64; R],
-    tolerance: f64,
+    scale: &RowScale<R>,
 ) -> Result<(), Fault> {
     let mut solver = Box::new(DelassusFactor::new());
     for _ in 0..MAX_ITERATIONS {
-        let before = dot(phi, phi);
-        if largest(&phi[..]) <= tolerance {
+        let before = residual_of(phi, &scale.weights);
+        if before <= 1.0 {
             return Ok(());
         }
         solver.factor(&holonomic_delassus(geometry));
@@ -160,7 +184,7 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             let trial = system.advance(q, &way, factor);
             let mut residual = [0.0; R];
             system.holonomic(0.0, &trial, &mut residual);
-            if dot(&residual, &residual) < before {
+            if residual_of(&residual, &scale.weights) < before {
                 *q = trial;
                 break;
             }
@@ -195,13 +219,15 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     geometry: &ConstraintGeometry<S, Q, N, R>,
     v: &mut [f64; N],
+    scale: &RowScale<R>,
+    speed: f64,
 ) {
     let mut solver = Box::new(DelassusFactor::new());
     solver.factor(&geometry.delassus);
     for _ in 0..3 {
         let rates = geometry.velocity_rows(system, v);
         // Velocities that satisfy the rows are left as they are.
-        if largest(&rates) <= 1e-14 * largest(&v[..]) {
+        if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
             return;
         }
         let mut multiplier = rates.map(|rate| -rate);

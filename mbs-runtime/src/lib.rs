@@ -84,6 +84,7 @@ mod simulation;
 mod simulation_error;
 mod sink;
 mod state;
+mod yardstick;
 
 pub use alf3f::{MultiplierStart, PaperSettings, PaperStepper, RowDirection, TwoLevelStepper};
 pub use any::AnySimulation;

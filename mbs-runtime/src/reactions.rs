@@ -1,9 +1,11 @@
 //! Multipliers and joint reactions at an instant, from the equations at acceleration level.
 
 use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::assembly::independent_rows;
 use crate::free::free;
-use crate::linear::{DelassusFactor, accumulate, dependence, dot, finite};
+use crate::linear::{DelassusFactor, accumulate, dot, finite};
 use crate::sink::Discard;
+use crate::yardstick::Yardstick;
 use crate::{Reactions, State, System};
 
 /// Solves M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 and maps λ to the joints.
@@ -12,6 +14,7 @@ use crate::{Reactions, State, System};
 pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     state: &State<Q, N, R>,
+    step: f64,
 ) -> Result<Reactions, Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
     let mut geometry = ConstraintGeometry::new(system, q)?;
@@ -41,7 +44,9 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     Ok(Reactions {
         unique: !solver.regularised
             && !S::MODEL.leaves_rows_out()
-            && dependence(&geometry.a, &geometry.w).dependent.is_empty(),
+            && independent_rows(system, &geometry, &Yardstick::new(system, step))
+                .dependent
+                .is_empty(),
         values,
         multipliers: lambda.to_vec(),
     })

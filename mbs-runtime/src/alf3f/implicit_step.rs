@@ -13,8 +13,8 @@ use super::kicks::{STAGNATED, not_converged, residual_of};
 use super::step_context::StepContext;
 use super::{ConstraintGeometry, Fault};
 use crate::System;
-use crate::flow::{Implicit, imperceptible, transport, trapezoid};
-use crate::linear::{Matrix, Pivoted, ProjectionLu, accumulate, clear, dot, largest};
+use crate::flow::{Implicit, transport, trapezoid};
+use crate::linear::{Matrix, Pivoted, ProjectionLu, accumulate, clear, dot};
 
 /// Corrections of the velocities below this fraction of them end the iteration.
 const CONVERGED: f64 = 1e-14;
@@ -78,14 +78,17 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             end,
             work,
             scale,
+            yardstick,
             counters,
             ..
         } = context;
         let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
         let mut weights = scale.weights;
-        let floor = largest(&v0).max(1e-3);
+        // A rate that moves no position is none.
+        let floor = yardstick.imperceptible(&q0, h) / scale.tolerance;
+        let speed = yardstick.measure(&v0).max(floor);
         for weight in &mut weights[holonomic..] {
-            *weight /= floor * floor;
+            *weight /= speed * speed;
         }
 
         self.solver.begin(t1, h);
@@ -141,10 +144,12 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
                 kappa[i] += multiplier[i];
             }
 
-            let size = largest(&change);
-            let speed = largest(&vb);
-            let least = (STILL * speed).max(imperceptible(&q, h));
-            let settled = size <= CONVERGED * speed || (size >= 0.5 * last_change && size <= least);
+            let size = yardstick.measure(&change);
+            let speed = yardstick.measure(&vb);
+            let enough = (CONVERGED * speed).max(yardstick.imperceptible(&q, h));
+            // The next correction, at the rate of this one.
+            let next = size * (size / last_change).min(1.0);
+            let settled = next <= enough || (size >= 0.5 * last_change && size <= STILL * speed);
             if settled && (residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED)) {
                 break q;
             }

@@ -142,6 +142,7 @@ where
         work,
         scale,
         counters,
+        ..
     } = context;
     let Kick {
         kappa,

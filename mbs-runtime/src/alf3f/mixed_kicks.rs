@@ -14,7 +14,10 @@ use super::step_context::{StepContext, Workspace};
 use super::{ConstraintGeometry, Fault};
 use crate::System;
 use crate::flow::KickFlow;
-use crate::linear::{accumulate, dot, largest};
+use crate::linear::{accumulate, dot};
+
+/// Slower than any motion: 0/0 does not arise where nothing moves.
+const AT_REST: f64 = 1e-100;
 
 pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
@@ -34,16 +37,14 @@ where
         end,
         work,
         scale,
+        yardstick,
         counters,
         ..
     } = context;
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let mut weights = scale.weights;
-    let speed = largest(&state.velocities).max(1e-3);
-    for weight in &mut weights[holonomic..] {
-        *weight /= speed * speed;
-    }
+    let departure = yardstick.measure(&state.velocities);
 
     let beside = holonomic > 0 && work.delassus.beside;
     let mut kappa = state.expected_impulse(h);
@@ -74,6 +75,17 @@ where
         let mut defect = work.phi;
         for i in holonomic..R {
             defect[i] = dot(&end.a[i], &v) + end.b[i];
+        }
+        // What is small beside the fastest velocity of the step is small; kicks that cancel leave their round-off.
+        let speed = [
+            departure,
+            yardstick.measure(&va),
+            yardstick.measure(&v),
+            AT_REST,
+        ];
+        let speed = speed.into_iter().fold(0.0, f64::max);
+        for i in holonomic..R {
+            weights[i] = scale.weights[i] / (speed * speed);
         }
         let residual = residual_of(&defect, &weights);
         // Beside a singular pose down to round-off.

@@ -16,7 +16,7 @@ use super::kicks::{self, EXACT, STAGNATED, residual_of};
 use super::step_context::{REFINEMENTS, StepContext};
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{Bordered, Pair, RankMargin, Rows, Slots, SparseMass, Thresholds, largest};
+use crate::linear::{Bordered, Pair, RankMargin, Rows, Slots, SparseMass, Thresholds};
 use crate::{State, System};
 
 /// Corrections by the factor at the start of the step that are cheaper than another factor.
@@ -201,13 +201,13 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let mut v: [f64; N] = std::array::from_fn(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut context.work.impulse[1];
         *kappa = [0.0; R];
-        let tolerance = 1e-14 * largest(&v);
+        let (scale, speed) = (&context.scale, context.yardstick.measure(&v));
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             let rates = rates(plan, end, &geometry.b, &v).map(|rate| -rate);
             if rows != Rows::Independent {
-                let residual = largest(&rates);
-                if residual <= tolerance || residual > 0.9 * last {
+                let residual = residual_of(&rates, &scale.weights);
+                if residual <= scale.round_off(speed) || residual > 0.81 * last {
                     break;
                 }
                 last = residual;

@@ -1,16 +1,14 @@
 //! What every two-level step works on.
 
-use super::{ConstraintGeometry, Fault};
-use crate::linear::{DelassusFactor, ProjectionLu, Thresholds, dot, largest};
+use super::kicks::residual_of;
+use super::{ConstraintGeometry, Fault, RowScale};
+use crate::linear::{DelassusFactor, ProjectionLu, Thresholds};
+use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
 pub(super) const REFINEMENTS: usize = 10;
 pub(crate) const FIXED_REFINEMENTS: usize = 2;
-
-/// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so
-/// close to a singular pose that its multiplier has no direction; the next step closes it.
-const LOST: f64 = 1e-6;
 
 /// System, state, and the workspace of a step.
 pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -22,6 +20,7 @@ pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize
     pub(crate) end: Box<ConstraintGeometry<S, Q, N, R>>,
     pub(crate) work: Box<Workspace<R>>,
     pub(crate) scale: RowScale<R>,
+    pub(crate) yardstick: Box<Yardstick<Q, N>>,
     pub(crate) counters: Counters,
 }
 
@@ -59,53 +58,6 @@ pub(crate) struct Counters {
     pub(crate) rejected: u64,
 }
 
-/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i| at the declared guess.
-///
-/// It depends on the system alone, so that a resumed run takes the same decisions.
-#[derive(Clone, Copy)]
-pub(crate) struct RowScale<const R: usize> {
-    /// 1/(tolerance · size · |a_i|)².
-    pub(crate) weights: [f64; R],
-    /// (LOST / tolerance)².
-    pub(crate) lost: f64,
-}
-
-/// The constraint geometry at the declared guess.
-fn at_guess<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    system: &S,
-) -> Result<Box<ConstraintGeometry<S, Q, N, R>>, Fault> {
-    let (q, _) = system.guess();
-    let mut geometry = ConstraintGeometry::new(system, &q)?;
-    geometry.evaluate(system, 0.0, &q, &mut [0.0; R])?;
-    Ok(geometry)
-}
-
-impl<const R: usize> RowScale<R> {
-    pub(crate) fn new<S: System<Q, N, R>, const Q: usize, const N: usize>(
-        system: &S,
-        tolerance: f64,
-    ) -> Result<Self, Fault> {
-        let (q, _) = system.guess();
-        let size = tolerance * largest(&q).max(1.0);
-        let geometry = at_guess(system)?;
-        let lengths = geometry.lengths_squared();
-        let longest = largest(&lengths);
-        let weights = std::array::from_fn(|i| {
-            // A row that vanishes at the guess has no length to go by there.
-            let length = if lengths[i] > 1e-8 * longest {
-                dot(&geometry.a[i], &geometry.a[i])
-            } else {
-                1.0
-            };
-            1.0 / (size * size * length)
-        });
-        Ok(RowScale {
-            weights,
-            lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
-        })
-    }
-}
-
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepContext<S, Q, N, R> {
     pub(crate) fn new(
         system: S,
@@ -114,8 +66,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         placed: bool,
     ) -> Result<Self, Fault> {
         let geometry = ConstraintGeometry::new(&system, &state.positions)?;
+        let yardstick = Box::new(Yardstick::new(&system, settings.step));
         let mut context = StepContext {
-            scale: RowScale::new(&system, settings.constraint_tolerance)?,
+            scale: RowScale::new(&system, &yardstick, settings)?,
+            yardstick,
             system,
             state,
             max_iterations: settings.max_iterations,
@@ -126,7 +80,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             counters: Counters::default(),
         };
         if settings.order > 2 {
-            let usual = DelassusFactor::new().least_pivot(&at_guess(&context.system)?.delassus);
+            let usual = DelassusFactor::new()
+                .least_pivot(&ConstraintGeometry::at_guess(&context.system)?.delassus);
             let thresholds = Thresholds::high_order(usual, placed);
             (
                 context.work.delassus.thresholds,
@@ -178,7 +133,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         self.state.time = time;
         self.state.positions = q;
         self.state.velocities = v;
-        self.state.keep_impulse(h, &self.work.impulse[0], weak);
+        self.state
+            .keep_impulse(h, &self.work.impulse[0], weak, &self.scale);
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
@@ -193,6 +149,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             work,
             counters,
             fixed_iterations,
+            scale,
+            yardstick,
             ..
         } = self;
         work.delassus.factor(&end.delassus);
@@ -204,7 +162,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         if work.delassus.weak {
             counters.regularised += u64::from(work.delassus.regularised);
             let passes = fixed_iterations.map_or(REFINEMENTS, |_| FIXED_REFINEMENTS);
-            refine(system, end, work, v, passes);
+            let enough = scale.round_off(yardstick.measure(v));
+            refine(system, end, work, v, (passes, &scale.weights, enough));
         }
     }
 }
@@ -218,14 +177,13 @@ fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
     v: &mut [f64; N],
-    passes: usize,
+    (passes, weights, enough): (usize, &[f64; R], f64),
 ) {
-    let tolerance = 1e-14 * largest(&v[..]);
     let mut last = f64::INFINITY;
     for _ in 0..passes {
         let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
-        let residual = largest(&multiplier);
-        if residual <= tolerance || residual > 0.9 * last {
+        let residual = residual_of(&multiplier, weights);
+        if residual <= enough || residual > 0.81 * last {
             return;
         }
         last = residual;

@@ -15,6 +15,7 @@ use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
 use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
 use crate::linear::{RankMargin, accumulate};
+use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 
 /// What is left of φ where rows are weak, in squared tolerances.
@@ -25,8 +26,8 @@ const EXACT: f64 = 1e-6;
 pub struct BaumgarteSettings {
     /// α = β, 1/s.
     pub gain: f64,
-    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or to
-    /// 1, if they are smaller); `None` for steps of the length that is asked for.
+    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (no
+    /// slower than what accelerates it leads to in its own length); `None` for steps of the length that is asked for.
     pub adaptive: Option<f64>,
 }
 
@@ -65,15 +66,13 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
 
     pub(crate) fn projected<S: System<Q, N, R>>(
         system: &S,
+        yardstick: &Yardstick<Q, N>,
         settings: &Settings,
     ) -> Result<Self, Fault> {
         Ok(Explicit {
             equations: Index1::new(0.0),
             stages: RungeKutta::new(tableau(settings.order)),
-            remedy: Remedy::Projection(Box::new(RowScale::new(
-                system,
-                settings.constraint_tolerance,
-            )?)),
+            remedy: Remedy::Projection(Box::new(RowScale::new(system, yardstick, settings)?)),
             placed: false,
         })
     }

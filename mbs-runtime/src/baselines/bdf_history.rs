@@ -1,7 +1,7 @@
 //! The last instants of a multistep method, wherever they are.
 
 use crate::System;
-use crate::linear::largest;
+use crate::yardstick::Yardstick;
 
 /// Highest order of the backward differentiation that is stable for every stiff equation of interest.
 pub(super) const MOST_ORDER: usize = 5;
@@ -107,25 +107,35 @@ impl<const Q: usize, const N: usize> History<Q, N> {
     }
 
     /// The largest error of θ₀ by this order; `None` where too little of the past is known.
-    pub(super) fn error(&self, order: usize, turn: &[f64; N]) -> Option<f64> {
+    pub(super) fn error(
+        &self,
+        yardstick: &Yardstick<Q, N>,
+        order: usize,
+        turn: &[f64; N],
+    ) -> Option<f64> {
         let h = self.sought - self.times[0];
         if self.len <= order {
             // After one instant: what the change of v adds.
             let first: [f64; N] = std::array::from_fn(|i| turn[i] - h * self.v[0][i]);
-            return (order == 1).then(|| 0.5 * largest(&first));
+            return (order == 1).then(|| 0.5 * yardstick.measure(&first));
         }
         let [predicted, _] = self.predict(order);
         let difference: [f64; N] = std::array::from_fn(|i| turn[i] - predicted[i]);
-        Some(h / (self.sought - self.times[order]) * largest(&difference))
+        Some(h / (self.sought - self.times[order]) * yardstick.measure(&difference))
     }
 
     /// The largest deviations of θ₀ and v₀ from the polynomials of this degree: the backward differences after as many,
     /// for even steps.
-    fn differences(&self, degree: usize, turn: &[f64; N], v: &[f64; N]) -> [f64; 2] {
+    fn differences(
+        &self,
+        yardstick: &Yardstick<Q, N>,
+        degree: usize,
+        (turn, v): (&[f64; N], &[f64; N]),
+    ) -> [f64; 2] {
         let [turns, rates] = self.predict(degree);
         let largest_of = |a: &[f64; N], b: &[f64; N]| {
             let difference: [f64; N] = std::array::from_fn(|i| a[i] - b[i]);
-            largest(&difference)
+            yardstick.measure(&difference)
         };
         [largest_of(turn, &turns), largest_of(v, &rates)]
     }
@@ -133,7 +143,12 @@ impl<const Q: usize, const N: usize> History<Q, N> {
     /// (ω h)² of an oscillation ω, from differences that are two orders apart: these are in phase. Those of v, which are
     /// differences of θ one order higher, tell of the jolts beside singular poses. Zero for orders up to 2, and infinite
     /// where too little of the past is known.
-    pub(super) fn coarseness(&self, order: usize, turn: &[f64; N], v: &[f64; N]) -> f64 {
+    pub(super) fn coarseness(
+        &self,
+        yardstick: &Yardstick<Q, N>,
+        order: usize,
+        ends: (&[f64; N], &[f64; N]),
+    ) -> f64 {
         if order <= 2 {
             return 0.0;
         }
@@ -141,7 +156,7 @@ impl<const Q: usize, const N: usize> History<Q, N> {
             return f64::INFINITY;
         }
         let differences: [[f64; 2]; KEPT] = std::array::from_fn(|degree| match degree <= order {
-            true => self.differences(degree, turn, v),
+            true => self.differences(yardstick, degree, ends),
             false => [0.0; 2],
         });
         let ratio = |degree: usize, of: usize| {

@@ -2,6 +2,7 @@
 
 use crate::alf3f::{ConstraintGeometry, Counters, Fault};
 use crate::linear::finite;
+use crate::yardstick::Yardstick;
 use crate::{State, System};
 
 /// System, state, and the constraint geometry where the state is.
@@ -18,6 +19,7 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     /// λ at the end of the last step, of methods that have it as an unknown.
     pub(crate) multipliers: Option<[f64; R]>,
     pub(crate) max_iterations: usize,
+    pub(crate) yardstick: Box<Yardstick<Q, N>>,
 }
 
 /// Works of the last step, J.

@@ -18,8 +18,8 @@ use super::motion::{Motion, Progress, carry, consistent, move_rows};
 use super::saddle::Saddle;
 use crate::System;
 use crate::alf3f::Fault;
-use crate::flow::{imperceptible, pull_back};
-use crate::linear::{Matrix, accumulate, clear, dot, largest};
+use crate::flow::pull_back;
+use crate::linear::{Matrix, accumulate, clear, dot};
 
 /// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -175,8 +175,9 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                     step[i] += moved[i] / h;
                 }
             }
-            let speed = largest(&v).max(1e-3);
-            if progress.settles(&step, speed, imperceptible(&q, h), bench.max_iterations)? {
+            let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
+            let floor = bench.yardstick.imperceptible(&q, h);
+            if progress.settles(sizes, floor, bench.max_iterations)? {
                 break (q, v);
             }
         };

@@ -17,8 +17,8 @@ use super::index1::Index1;
 use super::motion::{Motion, Progress, consistent, move_rows};
 use crate::System;
 use crate::alf3f::Fault;
-use crate::flow::{imperceptible, pull_back};
-use crate::linear::{Matrix, Pivoted, accumulate, clear, dot, largest};
+use crate::flow::pull_back;
+use crate::linear::{Matrix, Pivoted, accumulate, clear, dot};
 use crate::sink::Discard;
 
 /// Settings of [`Method::Index3Projections`](crate::Method::Index3Projections).
@@ -145,8 +145,9 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 after[i] += change[i];
             }
             let step = change.map(|x| 0.5 * h * x);
-            let speed = largest(&v).max(1e-3);
-            if progress.settles(&step, speed, imperceptible(&q, h), bench.max_iterations)? {
+            let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
+            let floor = bench.yardstick.imperceptible(&q, h);
+            if progress.settles(sizes, floor, bench.max_iterations)? {
                 break (q, v);
             }
         };

@@ -13,6 +13,7 @@ use super::bench::Bench;
 use crate::alf3f::{ConstraintGeometry, Fault, RowScale, not_converged, residual_of};
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
 use crate::linear::{Matrix, Pivoted, accumulate, clear};
+use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 
 /// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
@@ -39,18 +40,23 @@ struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> 
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<S, Q, N, R> {
-    pub(crate) fn new(system: &S, q: &[f64; Q], settings: &Settings) -> Result<Self, Fault> {
+    pub(crate) fn new(
+        system: &S,
+        q: &[f64; Q],
+        yardstick: &Yardstick<Q, N>,
+        settings: &Settings,
+    ) -> Result<Self, Fault> {
         Ok(Rattle {
             flow: if S::STRUCTURE.constant_mass {
                 Stepping::Leapfrog(Box::new(Leapfrog::new::<S>()))
             } else {
-                Stepping::Midpoint(Midpoint::new())
+                Stepping::Midpoint(Midpoint::new(yardstick))
             },
             rows: Rows {
                 end: ConstraintGeometry::new(system, q)?,
                 matrix: clear(),
                 factors: Box::new(Pivoted::new()),
-                scale: Box::new(RowScale::new(system, settings.constraint_tolerance)?),
+                scale: Box::new(RowScale::new(system, yardstick, settings)?),
                 force: [0.0; R],
             },
         })

@@ -9,8 +9,9 @@ use super::generalized_alpha::GeneralizedAlpha;
 use super::index3_projections::Index3;
 use super::penalty::Penalty;
 use super::rattle::Rattle;
-use crate::alf3f::{ConstraintGeometry, Counters, Fault};
+use crate::alf3f::{ConstraintGeometry, Counters, Fault, RowScale};
 use crate::linear::RankMargin;
+use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
 
 /// A baseline by itself: steps of any length, without energy balance or report.
@@ -55,6 +56,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let time = state.time;
         let fault =
             |fault: Fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step);
+        let yardstick = Box::new(Yardstick::new(&system, settings.step));
         let rule = match &settings.method {
             Method::Baumgarte(baumgarte) => match baumgarte.adaptive {
                 None => Rule::Explicit(Box::new(Explicit::stabilised(settings.order, baumgarte))),
@@ -63,12 +65,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 }
             },
             Method::Projected => Rule::Explicit(Box::new(
-                Explicit::projected(&system, settings).map_err(fault)?,
+                Explicit::projected(&system, &yardstick, settings).map_err(fault)?,
             )),
             Method::Rattle => Rule::Rattle(Box::new(
-                Rattle::new(&system, &state.positions, settings).map_err(fault)?,
+                Rattle::new(&system, &state.positions, &yardstick, settings).map_err(fault)?,
             )),
-            Method::Penalty(penalty) => Rule::Penalty(Box::new(Penalty::new(*penalty))),
+            Method::Penalty(penalty) => {
+                let scale = RowScale::new(&system, &yardstick, settings).map_err(fault)?;
+                Rule::Penalty(Box::new(Penalty::new(*penalty, scale)))
+            }
             Method::Index3Projections(projections) => {
                 Rule::Index3(Box::new(Index3::new(projections)))
             }
@@ -96,6 +101,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 works: Works::default(),
                 multipliers: None,
                 max_iterations: settings.max_iterations,
+                yardstick,
             },
             rule,
         };

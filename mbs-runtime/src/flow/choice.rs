@@ -1,7 +1,8 @@
 //! Which flow suits a mechanism.
 
 use crate::alf3f::Fault;
-use crate::linear::{dot, largest};
+use crate::linear::dot;
+use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
 
 /// h²λ of M⁻¹(−∂f/∂q) above which the explicit flow is left: its limit of stability is 4, and energy suffers before.
@@ -35,7 +36,7 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
         }
         Some(flow) => Ok(flow),
         None if natural == Flow::Leapfrog && S::STRUCTURE.position_forces => {
-            let stiffness = stiffness(system, state).map_err(|fault| {
+            let stiffness = stiffness(system, state, settings.step).map_err(|fault| {
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
             })?;
             let stiff = settings.step * settings.step * stiffness > STIFF;
@@ -71,24 +72,27 @@ fn refuse(flow: Flow, because: &'static str, instead: Flow) -> SimulationError {
 fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     state: &State<Q, N, R>,
+    step: f64,
 ) -> Result<f64, Fault> {
+    let yardstick = Yardstick::new(system, step);
     let mut f_q = crate::linear::clear::<N, N>();
     let mut f_v = crate::linear::clear::<N, N>();
     let (q, v) = (&state.positions, &state.velocities);
     system.applied_force_tangents(state.time, q, v, &mut *f_q, &mut *f_v);
     let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
     // A start without symmetry, so that it has a part of every eigenvector.
-    let mut x: [f64; N] = std::array::from_fn(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
+    let parts = std::array::from_fn(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
+    let mut x = yardstick.displacement(parts);
     let mut eigenvalue = 0.0;
     for _ in 0..POWER_ITERATIONS {
-        let size = largest(&x);
+        let size = yardstick.measure(&x);
         if !(size > 0.0 && size.is_finite()) {
             break;
         }
         x = x.map(|value| value / size);
         let mut next: [f64; N] = std::array::from_fn(|i| -dot(&f_q[i], &x));
         system.solve_mass(&mass, &mut next);
-        eigenvalue = largest(&next);
+        eigenvalue = yardstick.measure(&next);
         x = next;
     }
     Ok(eigenvalue)

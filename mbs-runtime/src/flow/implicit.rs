@@ -3,28 +3,21 @@
 use super::group::pull_back;
 use crate::System;
 use crate::alf3f::Fault;
-use crate::linear::{Matrix, Pivoted, clear, largest};
+use crate::linear::{Matrix, Pivoted, clear};
 use crate::sink::Discard;
+use crate::yardstick::Yardstick;
 
 const MAX_ITERATIONS: usize = 40;
 /// Newton stops when the correction is below this fraction of the velocities …
 const CONVERGED: f64 = 1e-14;
 /// … or when it no longer shrinks and is below this: round-off.
 const STAGNATED: f64 = 1e-9;
-/// Round-off of positions, relative to the size of the mechanism.
-const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
 /// J is singular, or not finite: with h → 0 it becomes M, so that a shorter step helps.
 const SINGULAR: Fault = Fault::Flow {
     residual: f64::INFINITY,
     iterations: 0,
 };
-
-/// A velocity that moves the end of a step of h by no more than the round-off of its positions. At rest the corrections
-/// stay of this size: 2φ/h, the rate that a row asks for, is no better known, and smaller steps make it worse.
-pub(crate) fn imperceptible(q: &[f64], h: f64) -> f64 {
-    ROUND_OFF * largest(q).max(1.0) / (0.5 * h)
-}
 
 /// q₀ ⊕ h/2 (v₀ + v₁).
 #[inline(always)]
@@ -176,6 +169,7 @@ impl<const N: usize> Implicit<N> {
     pub(crate) fn solve<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
+        yardstick: &Yardstick<Q, N>,
         q0: &[f64; Q],
         va: &[f64; N],
         vb: &mut [f64; N],
@@ -192,9 +186,9 @@ impl<const N: usize> Implicit<N> {
             for i in 0..N {
                 vb[i] += change[i];
             }
-            let size = largest(&change);
-            let speed = largest(&vb[..]);
-            let least = (STAGNATED * speed).max(imperceptible(&q1, self.h));
+            let size = yardstick.measure(&change);
+            let speed = yardstick.measure(vb);
+            let least = (STAGNATED * speed).max(yardstick.imperceptible(&q1, self.h));
             let stagnated = fresh && size >= 0.5 * last && size <= least;
             // At the rate of this correction the next one would be too small to matter.
             let rate = if last.is_finite() {

@@ -17,6 +17,7 @@ use super::implicit::Implicit;
 use crate::System;
 use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::linear::{Matrix, clear};
+use crate::yardstick::Yardstick;
 
 pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
     h: f64,
@@ -29,6 +30,7 @@ pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
     /// v_m.
     vm: [f64; N],
     solver: Implicit<N>,
+    yardstick: Yardstick<Q, N>,
     /// (∂v_m/∂v_a) w, row by row.
     slopes: Matrix<R, N>,
     /// (∂v_b/∂v_a) w, row by row, as if M were constant over half a step.
@@ -39,7 +41,7 @@ pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
 
 impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
     #[inline(never)]
-    pub(crate) fn new() -> Box<Self> {
+    pub(crate) fn new(yardstick: &Yardstick<Q, N>) -> Box<Self> {
         Box::new(Midpoint {
             h: 0.0,
             t0: 0.0,
@@ -48,6 +50,7 @@ impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
             middle: [0.0; Q],
             vm: [0.0; N],
             solver: Implicit::new(),
+            yardstick: *yardstick,
             slopes: clear(),
             far: clear(),
             directions: clear(),
@@ -79,9 +82,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         system.momentum(&self.q0, va, &mut self.start);
         self.solver.known = self.start;
         let at_rest = [0.0; N];
-        self.middle = self
-            .solver
-            .solve(system, &self.q0, &at_rest, &mut self.vm)?;
+        self.middle =
+            self.solver
+                .solve(system, &self.yardstick, &self.q0, &at_rest, &mut self.vm)?;
         *q = system.advance(&self.q0, &self.vm, self.h);
         Ok(())
     }

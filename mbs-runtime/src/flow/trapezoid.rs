@@ -15,6 +15,7 @@ use super::implicit::Implicit;
 use crate::System;
 use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::linear::{Matrix, clear};
+use crate::yardstick::Yardstick;
 
 pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     h: f64,
@@ -23,6 +24,7 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     q1: [f64; Q],
     vb: [f64; N],
     solver: Implicit<N>,
+    yardstick: Yardstick<Q, N>,
     /// F_v₀.
     by_velocity: Matrix<N, N>,
     /// (∂v_b/∂v_a) w, row by row.
@@ -33,7 +35,7 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
 
 impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
     #[inline(never)]
-    pub(crate) fn new() -> Box<Self> {
+    pub(crate) fn new(yardstick: &Yardstick<Q, N>) -> Box<Self> {
         Box::new(Trapezoid {
             h: 0.0,
             t0: 0.0,
@@ -41,6 +43,7 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
             q1: [0.0; Q],
             vb: [0.0; N],
             solver: Implicit::new(),
+            yardstick: *yardstick,
             by_velocity: clear(),
             far: clear(),
             directions: clear(),
@@ -70,7 +73,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
 
     fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
         self.solver.impulse(system, self.t0, &self.q0, va);
-        *q = self.solver.solve(system, &self.q0, va, &mut self.vb)?;
+        let (yardstick, q0) = (&self.yardstick, &self.q0);
+        *q = self.solver.solve(system, yardstick, q0, va, &mut self.vb)?;
         self.q1 = *q;
         Ok(())
     }

@@ -13,7 +13,7 @@ mod vector;
 pub(crate) use delassus_factor::DelassusFactor;
 pub(crate) use pivoted::Pivoted;
 pub(crate) use projection_lu::ProjectionLu;
-pub(crate) use rank::dependence;
+pub(crate) use rank::{Dependence, dependence};
 pub(crate) use rank_margin::RankMargin;
 pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 pub(crate) use thresholds::Thresholds;

@@ -17,10 +17,10 @@ pub(crate) struct Dependence {
 pub(crate) fn dependence<const N: usize, const R: usize>(
     a: &[[f64; N]; R],
     w: &[[f64; N]; R],
+    vanishes: impl Fn(usize) -> bool,
 ) -> Dependence {
     let mut basis: Vec<([f64; N], [f64; N])> = Vec::with_capacity(R);
     let mut dependent = Vec::new();
-    let longest = (0..R).map(|i| dot(&a[i], &w[i])).fold(0.0, f64::max).sqrt();
     for i in 0..R {
         let (mut row, mut lifted) = (a[i], w[i]);
         let length = dot(&row, &lifted).max(0.0).sqrt();
@@ -35,7 +35,7 @@ pub(crate) fn dependence<const N: usize, const R: usize>(
             }
         }
         let left = dot(&row, &lifted).max(0.0).sqrt();
-        if left > INDEPENDENT * length && length > 1e-12 * longest {
+        if left > INDEPENDENT * length && !vanishes(i) {
             for j in 0..N {
                 row[j] /= left;
                 lifted[j] /= left;

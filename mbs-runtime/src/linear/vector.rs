@@ -51,8 +51,8 @@ pub(crate) fn largest(x: &[f64]) -> f64 {
     let mut largest = 0.0;
     for &value in x {
         let size = value.abs();
-        // Written so that a NaN is kept.
-        if !(size <= largest) {
+        // Nothing is larger than a NaN: it stays.
+        if size > largest || size.is_nan() {
             largest = size;
         }
     }
@@ -67,4 +67,19 @@ pub(crate) fn finite<const N: usize>(x: &[f64; N]) -> bool {
         sum += value * 0.0;
     }
     sum == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest;
+
+    #[test]
+    fn the_largest_is_nan_wherever_one_is() {
+        assert_eq!(largest(&[1.0, -3.0, 2.0]), 3.0);
+        for i in 0..3 {
+            let mut x = [1.0, 2.0, 3.0];
+            x[i] = f64::NAN;
+            assert!(largest(&x).is_nan());
+        }
+    }
 }

@@ -30,6 +30,7 @@ use super::step_context::Counters;
 use super::{Fault, kicks};
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest};
+use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, System};
 
 /// The integrator of the paper by itself.
@@ -41,6 +42,7 @@ pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     end: Box<Instant<S, Q, N, R>>,
     jacobian: Box<(Jacobian<N>, Pivoted<N>)>,
     motion: RowMotion,
+    yardstick: Box<Yardstick<Q, N>>,
     /// Impulse of each row during the last step, N s.
     impulse: [f64; R],
     /// The length of that step, s.
@@ -83,6 +85,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             drive: [0.0; R],
             counters: Counters::default(),
             settings: paper,
+            yardstick: Box::new(Yardstick::new(&system, settings.step)),
             system,
             state,
         };
@@ -345,8 +348,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
                 x.v[n] += change[n];
             }
             self.counters.iterations += 1;
-            size = largest(&change) / largest(&x.v).max(1e-3);
-            if size <= self.settings.newton_tolerance {
+            size = self.yardstick.measure(&change);
+            let enough = self.settings.newton_tolerance * self.yardstick.measure(&x.v);
+            if size <= enough.max(self.yardstick.imperceptible(&x.q, h)) {
                 return Ok(());
             }
             if !size.is_finite() {
