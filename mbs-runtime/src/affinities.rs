@@ -1,26 +1,27 @@
 //! Affinities of mechanisms for which they are not generated.
 
-use crate::linear::clear;
+use crate::linear::{RowMatrix, vector};
 use crate::sink::Discard;
 use crate::{System, TensorSink};
+use nalgebra::SVector;
 
 /// Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i) from the slopes of the momentum M e_j of unit velocities, and the
 /// structure constants of the rotations, symmetric in j and k: Γ_ijk v_j v_k has ω × p in their rows.
-pub(crate) fn by_tangents<S, const Q: usize, const N: usize, const R: usize>(
+pub fn by_tangents<S, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    q: &[f64; Q],
+    q: &SVector<f64, Q>,
     gamma: &mut impl TensorSink,
 ) where
     S: System<Q, N, R>,
 {
-    let mut mass = clear::<N, N>();
-    system.mass_matrix(q, &mut *mass);
+    let mut mass = RowMatrix::<N, N>::zeros();
+    system.mass_matrix(q, &mut mass);
     // slopes[j][i][k] = ∂M_ij/∂q_k
     let slopes: Vec<_> = (0..N)
         .map(|j| {
-            let unit: [f64; N] = std::array::from_fn(|i| if i == j { 1.0 } else { 0.0 });
-            let mut slope = clear::<N, N>();
-            system.force_tangents(0.0, q, &unit, &mut Discard, &mut Discard, &mut *slope);
+            let unit: SVector<f64, N> = vector(|i| if i == j { 1.0 } else { 0.0 });
+            let mut slope = RowMatrix::<N, N>::zeros();
+            system.force_tangents(0.0, q, &unit, &mut Discard, &mut Discard, &mut slope);
             slope
         })
         .collect();

@@ -21,10 +21,10 @@ macro_rules! any_simulation {
                 Simulation::$name(self $(, $argument)*)
             })*
             fn coordinates(&self) -> Vec<f64> {
-                self.positions().to_vec()
+                self.positions().as_slice().to_vec()
             }
             fn velocities(&self) -> Vec<f64> {
-                Simulation::velocities(self).to_vec()
+                Simulation::velocities(self).as_slice().to_vec()
             }
         }
     };

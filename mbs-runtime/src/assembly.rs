@@ -1,9 +1,13 @@
 //! From the declared guess to a state that satisfies the constraints.
 
-use crate::alf3f::{ConstraintGeometry, Fault, RowScale, residual_of};
-use crate::linear::{DelassusFactor, Dependence, accumulate, dependence, dot, largest};
+use crate::alf3f::RowScale;
+use crate::alf3f::residual_of;
+use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::linear::Dependence;
+use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
 use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
+use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it improves the rows.
 const MAX_ITERATIONS: usize = 60;
@@ -26,15 +30,15 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     settings: &Settings,
 ) -> Result<(State<Q, N, R>, AssemblyVerdict), SimulationError> {
     let (guess, mut v) = system.guess();
-    check_finite("guess of a coordinate", &guess)?;
-    check_finite("guess of a velocity", &v)?;
+    check_finite("guess of a coordinate", guess.as_slice())?;
+    check_finite("guess of a velocity", v.as_slice())?;
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
-    let mut phi = [0.0; R];
+    let mut phi = SVector::zeros();
     geometry
         .evaluate(system, 0.0, &guess, &mut phi)
         .map_err(fault)?;
@@ -64,20 +68,23 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     state: &State<Q, N, R>,
 ) -> Result<AssemblyVerdict, SimulationError> {
     check_finite("time", &[state.time])?;
-    check_finite("a coordinate", &state.positions)?;
-    check_finite("a velocity", &state.velocities)?;
-    check_finite("a multiplier", &state.multipliers)?;
-    check_finite("a change of a multiplier", &state.multiplier_changes)?;
+    check_finite("a coordinate", state.positions.as_slice())?;
+    check_finite("a velocity", state.velocities.as_slice())?;
+    check_finite("a multiplier", state.multipliers.as_slice())?;
+    check_finite(
+        "a change of a multiplier",
+        state.multiplier_changes.as_slice(),
+    )?;
     let q = &state.positions;
     let unit = unit_rotations(system, q)?;
-    for (given, unit) in q.iter().zip(unit) {
+    for (given, unit) in q.iter().zip(unit.iter()) {
         if (given - unit).abs() > 1e-6 {
             return Err(not_unit(given / unit));
         }
     }
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
     let mut geometry = ConstraintGeometry::new(system, q).map_err(fault)?;
-    let mut phi = [0.0; R];
+    let mut phi = SVector::zeros();
     geometry
         .evaluate(system, state.time, q, &mut phi)
         .map_err(fault)?;
@@ -103,18 +110,18 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
 /// What there is to say about the pose q, reached from `guess`.
 fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    (geometry, phi): (&ConstraintGeometry<S, Q, N, R>, &[f64; R]),
+    (geometry, phi): (&ConstraintGeometry<S, Q, N, R>, &SVector<f64, R>),
     (yardstick, scale): (&Yardstick<Q, N>, &RowScale<R>),
     residual_before: f64,
-    [guess, q]: [&[f64; Q]; 2],
+    [guess, q]: [&SVector<f64, Q>; 2],
 ) -> AssemblyVerdict {
     let rows = independent_rows(system, geometry, yardstick);
-    let mut change = [0.0; N];
+    let mut change = SVector::zeros();
     let way = system.difference(guess, q);
     system.momentum(q, &way, &mut change);
     let moved = dot(&change, &way).max(0.0);
-    let mut mass = crate::linear::clear::<N, N>();
-    system.mass_matrix(q, &mut *mass);
+    let mut mass = crate::linear::RowMatrix::<N, N>::zeros();
+    system.mass_matrix(q, &mut mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
     let mut worst: Vec<_> = (0..S::STRUCTURE.holonomic_rows)
         .map(|i| (i, scale.displacement_of(i, phi[i])))
@@ -154,7 +161,7 @@ pub(crate) fn independent_rows<
     geometry: &ConstraintGeometry<S, Q, N, R>,
     yardstick: &Yardstick<Q, N>,
 ) -> Dependence {
-    dependence(&geometry.a, &geometry.w, |i| {
+    dependence(geometry.a.rows(), geometry.w.rows(), |i| {
         let expected = RowScale::<R>::expected::<S, Q, N>(i, yardstick.length);
         yardstick.row_length_squared(&geometry.a[i]) <= (VANISHING * expected).powi(2)
     })
@@ -164,8 +171,8 @@ pub(crate) fn independent_rows<
 fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
-    q: &mut [f64; Q],
-    phi: &mut [f64; R],
+    q: &mut SVector<f64, Q>,
+    phi: &mut SVector<f64, R>,
     scale: &RowScale<R>,
 ) -> Result<(), Fault> {
     let mut solver = Box::new(DelassusFactor::new());
@@ -179,10 +186,10 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         solver.solve(&mut multiplier);
         let mut factor = 1.0;
         loop {
-            let mut way = [0.0; N];
+            let mut way = SVector::zeros();
             accumulate(&mut way, &geometry.w, &multiplier);
             let trial = system.advance(q, &way, factor);
-            let mut residual = [0.0; R];
+            let mut residual = SVector::zeros();
             system.holonomic(0.0, &trial, &mut residual);
             if residual_of(&residual, &scale.weights) < before {
                 *q = trial;
@@ -202,7 +209,7 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 /// S of the holonomic rows, with unit rows in place of the others.
 fn holonomic_delassus<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     geometry: &ConstraintGeometry<S, Q, N, R>,
-) -> crate::linear::Matrix<R, R> {
+) -> RowMatrix<R, R> {
     let mut delassus = geometry.delassus.clone();
     for i in S::STRUCTURE.holonomic_rows..R {
         for j in 0..R {
@@ -218,7 +225,7 @@ fn holonomic_delassus<S: System<Q, N, R>, const Q: usize, const N: usize, const 
 fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     geometry: &ConstraintGeometry<S, Q, N, R>,
-    v: &mut [f64; N],
+    v: &mut SVector<f64, N>,
     scale: &RowScale<R>,
     speed: f64,
 ) {
@@ -239,9 +246,9 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 /// q with unit quaternions; refused where one is zero.
 fn unit_rotations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    q: &[f64; Q],
-) -> Result<[f64; Q], SimulationError> {
-    let unit = system.advance(q, &[0.0; N], 0.0);
+    q: &SVector<f64, Q>,
+) -> Result<SVector<f64, Q>, SimulationError> {
+    let unit = system.advance(q, &SVector::zeros(), 0.0);
     match unit.iter().all(|value| value.is_finite()) {
         true => Ok(unit),
         false => Err(not_unit(0.0)),

@@ -2,6 +2,7 @@
 
 use crate::sink::Discard;
 use crate::{MatrixSink, System};
+use nalgebra::SVector;
 
 /// M⁻¹(f − Γvv), the acceleration without rows.
 #[inline(always)]
@@ -9,10 +10,10 @@ pub(crate) fn free<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     system: &S,
     mass: &S::Mass,
     t: f64,
-    q: &[f64; Q],
-    v: &[f64; N],
-) -> [f64; N] {
-    let mut result = [0.0; N];
+    q: &SVector<f64, Q>,
+    v: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    let mut result = SVector::zeros();
     if S::STRUCTURE.constant_mass && !S::STRUCTURE.velocity_forces && S::ROTATIONS.is_empty() {
         system.acceleration(t, q, &mut result);
         return result;
@@ -32,8 +33,8 @@ pub(crate) fn free<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
 
 /// Subtracts the product of the matrix written to it and v.
 struct Product<'a, const N: usize> {
-    v: &'a [f64; N],
-    result: &'a mut [f64; N],
+    v: &'a SVector<f64, N>,
+    result: &'a mut SVector<f64, N>,
 }
 
 impl<const N: usize> MatrixSink for Product<'_, N> {

@@ -1,17 +1,22 @@
 //! What generated code calls. Public because it runs in users' crates; not meant to be called by hand.
 
-use crate::{MatrixSink, Model, ParameterError, Structure, System, TensorSink, World};
+use crate::ParameterError;
+pub use crate::affinities::by_tangents as affinities;
+use crate::linear::vector;
+use nalgebra::{SMatrix, SVector};
 
 pub use cholesky::{Cholesky, positive};
 pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
+pub use unfinished::{UNFINISHED, Unfinished};
 
 mod cholesky;
 mod elimination;
 mod principal;
 mod rotation;
 mod spin;
+mod unfinished;
 
 /// A pivot below this part of what it began with is round-off.
 const ROUND_OFF: f64 = 1e-12;
@@ -52,14 +57,21 @@ pub fn check_finite(name: &'static str, value: f64) -> Result<(), ParameterError
 
 /// q + h v: [`System::advance`] where no coordinate is a rotation.
 #[inline]
-pub fn translated<const N: usize>(q: &[f64; N], v: &[f64; N], h: f64) -> [f64; N] {
-    std::array::from_fn(|i| q[i] + h * v[i])
+pub fn translated<const N: usize>(
+    q: &SVector<f64, N>,
+    v: &SVector<f64, N>,
+    h: f64,
+) -> SVector<f64, N> {
+    vector(|i| q[i] + h * v[i])
 }
 
 /// to − from: [`System::difference`] where no coordinate is a rotation.
 #[inline]
-pub fn displacement<const N: usize>(from: &[f64; N], to: &[f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| to[i] - from[i])
+pub fn displacement<const N: usize>(
+    from: &SVector<f64, N>,
+    to: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    vector(|i| to[i] - from[i])
 }
 
 /// M⁻¹ of a constant mass matrix.
@@ -67,43 +79,41 @@ pub fn displacement<const N: usize>(from: &[f64; N], to: &[f64; N]) -> [f64; N] 
 /// # Errors
 /// [`ParameterError::MassNotPositive`] at the coordinate where M stops being positive definite.
 pub fn inverse_mass<const N: usize>(
-    mass: &[[f64; N]; N],
+    mass: &SMatrix<f64, N, N>,
     coordinates: &[&'static str; N],
-) -> Result<[[f64; N]; N], ParameterError> {
+) -> Result<SMatrix<f64, N, N>, ParameterError> {
     let factor = Cholesky::factor(mass).map_err(|column| ParameterError::MassNotPositive {
         coordinate: coordinates[column],
     })?;
-    let mut inverse = [[0.0; N]; N];
-    for (i, row) in inverse.iter_mut().enumerate() {
-        row[i] = 1.0;
-        factor.solve(row);
+    let mut inverse = SMatrix::<f64, N, N>::identity();
+    for i in 0..N {
+        let mut column: SVector<f64, N> = inverse.column(i).into_owned();
+        factor.solve(&mut column);
+        inverse.set_column(i, &column);
     }
     // Exactly symmetric: generated code reads one triangle.
-    for i in 0..N {
-        for j in 0..i {
-            inverse[i][j] = inverse[j][i];
-        }
-    }
+    inverse.fill_upper_triangle_with_lower_triangle();
     Ok(inverse)
 }
 
 /// x ← M⁻¹ x.
-pub fn multiply<const N: usize>(inverse: &[[f64; N]; N], x: &mut [f64; N]) {
+pub fn multiply<const N: usize>(inverse: &SMatrix<f64, N, N>, x: &mut SVector<f64, N>) {
     let old = *x;
-    for (value, row) in x.iter_mut().zip(inverse) {
-        *value = row.iter().zip(&old).map(|(m, x)| m * x).sum();
+    let ([x], [old]) = (&mut x.data.0, &old.data.0);
+    for (value, row) in x.iter_mut().zip(&inverse.data.0) {
+        *value = row.iter().zip(old).map(|(m, x)| m * x).sum();
     }
 }
 
-/// w = M⁻¹ a, row by row, skipping the zeros of a.
+/// W = M⁻¹Aᵀ from the rows of A, skipping their zeros.
 pub fn multiply_rows<const N: usize, const R: usize>(
-    inverse: &[[f64; N]; N],
-    a: &[[f64; N]; R],
-    w: &mut [[f64; N]; R],
+    inverse: &SMatrix<f64, N, N>,
+    a: &SMatrix<f64, N, R>,
+    w: &mut SMatrix<f64, N, R>,
 ) {
-    for (w, a) in w.iter_mut().zip(a) {
+    for (w, a) in w.data.0.iter_mut().zip(&a.data.0) {
         *w = [0.0; N];
-        for (&entry, column) in a.iter().zip(inverse) {
+        for (&entry, column) in a.iter().zip(&inverse.data.0) {
             if entry != 0.0 {
                 for (w, m) in w.iter_mut().zip(column) {
                     *w += entry * m;
@@ -113,17 +123,17 @@ pub fn multiply_rows<const N: usize, const R: usize>(
     }
 }
 
-/// delassus = A Wᵀ, skipping the zeros of A.
+/// The rows of A W from those of A and the columns of W, skipping the zeros of A.
 pub fn delassus<const N: usize, const R: usize>(
-    a: &[[f64; N]; R],
-    w: &[[f64; N]; R],
-    delassus: &mut [[f64; R]; R],
+    a: &SMatrix<f64, N, R>,
+    w: &SMatrix<f64, N, R>,
+    delassus: &mut SMatrix<f64, R, R>,
 ) {
-    for (row, a) in delassus.iter_mut().zip(a) {
+    for (row, a) in delassus.data.0.iter_mut().zip(&a.data.0) {
         *row = [0.0; R];
         for (column, &entry) in a.iter().enumerate() {
             if entry != 0.0 {
-                for (value, w) in row.iter_mut().zip(w) {
+                for (value, w) in row.iter_mut().zip(&w.data.0) {
                     *value += entry * w[column];
                 }
             }
@@ -131,135 +141,41 @@ pub fn delassus<const N: usize, const R: usize>(
     }
 }
 
-/// The system of a declaration that did not compile: it exists so that only the declaration's own errors are shown.
-#[derive(Debug, Clone)]
-pub struct Unfinished;
+/// W = M⁻¹Aᵀ row by row, where `solve` is x ← M⁻¹x.
+pub fn solve_rows<const N: usize, const R: usize>(
+    a: &SMatrix<f64, N, R>,
+    w: &mut SMatrix<f64, N, R>,
+    solve: impl Fn(&mut SVector<f64, N>),
+) {
+    for (w, a) in w.column_iter_mut().zip(a.column_iter()) {
+        let mut row = a.into_owned();
+        solve(&mut row);
+        { w }.copy_from(&row);
+    }
+}
 
-/// The model of a declaration that did not compile.
-pub const UNFINISHED: &Model = &Model {
-    name: "",
-    doc: "",
-    declaration: "",
-    world: World::Planar,
-    up: [0.0, 1.0, 0.0],
-    coordinates: &[],
-    velocities: &[],
-    rows: &[],
-    parts: &[],
-    parameters: &[],
-    inputs: &[],
-    outputs: &[],
-    events: &[],
-    points: &[],
-    segments: &[],
-    reactions: &[],
-    reductions: &[],
-    operations: &[],
-    structure: Structure {
-        constant_mass: true,
-        velocity_forces: false,
-        position_forces: false,
-        time_dependent: false,
-        holonomic_rows: 0,
-        rotations: 0,
-    },
-    mobility: None,
-    formulation: "Natural",
-    candidates: &[],
-};
+/// The entries of a vector.
+#[inline(always)]
+pub fn entries<const N: usize>(vector: &SVector<f64, N>) -> &[f64; N] {
+    &vector.data.0[0]
+}
 
-impl System<0, 0, 0> for Unfinished {
-    const MODEL: &'static Model = UNFINISHED;
-    const STRUCTURE: Structure = UNFINISHED.structure;
-    const ROTATIONS: &'static [usize] = &[];
-    type Mass = ();
+/// The entries of a vector, to be written.
+#[inline(always)]
+pub fn entries_mut<const N: usize>(vector: &mut SVector<f64, N>) -> &mut [f64; N] {
+    &mut vector.data.0[0]
+}
 
-    fn inputs(&self) -> &[f64] {
-        &[]
-    }
-    fn inputs_mut(&mut self) -> &mut [f64] {
-        &mut []
-    }
-    fn guess(&self) -> ([f64; 0], [f64; 0]) {
-        ([], [])
-    }
-    fn advance(&self, _: &[f64; 0], _: &[f64; 0], _: f64) -> [f64; 0] {
-        []
-    }
-    fn difference(&self, _: &[f64; 0], _: &[f64; 0]) -> [f64; 0] {
-        []
-    }
-    fn free_flight(&self, _: &mut [f64; 0], _: &mut [f64; 0], _: f64) {}
-    fn mass_matrix(&self, _: &[f64; 0], _: &mut impl MatrixSink) {}
-    fn factor_mass(&self, _: &[f64; 0]) -> Option<()> {
-        Some(())
-    }
-    fn solve_mass(&self, _: &(), _: &mut [f64; 0]) {}
-    fn solve_mass_rows(&self, _: &(), _: &[[f64; 0]; 0], _: &mut [[f64; 0]; 0]) {}
-    fn delassus(&self, _: &[[f64; 0]; 0], _: &[[f64; 0]; 0], _: &mut [[f64; 0]; 0]) {}
-    fn momentum(&self, _: &[f64; 0], _: &[f64; 0], _: &mut [f64; 0]) {}
-    fn affinities(&self, _: &[f64; 0], _: &mut impl TensorSink) {}
-    fn holonomic(&self, _: f64, _: &[f64; 0], _: &mut [f64; 0]) {}
-    fn constraints(
-        &self,
-        _: f64,
-        _: &[f64; 0],
-        _: &mut [f64; 0],
-        _: &mut impl MatrixSink,
-        _: &mut [f64; 0],
-    ) {
-    }
-    fn constraint_rates(
-        &self,
-        _: f64,
-        _: &[f64; 0],
-        _: &[f64; 0],
-        _: &mut impl MatrixSink,
-        _: &mut [f64; 0],
-    ) {
-    }
-    fn applied_forces(&self, _: f64, _: &[f64; 0], _: &[f64; 0], _: &mut [f64; 0]) {}
-    fn forces(&self, _: f64, _: &[f64; 0], _: &[f64; 0], _: &mut [f64; 0]) {}
-    fn applied_force_tangents(
-        &self,
-        _: f64,
-        _: &[f64; 0],
-        _: &[f64; 0],
-        _: &mut impl MatrixSink,
-        _: &mut impl MatrixSink,
-    ) {
-    }
-    fn force_tangents(
-        &self,
-        _: f64,
-        _: &[f64; 0],
-        _: &[f64; 0],
-        _: &mut impl MatrixSink,
-        _: &mut impl MatrixSink,
-        _: &mut impl MatrixSink,
-    ) {
-    }
-    fn acceleration(&self, _: f64, _: &[f64; 0], _: &mut [f64; 0]) {}
-    fn kinetic_energy(&self, _: &[f64; 0], _: &[f64; 0]) -> f64 {
-        0.0
-    }
-    fn potential_energy(&self, _: &[f64; 0]) -> f64 {
-        0.0
-    }
-    fn nonconservative_power(&self, _: f64, _: &[f64; 0], _: &[f64; 0]) -> f64 {
-        0.0
-    }
-    fn outputs(&self, _: f64, _: &[f64; 0], _: &[f64; 0], _: &mut [f64]) {}
-    fn events(&self, _: f64, _: &[f64; 0], _: &[f64; 0], _: &mut [f64]) {}
-    fn points(&self, _: f64, _: &[f64; 0], _: &mut [[f64; 3]]) {}
-    fn reactions(
-        &self,
-        _: f64,
-        _: &[f64; 0],
-        _: &[f64; 0],
-        _: &[f64; 0],
-        _: &[f64; 0],
-        _: &mut [f64],
-    ) {
-    }
+/// The rows of a matrix that holds them as columns.
+#[inline(always)]
+pub fn rows<const N: usize, const R: usize>(matrix: &SMatrix<f64, N, R>) -> &[[f64; N]; R] {
+    &matrix.data.0
+}
+
+/// The rows of a matrix that holds them as columns, to be written.
+#[inline(always)]
+pub fn rows_mut<const N: usize, const R: usize>(
+    matrix: &mut SMatrix<f64, N, R>,
+) -> &mut [[f64; N]; R] {
+    &mut matrix.data.0
 }

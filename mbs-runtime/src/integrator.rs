@@ -5,6 +5,7 @@ use crate::linear::RankMargin;
 use crate::{
     BaselineStepper, Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper,
 };
+use nalgebra::SVector;
 
 /// The integrator of a simulation.
 pub(crate) enum Integrator<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -87,11 +88,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     }
 
     /// How much each row takes part in what is nearest to a loss of independence.
-    pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
+    pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
             Integrator::Baseline(stepper) => stepper.weakest_rows(),
-            Integrator::Paper(_) => [0.0; R],
+            Integrator::Paper(_) => SVector::zeros(),
         }
     }
 
@@ -166,7 +167,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     }
 
     /// See [`Simulation::step_multipliers`](crate::Simulation::step_multipliers).
-    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+    pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.multipliers(),
             Integrator::Paper(stepper) => stepper.multipliers(),
@@ -196,7 +197,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
 /// Quantities at hand after a step, from which the report is kept.
 pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
     /// φ.
-    pub(crate) phi: &'a [f64; R],
+    pub(crate) phi: &'a SVector<f64, R>,
     /// A v + b.
-    pub(crate) rates: [f64; R],
+    pub(crate) rates: SVector<f64, R>,
 }

@@ -63,6 +63,7 @@ pub mod alf3f;
 mod any;
 mod assembly;
 mod baselines;
+mod contract;
 mod energy;
 mod ensemble;
 mod error;
@@ -92,14 +93,16 @@ pub use baselines::{
     BaselineStepper, BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings,
     ProjectionSettings,
 };
+pub use contract::{Configuration, Constraints, Inertia, Loads, Observables, System};
 pub use ensemble::simulate_ensemble;
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
-pub use mechanism::{Mechanism, System};
+pub use mechanism::Mechanism;
 pub use model::{
     Candidate, Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy,
     Row, RowKind, Segment, Structure, World,
 };
+pub use nalgebra;
 pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;
 pub use settings::{Flow, Method, Settings};

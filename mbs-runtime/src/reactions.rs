@@ -3,10 +3,11 @@
 use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::assembly::independent_rows;
 use crate::free::free;
-use crate::linear::{DelassusFactor, accumulate, dot, finite};
+use crate::linear::{DelassusFactor, accumulate, dot, finite, vector};
 use crate::sink::Discard;
 use crate::yardstick::Yardstick;
 use crate::{Reactions, State, System};
+use nalgebra::SVector;
 
 /// Solves M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 and maps λ to the joints.
 ///
@@ -18,18 +19,18 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
 ) -> Result<Reactions, Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
     let mut geometry = ConstraintGeometry::new(system, q)?;
-    geometry.evaluate(system, t, q, &mut [0.0; R])?;
+    geometry.evaluate(system, t, q, &mut SVector::zeros())?;
 
     let mut acceleration = free(system, &geometry.mass, t, q, v);
-    let mut gamma = [0.0; R];
+    let mut gamma = SVector::zeros();
     system.constraint_rates(t, q, v, &mut Discard, &mut gamma);
     let mut solver = Box::new(DelassusFactor::new());
     solver.factor(&geometry.delassus);
-    let mut lambda = [0.0; R];
+    let mut lambda = SVector::zeros();
     // The second pass is a correction where the proximal solve was needed, and round-off elsewhere.
     for _ in 0..2 {
-        let mut change: [f64; R] =
-            std::array::from_fn(|i| -gamma[i] - dot(&geometry.a[i], &acceleration));
+        let mut change: SVector<f64, R> =
+            vector(|i| -gamma[i] - dot(&geometry.a[i], &acceleration));
         solver.solve(&mut change);
         accumulate(&mut acceleration, &geometry.w, &change);
         for i in 0..R {
@@ -48,6 +49,6 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
                 .dependent
                 .is_empty(),
         values,
-        multipliers: lambda.to_vec(),
+        multipliers: lambda.as_slice().to_vec(),
     })
 }

@@ -17,6 +17,7 @@ use crate::{
     AssemblyVerdict, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample, Samples,
     Settings, SimulationError, State, System, UnknownName,
 };
+use nalgebra::SVector;
 
 /// How often a step that does not converge is halved before it is given up.
 const HALVINGS: u32 = 8;
@@ -94,7 +95,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // What moves a row by less than its tolerance in a step is allowed at rest, too.
         let least = settings.constraint_tolerance / settings.step;
         let allowed = (RESUMABLE * yardstick.measure(simulation.velocities())).max(least);
-        for (i, (row, value)) in S::MODEL.rows.iter().zip(rates).enumerate() {
+        for (i, (row, value)) in S::MODEL.rows.iter().zip(rates.iter().copied()).enumerate() {
             if scale.displacement_of(i, value) > allowed {
                 return Err(SimulationError::State {
                     what: row.name,
@@ -176,12 +177,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// q, in the order and units of [`Model::coordinates`].
-    pub fn positions(&self) -> &[f64; Q] {
+    pub fn positions(&self) -> &SVector<f64, Q> {
         &self.state().positions
     }
 
     /// v, in the order and units of [`Model::velocities`].
-    pub fn velocities(&self) -> &[f64; N] {
+    pub fn velocities(&self) -> &SVector<f64, N> {
         &self.state().velocities
     }
 
@@ -364,7 +365,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ///
     /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
     /// [`Simulation::reactions`].
-    pub fn step_multipliers(&self) -> Option<[f64; R]> {
+    pub fn step_multipliers(&self) -> Option<SVector<f64, R>> {
         self.integrator.multipliers()
     }
 

@@ -3,10 +3,19 @@
 //! One generated body serves dense arrays and sparse storage alike: it names each structurally nonzero entry once, in a
 //! fixed order, and never writes a zero. Whoever provides the storage clears it once, when it is made.
 
+use nalgebra::SMatrix;
+
 /// Receives the structurally nonzero entries of a matrix, each exactly once per evaluation and always in the same order.
 pub trait MatrixSink {
     /// Stores entry (`row`, `column`).
     fn set(&mut self, row: usize, column: usize, value: f64);
+}
+
+impl<const ROWS: usize, const COLUMNS: usize> MatrixSink for SMatrix<f64, ROWS, COLUMNS> {
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        self.data.0[column][row] = value;
+    }
 }
 
 impl<const ROWS: usize, const COLUMNS: usize> MatrixSink for [[f64; COLUMNS]; ROWS] {

@@ -1,6 +1,8 @@
 //! Where a simulation stands: all that is needed to continue it bit for bit.
 
 use crate::alf3f::RowScale;
+use crate::linear::vector;
+use nalgebra::SVector;
 
 /// Multipliers whose squares grow by more than this in a step are not kept.
 const USUAL_GROWTH: f64 = 100.0;
@@ -13,15 +15,15 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// Time, s.
     pub time: f64,
     /// q.
-    pub positions: [f64; Q],
+    pub positions: SVector<f64, Q>,
     /// v.
-    pub velocities: [f64; N],
+    pub velocities: SVector<f64, N>,
     /// κ₁/h, the multiplier of the last step's first kick as a force; the next step starts its iteration with it …
-    pub multipliers: [f64; R],
+    pub multipliers: SVector<f64, R>,
     /// … plus its change from the step before.
-    pub multiplier_changes: [f64; R],
+    pub multiplier_changes: SVector<f64, R>,
     /// The same two, stage by stage, of the last step of a composition; empty for second order.
-    pub stage_multipliers: Vec<[[f64; R]; 2]>,
+    pub stage_multipliers: Vec<[SVector<f64, R>; 2]>,
     /// Accumulated work.
     pub ledger: Ledger,
     /// What the choice of steps remembers, where there is a tolerance.
@@ -33,8 +35,8 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
 impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// The impulses κ₁ that a step of h begins with.
     #[inline(always)]
-    pub(crate) fn expected_impulse(&self, h: f64) -> [f64; R] {
-        std::array::from_fn(|i| h * (self.multipliers[i] + self.multiplier_changes[i]))
+    pub(crate) fn expected_impulse(&self, h: f64) -> SVector<f64, R> {
+        vector(|i| h * (self.multipliers[i] + self.multiplier_changes[i]))
     }
 
     /// Keeps the impulses κ₁ of a step of h for the next one.
@@ -46,7 +48,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     pub(crate) fn keep_impulse(
         &mut self,
         h: f64,
-        impulse: &[f64; R],
+        impulse: &SVector<f64, R>,
         weak: bool,
         scale: &RowScale<R>,
     ) {
@@ -59,8 +61,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             USUAL_GROWTH
         };
         if now > usual * before && (weak || before > 0.0) {
-            self.multipliers = [0.0; R];
-            self.multiplier_changes = [0.0; R];
+            self.multipliers = SVector::zeros();
+            self.multiplier_changes = SVector::zeros();
             return;
         }
         for i in 0..R {
@@ -109,7 +111,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
                 self.multipliers = multipliers;
                 self.multiplier_changes = changes;
             }
-            None => self.multiplier_changes = [0.0; R],
+            None => self.multiplier_changes = SVector::zeros(),
         }
     }
 
@@ -118,18 +120,20 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     pub(crate) fn keep_stage(&mut self, stage: usize) {
         match self.stage_multipliers.get_mut(stage) {
             Some(kept) => *kept = [self.multipliers, self.multiplier_changes],
-            None => self.stage_multipliers.push([self.multipliers, [0.0; R]]),
+            None => self
+                .stage_multipliers
+                .push([self.multipliers, SVector::zeros()]),
         }
     }
 
     /// A state without history.
-    pub fn new(time: f64, positions: [f64; Q], velocities: [f64; N]) -> Self {
+    pub fn new(time: f64, positions: SVector<f64, Q>, velocities: SVector<f64, N>) -> Self {
         State {
             time,
             positions,
             velocities,
-            multipliers: [0.0; R],
-            multiplier_changes: [0.0; R],
+            multipliers: SVector::zeros(),
+            multiplier_changes: SVector::zeros(),
             stage_multipliers: Vec::new(),
             ledger: Ledger::default(),
             step_controller: StepController::default(),
@@ -172,21 +176,21 @@ pub struct StepController {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThreeFields<const N: usize, const R: usize> {
     /// λ.
-    pub lambda: [f64; R],
+    pub lambda: SVector<f64, R>,
     /// μ = λ̇.
-    pub mu: [f64; R],
+    pub mu: SVector<f64, R>,
     /// π = M v − Aᵀ m̄ μ, (26).
-    pub momentum: [f64; N],
+    pub momentum: SVector<f64, N>,
     /// σ = m̄ ψ̇, (27).
-    pub constraint_momentum: [f64; R],
+    pub constraint_momentum: SVector<f64, R>,
     /// The step in use, s, after halvings; zero stands for the nominal one.
     pub step: f64,
     /// The shortest step in use within the last nominal one, s.
     pub shortest: f64,
     /// ξ, the penalties at the end of the last step.
-    pub penalty: [f64; R],
+    pub penalty: SVector<f64, R>,
     /// μ₁ − μ₀ over the last accepted step (λ₁ − λ₀ of M-ALF), which the next one begins its iteration with, …
-    pub change: [f64; R],
+    pub change: SVector<f64, R>,
     /// … and the length of that step, s; zero: there was none.
     pub length: f64,
     /// Whether λ, μ and π hold values of a previous step.
@@ -196,14 +200,14 @@ pub struct ThreeFields<const N: usize, const R: usize> {
 impl<const N: usize, const R: usize> Default for ThreeFields<N, R> {
     fn default() -> Self {
         ThreeFields {
-            lambda: [0.0; R],
-            mu: [0.0; R],
-            momentum: [0.0; N],
-            constraint_momentum: [0.0; R],
+            lambda: SVector::zeros(),
+            mu: SVector::zeros(),
+            momentum: SVector::zeros(),
+            constraint_momentum: SVector::zeros(),
             step: 0.0,
             shortest: 0.0,
-            penalty: [0.0; R],
-            change: [0.0; R],
+            penalty: SVector::zeros(),
+            change: SVector::zeros(),
             length: 0.0,
             started: false,
         }

@@ -2,8 +2,9 @@
 //!
 //! Nothing is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
 
-use crate::linear::{dot, largest};
+use crate::linear::{RowMatrix, dot, largest, largest_of, vector};
 use crate::{Coordinate, Model, System};
+use nalgebra::SVector;
 
 /// Round-off of positions: that of a few operations on numbers of their size.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
@@ -15,8 +16,8 @@ pub(crate) struct Yardstick<const Q: usize, const N: usize> {
     pub(crate) length: f64,
     /// How far from the origin of the world the mechanism reaches, m: round-off of lengths is relative to this.
     pub(crate) reach: f64,
-    positions: [f64; Q],
-    velocities: [f64; N],
+    positions: SVector<f64, Q>,
+    velocities: SVector<f64, N>,
 }
 
 impl<const Q: usize, const N: usize> Yardstick<Q, N> {
@@ -26,7 +27,7 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         let (q, _) = system.guess();
         let mut points = vec![[0.0; 3]; S::MODEL.points.len()];
         system.points(0.0, &q, &mut points);
-        let reach = largest(points.as_flattened());
+        let reach = largest_of(points.as_flattened());
         let length = [extent(&points), reach]
             .into_iter()
             .find(|&length| is_length(length))
@@ -48,51 +49,51 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         Yardstick {
             length,
             reach,
-            positions: std::array::from_fn(|i| weight(coordinates.get(i))),
-            velocities: std::array::from_fn(|i| weight(velocities.get(i))),
+            positions: vector(|i| weight(coordinates.get(i))),
+            velocities: vector(|i| weight(velocities.get(i))),
         }
     }
 
     /// max |x| in lengths of the mechanism and radians; NaN if any is not a number.
     #[inline(always)]
-    pub(crate) fn measure(&self, x: &[f64; N]) -> f64 {
+    pub(crate) fn measure(&self, x: &SVector<f64, N>) -> f64 {
         largest(&self.sizes(x))
     }
 
     /// Σ x² in the same.
-    pub(crate) fn square(&self, x: &[f64; N]) -> f64 {
+    pub(crate) fn square(&self, x: &SVector<f64, N>) -> f64 {
         let sizes = self.sizes(x);
         dot(&sizes, &sizes)
     }
 
     /// The entry that [`Self::measure`] comes from.
-    pub(crate) fn worst(&self, x: &[f64; N]) -> usize {
+    pub(crate) fn worst(&self, x: &SVector<f64, N>) -> usize {
         let sizes = self.sizes(x).map(f64::abs);
         let larger = |i: &usize, j: &usize| sizes[*i].total_cmp(&sizes[*j]);
         (0..N).max_by(larger).unwrap_or(0)
     }
 
     #[inline(always)]
-    fn sizes(&self, x: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.velocities[i] * x[i])
+    fn sizes(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
+        vector(|i| self.velocities[i] * x[i])
     }
 
     /// x of which each entry is this many lengths of the mechanism, or radians.
-    pub(crate) fn displacement(&self, parts: [f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| parts[i] / self.velocities[i])
+    pub(crate) fn displacement(&self, parts: SVector<f64, N>) -> SVector<f64, N> {
+        vector(|i| parts[i] / self.velocities[i])
     }
 
     /// |a|² of a row for such displacements: how far they move what the row says, squared.
     #[inline]
-    pub(crate) fn row_length_squared(&self, a: &[f64; N]) -> f64 {
-        let moved: [f64; N] = std::array::from_fn(|i| a[i] / self.velocities[i]);
+    pub(crate) fn row_length_squared(&self, a: &SVector<f64, N>) -> f64 {
+        let moved: SVector<f64, N> = vector(|i| a[i] / self.velocities[i]);
         dot(&moved, &moved)
     }
 
     /// How large the coordinates are, at least 1.
     #[inline(always)]
-    pub(crate) fn farthest(&self, q: &[f64; Q]) -> f64 {
-        let sizes: [f64; Q] = std::array::from_fn(|i| self.positions[i] * q[i]);
+    pub(crate) fn farthest(&self, q: &SVector<f64, Q>) -> f64 {
+        let sizes: SVector<f64, Q> = vector(|i| self.positions[i] * q[i]);
         largest(&sizes).max(1.0)
     }
 
@@ -100,7 +101,7 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
     /// the round-off of its positions. At rest corrections stay of this size: 2φ/h, the rate that a row asks for, is no
     /// better known, and smaller steps make it worse.
     #[inline(always)]
-    pub(crate) fn imperceptible(&self, q: &[f64; Q], h: f64) -> f64 {
+    pub(crate) fn imperceptible(&self, q: &SVector<f64, Q>, h: f64) -> f64 {
         ROUND_OFF * self.farthest(q) / (0.5 * h).abs()
     }
 }
@@ -113,8 +114,8 @@ fn without_points<S: System<Q, N, R>, const Q: usize, const N: usize, const R: u
     step: f64,
 ) -> f64 {
     let (q, v) = system.guess();
-    let mut mass = crate::linear::clear::<N, N>();
-    system.mass_matrix(&q, &mut *mass);
+    let mut mass = RowMatrix::<N, N>::zeros();
+    system.mass_matrix(&q, &mut mass);
     let unit = |i: usize| S::MODEL.velocities.get(i).map_or("", |v| v.unit);
     let most = |wanted: &str, of: &dyn Fn(usize) -> f64| {
         let among = (0..N).filter(|&i| unit(i) == wanted);
@@ -122,7 +123,7 @@ fn without_points<S: System<Q, N, R>, const Q: usize, const N: usize, const R: u
     };
     let inertia = |i: usize| mass[i][i];
     let gyration = (most("rad/s", &inertia) / most("m/s", &inertia)).sqrt();
-    let mut kick = [0.0; N];
+    let mut kick = SVector::zeros();
     system.applied_forces(0.0, &q, &v, &mut kick);
     if let Some(mass) = system.factor_mass(&q) {
         system.solve_mass(&mass, &mut kick);

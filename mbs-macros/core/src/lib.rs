@@ -9,6 +9,7 @@
 
 pub mod choose;
 pub mod compile;
+pub mod contract;
 pub mod diagnostics;
 pub mod explain;
 pub mod mobility;

@@ -14,7 +14,8 @@ use super::step_context::StepContext;
 use super::{ConstraintGeometry, Fault};
 use crate::System;
 use crate::flow::{Implicit, transport, trapezoid};
-use crate::linear::{Matrix, Pivoted, ProjectionLu, accumulate, clear, dot};
+use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, vector};
+use nalgebra::SVector;
 
 /// Corrections of the velocities below this fraction of them end the iteration.
 const CONVERGED: f64 = 1e-14;
@@ -41,11 +42,11 @@ enum Along {
 pub(super) struct ImplicitStep<const Q: usize, const N: usize, const R: usize> {
     solver: Implicit<N>,
     /// ½(A₀ + A₁), and J⁻¹ times its rows.
-    mean: Matrix<R, N>,
-    along_mean: Matrix<R, N>,
+    mean: RowMatrix<N, R>,
+    along_mean: RowMatrix<N, R>,
     /// J⁻¹A₁ᵀ, row by row.
-    along_end: Matrix<R, N>,
-    metric: Matrix<R, R>,
+    along_end: RowMatrix<N, R>,
+    metric: RowMatrix<R, R>,
     end_projection: ProjectionLu<R>,
     velocity_metric: Pivoted<N>,
 }
@@ -55,10 +56,10 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
     pub(super) fn new() -> Box<Self> {
         Box::new(ImplicitStep {
             solver: Implicit::new(),
-            mean: clear(),
-            along_mean: clear(),
-            along_end: clear(),
-            metric: clear(),
+            mean: RowMatrix::zeros(),
+            along_mean: RowMatrix::zeros(),
+            along_end: RowMatrix::zeros(),
+            metric: RowMatrix::zeros(),
             end_projection: ProjectionLu::new(),
             velocity_metric: Pivoted::new(),
         })
@@ -87,7 +88,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         // A rate that moves no position is none.
         let floor = yardstick.imperceptible(&q0, h) / scale.tolerance;
         let speed = yardstick.measure(&v0).max(floor);
-        for weight in &mut weights[holonomic..] {
+        for weight in &mut weights.as_mut_slice()[holonomic..] {
             *weight /= speed * speed;
         }
 
@@ -100,13 +101,13 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         let mut iterations = 0;
         let q = loop {
             let q = trapezoid(system, &q0, &v0, &vb, h);
-            system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
+            system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
             let mut defect = work.phi;
             for i in holonomic..R {
                 defect[i] = dot(&end.a[i], &vb) + end.b[i];
             }
             for i in 0..R {
-                self.mean[i] = std::array::from_fn(|j| 0.5 * (start.a[i][j] + end.a[i][j]));
+                self.mean[i] = vector(|j| 0.5 * (start.a[i][j] + end.a[i][j]));
             }
             self.solver.known = known;
             accumulate(&mut self.solver.known, &self.mean, &kappa);
@@ -116,7 +117,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             let slow = !(residual < 1e-2 * last || residual <= 1.0);
             if !last_change.is_finite() || slow || self.solver.is_stale() {
                 self.solver.refresh(system, &q, &v0, &vb)?;
-                let turn = std::array::from_fn(|i| 0.5 * h * (v0[i] + vb[i]));
+                let turn = vector(|i| 0.5 * h * (v0[i] + vb[i]));
                 if !self.factor(system, end, &turn, &mut work.projection) {
                     return Ok(Outcome::Lost);
                 }
@@ -125,10 +126,10 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             self.solver.jacobian.solve(&mut change);
             let mut moved = [change];
             if !S::ROTATIONS.is_empty() {
-                let turn = std::array::from_fn(|i| 0.5 * h * (v0[i] + vb[i]));
+                let turn = vector(|i| 0.5 * h * (v0[i] + vb[i]));
                 transport::<S, Q, N, R>(&turn, &mut moved);
             }
-            let mut multiplier: [f64; R] = std::array::from_fn(|i| {
+            let mut multiplier: SVector<f64, R> = vector(|i| {
                 if i < holonomic {
                     -2.0 / h * defect[i] - dot(&end.a[i], &moved[0])
                 } else {
@@ -184,7 +185,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         &mut self,
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
-        turn: &[f64; N],
+        turn: &SVector<f64, N>,
         projection: &mut ProjectionLu<R>,
     ) -> bool {
         let lengths = self.factor_end(system, end, Along::Position);
@@ -207,14 +208,14 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         &mut self,
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
-        turn: &[f64; N],
+        turn: &SVector<f64, N>,
     ) {
         let plain = *self.metric;
         *self.along_end = *self.along_mean;
-        transport::<S, Q, N, R>(turn, &mut *self.along_end);
+        transport::<S, Q, N, R>(turn, self.along_end.rows_mut());
         system.delassus(&end.a, &self.along_end, &mut self.metric);
         for i in S::STRUCTURE.holonomic_rows..R {
-            self.metric[i] = plain[i];
+            self.metric[i] = plain.column(i).into_owned();
         }
     }
 
@@ -224,7 +225,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
         along: Along,
-    ) -> [f64; R] {
+    ) -> SVector<f64, R> {
         let metric = match along {
             Along::Position => &self.solver.jacobian,
             Along::Velocity => &self.velocity_metric,
@@ -234,7 +235,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             metric.solve(&mut self.along_end[i]);
         }
         system.delassus(&end.a, &self.along_end, &mut self.metric);
-        let lengths = std::array::from_fn(|i| self.metric[i][i].abs());
+        let lengths = vector(|i| self.metric[i][i].abs());
         self.end_projection.factor(&self.metric, &lengths, None);
         lengths
     }
@@ -244,11 +245,11 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         &mut self,
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
-        v: &mut [f64; N],
-    ) -> Result<[f64; R], Fault> {
+        v: &mut SVector<f64, N>,
+    ) -> Result<SVector<f64, R>, Fault> {
         self.solver.velocity_metric(&mut self.velocity_metric)?;
         self.factor_end(system, end, Along::Velocity);
-        let mut total = [0.0; R];
+        let mut total = SVector::zeros();
         let passes = if self.end_projection.regularised {
             4
         } else {

@@ -12,6 +12,7 @@ use super::step_context::StepContext;
 use crate::System;
 use crate::flow::KickFlow;
 use crate::linear::accumulate;
+use nalgebra::SVector;
 
 /// What is left of φ beside a singular pose, in squared tolerances: there it turns velocities by φ/σ².
 pub(super) const EXACT: f64 = 1e-6;
@@ -81,7 +82,7 @@ fn arrive<S, F, const Q: usize, const N: usize, const R: usize>(
     flow: &mut F,
     t1: f64,
     kick: &Kick<Q, N, R>,
-) -> Result<[f64; N], Fault>
+) -> Result<SVector<f64, N>, Fault>
 where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
@@ -101,7 +102,7 @@ fn close_again<S, F, const Q: usize, const N: usize, const R: usize>(
     flow: &mut F,
     h: f64,
     kick: &mut Kick<Q, N, R>,
-) -> Result<[f64; N], Fault>
+) -> Result<SVector<f64, N>, Fault>
 where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
@@ -113,9 +114,9 @@ where
 
 /// What is iterated on.
 struct Kick<const Q: usize, const N: usize, const R: usize> {
-    kappa: [f64; R],
-    va: [f64; N],
-    q: [f64; Q],
+    kappa: SVector<f64, R>,
+    va: SVector<f64, N>,
+    q: SVector<f64, Q>,
     matrix: Matrix,
 }
 
@@ -158,7 +159,7 @@ where
     let mut iterations = 0;
     let left = loop {
         flow.positions(system, va, q)?;
-        system.constraints(t1, q, &mut work.phi, &mut *end.a, &mut end.b);
+        system.constraints(t1, q, &mut work.phi, &mut end.a, &mut end.b);
         let residual = residual_of(&work.phi, weights);
         match fixed {
             // Beside a singular pose down to round-off.
@@ -218,7 +219,7 @@ where
 
 /// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.
 #[inline(always)]
-pub(crate) fn residual_of<const R: usize>(phi: &[f64; R], weights: &[f64; R]) -> f64 {
+pub(crate) fn residual_of<const R: usize>(phi: &SVector<f64, R>, weights: &SVector<f64, R>) -> f64 {
     let mut sum = 0.0;
     for i in 0..R {
         sum += phi[i] * phi[i] * weights[i];
@@ -229,8 +230,8 @@ pub(crate) fn residual_of<const R: usize>(phi: &[f64; R], weights: &[f64; R]) ->
 #[cold]
 #[inline(never)]
 pub(crate) fn not_converged<const R: usize>(
-    phi: &[f64; R],
-    weights: &[f64; R],
+    phi: &SVector<f64, R>,
+    weights: &SVector<f64, R>,
     iterations: usize,
 ) -> Fault {
     let mut row = 0;

@@ -15,7 +15,7 @@ use super::{ConstraintGeometry, Fault};
 use crate::System;
 use crate::flow::KickFlow;
 use crate::linear::{accumulate, dot};
-
+use nalgebra::SVector;
 /// Slower than any motion: 0/0 does not arise where nothing moves.
 const AT_REST: f64 = 1e-100;
 
@@ -60,7 +60,7 @@ where
     let mut iterations = 0;
     let v = loop {
         flow.positions(system, &va, &mut q)?;
-        system.constraints(t1, &q, &mut work.phi, &mut *end.a, &mut end.b);
+        system.constraints(t1, &q, &mut work.phi, &mut end.a, &mut end.b);
         end.metric(system, t1, &q)?;
         let mut v = flow.velocities(system, &va, &q, end);
         factor_holonomic(end, work);
@@ -123,7 +123,7 @@ where
             }
             // The kick of a nonholonomic row counts twice.
             let mut lengths = lengths;
-            for length in &mut lengths[holonomic..] {
+            for length in &mut lengths.as_mut_slice()[holonomic..] {
                 *length *= 2.0;
             }
             work.projection
@@ -134,7 +134,7 @@ where
             fresh = false;
         }
         let mut change = defect;
-        for value in &mut change[..holonomic] {
+        for value in &mut change.as_mut_slice()[..holonomic] {
             *value /= h;
         }
         work.projection.solve(&mut change);
@@ -168,12 +168,13 @@ pub(super) fn factor_holonomic<
     if holonomic > 0 {
         // On the stack: a step allocates nothing.
         let mut delassus = *end.delassus;
+        let rows = &mut delassus.data.0;
         for i in holonomic..R {
-            delassus[i] = [0.0; R];
-            for row in &mut delassus {
+            rows[i] = [0.0; R];
+            for row in rows.iter_mut() {
                 row[i] = 0.0;
             }
-            delassus[i][i] = 1.0;
+            rows[i][i] = 1.0;
         }
         work.delassus.factor(&delassus);
     }
@@ -183,16 +184,16 @@ pub(super) fn factor_holonomic<
 fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
-    v: &mut [f64; N],
+    v: &mut SVector<f64, N>,
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
     if holonomic == 0 {
         return;
     }
-    work.impulse[1][..holonomic].fill(0.0);
+    work.impulse[1].as_mut_slice()[..holonomic].fill(0.0);
     let passes = if work.delassus.weak { 4 } else { 1 };
     for _ in 0..passes {
-        let mut multiplier = [0.0; R];
+        let mut multiplier = SVector::zeros();
         for i in 0..holonomic {
             multiplier[i] = -dot(&end.a[i], v) - end.b[i];
         }
@@ -208,13 +209,13 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 fn remove_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &Workspace<R>,
-    x: &mut [f64; N],
+    x: &mut SVector<f64, N>,
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
     if holonomic == 0 {
         return;
     }
-    let mut multiplier = [0.0; R];
+    let mut multiplier = SVector::zeros();
     for i in 0..holonomic {
         multiplier[i] = -dot(&end.a[i], x);
     }

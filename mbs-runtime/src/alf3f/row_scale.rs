@@ -1,9 +1,10 @@
 //! What a violation of a row amounts to.
 
 use super::{ConstraintGeometry, Fault};
-use crate::linear::dot;
+use crate::linear::{dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
+use nalgebra::SVector;
 
 /// A displacement, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so close to a
 /// singular pose that its multiplier has no direction; the next step closes it.
@@ -20,9 +21,9 @@ const VANISHING: f64 = 1e-4;
 #[derive(Clone, Copy)]
 pub(crate) struct RowScale<const R: usize> {
     /// 1/(tolerance · |a_i|)².
-    pub(crate) weights: [f64; R],
+    pub(crate) weights: SVector<f64, R>,
     /// |a_i|²: makes multipliers of rows in different units comparable, as works.
-    pub(crate) lengths_squared: [f64; R],
+    pub(crate) lengths_squared: SVector<f64, R>,
     /// (LOST / tolerance)².
     pub(crate) lost: f64,
     pub(crate) tolerance: f64,
@@ -37,7 +38,7 @@ impl<const R: usize> RowScale<R> {
         let tolerance = settings.constraint_tolerance;
         let yardstick = yardstick.for_tolerance(S::MODEL, tolerance);
         let geometry = ConstraintGeometry::at_guess(system)?;
-        let lengths_squared = std::array::from_fn(|i| {
+        let lengths_squared: SVector<f64, R> = vector(|i| {
             let length_squared = yardstick.row_length_squared(&geometry.a[i]);
             let expected = Self::expected::<S, Q, N>(i, yardstick.length);
             match length_squared > (VANISHING * expected).powi(2) {
@@ -63,8 +64,8 @@ impl<const R: usize> RowScale<R> {
     }
 
     /// The largest |φ_i|/|a_i|, a displacement in lengths of the mechanism; NaN if any φ is.
-    pub(crate) fn displacement(&self, phi: &[f64; R]) -> f64 {
-        let displacements = std::array::from_fn::<_, R, _>(|i| self.displacement_of(i, phi[i]));
+    pub(crate) fn displacement(&self, phi: &SVector<f64, R>) -> f64 {
+        let displacements = vector::<R>(|i| self.displacement_of(i, phi[i]));
         crate::linear::largest(&displacements)
     }
 
@@ -81,8 +82,8 @@ impl<const R: usize> RowScale<R> {
 
     /// Σ |a_i|² x_i² of multipliers.
     #[inline(always)]
-    pub(crate) fn square(&self, x: &[f64; R]) -> f64 {
-        let weighted = std::array::from_fn(|i| self.lengths_squared[i] * x[i]);
+    pub(crate) fn square(&self, x: &SVector<f64, R>) -> f64 {
+        let weighted: SVector<f64, R> = vector(|i| self.lengths_squared[i] * x[i]);
         dot(&weighted, x)
     }
 }

@@ -16,8 +16,9 @@ use super::kicks::{self, EXACT, STAGNATED, residual_of};
 use super::step_context::{REFINEMENTS, StepContext};
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{Bordered, Pair, RankMargin, Rows, Slots, SparseMass, Thresholds};
+use crate::linear::{Bordered, Pair, RankMargin, Rows, Slots, SparseMass, Thresholds, vector};
 use crate::{State, System};
+use nalgebra::SVector;
 
 /// Corrections by the factor at the start of the step that are cheaper than another factor.
 const PATIENCE: i32 = 3;
@@ -46,10 +47,10 @@ enum Factor {
 /// What is iterated on: the first kick of a step, and where it leads.
 struct Kick<const Q: usize, const N: usize, const R: usize> {
     /// q₁ without the velocity.
-    base: [f64; N],
-    q: [f64; Q],
-    va: [f64; N],
-    kappa: [f64; R],
+    base: SVector<f64, N>,
+    q: SVector<f64, Q>,
+    va: SVector<f64, N>,
+    kappa: SVector<f64, R>,
     factor: Factor,
 }
 
@@ -121,7 +122,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     pub(super) fn rates<S: System<Q, N, R>, const Q: usize>(
         &self,
         context: &StepContext<S, Q, N, R>,
-    ) -> [f64; R] {
+    ) -> SVector<f64, R> {
         rates(
             self.plan,
             &self.start,
@@ -137,7 +138,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
 
     /// How much each row takes part in what is nearest to a loss of independence.
     #[cold]
-    pub(super) fn weakest_rows(&mut self) -> [f64; R] {
+    pub(super) fn weakest_rows(&mut self) -> SVector<f64, R> {
         self.start.combination(self.plan, &mut self.x)
     }
 
@@ -198,9 +199,9 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             &mut geometry.acceleration,
         );
         let a1 = &geometry.acceleration;
-        let mut v: [f64; N] = std::array::from_fn(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
+        let mut v: SVector<f64, N> = vector(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut context.work.impulse[1];
-        *kappa = [0.0; R];
+        *kappa = SVector::zeros();
         let (scale, speed) = (&context.scale, context.yardstick.measure(&v));
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
@@ -238,7 +239,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         } = self;
         let state = &context.state;
         let kappa = state.expected_impulse(h);
-        let mut va = [0.0; N];
+        let mut va = SVector::zeros();
         (plan.impulse)(&start.entries, &kappa, &mut va);
         mass.solve(plan, x, &mut va);
         for i in 0..N {
@@ -247,7 +248,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let half = 0.5 * h * h;
         let a0 = &context.start.acceleration;
         Kick {
-            base: std::array::from_fn(|i| state.positions[i] + half * a0[i]),
+            base: vector(|i| state.positions[i] + half * a0[i]),
             q: state.positions,
             va,
             kappa,
@@ -329,10 +330,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
 fn rates<const N: usize, const R: usize>(
     plan: &Elimination<N, R>,
     matrix: &Bordered,
-    b: &[f64; R],
-    v: &[f64; N],
-) -> [f64; R] {
-    let mut rates = [0.0; R];
+    b: &SVector<f64, R>,
+    v: &SVector<f64, N>,
+) -> SVector<f64, R> {
+    let mut rates = SVector::zeros();
     (plan.rates)(&matrix.entries, v, &mut rates);
-    std::array::from_fn(|i| rates[i] + b[i])
+    vector(|i| rates[i] + b[i])
 }

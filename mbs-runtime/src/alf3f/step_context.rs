@@ -1,10 +1,12 @@
 //! What every two-level step works on.
 
+use super::RowScale;
 use super::kicks::residual_of;
-use super::{ConstraintGeometry, Fault, RowScale};
-use crate::linear::{DelassusFactor, ProjectionLu, Thresholds};
+use super::{ConstraintGeometry, Fault};
+use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, Thresholds};
 use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
+use nalgebra::SVector;
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
 pub(super) const REFINEMENTS: usize = 10;
@@ -27,24 +29,24 @@ pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize
 /// Factorisations and multipliers of a step.
 pub(crate) struct Workspace<const R: usize> {
     /// B.
-    pub(crate) matrix: crate::linear::Matrix<R, R>,
+    pub(crate) matrix: RowMatrix<R, R>,
     pub(crate) projection: ProjectionLu<R>,
     pub(crate) delassus: DelassusFactor<R>,
     /// Impulses of the constraints at the two ends of the last step.
-    pub(crate) impulse: [[f64; R]; 2],
+    pub(crate) impulse: [SVector<f64, R>; 2],
     /// φ at the end of the last step.
-    pub(crate) phi: [f64; R],
+    pub(crate) phi: SVector<f64, R>,
 }
 
 impl<const R: usize> Workspace<R> {
     #[inline(never)]
     fn new() -> Box<Self> {
         Box::new(Workspace {
-            matrix: crate::linear::clear(),
+            matrix: RowMatrix::zeros(),
             projection: ProjectionLu::new(),
             delassus: DelassusFactor::new(),
-            impulse: [[0.0; R]; 2],
-            phi: [0.0; R],
+            impulse: [SVector::zeros(); 2],
+            phi: SVector::zeros(),
         })
     }
 }
@@ -120,8 +122,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         &mut self,
         time: f64,
         h: f64,
-        q: [f64; Q],
-        v: [f64; N],
+        q: SVector<f64, Q>,
+        v: SVector<f64, N>,
         weak: bool,
     ) -> Result<(), Fault> {
         if !crate::linear::finite(&q) {
@@ -142,7 +144,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
 
     /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.
     #[inline(always)]
-    pub(crate) fn project_velocity(&mut self, v: &mut [f64; N]) {
+    pub(crate) fn project_velocity(&mut self, v: &mut SVector<f64, N>) {
         let StepContext {
             system,
             end,
@@ -176,8 +178,8 @@ fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
-    v: &mut [f64; N],
-    (passes, weights, enough): (usize, &[f64; R], f64),
+    v: &mut SVector<f64, N>,
+    (passes, weights, enough): (usize, &SVector<f64, R>, f64),
 ) {
     let mut last = f64::INFINITY;
     for _ in 0..passes {

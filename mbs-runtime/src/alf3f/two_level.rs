@@ -5,8 +5,9 @@ use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
 use super::{Fault, StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
-use crate::linear::RankMargin;
+use crate::linear::{RankMargin, vector};
 use crate::{Flow, Settings, SimulationError, State, System};
+use nalgebra::SVector;
 
 /// The integrator by itself: steps of any length, without energy balance or report.
 ///
@@ -21,7 +22,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     before: State<Q, N, R>,
     placement: StagePlacement,
     /// κ₁ + κ₂ over the stages of the last composed step, N s …
-    impulse: [f64; R],
+    impulse: SVector<f64, R>,
     /// The length of the last step, s.
     length: f64,
 }
@@ -120,7 +121,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             placement: StagePlacement::new(stages),
             stages,
             before,
-            impulse: [0.0; R],
+            impulse: SVector::zeros(),
             length: 0.0,
         })
     }
@@ -177,7 +178,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
-    pub(crate) fn weakest_rows(&mut self) -> [f64; R] {
+    pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         let rows = S::STRUCTURE.holonomic_rows;
         if let Stepping::Sparse(kicks, _) = &mut self.flow {
             return kicks.weakest_rows();
@@ -198,7 +199,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// A v + b at the current instant.
-    pub(crate) fn rates(&self) -> [f64; R] {
+    pub(crate) fn rates(&self) -> SVector<f64, R> {
         let context = &self.context;
         match &self.flow {
             Stepping::Sparse(kicks, _) => kicks.rates(context),
@@ -215,7 +216,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let several = self.stages.len() > 1;
         self.length = h;
         if several {
-            self.impulse = [0.0; R];
+            self.impulse = SVector::zeros();
             self.before.copy_from(&self.context.state);
             if let Some(start) = monitor.as_ref().and_then(|monitor| monitor.rank_margin) {
                 self.placement.begin(start);
@@ -295,11 +296,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// (κ₁ + κ₂)/h of the last step, over all stages: the mean forces of the rows; `None` before the first step.
-    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+    pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         let impulse = match self.stages.len() {
             1 => {
                 let [first, second] = &self.context.work.impulse;
-                std::array::from_fn(|i| first[i] + second[i])
+                vector(|i| first[i] + second[i])
             }
             _ => self.impulse,
         };

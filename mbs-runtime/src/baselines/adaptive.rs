@@ -10,6 +10,7 @@ use super::runge_kutta::RungeKutta;
 use super::tableau::DORMAND_PRINCE5;
 use crate::System;
 use crate::alf3f::Fault;
+use nalgebra::SVector;
 
 const SAFETY: f64 = 0.9;
 /// Most and least change of a step.
@@ -100,7 +101,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         // From rest the speed to which the acceleration leads on the length of the mechanism.
         let fall = yardstick.measure(self.stages.first_acceleration()).sqrt();
         let scales = [yardstick.farthest(&q), yardstick.measure(&v).max(fall)];
-        let square = |x: &[f64; N], scale: f64| match scale > 0.0 {
+        let square = |x: &SVector<f64, N>, scale: f64| match scale > 0.0 {
             true => yardstick.square(x) / (scale * scale),
             false => 0.0,
         };

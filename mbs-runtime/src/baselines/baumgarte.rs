@@ -17,6 +17,7 @@ use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
 use crate::linear::{RankMargin, accumulate};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
+use nalgebra::SVector;
 
 /// What is left of φ where rows are weak, in squared tolerances.
 const EXACT: f64 = 1e-6;
@@ -99,7 +100,10 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
-    pub(crate) fn weakest_rows<S: System<Q, N, R>>(&self, bench: &Bench<S, Q, N, R>) -> [f64; R] {
+    pub(crate) fn weakest_rows<S: System<Q, N, R>>(
+        &self,
+        bench: &Bench<S, Q, N, R>,
+    ) -> SVector<f64, R> {
         let rows = S::STRUCTURE.holonomic_rows;
         self.equations
             .delassus
@@ -156,7 +160,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         t: f64,
-        q: &mut [f64; Q],
+        q: &mut SVector<f64, Q>,
         scale: &RowScale<R>,
     ) -> Result<(), Fault> {
         self.place(bench, t, q)?;
@@ -180,7 +184,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             }
             let mut change = bench.phi.map(|residual| -residual);
             self.delassus.solve(&mut change);
-            let mut way = [0.0; N];
+            let mut way = SVector::zeros();
             accumulate(&mut way, &bench.geometry.w, &change);
             *q = bench.system.advance(q, &way, 1.0);
             let Bench {
@@ -189,7 +193,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+            system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
             last = residual;
             iterations += 1;
         }
@@ -203,7 +207,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     fn project<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &Bench<S, Q, N, R>,
-        v: &mut [f64; N],
+        v: &mut SVector<f64, N>,
     ) {
         for _ in 0..2 {
             let mut multiplier = bench

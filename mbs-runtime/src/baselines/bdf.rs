@@ -23,8 +23,9 @@ use super::saddle::Saddle;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::flow::unroll;
-use crate::linear::{dot, finite};
+use crate::linear::{dot, finite, vector};
 use crate::yardstick::Yardstick;
+use nalgebra::SVector;
 
 /// Settings of [`Method::Bdf`](crate::Method::Bdf).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,18 +74,18 @@ pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
     since: usize,
     /// The step in use, s; zero before the first.
     size: f64,
-    lambda: [f64; R],
+    lambda: SVector<f64, R>,
     motion: Motion<N>,
     saddle: Saddle<N, R>,
 }
 
 /// The end of a step that may be accepted.
 struct Trial<const Q: usize, const N: usize, const R: usize> {
-    q: [f64; Q],
-    v: [f64; N],
+    q: SVector<f64, Q>,
+    v: SVector<f64, N>,
     /// θ₀.
-    turn: [f64; N],
-    lambda: [f64; R],
+    turn: SVector<f64, N>,
+    lambda: SVector<f64, R>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
@@ -95,7 +96,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             order: 1,
             since: 0,
             size: 0.0,
-            lambda: [0.0; R],
+            lambda: SVector::zeros(),
             motion: Motion::new(),
             saddle: Saddle::with_threshold(DEPENDENT),
         }
@@ -103,7 +104,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
 
     pub(crate) fn refresh(&mut self) {
         self.history.keep(0);
-        self.lambda = [0.0; R];
+        self.lambda = SVector::zeros();
         self.size = 0.0;
     }
 
@@ -180,7 +181,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
     }
 
     /// The tolerance, in lengths of the mechanism and radians.
-    fn bound(&self, yardstick: &Yardstick<Q, N>, q: &[f64; Q]) -> f64 {
+    fn bound(&self, yardstick: &Yardstick<Q, N>, q: &SVector<f64, Q>) -> f64 {
         self.settings.tolerance * yardstick.farthest(q)
     }
 
@@ -195,7 +196,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         self.history.seek(&bench.system, t1);
         let (alpha, past, past_p) = self.history.past(self.order);
         let [mut turn, mut v] = self.history.predict(self.order);
-        let mut lambda = [0.0; R];
+        let mut lambda = SVector::zeros();
         let bound = self.bound(&bench.yardstick, &q0);
         let (mut last, mut ended) = (f64::INFINITY, false);
         for _ in 0..NEWTON_ITERATIONS {
@@ -203,7 +204,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             for _ in 0..if S::ROTATIONS.is_empty() { 1 } else { 3 } {
                 let mut rate = v;
                 unroll::<S, Q, N, R>(&turn, &mut rate);
-                turn = std::array::from_fn(|i| (rate[i] - past[i]) / alpha);
+                turn = vector(|i| (rate[i] - past[i]) / alpha);
             }
             let q = bench.system.advance(&q0, &turn, 1.0);
             if ended {
@@ -221,16 +222,16 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
+            system.constraints(t1, &q, phi, &mut geometry.a, &mut geometry.b);
             let motion = &mut self.motion;
             motion.balance(system, t1, &q, &v);
             motion.tangents(system, t1, &q, &v);
             // All divided by α₀. All of λ is found anew: what a weak row has in one step, beside a singular pose, must not
             // stay where it is strong again.
-            let mut change: [f64; N] =
-                std::array::from_fn(|i| (motion.f[i] - past_p[i]) / alpha - motion.p[i]);
+            let mut change: SVector<f64, N> =
+                vector(|i| (motion.f[i] - past_p[i]) / alpha - motion.p[i]);
             motion.combine(1.0 / alpha, 1.0 / (alpha * alpha));
-            let mut rows = std::array::from_fn(|i| {
+            let mut rows = vector(|i| {
                 if i < holonomic {
                     -alpha * phi[i]
                 } else {

@@ -1,7 +1,9 @@
 //! The last instants of a multistep method, wherever they are.
 
 use crate::System;
+use crate::linear::vector;
 use crate::yardstick::Yardstick;
+use nalgebra::SVector;
 
 /// Highest order of the backward differentiation that is stable for every stiff equation of interest.
 pub(super) const MOST_ORDER: usize = 5;
@@ -12,13 +14,13 @@ const KEPT: usize = MOST_ORDER + 2;
 pub(super) struct History<const Q: usize, const N: usize> {
     len: usize,
     times: [f64; KEPT],
-    q: [[f64; Q]; KEPT],
-    v: [[f64; N]; KEPT],
-    p: [[f64; N]; KEPT],
+    q: [SVector<f64, Q>; KEPT],
+    v: [SVector<f64, N>; KEPT],
+    p: [SVector<f64, N>; KEPT],
     /// The instant that is sought, s.
     sought: f64,
     /// θ of each instant in the chart about the newest.
-    turns: [[f64; N]; KEPT],
+    turns: [SVector<f64, N>; KEPT],
 }
 
 impl<const Q: usize, const N: usize> History<Q, N> {
@@ -26,11 +28,11 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         History {
             len: 0,
             times: [0.0; KEPT],
-            q: [[0.0; Q]; KEPT],
-            v: [[0.0; N]; KEPT],
-            p: [[0.0; N]; KEPT],
+            q: [SVector::zeros(); KEPT],
+            v: [SVector::zeros(); KEPT],
+            p: [SVector::zeros(); KEPT],
             sought: 0.0,
-            turns: [[0.0; N]; KEPT],
+            turns: [SVector::zeros(); KEPT],
         }
     }
 
@@ -43,7 +45,13 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         self.len = self.len.min(count);
     }
 
-    pub(super) fn push(&mut self, t: f64, q: &[f64; Q], v: &[f64; N], p: &[f64; N]) {
+    pub(super) fn push(
+        &mut self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        p: &SVector<f64, N>,
+    ) {
         self.times.rotate_right(1);
         self.q.rotate_right(1);
         self.v.rotate_right(1);
@@ -76,7 +84,7 @@ impl<const Q: usize, const N: usize> History<Q, N> {
     }
 
     /// α₀, Σ_{j>0} α_j θ_j and Σ_{j>0} α_j p_j.
-    pub(super) fn past(&self, order: usize) -> (f64, [f64; N], [f64; N]) {
+    pub(super) fn past(&self, order: usize) -> (f64, SVector<f64, N>, SVector<f64, N>) {
         let (alpha, weights) = self.derivative(order);
         (
             alpha,
@@ -99,7 +107,7 @@ impl<const Q: usize, const N: usize> History<Q, N> {
     }
 
     /// θ and v extrapolated with a polynomial of at most this degree.
-    pub(super) fn predict(&self, degree: usize) -> [[f64; N]; 2] {
+    pub(super) fn predict(&self, degree: usize) -> [SVector<f64, N>; 2] {
         let degree = degree.min(self.len - 1);
         let weights = self.extrapolation(degree);
         let weights = &weights[..=degree];
@@ -111,16 +119,16 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         &self,
         yardstick: &Yardstick<Q, N>,
         order: usize,
-        turn: &[f64; N],
+        turn: &SVector<f64, N>,
     ) -> Option<f64> {
         let h = self.sought - self.times[0];
         if self.len <= order {
             // After one instant: what the change of v adds.
-            let first: [f64; N] = std::array::from_fn(|i| turn[i] - h * self.v[0][i]);
+            let first: SVector<f64, N> = vector(|i| turn[i] - h * self.v[0][i]);
             return (order == 1).then(|| 0.5 * yardstick.measure(&first));
         }
         let [predicted, _] = self.predict(order);
-        let difference: [f64; N] = std::array::from_fn(|i| turn[i] - predicted[i]);
+        let difference: SVector<f64, N> = vector(|i| turn[i] - predicted[i]);
         Some(h / (self.sought - self.times[order]) * yardstick.measure(&difference))
     }
 
@@ -130,11 +138,11 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         &self,
         yardstick: &Yardstick<Q, N>,
         degree: usize,
-        (turn, v): (&[f64; N], &[f64; N]),
+        (turn, v): (&SVector<f64, N>, &SVector<f64, N>),
     ) -> [f64; 2] {
         let [turns, rates] = self.predict(degree);
-        let largest_of = |a: &[f64; N], b: &[f64; N]| {
-            let difference: [f64; N] = std::array::from_fn(|i| a[i] - b[i]);
+        let largest_of = |a: &SVector<f64, N>, b: &SVector<f64, N>| {
+            let difference: SVector<f64, N> = vector(|i| a[i] - b[i]);
             yardstick.measure(&difference)
         };
         [largest_of(turn, &turns), largest_of(v, &rates)]
@@ -147,7 +155,7 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         &self,
         yardstick: &Yardstick<Q, N>,
         order: usize,
-        ends: (&[f64; N], &[f64; N]),
+        ends: (&SVector<f64, N>, &SVector<f64, N>),
     ) -> f64 {
         if order <= 2 {
             return 0.0;
@@ -168,8 +176,8 @@ impl<const Q: usize, const N: usize> History<Q, N> {
 }
 
 /// Σ c_j x_j.
-fn combine<const N: usize>(weights: &[f64], values: &[[f64; N]; KEPT]) -> [f64; N] {
-    let mut sum = [0.0; N];
+fn combine<const N: usize>(weights: &[f64], values: &[SVector<f64, N>; KEPT]) -> SVector<f64, N> {
+    let mut sum = SVector::zeros();
     for (c, value) in weights.iter().zip(values) {
         for i in 0..N {
             sum[i] += c * value[i];

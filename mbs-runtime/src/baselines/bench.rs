@@ -4,6 +4,7 @@ use crate::alf3f::{ConstraintGeometry, Counters, Fault};
 use crate::linear::finite;
 use crate::yardstick::Yardstick;
 use crate::{State, System};
+use nalgebra::SVector;
 
 /// System, state, and the constraint geometry where the state is.
 pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -11,13 +12,13 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     pub(crate) state: State<Q, N, R>,
     pub(crate) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
     /// φ at `node`.
-    pub(crate) phi: [f64; R],
+    pub(crate) phi: SVector<f64, R>,
     /// Whether `node` and `phi` are those of `state`.
     pub(crate) settled: bool,
     pub(crate) counters: Counters,
     pub(crate) works: Works,
     /// λ at the end of the last step, of methods that have it as an unknown.
-    pub(crate) multipliers: Option<[f64; R]>,
+    pub(crate) multipliers: Option<SVector<f64, R>>,
     pub(crate) max_iterations: usize,
     pub(crate) yardstick: Box<Yardstick<Q, N>>,
 }
@@ -50,8 +51,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
     pub(crate) fn commit(
         &mut self,
         time: f64,
-        q: [f64; Q],
-        v: [f64; N],
+        q: SVector<f64, Q>,
+        v: SVector<f64, N>,
         settled: bool,
     ) -> Result<(), Fault> {
         if !finite(&q) {
@@ -68,7 +69,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
 
     /// Power of the forces without potential and of the rheonomic rows with multipliers λ, W, where `node` is.
     #[inline(always)]
-    pub(crate) fn powers(&self, t: f64, q: &[f64; Q], v: &[f64; N], lambda: &[f64; R]) -> [f64; 2] {
+    pub(crate) fn powers(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        lambda: &SVector<f64, R>,
+    ) -> [f64; 2] {
         let applied = self.system.nonconservative_power(t, q, v);
         let drive = if S::STRUCTURE.time_dependent {
             -crate::linear::dot(lambda, &self.geometry.b)
@@ -83,9 +90,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         &mut self,
         t: f64,
         h: f64,
-        start: (&[f64; Q], &[f64; N]),
-        end: (&[f64; Q], &[f64; N]),
-        lambda: [&[f64; R]; 2],
+        start: (&SVector<f64, Q>, &SVector<f64, N>),
+        end: (&SVector<f64, Q>, &SVector<f64, N>),
+        lambda: [&SVector<f64, R>; 2],
     ) {
         let powers = self.powers(t + h, end.0, end.1, lambda[1]);
         self.add_works(0.5 * h, powers);
@@ -94,7 +101,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
             self.system.constraints(
                 t,
                 start.0,
-                &mut [0.0; R],
+                &mut SVector::zeros(),
                 &mut crate::sink::Discard,
                 &mut self.geometry.b,
             );

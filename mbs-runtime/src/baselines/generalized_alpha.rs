@@ -19,7 +19,8 @@ use super::saddle::Saddle;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::flow::pull_back;
-use crate::linear::{Matrix, accumulate, clear, dot};
+use crate::linear::{RowMatrix, accumulate, dot, vector};
+use nalgebra::SVector;
 
 /// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,16 +50,16 @@ pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     saddle: Saddle<N, R>,
     /// The position rows of the stabilised form.
     shift: Saddle<N, R>,
-    moved: Matrix<R, N>,
+    moved: RowMatrix<N, R>,
     history: Option<History<N, R>>,
 }
 
 #[derive(Clone, Copy)]
 struct History<const N: usize, const R: usize> {
-    acceleration: [f64; N],
+    acceleration: SVector<f64, N>,
     /// a, which lags behind.
-    algorithmic: [f64; N],
-    lambda: [f64; R],
+    algorithmic: SVector<f64, N>,
+    lambda: SVector<f64, R>,
 }
 
 impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
@@ -75,7 +76,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             motion: Motion::new(),
             saddle: Saddle::new(),
             shift: Saddle::new(),
-            moved: clear(),
+            moved: RowMatrix::zeros(),
             history: None,
         }
     }
@@ -109,14 +110,14 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
 
         let mut acceleration = old.acceleration;
         let mut lambda = old.lambda;
-        let mut shift = [0.0; N];
+        let mut shift = SVector::<f64, N>::zeros();
         let mut progress = Progress::new();
         let (q, v) = loop {
             let algorithmic = self.algorithmic(&old, &acceleration);
-            let v: [f64; N] = std::array::from_fn(|i| {
+            let v: SVector<f64, N> = vector(|i| {
                 v0[i] + h * ((1.0 - self.gamma) * old.algorithmic[i] + self.gamma * algorithmic[i])
             });
-            let turn: [f64; N] = std::array::from_fn(|i| {
+            let turn: SVector<f64, N> = vector(|i| {
                 let a = (0.5 - self.beta) * old.algorithmic[i] + self.beta * algorithmic[i];
                 h * (v0[i] + h * a) + shift[i]
             });
@@ -127,7 +128,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
+            system.constraints(t1, &q, phi, &mut geometry.a, &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let mut change = self.motion.defect(&v, &acceleration);
@@ -136,7 +137,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                 pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
             }
             self.motion.combine(to_v, to_q);
-            let mut rows = [0.0; R];
+            let mut rows = SVector::zeros();
             if self.stabilised {
                 *self.moved = *geometry.a;
                 for i in 0..R {
@@ -195,8 +196,8 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         Ok(())
     }
 
-    fn algorithmic(&self, old: &History<N, R>, acceleration: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| {
+    fn algorithmic(&self, old: &History<N, R>, acceleration: &SVector<f64, N>) -> SVector<f64, N> {
+        vector(|i| {
             ((1.0 - self.alpha_f) * acceleration[i] + self.alpha_f * old.acceleration[i]
                 - self.alpha_m * old.algorithmic[i])
                 / (1.0 - self.alpha_m)
@@ -207,13 +208,13 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
     fn close<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &Bench<S, Q, N, R>,
-        turn: &[f64; N],
-        along: &[f64; N],
-    ) -> Result<[f64; N], Fault> {
+        turn: &SVector<f64, N>,
+        along: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
         let mut carried = *along;
         carry::<S, Q, N, R>(turn, &mut carried);
-        let mut rows: [f64; R] = std::array::from_fn(|i| {
+        let mut rows: SVector<f64, R> = vector(|i| {
             if i < holonomic {
                 -bench.phi[i] - dot(&bench.geometry.a[i], &carried)
             } else {
@@ -221,7 +222,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             }
         });
         move_rows::<S, Q, N, R>(&bench.geometry.a, turn, &mut self.moved);
-        let mut shift = [0.0; N];
+        let mut shift = SVector::<f64, N>::zeros();
         if !self
             .shift
             .factor(&self.motion.mass, &bench.geometry.a, &self.moved)

@@ -4,8 +4,9 @@ use super::bench::Bench;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::free::free;
-use crate::linear::{DelassusFactor, RankMargin, accumulate};
+use crate::linear::{DelassusFactor, RankMargin, accumulate, vector};
 use crate::sink::Discard;
+use nalgebra::SVector;
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte where they are asked for:
 ///
@@ -18,10 +19,10 @@ pub(crate) struct Index1<const N: usize, const R: usize> {
     damping: f64,
     /// β², 1/s².
     stiffness: f64,
-    gamma: [f64; R],
+    gamma: SVector<f64, R>,
     /// λ of the last acceleration.
-    pub(crate) lambda: [f64; R],
-    pivot_loss: [f64; R],
+    pub(crate) lambda: SVector<f64, R>,
+    pivot_loss: SVector<f64, R>,
     /// The least and the largest 1/σ² of the evaluations since [`Self::begin`], with the smallest singular value σ of the
     /// rows.
     range: [f64; 2],
@@ -34,9 +35,9 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             delassus: Box::new(DelassusFactor::new()),
             damping: 2.0 * gain,
             stiffness: gain * gain,
-            gamma: [0.0; R],
-            lambda: [0.0; R],
-            pivot_loss: [0.0; R],
+            gamma: SVector::zeros(),
+            lambda: SVector::zeros(),
+            pivot_loss: SVector::zeros(),
             range: [f64::INFINITY, 0.0],
         }
     }
@@ -70,10 +71,10 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-    ) -> Result<[f64; N], Fault> {
-        let mut acceleration = [0.0; N];
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> Result<SVector<f64, N>, Fault> {
+        let mut acceleration = SVector::zeros();
         // The works of drives ask for b.
         if !S::STRUCTURE.time_dependent {
             let correction = self.stabilisation(bench, t, q, v);
@@ -113,11 +114,11 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-    ) -> [f64; R] {
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> SVector<f64, R> {
         if self.damping == 0.0 && self.stiffness == 0.0 {
-            return [0.0; R];
+            return SVector::zeros();
         }
         let Bench {
             system,
@@ -125,9 +126,9 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             phi,
             ..
         } = bench;
-        system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+        system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
         let rates = geometry.velocity_rows(system, v);
-        std::array::from_fn(|i| self.damping * rates[i] + self.stiffness * phi[i])
+        vector(|i| self.damping * rates[i] + self.stiffness * phi[i])
     }
 
     /// Constraints and metric at (t, q), with S factored.
@@ -136,7 +137,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         t: f64,
-        q: &[f64; Q],
+        q: &SVector<f64, Q>,
     ) -> Result<(), Fault> {
         let Bench {
             system,
@@ -144,7 +145,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             phi,
             ..
         } = bench;
-        system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+        system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
         geometry.metric(system, t, q)?;
         self.delassus.factor(&geometry.delassus);
         bench.counters.regularised += u64::from(self.delassus.regularised);
@@ -157,9 +158,9 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         &mut self,
         bench: &Bench<S, Q, N, R>,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-    ) -> [f64; N] {
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
         let (system, geometry) = (&bench.system, &bench.geometry);
         let mut acceleration = free(system, &geometry.mass, t, q, v);
         if R == 0 {
@@ -167,8 +168,8 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         }
         system.constraint_rates(t, q, v, &mut Discard, &mut self.gamma);
         // A v̇ + 2α A v in one product.
-        let along = std::array::from_fn(|i| acceleration[i] + self.damping * v[i]);
-        let mut rates = [0.0; R];
+        let along = vector(|i| acceleration[i] + self.damping * v[i]);
+        let mut rates = SVector::zeros();
         system.row_rates(&geometry.a, &along, &mut rates);
         for i in 0..R {
             self.lambda[i] = -(rates[i]

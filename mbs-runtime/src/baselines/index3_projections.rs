@@ -18,8 +18,9 @@ use super::motion::{Motion, Progress, consistent, move_rows};
 use crate::System;
 use crate::alf3f::Fault;
 use crate::flow::pull_back;
-use crate::linear::{Matrix, Pivoted, accumulate, clear, dot};
+use crate::linear::{Pivoted, RowMatrix, accumulate, dot, vector};
 use crate::sink::Discard;
+use nalgebra::SVector;
 
 /// Settings of [`Method::Index3Projections`](crate::Method::Index3Projections).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +39,7 @@ pub(crate) struct Index3<const N: usize, const R: usize> {
     penalty: f64,
     motion: Motion<N>,
     factors: Box<Pivoted<N>>,
-    moved: Matrix<R, N>,
+    moved: RowMatrix<N, R>,
     equations: Index1<N, R>,
     history: Option<History<N, R>>,
 }
@@ -46,10 +47,10 @@ pub(crate) struct Index3<const N: usize, const R: usize> {
 /// What is known where the state is.
 #[derive(Clone, Copy)]
 struct History<const N: usize, const R: usize> {
-    acceleration: [f64; N],
-    lambda: [f64; R],
+    acceleration: SVector<f64, N>,
+    lambda: SVector<f64, R>,
     /// λ of the works: that of index 3 is of first order.
-    consistent: [f64; R],
+    consistent: SVector<f64, R>,
 }
 
 impl<const N: usize, const R: usize> Index3<N, R> {
@@ -58,7 +59,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             penalty: settings.penalty,
             motion: Motion::new(),
             factors: Box::new(Pivoted::new()),
-            moved: clear(),
+            moved: RowMatrix::zeros(),
             equations: Index1::new(0.0),
             history: None,
         }
@@ -100,8 +101,8 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         let (mut after, mut lambda) = (before, old.lambda);
         let mut progress = Progress::new();
         let (q, mut v) = loop {
-            let v: [f64; N] = std::array::from_fn(|i| v0[i] + 0.5 * h * (before[i] + after[i]));
-            let turn: [f64; N] = std::array::from_fn(|i| 0.5 * h * (v0[i] + v[i]));
+            let v: SVector<f64, N> = vector(|i| v0[i] + 0.5 * h * (before[i] + after[i]));
+            let turn: SVector<f64, N> = vector(|i| 0.5 * h * (v0[i] + v[i]));
             let q = bench.system.advance(&q0, &turn, 1.0);
             let Bench {
                 system,
@@ -109,17 +110,17 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
+            system.constraints(t1, &q, phi, &mut geometry.a, &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let mut change = self.motion.defect(&v, &after);
-            let penalties: [f64; R] = std::array::from_fn(|i| -weights[i] / quarter * phi[i]);
+            let penalties: SVector<f64, R> = vector(|i| -weights[i] / quarter * phi[i]);
             if progress.count() > 0 {
                 for i in 0..R {
                     lambda[i] += penalties[i];
                 }
             }
-            let force = std::array::from_fn(|i| lambda[i] + penalties[i]);
+            let force = vector(|i| lambda[i] + penalties[i]);
             accumulate(&mut change, &geometry.a, &force);
             if !S::ROTATIONS.is_empty() {
                 pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
@@ -157,9 +158,9 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         let Bench {
             system, geometry, ..
         } = &mut *bench;
-        let rates: [f64; R] = geometry.velocity_rows(system, &v);
+        let rates: SVector<f64, R> = geometry.velocity_rows(system, &v);
         self.project(&geometry.a, &weights, &rates, &mut v);
-        let mut gamma = [0.0; R];
+        let mut gamma = SVector::zeros();
         system.constraint_rates(t1, &q, &v, &mut Discard, &mut gamma);
         for i in 0..R {
             gamma[i] += dot(&geometry.a[i], &after);
@@ -186,13 +187,13 @@ impl<const N: usize, const R: usize> Index3<N, R> {
     /// x ← x − (W + h²/4 AᵀαA)⁻¹ h²/4 Aᵀα · violation.
     fn project(
         &self,
-        a: &[[f64; N]; R],
-        weights: &[f64; R],
-        violation: &[f64; R],
-        x: &mut [f64; N],
+        a: &RowMatrix<N, R>,
+        weights: &SVector<f64, R>,
+        violation: &SVector<f64, R>,
+        x: &mut SVector<f64, N>,
     ) {
-        let mut change = [0.0; N];
-        let forces = std::array::from_fn(|i| -weights[i] * violation[i]);
+        let mut change = SVector::zeros();
+        let forces = vector(|i| -weights[i] * violation[i]);
         accumulate(&mut change, a, &forces);
         self.factors.solve(&mut change);
         for i in 0..N {

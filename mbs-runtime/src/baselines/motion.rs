@@ -5,7 +5,8 @@ use super::index1::Index1;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::flow::transport;
-use crate::linear::{Matrix, clear, dot};
+use crate::linear::{RowMatrix, dot, vector};
+use nalgebra::SVector;
 
 /// Corrections of the velocities below this fraction of them end an iteration …
 const CONVERGED: f64 = 1e-12;
@@ -14,26 +15,26 @@ const STILL: f64 = 1e-7;
 
 /// p, F and the tangents at one instant.
 pub(crate) struct Motion<const N: usize> {
-    pub(crate) p: [f64; N],
-    pub(crate) f: [f64; N],
-    pub(crate) mass: Matrix<N, N>,
-    pub(crate) f_q: Matrix<N, N>,
-    pub(crate) f_v: Matrix<N, N>,
-    pub(crate) p_q: Matrix<N, N>,
+    pub(crate) p: SVector<f64, N>,
+    pub(crate) f: SVector<f64, N>,
+    pub(crate) mass: RowMatrix<N, N>,
+    pub(crate) f_q: RowMatrix<N, N>,
+    pub(crate) f_v: RowMatrix<N, N>,
+    pub(crate) p_q: RowMatrix<N, N>,
     /// J of the method.
-    pub(crate) jacobian: Matrix<N, N>,
+    pub(crate) jacobian: RowMatrix<N, N>,
 }
 
 impl<const N: usize> Motion<N> {
     pub(crate) fn new() -> Self {
         Motion {
-            p: [0.0; N],
-            f: [0.0; N],
-            mass: clear(),
-            f_q: clear(),
-            f_v: clear(),
-            p_q: clear(),
-            jacobian: clear(),
+            p: SVector::zeros(),
+            f: SVector::zeros(),
+            mass: RowMatrix::zeros(),
+            f_q: RowMatrix::zeros(),
+            f_v: RowMatrix::zeros(),
+            p_q: RowMatrix::zeros(),
+            jacobian: RowMatrix::zeros(),
         }
     }
 
@@ -42,8 +43,8 @@ impl<const N: usize> Motion<N> {
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
     ) {
         system.balance(t, q, v, &mut self.p, &mut self.f);
     }
@@ -53,8 +54,8 @@ impl<const N: usize> Motion<N> {
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
     ) {
         system.balance_tangents(
             t,
@@ -68,8 +69,12 @@ impl<const N: usize> Motion<N> {
     }
 
     /// F − (∂p/∂q) v − M v̇, after `balance` and `tangents` at the same place: what is missing of the motion without rows.
-    pub(crate) fn defect(&self, v: &[f64; N], acceleration: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| self.f[i] - dot(&self.p_q[i], v) - dot(&self.mass[i], acceleration))
+    pub(crate) fn defect(
+        &self,
+        v: &SVector<f64, N>,
+        acceleration: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
+        vector(|i| self.f[i] - dot(&self.p_q[i], v) - dot(&self.mass[i], acceleration))
     }
 
     /// J = M + c (∂p/∂q − ∂F/∂v) − k ∂F/∂q, where positions follow with k and velocities with c.
@@ -87,21 +92,21 @@ impl<const N: usize> Motion<N> {
 
 /// ã = a T(θ) of the holonomic rows: how they answer to a change of θ, where `turn` is θ.
 pub(crate) fn move_rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    a: &[[f64; N]; R],
-    turn: &[f64; N],
-    moved: &mut [[f64; N]; R],
+    a: &RowMatrix<N, R>,
+    turn: &SVector<f64, N>,
+    moved: &mut RowMatrix<N, R>,
 ) {
-    *moved = *a;
+    **moved = **a;
     if !S::ROTATIONS.is_empty() {
         let holonomic = S::STRUCTURE.holonomic_rows;
-        crate::flow::pull_back_rows::<S, Q, N, R>(turn, &mut moved[..holonomic]);
+        crate::flow::pull_back_rows::<S, Q, N, R>(turn, &mut moved.rows_mut()[..holonomic]);
     }
 }
 
 /// x ← T(θ) x: a change of θ as a change of the configuration.
 pub(crate) fn carry<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    x: &mut [f64; N],
+    turn: &SVector<f64, N>,
+    x: &mut SVector<f64, N>,
 ) {
     let mut carried = [*x];
     transport::<S, Q, N, R>(turn, &mut carried);
@@ -112,7 +117,7 @@ pub(crate) fn carry<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
 pub(crate) fn consistent<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     equations: &mut Index1<N, R>,
     bench: &mut Bench<S, Q, N, R>,
-) -> Result<([f64; N], [f64; R]), Fault> {
+) -> Result<(SVector<f64, N>, SVector<f64, R>), Fault> {
     let (t, q, v) = (
         bench.state.time,
         bench.state.positions,

@@ -13,9 +13,11 @@
 use super::bench::Bench;
 use super::motion::{Motion, Progress, move_rows};
 use crate::System;
-use crate::alf3f::{Fault, RowScale};
+use crate::alf3f::Fault;
+use crate::alf3f::RowScale;
 use crate::flow::{pull_back, trapezoid};
-use crate::linear::{Matrix, Pivoted, clear, largest};
+use crate::linear::{Pivoted, RowMatrix, largest, vector};
+use nalgebra::SVector;
 
 /// Settings of [`Method::Penalty`](crate::Method::Penalty).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +44,7 @@ pub(crate) struct Penalty<const N: usize, const R: usize> {
     rows: Option<[[f64; 2]; R]>,
     motion: Motion<N>,
     factors: Box<Pivoted<N>>,
-    moved: Matrix<R, N>,
+    moved: RowMatrix<N, R>,
 }
 
 impl<const N: usize, const R: usize> Penalty<N, R> {
@@ -53,7 +55,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             rows: None,
             motion: Motion::new(),
             factors: Box::new(Pivoted::new()),
-            moved: clear(),
+            moved: RowMatrix::zeros(),
         }
     }
 
@@ -68,7 +70,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         let lengths = bench.geometry.lengths_squared();
         let rows = &self.scale.lengths_squared;
         // A row that vanishes where the simulation starts takes the strength of the longest, in comparable units.
-        let longest = largest(&std::array::from_fn::<_, R, _>(|i| lengths[i] / rows[i]));
+        let longest = largest(&vector::<R>(|i| lengths[i] / rows[i]));
         std::array::from_fn(|i| {
             let longest = (longest * rows[i]).max(f64::MIN_POSITIVE);
             let length = if lengths[i] > 1e-8 * longest {
@@ -106,8 +108,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         let t1 = t0 + h;
         self.motion.balance(&bench.system, t0, &q0, &v0);
         let start = forces(bench, &rows, &v0);
-        let mut known: [f64; N] =
-            std::array::from_fn(|i| self.motion.p[i] + 0.5 * h * self.motion.f[i]);
+        let mut known: SVector<f64, N> = vector(|i| self.motion.p[i] + 0.5 * h * self.motion.f[i]);
         pull(&mut known, bench, 0.5 * h, &start);
 
         let mut v = v0;
@@ -120,12 +121,12 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut *geometry.a, &mut geometry.b);
+            system.constraints(t1, &q, phi, &mut geometry.a, &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let force = forces(bench, &rows, &v);
-            let mut change: [f64; N] =
-                std::array::from_fn(|i| known[i] - self.motion.p[i] + 0.5 * h * self.motion.f[i]);
+            let mut change: SVector<f64, N> =
+                vector(|i| known[i] - self.motion.p[i] + 0.5 * h * self.motion.f[i]);
             pull(&mut change, bench, 0.5 * h, &force);
             self.jacobian(bench, &rows, &v0, &v, h);
             if !self.factors.factor(&self.motion.jacobian) {
@@ -157,11 +158,11 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         &mut self,
         bench: &Bench<S, Q, N, R>,
         rows: &[[f64; 2]; R],
-        v0: &[f64; N],
-        v1: &[f64; N],
+        v0: &SVector<f64, N>,
+        v1: &SVector<f64, N>,
         h: f64,
     ) {
-        let turn: [f64; N] = std::array::from_fn(|i| 0.5 * h * (v0[i] + v1[i]));
+        let turn: SVector<f64, N> = vector(|i| 0.5 * h * (v0[i] + v1[i]));
         let motion = &mut self.motion;
         if !S::ROTATIONS.is_empty() {
             pull_back::<S, Q, N, R>(&turn, &mut motion.f_q);
@@ -188,18 +189,18 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
 fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     bench: &Bench<S, Q, N, R>,
     rows: &[[f64; 2]; R],
-    v: &[f64; N],
-) -> [f64; R] {
+    v: &SVector<f64, N>,
+) -> SVector<f64, R> {
     let rates = bench.geometry.velocity_rows(&bench.system, v);
-    std::array::from_fn(|i| -rows[i][0] * bench.phi[i] - rows[i][1] * rates[i])
+    vector(|i| -rows[i][0] * bench.phi[i] - rows[i][1] * rates[i])
 }
 
 /// x ← x + weight Aᵀ force.
 fn pull<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    x: &mut [f64; N],
+    x: &mut SVector<f64, N>,
     bench: &Bench<S, Q, N, R>,
     weight: f64,
-    force: &[f64; R],
+    force: &SVector<f64, R>,
 ) {
     crate::linear::accumulate(x, &bench.geometry.a, &force.map(|force| weight * force));
 }

@@ -12,9 +12,10 @@
 use super::bench::Bench;
 use crate::alf3f::{ConstraintGeometry, Fault, RowScale, not_converged, residual_of};
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
-use crate::linear::{Matrix, Pivoted, accumulate, clear};
+use crate::linear::{Pivoted, RowMatrix, accumulate};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
+use nalgebra::SVector;
 
 /// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
 const STAGNATED: f64 = 1e6;
@@ -32,17 +33,17 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
 /// All but the flow.
 struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     end: Box<ConstraintGeometry<S, Q, N, R>>,
-    matrix: Matrix<R, R>,
+    matrix: RowMatrix<R, R>,
     factors: Box<Pivoted<R>>,
     scale: Box<RowScale<R>>,
     /// κ₁/h of the last step.
-    force: [f64; R],
+    force: SVector<f64, R>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<S, Q, N, R> {
     pub(crate) fn new(
         system: &S,
-        q: &[f64; Q],
+        q: &SVector<f64, Q>,
         yardstick: &Yardstick<Q, N>,
         settings: &Settings,
     ) -> Result<Self, Fault> {
@@ -54,16 +55,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<
             },
             rows: Rows {
                 end: ConstraintGeometry::new(system, q)?,
-                matrix: clear(),
+                matrix: RowMatrix::zeros(),
                 factors: Box::new(Pivoted::new()),
                 scale: Box::new(RowScale::new(system, yardstick, settings)?),
-                force: [0.0; R],
+                force: SVector::zeros(),
             },
         })
     }
 
     pub(crate) fn refresh(&mut self) {
-        self.rows.force = [0.0; R];
+        self.rows.force = SVector::zeros();
     }
 
     pub(crate) fn step(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
@@ -100,7 +101,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         loop {
             flow.positions(system, &va, &mut q)?;
             let end = &mut self.end;
-            system.constraints(t1, &q, phi, &mut *end.a, &mut end.b);
+            system.constraints(t1, &q, phi, &mut end.a, &mut end.b);
             let residual = residual_of(phi, &self.scale.weights);
             if residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED) {
                 break;
@@ -111,7 +112,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
                 || !residual.is_finite()
                 || !self.factors.factor(&self.matrix)
             {
-                self.force = [0.0; R];
+                self.force = SVector::zeros();
                 return Err(not_converged(phi, &self.scale.weights, iterations));
             }
             let mut change = phi.map(|residual| -residual / h);
@@ -131,8 +132,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         let mut v = flow.velocities(system, &va, &q, end);
         let mut multiplier = end.velocity_rows(system, &v).map(|rate| -rate);
         if !self.factors.factor(&end.delassus) {
-            self.force = [0.0; R];
-            return Err(not_converged(&multiplier, &[1.0; R], iterations));
+            self.force = SVector::zeros();
+            return Err(not_converged(
+                &multiplier,
+                &SVector::repeat(1.0),
+                iterations,
+            ));
         }
         self.factors.solve(&mut multiplier);
         accumulate(&mut v, &end.w, &multiplier);

@@ -9,25 +9,27 @@ use super::tableau::Tableau;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::flow::unroll;
+use crate::linear::vector;
+use nalgebra::SVector;
 
 /// Room for the stages of a step.
 pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     pub(crate) tableau: &'static Tableau,
     /// θ̇ and v̇ of each stage.
-    slopes: Box<[[[f64; N]; 2]]>,
+    slopes: Box<[[SVector<f64, N>; 2]]>,
 }
 
 /// Where a step ends.
 pub(crate) struct End<const Q: usize, const N: usize> {
-    pub(crate) q: [f64; Q],
-    pub(crate) v: [f64; N],
+    pub(crate) q: SVector<f64, Q>,
+    pub(crate) v: SVector<f64, N>,
 }
 
 impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
     pub(crate) fn new(tableau: &'static Tableau) -> Self {
         RungeKutta {
             tableau,
-            slopes: vec![[[0.0; N]; 2]; tableau.nodes.len()].into_boxed_slice(),
+            slopes: vec![[SVector::zeros(); 2]; tableau.nodes.len()].into_boxed_slice(),
         }
     }
 
@@ -47,7 +49,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         let tableau = self.tableau;
         for stage in 0..tableau.nodes.len() {
             let t = t0 + tableau.nodes[stage] * h;
-            let (mut turn, mut q, mut v) = ([0.0; N], q0, v0);
+            let (mut turn, mut q, mut v) = (SVector::zeros(), q0, v0);
             if stage > 0 {
                 self.combine(tableau.stages[stage - 1], h, &mut turn, &mut v);
                 q = bench.system.advance(&q0, &turn, 1.0);
@@ -58,27 +60,33 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             unroll::<S, Q, N, R>(&turn, &mut v);
             self.slopes[stage] = [v, acceleration];
         }
-        let (mut turn, mut v) = ([0.0; N], v0);
+        let (mut turn, mut v) = (SVector::zeros(), v0);
         self.combine(tableau.weights, h, &mut turn, &mut v);
         let q = bench.system.advance(&q0, &turn, 1.0);
         Ok(End { q, v })
     }
 
     /// v̇ where the last step began.
-    pub(crate) fn first_acceleration(&self) -> &[f64; N] {
+    pub(crate) fn first_acceleration(&self) -> &SVector<f64, N> {
         &self.slopes[0][1]
     }
 
     /// h Σ (b − b̂)_i k_i of the last step: what its error in θ and v may be.
-    pub(crate) fn error(&self, h: f64) -> [[f64; N]; 2] {
-        let [mut turn, mut change] = [[0.0; N]; 2];
+    pub(crate) fn error(&self, h: f64) -> [SVector<f64, N>; 2] {
+        let [mut turn, mut change] = [SVector::zeros(); 2];
         self.combine(self.tableau.error, h, &mut turn, &mut change);
         [turn, change]
     }
 
     /// θ and v ← + h Σ c_j k_j.
     #[inline(always)]
-    fn combine(&self, coefficients: &[f64], h: f64, turn: &mut [f64; N], v: &mut [f64; N]) {
+    fn combine(
+        &self,
+        coefficients: &[f64],
+        h: f64,
+        turn: &mut SVector<f64, N>,
+        v: &mut SVector<f64, N>,
+    ) {
         for (c, [rate, acceleration]) in coefficients.iter().zip(&*self.slopes) {
             if *c != 0.0 {
                 let c = h * c;
@@ -109,7 +117,7 @@ pub(crate) fn classical<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     for (c, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
         let (t, step) = (t0 + c * h, c * h);
         let turn = slope[0].map(|rate| step * rate);
-        let mut v = std::array::from_fn(|i| v0[i] + step * slope[1][i]);
+        let mut v = vector(|i| v0[i] + step * slope[1][i]);
         let q = bench.system.advance(&q0, &turn, 1.0);
         let acceleration = equations.evaluate(bench, t, &q, &v)?;
         let powers = bench.powers(t, &q, &v, &equations.lambda);
@@ -123,6 +131,6 @@ pub(crate) fn classical<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     }
     Ok(End {
         q: bench.system.advance(&q0, &sum[0], h / 6.0),
-        v: std::array::from_fn(|i| v0[i] + h / 6.0 * sum[1][i]),
+        v: vector(|i| v0[i] + h / 6.0 * sum[1][i]),
     })
 }

@@ -7,7 +7,8 @@
 //! by elimination of x. The R × R matrix Ã J⁻¹ Aᵀ is factored with complete pivoting; rows whose pivots are round-off are
 //! left out, and their multipliers are zero: the treatment of redundant rows that codes of this kind have.
 
-use crate::linear::{Matrix, Pivoted, accumulate, clear, dot};
+use crate::linear::{Pivoted, RowMatrix, accumulate, dot};
+use nalgebra::SVector;
 
 /// Pivots below this fraction of the largest are round-off.
 const DEPENDENT: f64 = 1e-11;
@@ -15,11 +16,11 @@ const DEPENDENT: f64 = 1e-11;
 pub(crate) struct Saddle<const N: usize, const R: usize> {
     jacobian: Box<Pivoted<N>>,
     /// J⁻¹Aᵀ, row by row.
-    along: Matrix<R, N>,
-    matrix: Matrix<R, R>,
+    along: RowMatrix<N, R>,
+    matrix: RowMatrix<R, R>,
     /// Which row and which column the elimination took at each pivot.
     order: [[usize; R]; 2],
-    scale: [f64; R],
+    scale: SVector<f64, R>,
     rank: usize,
     /// Pivots below this fraction of the largest belong to rows that follow from others.
     threshold: f64,
@@ -35,10 +36,10 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         Saddle {
             threshold,
             jacobian: Box::new(Pivoted::new()),
-            along: clear(),
-            matrix: clear(),
+            along: RowMatrix::zeros(),
+            matrix: RowMatrix::zeros(),
             order: [[0; R]; 2],
-            scale: [0.0; R],
+            scale: SVector::zeros(),
             rank: 0,
         }
     }
@@ -46,9 +47,9 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
     /// Factors the equations; false if J is singular or not finite.
     pub(crate) fn factor(
         &mut self,
-        jacobian: &[[f64; N]; N],
-        a: &[[f64; N]; R],
-        a_moved: &[[f64; N]; R],
+        jacobian: &RowMatrix<N, N>,
+        a: &RowMatrix<N, R>,
+        a_moved: &RowMatrix<N, R>,
     ) -> bool {
         if !self.jacobian.factor(jacobian) {
             return false;
@@ -74,7 +75,7 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
     }
 
     fn eliminate(&mut self) {
-        let matrix = &mut self.matrix;
+        let matrix = self.matrix.rows_mut();
         let mut first = 0.0;
         self.rank = R;
         for k in 0..R {
@@ -96,7 +97,7 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
             (self.order[0][k], self.order[1][k]) = (row, column);
             matrix.swap(k, row);
             for line in matrix.iter_mut() {
-                line.swap(k, column);
+                line.as_mut_slice().swap(k, column);
             }
             let pivot_row = matrix[k];
             for line in &mut matrix[k + 1..] {
@@ -115,7 +116,12 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
     }
 
     /// r becomes x, −g becomes λ.
-    pub(crate) fn solve(&self, x: &mut [f64; N], rows: &mut [f64; R], a_moved: &[[f64; N]; R]) {
+    pub(crate) fn solve(
+        &self,
+        x: &mut SVector<f64, N>,
+        rows: &mut SVector<f64, R>,
+        a_moved: &RowMatrix<N, R>,
+    ) {
         self.jacobian.solve(x);
         for i in 0..R {
             rows[i] = self.scale[i] * (rows[i] - dot(&a_moved[i], x));
@@ -124,10 +130,10 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         accumulate(x, &self.along, rows);
     }
 
-    fn solve_rows(&self, rows: &mut [f64; R]) {
+    fn solve_rows(&self, rows: &mut SVector<f64, R>) {
         let rank = self.rank;
         for k in 0..rank {
-            rows.swap(k, self.order[0][k]);
+            rows.as_mut_slice().swap(k, self.order[0][k]);
         }
         for i in 0..rank {
             for j in 0..i {
@@ -140,9 +146,9 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
             }
             rows[i] /= self.matrix[i][i];
         }
-        rows[rank..].fill(0.0);
+        rows.as_mut_slice()[rank..].fill(0.0);
         for k in (0..rank).rev() {
-            rows.swap(k, self.order[1][k]);
+            rows.as_mut_slice().swap(k, self.order[1][k]);
         }
         for i in 0..R {
             rows[i] *= self.scale[i];

@@ -13,6 +13,7 @@ use crate::alf3f::{ConstraintGeometry, Counters, Fault, RowScale};
 use crate::linear::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
+use nalgebra::SVector;
 
 /// A baseline by itself: steps of any length, without energy balance or report.
 ///
@@ -95,7 +96,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 system,
                 state,
                 geometry,
-                phi: [0.0; R],
+                phi: SVector::zeros(),
                 settled: false,
                 counters: Counters::default(),
                 works: Works::default(),
@@ -151,7 +152,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// λ at the end of the last step; `None` for methods that have no such unknown.
-    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+    pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         self.bench.multipliers
     }
 
@@ -168,10 +169,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// How much each row takes part in what is nearest to a loss of independence.
-    pub(crate) fn weakest_rows(&self) -> [f64; R] {
+    pub(crate) fn weakest_rows(&self) -> SVector<f64, R> {
         match &self.rule {
             Rule::Explicit(rule) => rule.weakest_rows(&self.bench),
-            _ => [0.0; R],
+            _ => SVector::zeros(),
         }
     }
 

@@ -1,9 +1,10 @@
 //! Which flow suits a mechanism.
 
 use crate::alf3f::Fault;
-use crate::linear::dot;
+use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
+use nalgebra::SVector;
 
 /// h²λ of M⁻¹(−∂f/∂q) above which the explicit flow is left: its limit of stability is 4, and energy suffers before.
 const STIFF: f64 = 0.25;
@@ -75,13 +76,13 @@ fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     step: f64,
 ) -> Result<f64, Fault> {
     let yardstick = Yardstick::new(system, step);
-    let mut f_q = crate::linear::clear::<N, N>();
-    let mut f_v = crate::linear::clear::<N, N>();
+    let mut f_q = RowMatrix::<N, N>::zeros();
+    let mut f_v = RowMatrix::<N, N>::zeros();
     let (q, v) = (&state.positions, &state.velocities);
-    system.applied_force_tangents(state.time, q, v, &mut *f_q, &mut *f_v);
+    system.applied_force_tangents(state.time, q, v, &mut f_q, &mut f_v);
     let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
     // A start without symmetry, so that it has a part of every eigenvector.
-    let parts = std::array::from_fn(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
+    let parts = vector(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
     let mut x = yardstick.displacement(parts);
     let mut eigenvalue = 0.0;
     for _ in 0..POWER_ITERATIONS {
@@ -90,7 +91,7 @@ fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             break;
         }
         x = x.map(|value| value / size);
-        let mut next: [f64; N] = std::array::from_fn(|i| -dot(&f_q[i], &x));
+        let mut next: SVector<f64, N> = vector(|i| -dot(&f_q[i], &x));
         system.solve_mass(&mass, &mut next);
         eigenvalue = yardstick.measure(&next);
         x = next;

@@ -1,7 +1,8 @@
 //! Free flight between the kicks of leapfrog, and how it passes kicks on.
 
 use crate::System;
-use crate::linear::{Matrix, clear};
+use crate::linear::RowMatrix;
+use nalgebra::SVector;
 
 /// Angle that a body turns in a step, rad, above which the factors of A₀M⁻¹A₀ᵀ are not worth trying: they take a kick to
 /// act unturned, and are wrong by half the angle.
@@ -12,14 +13,14 @@ const DIFFERENCE: f64 = 1e-8;
 pub(crate) struct Drift<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     /// q and v before the flight, and after it.
-    start: ([f64; Q], [f64; N]),
-    end: ([f64; Q], [f64; N]),
+    start: (SVector<f64, Q>, SVector<f64, N>),
+    end: (SVector<f64, Q>, SVector<f64, N>),
     /// Whether a body turns fast.
     pub(super) swift: bool,
     /// (∂q₁/∂v_a) w / h, row by row.
-    directions: Matrix<R, N>,
+    directions: RowMatrix<N, R>,
     /// (∂v_b/∂v_a) w, row by row.
-    pub(super) far: Matrix<R, N>,
+    pub(super) far: RowMatrix<N, R>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
@@ -27,15 +28,20 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
     pub(super) fn new() -> Box<Self> {
         Box::new(Drift {
             h: 0.0,
-            start: ([0.0; Q], [0.0; N]),
-            end: ([0.0; Q], [0.0; N]),
+            start: (SVector::zeros(), SVector::zeros()),
+            end: (SVector::zeros(), SVector::zeros()),
             swift: false,
-            directions: clear(),
-            far: clear(),
+            directions: RowMatrix::zeros(),
+            far: RowMatrix::zeros(),
         })
     }
 
-    pub(super) fn begin<S: System<Q, N, R>>(&mut self, q: &[f64; Q], va: &[f64; N], h: f64) {
+    pub(super) fn begin<S: System<Q, N, R>>(
+        &mut self,
+        q: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
+        h: f64,
+    ) {
         (self.start.0, self.h) = (*q, h);
         let square = |&i: &usize| va[i] * va[i] + va[i + 1] * va[i + 1] + va[i + 2] * va[i + 2];
         let most = S::ROTATIONS.iter().map(square).fold(0.0, f64::max);
@@ -44,7 +50,11 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
 
     /// Flies with `v` and returns q₁.
     #[inline]
-    pub(super) fn fly<S: System<Q, N, R>>(&mut self, system: &S, v: [f64; N]) -> [f64; Q] {
+    pub(super) fn fly<S: System<Q, N, R>>(
+        &mut self,
+        system: &S,
+        v: SVector<f64, N>,
+    ) -> SVector<f64, Q> {
         self.start.1 = v;
         self.end = self.start;
         system.free_flight(&mut self.end.0, &mut self.end.1, self.h);
@@ -53,7 +63,7 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
 
     /// v after the flight.
     #[inline(always)]
-    pub(super) fn velocities(&self) -> &[f64; N] {
+    pub(super) fn velocities(&self) -> &SVector<f64, N> {
         &self.end.1
     }
 
@@ -62,14 +72,14 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
     pub(super) fn position_sensitivity<S: System<Q, N, R>>(
         &mut self,
         system: &S,
-        w0: &[[f64; N]; R],
-    ) -> &[[f64; N]; R] {
-        *self.directions = *w0;
-        *self.far = *w0;
+        w0: &RowMatrix<N, R>,
+    ) -> &RowMatrix<N, R> {
+        *self.directions = **w0;
+        *self.far = **w0;
         for rows in [&mut self.directions, &mut self.far] {
-            for row in rows.iter_mut() {
+            for row in rows.rows_mut() {
                 for &i in S::ROTATIONS {
-                    row[i..i + 3].fill(0.0);
+                    row.as_mut_slice()[i..i + 3].fill(0.0);
                 }
             }
         }

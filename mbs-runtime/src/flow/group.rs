@@ -7,6 +7,8 @@
 //! ```
 
 use crate::System;
+use crate::linear::RowMatrix;
+use nalgebra::SVector;
 
 /// T(θ).
 pub(crate) fn right_tangent([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
@@ -33,15 +35,15 @@ pub(crate) fn right_tangent([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
 
 /// x ← T(θ) x for each x, where `turn` holds the θ of all rotations (and anything for translations).
 pub(crate) fn transport<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    vectors: &mut [[f64; N]],
+    turn: &SVector<f64, N>,
+    vectors: &mut [SVector<f64, N>],
 ) {
     for &i in S::ROTATIONS {
         let tangent = right_tangent([turn[i], turn[i + 1], turn[i + 2]]);
         for x in &mut *vectors {
             let own = [x[i], x[i + 1], x[i + 2]];
             for k in 0..3 {
-                x[i + k] = crate::linear::dot(&tangent[k], &own);
+                x[i + k] = crate::linear::dot_of(&tangent[k], &own);
             }
         }
     }
@@ -68,30 +70,30 @@ fn right_tangent_inverse([x, y, z]: [f64; 3]) -> [[f64; 3]; 3] {
 /// v ← T(θ)⁻¹ v: the rate of θ where the velocity is v.
 #[inline(always)]
 pub(crate) fn unroll<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    v: &mut [f64; N],
+    turn: &SVector<f64, N>,
+    v: &mut SVector<f64, N>,
 ) {
     for &i in S::ROTATIONS {
         let inverse = right_tangent_inverse([turn[i], turn[i + 1], turn[i + 2]]);
         let own = [v[i], v[i + 1], v[i + 2]];
         for k in 0..3 {
-            v[i + k] = crate::linear::dot(&inverse[k], &own);
+            v[i + k] = crate::linear::dot_of(&inverse[k], &own);
         }
     }
 }
 
 /// m ← m T(θ): derivatives with respect to the end become derivatives with respect to θ.
 pub(crate) fn pull_back<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    matrix: &mut [[f64; N]; N],
+    turn: &SVector<f64, N>,
+    matrix: &mut RowMatrix<N, N>,
 ) {
-    pull_back_rows::<S, Q, N, R>(turn, matrix);
+    pull_back_rows::<S, Q, N, R>(turn, matrix.rows_mut());
 }
 
 /// The same for any number of rows.
 pub(crate) fn pull_back_rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    turn: &[f64; N],
-    matrix: &mut [[f64; N]],
+    turn: &SVector<f64, N>,
+    matrix: &mut [SVector<f64, N>],
 ) {
     for &i in S::ROTATIONS {
         let tangent = right_tangent([turn[i], turn[i + 1], turn[i + 2]]);

@@ -3,9 +3,10 @@
 use super::group::pull_back;
 use crate::System;
 use crate::alf3f::Fault;
-use crate::linear::{Matrix, Pivoted, clear};
+use crate::linear::{Pivoted, RowMatrix, vector};
 use crate::sink::Discard;
 use crate::yardstick::Yardstick;
+use nalgebra::SVector;
 
 const MAX_ITERATIONS: usize = 40;
 /// Newton stops when the correction is below this fraction of the velocities …
@@ -23,29 +24,29 @@ const SINGULAR: Fault = Fault::Flow {
 #[inline(always)]
 pub(crate) fn trapezoid<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    q0: &[f64; Q],
-    v0: &[f64; N],
-    v1: &[f64; N],
+    q0: &SVector<f64, Q>,
+    v0: &SVector<f64, N>,
+    v1: &SVector<f64, N>,
     h: f64,
-) -> [f64; Q] {
-    system.advance(q0, &std::array::from_fn(|i| v0[i] + v1[i]), 0.5 * h)
+) -> SVector<f64, Q> {
+    system.advance(q0, &vector(|i| v0[i] + v1[i]), 0.5 * h)
 }
 
 pub(crate) struct Implicit<const N: usize> {
     h: f64,
     t1: f64,
     /// p₀ + h/2 F₀ and what else is known of the momentum balance.
-    pub(crate) known: [f64; N],
+    pub(crate) known: SVector<f64, N>,
     /// J, factored.
     pub(crate) jacobian: Pivoted<N>,
     /// (∂p/∂q − h/2 ∂F/∂q) T, with the tangent T of ⊕.
-    pub(crate) by_end: Matrix<N, N>,
-    f_q: Matrix<N, N>,
-    f_v: Matrix<N, N>,
-    p_q: Matrix<N, N>,
-    mass: Matrix<N, N>,
-    force: [f64; N],
-    momentum: [f64; N],
+    pub(crate) by_end: RowMatrix<N, N>,
+    f_q: RowMatrix<N, N>,
+    f_v: RowMatrix<N, N>,
+    p_q: RowMatrix<N, N>,
+    mass: RowMatrix<N, N>,
+    force: SVector<f64, N>,
+    momentum: SVector<f64, N>,
     /// Whether J belongs to the step in hand.
     current: bool,
 }
@@ -55,15 +56,15 @@ impl<const N: usize> Implicit<N> {
         Implicit {
             h: 0.0,
             t1: 0.0,
-            known: [0.0; N],
+            known: SVector::zeros(),
             jacobian: Pivoted::new(),
-            by_end: clear(),
-            f_q: clear(),
-            f_v: clear(),
-            p_q: clear(),
-            mass: clear(),
-            force: [0.0; N],
-            momentum: [0.0; N],
+            by_end: RowMatrix::zeros(),
+            f_q: RowMatrix::zeros(),
+            f_v: RowMatrix::zeros(),
+            p_q: RowMatrix::zeros(),
+            mass: RowMatrix::zeros(),
+            force: SVector::zeros(),
+            momentum: SVector::zeros(),
             current: false,
         }
     }
@@ -88,8 +89,8 @@ impl<const N: usize> Implicit<N> {
         &mut self,
         system: &S,
         t0: f64,
-        q0: &[f64; Q],
-        v: &[f64; N],
+        q0: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
     ) {
         system.balance(t0, q0, v, &mut self.momentum, &mut self.force);
         for i in 0..N {
@@ -102,9 +103,9 @@ impl<const N: usize> Implicit<N> {
         &mut self,
         system: &S,
         t0: f64,
-        q0: &[f64; Q],
-        v: &[f64; N],
-        f_v: &mut [[f64; N]; N],
+        q0: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        f_v: &mut RowMatrix<N, N>,
     ) {
         system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
     }
@@ -113,20 +114,20 @@ impl<const N: usize> Implicit<N> {
     pub(crate) fn defect<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
-        q1: &[f64; Q],
-        vb: &[f64; N],
-    ) -> [f64; N] {
+        q1: &SVector<f64, Q>,
+        vb: &SVector<f64, N>,
+    ) -> SVector<f64, N> {
         system.balance(self.t1, q1, vb, &mut self.momentum, &mut self.force);
-        std::array::from_fn(|i| self.known[i] - self.momentum[i] + 0.5 * self.h * self.force[i])
+        vector(|i| self.known[i] - self.momentum[i] + 0.5 * self.h * self.force[i])
     }
 
     /// J at (q₁, v_b) after a step that began with v_a, factored.
     pub(crate) fn refresh<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
-        q1: &[f64; Q],
-        va: &[f64; N],
-        vb: &[f64; N],
+        q1: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
+        vb: &SVector<f64, N>,
     ) -> Result<(), Fault> {
         let h = self.h;
         let (f_q, f_v) = (&mut self.f_q, &mut self.f_v);
@@ -137,13 +138,14 @@ impl<const N: usize> Implicit<N> {
             }
         }
         if !S::ROTATIONS.is_empty() {
-            let turn = std::array::from_fn(|i| 0.5 * h * (va[i] + vb[i]));
+            let turn = vector(|i| 0.5 * h * (va[i] + vb[i]));
             pull_back::<S, Q, N, R>(&turn, &mut self.by_end);
         }
         let mut jacobian = *self.mass;
+        let rows = &mut jacobian.data.0;
         for i in 0..N {
             for j in 0..N {
-                jacobian[i][j] += 0.5 * h * (self.by_end[i][j] - self.f_v[i][j]);
+                rows[i][j] += 0.5 * h * (self.by_end[i][j] - self.f_v[i][j]);
             }
         }
         self.current = self.jacobian.factor(&jacobian);
@@ -153,9 +155,10 @@ impl<const N: usize> Implicit<N> {
     /// M₁ − h/2 F_v₁ as of the last J, factored: the metric in which the velocities of the step follow an impulse.
     pub(crate) fn velocity_metric(&self, metric: &mut Pivoted<N>) -> Result<(), Fault> {
         let mut matrix = *self.mass;
+        let rows = &mut matrix.data.0;
         for i in 0..N {
             for j in 0..N {
-                matrix[i][j] -= 0.5 * self.h * self.f_v[i][j];
+                rows[i][j] -= 0.5 * self.h * self.f_v[i][j];
             }
         }
         if metric.factor(&matrix) {
@@ -170,10 +173,10 @@ impl<const N: usize> Implicit<N> {
         &mut self,
         system: &S,
         yardstick: &Yardstick<Q, N>,
-        q0: &[f64; Q],
-        va: &[f64; N],
-        vb: &mut [f64; N],
-    ) -> Result<[f64; Q], Fault> {
+        q0: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
+        vb: &mut SVector<f64, N>,
+    ) -> Result<SVector<f64, Q>, Fault> {
         let mut last = f64::INFINITY;
         for _ in 0..MAX_ITERATIONS {
             let q1 = trapezoid(system, q0, va, vb, self.h);

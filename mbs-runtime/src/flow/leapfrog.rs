@@ -7,14 +7,16 @@ use super::KickFlow;
 use super::drift::Drift;
 use crate::System;
 use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::linear::{RowMatrix, vector};
+use nalgebra::SVector;
 
 pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t1: f64,
     /// q₀ + h²/2 a₀, where there are no rotations.
-    base: [f64; Q],
+    base: SVector<f64, Q>,
     /// h/2 a₀.
-    half_kick: [f64; N],
+    half_kick: SVector<f64, N>,
     /// `None` without rotations.
     drift: Option<Box<Drift<Q, N, R>>>,
 }
@@ -24,8 +26,8 @@ impl<const Q: usize, const N: usize, const R: usize> Leapfrog<Q, N, R> {
         Leapfrog {
             h: 0.0,
             t1: 0.0,
-            base: [0.0; Q],
-            half_kick: [0.0; N],
+            base: SVector::zeros(),
+            half_kick: SVector::zeros(),
             drift: (!S::ROTATIONS.is_empty()).then(Drift::new),
         }
     }
@@ -39,8 +41,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         &mut self,
         _: &S,
         t: f64,
-        q: &[f64; Q],
-        va: &[f64; N],
+        q: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
         start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
@@ -64,13 +66,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     }
 
     #[inline(always)]
-    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
+    fn positions(
+        &mut self,
+        system: &S,
+        va: &SVector<f64, N>,
+        q: &mut SVector<f64, Q>,
+    ) -> Result<(), Fault> {
         if S::ROTATIONS.is_empty() {
             for i in 0..N {
                 q[i] = self.base[i] + self.h * va[i];
             }
         } else if let Some(drift) = &mut self.drift {
-            *q = drift.fly(system, std::array::from_fn(|i| va[i] + self.half_kick[i]));
+            *q = drift.fly(system, vector(|i| va[i] + self.half_kick[i]));
         }
         Ok(())
     }
@@ -79,9 +86,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
-        _: &[f64; N],
+        _: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
-    ) -> Result<&'a [[f64; N]; R], Fault> {
+    ) -> Result<&'a RowMatrix<N, R>, Fault> {
         match &mut self.drift {
             Some(drift) if !S::ROTATIONS.is_empty() => {
                 Ok(drift.position_sensitivity(system, &start.w))
@@ -92,7 +99,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
 
     /// Leaves out h²/2 of the force gradient, which only slows the iteration a little.
     #[inline(always)]
-    fn velocity_sensitivity<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R> {
         match &self.drift {
             Some(drift) if !S::ROTATIONS.is_empty() => &drift.far,
             _ => w0,
@@ -100,24 +107,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     }
 
     #[inline(always)]
-    fn predict(&mut self, _: &[f64; R]) {}
+    fn predict(&mut self, _: &SVector<f64, R>) {}
 
     #[inline(always)]
     fn velocities(
         &mut self,
         system: &S,
-        va: &[f64; N],
-        q1: &[f64; Q],
+        va: &SVector<f64, N>,
+        q1: &SVector<f64, Q>,
         end: &mut ConstraintGeometry<S, Q, N, R>,
-    ) -> [f64; N] {
+    ) -> SVector<f64, N> {
         system.acceleration(self.t1, q1, &mut end.acceleration);
         match &self.drift {
             Some(drift) if !S::ROTATIONS.is_empty() => {
-                std::array::from_fn(|i| drift.velocities()[i] + 0.5 * self.h * end.acceleration[i])
+                vector(|i| drift.velocities()[i] + 0.5 * self.h * end.acceleration[i])
             }
-            _ => std::array::from_fn(|i| {
-                va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i])
-            }),
+            _ => vector(|i| va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i])),
         }
     }
 }

@@ -16,27 +16,28 @@ use super::group::transport;
 use super::implicit::Implicit;
 use crate::System;
 use crate::alf3f::{ConstraintGeometry, Fault};
-use crate::linear::{Matrix, clear};
+use crate::linear::{RowMatrix, vector};
 use crate::yardstick::Yardstick;
+use nalgebra::SVector;
 
 pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t0: f64,
-    q0: [f64; Q],
+    q0: SVector<f64, Q>,
     /// p(q₀, v_a).
-    start: [f64; N],
+    start: SVector<f64, N>,
     /// q_m.
-    middle: [f64; Q],
+    middle: SVector<f64, Q>,
     /// v_m.
-    vm: [f64; N],
+    vm: SVector<f64, N>,
     solver: Implicit<N>,
     yardstick: Yardstick<Q, N>,
     /// (∂v_m/∂v_a) w, row by row.
-    slopes: Matrix<R, N>,
+    slopes: RowMatrix<N, R>,
     /// (∂v_b/∂v_a) w, row by row, as if M were constant over half a step.
-    far: Matrix<R, N>,
+    far: RowMatrix<N, R>,
     /// (∂q₁/∂v_a) w / h, row by row.
-    directions: Matrix<R, N>,
+    directions: RowMatrix<N, R>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
@@ -45,15 +46,15 @@ impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
         Box::new(Midpoint {
             h: 0.0,
             t0: 0.0,
-            q0: [0.0; Q],
-            start: [0.0; N],
-            middle: [0.0; Q],
-            vm: [0.0; N],
+            q0: SVector::zeros(),
+            start: SVector::zeros(),
+            middle: SVector::zeros(),
+            vm: SVector::zeros(),
             solver: Implicit::new(),
             yardstick: *yardstick,
-            slopes: clear(),
-            far: clear(),
-            directions: clear(),
+            slopes: RowMatrix::zeros(),
+            far: RowMatrix::zeros(),
+            directions: RowMatrix::zeros(),
         })
     }
 }
@@ -65,8 +66,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         &mut self,
         _: &S,
         t: f64,
-        q: &[f64; Q],
-        va: &[f64; N],
+        q: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
         _: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
@@ -78,10 +79,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         false
     }
 
-    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
+    fn positions(
+        &mut self,
+        system: &S,
+        va: &SVector<f64, N>,
+        q: &mut SVector<f64, Q>,
+    ) -> Result<(), Fault> {
         system.momentum(&self.q0, va, &mut self.start);
         self.solver.known = self.start;
-        let at_rest = [0.0; N];
+        let at_rest = SVector::zeros();
         self.middle =
             self.solver
                 .solve(system, &self.yardstick, &self.q0, &at_rest, &mut self.vm)?;
@@ -92,10 +98,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
-        _: &[f64; N],
+        _: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
-    ) -> Result<&'a [[f64; N]; R], Fault> {
-        let at_rest = [0.0; N];
+    ) -> Result<&'a RowMatrix<N, R>, Fault> {
+        let at_rest = SVector::zeros();
         self.solver
             .refresh(system, &self.middle, &at_rest, &self.vm)?;
         for r in 0..R {
@@ -104,33 +110,33 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             let mut slope = start.a[r];
             self.solver.jacobian.solve(&mut slope);
             self.slopes[r] = slope;
-            self.far[r] = std::array::from_fn(|i| 2.0 * slope[i] - w[i]);
+            self.far[r] = vector(|i| 2.0 * slope[i] - w[i]);
         }
         if S::ROTATIONS.is_empty() {
             return Ok(&self.slopes);
         }
         *self.directions = *self.slopes;
         let turn = self.vm.map(|v| self.h * v);
-        transport::<S, Q, N, R>(&turn, &mut *self.directions);
+        transport::<S, Q, N, R>(&turn, self.directions.rows_mut());
         Ok(&self.directions)
     }
 
-    fn velocity_sensitivity<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+    fn velocity_sensitivity<'a>(&'a self, _: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R> {
         &self.far
     }
 
-    fn predict(&mut self, change: &[f64; R]) {
+    fn predict(&mut self, change: &SVector<f64, R>) {
         crate::linear::accumulate(&mut self.vm, &self.slopes, change);
     }
 
     fn velocities(
         &mut self,
         system: &S,
-        _: &[f64; N],
-        _: &[f64; Q],
+        _: &SVector<f64, N>,
+        _: &SVector<f64, Q>,
         end: &mut ConstraintGeometry<S, Q, N, R>,
-    ) -> [f64; N] {
-        let mut vb = [0.0; N];
+    ) -> SVector<f64, N> {
+        let mut vb = SVector::zeros();
         system.momentum(&self.middle, &self.vm, &mut vb);
         for i in 0..N {
             vb[i] = 2.0 * vb[i] - self.start[i];

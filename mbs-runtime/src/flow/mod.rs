@@ -8,11 +8,13 @@ mod leapfrog;
 mod midpoint;
 mod trapezoid;
 
+use crate::linear::RowMatrix;
 pub(crate) use choice::choose;
 pub(crate) use group::{pull_back, pull_back_rows, transport, unroll};
 pub(crate) use implicit::{Implicit, trapezoid};
 pub(crate) use leapfrog::Leapfrog;
 pub(crate) use midpoint::Midpoint;
+use nalgebra::SVector;
 pub(crate) use trapezoid::Trapezoid;
 
 use crate::System;
@@ -25,32 +27,37 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; Q],
-        va: &[f64; N],
+        q: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
         start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     );
     /// Whether ∂q₁/∂v_a is h I, or hardly differs, so that B is close to A₀M⁻¹A₀ᵀ.
     fn is_direct(&self) -> bool;
     /// q₁ for the kicked velocity v_a.
-    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault>;
+    fn positions(
+        &mut self,
+        system: &S,
+        va: &SVector<f64, N>,
+        q: &mut SVector<f64, Q>,
+    ) -> Result<(), Fault>;
     /// Row by row (∂q₁/∂v_a) w / h for the rows w of W at the start.
     fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
-        va: &[f64; N],
+        va: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
-    ) -> Result<&'a [[f64; N]; R], Fault>;
+    ) -> Result<&'a RowMatrix<N, R>, Fault>;
     /// Row by row (∂v_b/∂v_a) w, after `directions` for the same rows.
-    fn velocity_sensitivity<'a>(&'a self, w0: &'a [[f64; N]; R]) -> &'a [[f64; N]; R];
+    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R>;
     /// The multipliers, and with them v_a, are about to change by `change`.
-    fn predict(&mut self, change: &[f64; R]);
+    fn predict(&mut self, change: &SVector<f64, R>);
     /// v_b, where `end` has the metric of the end already, and what the end of the step keeps for the next one.
     fn velocities(
         &mut self,
         system: &S,
-        va: &[f64; N],
-        q1: &[f64; Q],
+        va: &SVector<f64, N>,
+        q1: &SVector<f64, Q>,
         end: &mut ConstraintGeometry<S, Q, N, R>,
-    ) -> [f64; N];
+    ) -> SVector<f64, N>;
 }

@@ -14,23 +14,24 @@ use super::group::transport;
 use super::implicit::Implicit;
 use crate::System;
 use crate::alf3f::{ConstraintGeometry, Fault};
-use crate::linear::{Matrix, clear};
+use crate::linear::{RowMatrix, vector};
 use crate::yardstick::Yardstick;
+use nalgebra::SVector;
 
 pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t0: f64,
-    q0: [f64; Q],
-    q1: [f64; Q],
-    vb: [f64; N],
+    q0: SVector<f64, Q>,
+    q1: SVector<f64, Q>,
+    vb: SVector<f64, N>,
     solver: Implicit<N>,
     yardstick: Yardstick<Q, N>,
     /// F_v₀.
-    by_velocity: Matrix<N, N>,
+    by_velocity: RowMatrix<N, N>,
     /// (∂v_b/∂v_a) w, row by row.
-    far: Matrix<R, N>,
+    far: RowMatrix<N, R>,
     /// (∂q₁/∂v_a) w / h, row by row.
-    directions: Matrix<R, N>,
+    directions: RowMatrix<N, R>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
@@ -39,14 +40,14 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
         Box::new(Trapezoid {
             h: 0.0,
             t0: 0.0,
-            q0: [0.0; Q],
-            q1: [0.0; Q],
-            vb: [0.0; N],
+            q0: SVector::zeros(),
+            q1: SVector::zeros(),
+            vb: SVector::zeros(),
             solver: Implicit::new(),
             yardstick: *yardstick,
-            by_velocity: clear(),
-            far: clear(),
-            directions: clear(),
+            by_velocity: RowMatrix::zeros(),
+            far: RowMatrix::zeros(),
+            directions: RowMatrix::zeros(),
         })
     }
 }
@@ -58,8 +59,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         &mut self,
         _: &S,
         t: f64,
-        q: &[f64; Q],
-        va: &[f64; N],
+        q: &SVector<f64, Q>,
+        va: &SVector<f64, N>,
         _: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
@@ -71,7 +72,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         false
     }
 
-    fn positions(&mut self, system: &S, va: &[f64; N], q: &mut [f64; Q]) -> Result<(), Fault> {
+    fn positions(
+        &mut self,
+        system: &S,
+        va: &SVector<f64, N>,
+        q: &mut SVector<f64, Q>,
+    ) -> Result<(), Fault> {
         self.solver.impulse(system, self.t0, &self.q0, va);
         let (yardstick, q0) = (&self.yardstick, &self.q0);
         *q = self.solver.solve(system, yardstick, q0, va, &mut self.vb)?;
@@ -82,9 +88,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn position_sensitivity<'a>(
         &'a mut self,
         system: &S,
-        va: &[f64; N],
+        va: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
-    ) -> Result<&'a [[f64; N]; R], Fault> {
+    ) -> Result<&'a RowMatrix<N, R>, Fault> {
         let h = self.h;
         // The tangent is that of the end, and what is factored for it begins the next iteration.
         self.solver.refresh(system, &self.q1, va, &self.vb)?;
@@ -104,30 +110,30 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             }
             self.solver.jacobian.solve(&mut far);
             self.far[r] = far;
-            self.directions[r] = std::array::from_fn(|i| 0.5 * (w[i] + far[i]));
+            self.directions[r] = vector(|i| 0.5 * (w[i] + far[i]));
         }
         if !S::ROTATIONS.is_empty() {
-            let turn = std::array::from_fn(|i| 0.5 * h * (va[i] + self.vb[i]));
-            transport::<S, Q, N, R>(&turn, &mut *self.directions);
+            let turn = vector(|i| 0.5 * h * (va[i] + self.vb[i]));
+            transport::<S, Q, N, R>(&turn, self.directions.rows_mut());
         }
         Ok(&self.directions)
     }
 
-    fn velocity_sensitivity<'a>(&'a self, _: &'a [[f64; N]; R]) -> &'a [[f64; N]; R] {
+    fn velocity_sensitivity<'a>(&'a self, _: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R> {
         &self.far
     }
 
-    fn predict(&mut self, change: &[f64; R]) {
+    fn predict(&mut self, change: &SVector<f64, R>) {
         crate::linear::accumulate(&mut self.vb, &self.far, change);
     }
 
     fn velocities(
         &mut self,
         _: &S,
-        _: &[f64; N],
-        _: &[f64; Q],
+        _: &SVector<f64, N>,
+        _: &SVector<f64, Q>,
         _: &mut ConstraintGeometry<S, Q, N, R>,
-    ) -> [f64; N] {
+    ) -> SVector<f64, N> {
         self.vb
     }
 }

@@ -1,5 +1,7 @@
 //! The factor of a mass matrix that depends on the configuration.
 
+use nalgebra::{SMatrix, SVector};
+
 /// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
 const WEAKEST: f64 = 1e14;
 
@@ -23,16 +25,18 @@ pub struct Cholesky<const N: usize> {
 impl<const N: usize> Cholesky<N> {
     /// The factor of M; `None` if M is not positive definite.
     #[inline]
-    pub fn new(mass: &[[f64; N]; N]) -> Option<Self> {
+    pub fn new(mass: &SMatrix<f64, N, N>) -> Option<Self> {
         Self::factor(mass).ok()
     }
 
-    /// The factor of M, of which the lower triangle is read.
+    /// The factor of M, of which the upper triangle is read.
     ///
     /// # Errors
     /// The column at which M stops being positive definite (to 1/[`WEAKEST`] of its diagonal).
     #[inline]
-    pub fn factor(mass: &[[f64; N]; N]) -> Result<Self, usize> {
+    pub fn factor(mass: &SMatrix<f64, N, N>) -> Result<Self, usize> {
+        // M is symmetric: its columns are its rows.
+        let mass = &mass.data.0;
         let mut lower = *mass;
         let mut inverse_diagonal = [0.0; N];
         for k in 0..N {
@@ -62,7 +66,8 @@ impl<const N: usize> Cholesky<N> {
 
     /// x ← M⁻¹ x.
     #[inline]
-    pub fn solve(&self, x: &mut [f64; N]) {
+    pub fn solve(&self, x: &mut SVector<f64, N>) {
+        let [x] = &mut x.data.0;
         for i in 0..N {
             let mut value = x[i];
             for j in 0..i {

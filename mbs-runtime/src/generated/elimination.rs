@@ -1,5 +1,7 @@
 //! Elimination without zeros: the functions that generated code brings for large mechanisms.
 
+use nalgebra::SVector;
+
 /// A pivot below this part of its row's own length is round-off: the row depends on others.
 pub const DEPENDENT: f64 = 1e-11;
 
@@ -31,21 +33,28 @@ pub struct Elimination<const N: usize, const R: usize> {
     /// A v, from K.
     pub rates: Rates<N, R>,
     /// Aᵀκ, from K.
-    pub impulse: fn(&[f64], &[f64; R], &mut [f64; N]),
+    pub impulse: fn(&[f64], &SVector<f64, R>, &mut SVector<f64, N>),
     /// Factors K where A₀ is A₁. Receives in the second array, by position, a M⁻¹aᵀ of each row before other rows were
     /// eliminated; returns the largest ratio of these to the pivots (infinite where a row was left out).
     pub factor: fn(&mut [f64], &mut [f64]) -> f64,
     /// From a factor and the right-hand sides of the rows, by way of an array of N + R: adds δv and δκ.
-    pub solve: fn(&[f64], &[f64; R], &mut [f64], &mut [f64; N], &mut [f64; R]),
+    pub solve: fn(&[f64], &SVector<f64, R>, &mut [f64], &mut SVector<f64, N>, &mut SVector<f64, R>),
     /// Factors K from its lower and its upper triangle, where the ratio is taken to the lengths given.
     pub factor_pair: fn(&mut [f64], &mut [f64], &[f64]) -> f64,
     /// The same as `solve`, with both triangles.
-    pub solve_pair: fn(&[f64], &[f64], &[f64; R], &mut [f64], &mut [f64; N], &mut [f64; R]),
+    pub solve_pair: fn(
+        &[f64],
+        &[f64],
+        &SVector<f64, R>,
+        &mut [f64],
+        &mut SVector<f64, N>,
+        &mut SVector<f64, R>,
+    ),
     /// Factors M.
     pub factor_mass: fn(&mut [f64], &mut [f64]) -> f64,
     /// x ← M⁻¹x by way of an array of N.
-    pub solve_mass: fn(&[f64], &mut [f64], &mut [f64; N]),
+    pub solve_mass: fn(&[f64], &mut [f64], &mut SVector<f64, N>),
 }
 
 /// A v, from K.
-pub type Rates<const N: usize, const R: usize> = fn(&[f64], &[f64; N], &mut [f64; R]);
+pub type Rates<const N: usize, const R: usize> = fn(&[f64], &SVector<f64, N>, &mut SVector<f64, R>);

@@ -2,11 +2,12 @@
 
 use super::RankMargin;
 use super::proximal::Proximal;
-use super::{SPARSE_FROM, Thresholds, WEAK_PIVOT};
+use super::{SPARSE_FROM, Square, Thresholds, WEAK_PIVOT};
+use nalgebra::{SMatrix, SVector};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
 pub(crate) struct DelassusFactor<const K: usize> {
-    upper: super::Matrix<K, K>,
+    upper: Square<K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
@@ -36,7 +37,7 @@ fn round_off(least: f64) -> f64 {
 impl<const K: usize> DelassusFactor<K> {
     pub(crate) fn new() -> Self {
         DelassusFactor {
-            upper: super::clear(),
+            upper: bytemuck::zeroed_box(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,
@@ -53,22 +54,22 @@ impl<const K: usize> DelassusFactor<K> {
     /// multiplier, and nothing else is done for their sake. (The proximal solve shares the load among rows, which matters
     /// to reactions, not to motion.)
     #[inline(never)]
-    pub(crate) fn expect_redundancy(&mut self, matrix: &[[f64; K]; K]) {
+    pub(crate) fn expect_redundancy(&mut self, matrix: &SMatrix<f64, K, K>) {
         self.redundant = None;
-        let found = self.eliminate_but(&[true; K], matrix) && self.reduced;
+        let found = self.eliminate_but(&[true; K], &matrix.data.0) && self.reduced;
         self.redundant = found.then_some(self.skipped);
         self.factor(matrix);
     }
 
     /// The smallest relative pivot of `matrix`, without rows that follow from others; 1 at most.
     #[inline(never)]
-    pub(crate) fn least_pivot(&mut self, matrix: &[[f64; K]; K]) -> f64 {
+    pub(crate) fn least_pivot(&mut self, matrix: &SMatrix<f64, K, K>) -> f64 {
         self.expect_redundancy(matrix);
         if self.regularised {
             return 1.0;
         }
         // Redundant rows have no pivot: its inverse is zero.
-        let relative = (0..K).map(|k| 1.0 / (self.inverse_pivot[k] * matrix[k][k]));
+        let relative = (0..K).map(|k| 1.0 / (self.inverse_pivot[k] * matrix[(k, k)]));
         relative.fold(1.0, f64::min)
     }
 
@@ -80,16 +81,17 @@ impl<const K: usize> DelassusFactor<K> {
 
     /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots.
     #[inline(always)]
-    pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K]) {
+    pub(crate) fn factor(&mut self, matrix: &SMatrix<f64, K, K>) {
+        let entries = &matrix.data.0;
         let regular = match self.redundant {
-            None => self.eliminate(matrix),
-            Some(redundant) => self.eliminate_but(&redundant, matrix),
+            None => self.eliminate(entries),
+            Some(redundant) => self.eliminate_but(&redundant, entries),
         };
         self.regularised = !regular;
         if self.regularised {
             (self.weak, self.beside) = (true, self.thresholds.beside > 0.0);
-            let diagonal = core::array::from_fn(|i| matrix[i][i]);
-            self.proximal.factor(matrix, &diagonal);
+            let diagonal = core::array::from_fn(|i| entries[i][i]);
+            self.proximal.factor(entries, &diagonal);
         }
     }
 
@@ -174,7 +176,8 @@ impl<const K: usize> DelassusFactor<K> {
 
     /// How independent the first `rows` rows of `matrix` are, which was factored last.
     #[inline]
-    pub(crate) fn rank_margin(&mut self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
+    pub(crate) fn rank_margin(&mut self, matrix: &SMatrix<f64, K, K>, rows: usize) -> RankMargin {
+        let matrix = &matrix.data.0;
         if self.regularised {
             return self.dependence(matrix, rows);
         }
@@ -228,7 +231,8 @@ impl<const K: usize> DelassusFactor<K> {
     /// smallest pivot tells: a row and what it is made of. Asks for [`Self::independence`] of the same matrix before.
     #[cold]
     #[inline(never)]
-    pub(crate) fn combination(&self, matrix: &[[f64; K]; K], rows: usize) -> [f64; K] {
+    pub(crate) fn combination(&self, matrix: &SMatrix<f64, K, K>, rows: usize) -> SVector<f64, K> {
+        let matrix = &matrix.data.0;
         let mut combination = [0.0; K];
         let (mut weakest, mut least) = (None, f64::INFINITY);
         let counts: [bool; K] = std::array::from_fn(|k| {
@@ -240,7 +244,7 @@ impl<const K: usize> DelassusFactor<K> {
             counts
         });
         let Some(weakest) = weakest else {
-            return combination;
+            return combination.into();
         };
         combination[weakest] = 1.0;
         for i in (0..weakest).rev().filter(|&i| counts[i]) {
@@ -250,12 +254,13 @@ impl<const K: usize> DelassusFactor<K> {
             }
             combination[i] = -sum / self.upper[i][i];
         }
-        std::array::from_fn(|i| combination[i] * matrix[i][i].max(0.0).sqrt())
+        super::vector(|i| combination[i] * matrix[i][i].max(0.0).sqrt())
     }
 
     /// x ← S⁻¹ x, or x ← S(S² + εI)⁻¹ x on rows of unit length.
     #[inline(always)]
-    pub(crate) fn solve(&self, x: &mut [f64; K]) {
+    pub(crate) fn solve(&self, x: &mut SVector<f64, K>) {
+        let [x] = &mut x.data.0;
         if self.regularised {
             return self.proximal.solve(x);
         }

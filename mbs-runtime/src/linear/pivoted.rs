@@ -1,6 +1,7 @@
 //! LU factorisation with partial pivoting, for the Jacobians J of the implicit flows.
 
 use super::SPARSE_FROM;
+use nalgebra::{SMatrix, SVector};
 
 /// P J = L U.
 pub(crate) struct Pivoted<const K: usize> {
@@ -16,9 +17,9 @@ impl<const K: usize> Pivoted<K> {
         }
     }
 
-    /// Factors `matrix`; false if it is singular to working precision or not finite.
-    pub(crate) fn factor(&mut self, matrix: &[[f64; K]; K]) -> bool {
-        self.lu = *matrix;
+    /// Factors the matrix with these rows; false if it is singular to working precision or not finite.
+    pub(crate) fn factor(&mut self, rows: &SMatrix<f64, K, K>) -> bool {
+        self.lu = rows.data.0;
         for k in 0..K {
             let mut best = k;
             for i in k + 1..K {
@@ -49,7 +50,8 @@ impl<const K: usize> Pivoted<K> {
     }
 
     /// x ← J⁻¹ x.
-    pub(crate) fn solve(&self, x: &mut [f64; K]) {
+    pub(crate) fn solve(&self, x: &mut SVector<f64, K>) {
+        let [x] = &mut x.data.0;
         // Whole rows were swapped, the multipliers with them: all exchanges come first.
         for k in 0..K {
             x.swap(k, self.order[k]);

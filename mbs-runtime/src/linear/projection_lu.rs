@@ -1,14 +1,15 @@
 //! The multiplier solve of the position rows, whose matrix B is not symmetric.
 
 use super::proximal::Proximal;
-use super::{SPARSE_FROM, Thresholds};
+use super::{SPARSE_FROM, Square, Thresholds};
+use nalgebra::{SMatrix, SVector};
 
 /// B = A₁ W₀ factored: plain elimination while B is well conditioned, the proximal solve where it is not.
 ///
 /// B differs from the positive definite A₀M⁻¹A₀ᵀ by O(h), so that elimination needs no pivoting; a pivot that is small
 /// beside the effective mass of its row tells of a redundant row or of a singular pose.
 pub(crate) struct ProjectionLu<const K: usize> {
-    lu: super::Matrix<K, K>,
+    lu: Square<K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
     /// Whether the last factorisation had to fall back on the proximal solve.
@@ -19,7 +20,7 @@ pub(crate) struct ProjectionLu<const K: usize> {
 impl<const K: usize> ProjectionLu<K> {
     pub(crate) fn new() -> Self {
         ProjectionLu {
-            lu: super::clear(),
+            lu: bytemuck::zeroed_box(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,
@@ -27,14 +28,15 @@ impl<const K: usize> ProjectionLu<K> {
         }
     }
 
-    /// Factors `matrix`; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Skipped rows, where there are any, get no multiplier.
+    /// Factors the matrix with these rows; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Skipped rows, where there are any, get no multiplier.
     #[inline(always)]
     pub(crate) fn factor(
         &mut self,
-        matrix: &[[f64; K]; K],
-        length_squared: &[f64; K],
+        rows: &SMatrix<f64, K, K>,
+        length_squared: &SVector<f64, K>,
         skipped: Option<&[bool; K]>,
     ) {
+        let (matrix, [length_squared]) = (&rows.data.0, &length_squared.data.0);
         let regular = match skipped {
             None => self.eliminate(|_| false, matrix, length_squared),
             Some(skipped) => self.eliminate_but(skipped, matrix, length_squared),
@@ -97,21 +99,22 @@ impl<const K: usize> ProjectionLu<K> {
     }
 
     /// The smallest pivot relative to the length of its row, with its sign; 0 after a fall-back.
-    pub(crate) fn smallest_pivot(&self, length_squared: &[f64; K]) -> f64 {
+    pub(crate) fn smallest_pivot(&self, length_squared: &SVector<f64, K>) -> f64 {
         if self.regularised {
             return 0.0;
         }
         let relative = |(inverse, length): (&f64, &f64)| 1.0 / (inverse * length);
         self.inverse_pivot
             .iter()
-            .zip(length_squared)
+            .zip(length_squared.iter())
             .map(relative)
             .fold(f64::INFINITY, f64::min)
     }
 
     /// x ← B⁻¹ x, or the least-squares x ← Bᵀ(BBᵀ + εI)⁻¹x on rows of unit length.
     #[inline(always)]
-    pub(crate) fn solve(&self, x: &mut [f64; K]) {
+    pub(crate) fn solve(&self, x: &mut SVector<f64, K>) {
+        let [x] = &mut x.data.0;
         if self.regularised {
             return self.proximal.solve(x);
         }

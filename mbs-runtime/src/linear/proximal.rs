@@ -3,7 +3,7 @@
 //! It is one step of the augmented Lagrangian iteration with penalty 1/√ε, written for the multipliers: redundant rows
 //! receive the minimum-norm multiplier, and a row that has lost its direction receives none.
 
-use super::PROXIMAL;
+use super::{PROXIMAL, dot_of as dot};
 
 /// Most proximal steps of a solve.
 const PASSES: usize = 16;
@@ -51,7 +51,7 @@ impl<const K: usize> Proximal<K> {
         }
         for i in 0..K {
             for j in 0..=i {
-                let mut sum = super::dot(&self.scaled[i], &self.scaled[j]);
+                let mut sum = dot(&self.scaled[i], &self.scaled[j]);
                 if i == j {
                     sum += PROXIMAL;
                 }
@@ -75,14 +75,14 @@ impl<const K: usize> Proximal<K> {
     pub(super) fn solve(&self, x: &mut [f64; K]) {
         let mut rest: [f64; K] = std::array::from_fn(|i| self.scale[i] * x[i]);
         let mut multiplier = [0.0; K];
-        let enough = ENOUGH * super::largest(&rest);
+        let enough = ENOUGH * super::largest_of(&rest);
         let mut last = f64::INFINITY;
         for _ in 0..PASSES {
             let change = self.pass(rest);
             for i in 0..K {
-                rest[i] -= super::dot(&self.scaled[i], &change);
+                rest[i] -= dot(&self.scaled[i], &change);
             }
-            let size = super::largest(&rest);
+            let size = super::largest_of(&rest);
             if !(size < SHRINKS * last) {
                 break;
             }

@@ -1,6 +1,7 @@
 //! Which constraint rows depend on others, for verdicts; never on the path of a step.
 
 use super::dot;
+use nalgebra::SVector;
 
 /// The fraction of its length that a row must add to the span of the rows above it to count as independent.
 const INDEPENDENT: f64 = 1e-8;
@@ -15,11 +16,11 @@ pub(crate) struct Dependence {
 ///
 /// Working on the rows instead of on A M⁻¹ Aᵀ keeps all digits: lengths are not squared before they are compared.
 pub(crate) fn dependence<const N: usize, const R: usize>(
-    a: &[[f64; N]; R],
-    w: &[[f64; N]; R],
+    a: &[SVector<f64, N>; R],
+    w: &[SVector<f64, N>; R],
     vanishes: impl Fn(usize) -> bool,
 ) -> Dependence {
-    let mut basis: Vec<([f64; N], [f64; N])> = Vec::with_capacity(R);
+    let mut basis: Vec<(SVector<f64, N>, SVector<f64, N>)> = Vec::with_capacity(R);
     let mut dependent = Vec::new();
     for i in 0..R {
         let (mut row, mut lifted) = (a[i], w[i]);

@@ -1,8 +1,9 @@
 //! K of a large mechanism at one instant, and its factor.
 
-use super::{RankMargin, Thresholds, WEAK_PIVOT, clear};
+use super::{RankMargin, RowMatrix, Thresholds, WEAK_PIVOT};
 use crate::System;
 use crate::generated::Elimination;
+use nalgebra::SVector;
 
 /// An array whose length generated code knows.
 pub(crate) type Slots = Box<[f64]>;
@@ -82,7 +83,7 @@ impl Bordered {
     /// K with M and no rows, not factored.
     pub(crate) fn new<const N: usize, const R: usize>(
         plan: &Elimination<N, R>,
-        mass: &[[f64; N]; N],
+        mass: &RowMatrix<N, N>,
         thresholds: Thresholds,
     ) -> Self {
         let mut entries = zeros(plan.slots);
@@ -157,15 +158,15 @@ impl Bordered {
         &self,
         plan: &Elimination<N, R>,
         x: &mut [f64],
-    ) -> [f64; R] {
+    ) -> SVector<f64, R> {
         let pivots = self.relative(plan).enumerate();
         let independent = pivots.filter(|&(_, pivot)| pivot > 0.0);
         let weakest = independent.min_by(|a, b| a.1.total_cmp(&b.1));
-        let mut combination = [0.0; R];
+        let mut combination = SVector::zeros();
         if let Some((weakest, _)) = weakest {
-            let mut rates = [0.0; R];
+            let mut rates = SVector::zeros();
             rates[weakest] = 1.0;
-            self.solve(plan, &rates, x, (&mut [0.0; N], &mut combination));
+            self.solve(plan, &rates, x, (&mut SVector::zeros(), &mut combination));
         }
         let lengths = plan
             .pivots
@@ -183,9 +184,9 @@ impl Bordered {
     pub(crate) fn solve<const N: usize, const R: usize>(
         &self,
         plan: &Elimination<N, R>,
-        rates: &[f64; R],
+        rates: &SVector<f64, R>,
         x: &mut [f64],
-        (v, kappa): (&mut [f64; N], &mut [f64; R]),
+        (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
     ) {
         (plan.solve)(&self.factor, rates, x, v, kappa);
     }
@@ -233,9 +234,9 @@ impl Pair {
     pub(crate) fn solve<const N: usize, const R: usize>(
         &self,
         plan: &Elimination<N, R>,
-        rates: &[f64; R],
+        rates: &SVector<f64, R>,
         x: &mut [f64],
-        (v, kappa): (&mut [f64; N], &mut [f64; R]),
+        (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
     ) {
         (plan.solve_pair)(&self.lower, &self.upper, rates, x, v, kappa);
     }
@@ -245,7 +246,7 @@ impl SparseMass {
     /// M factored.
     pub(crate) fn new<const N: usize, const R: usize>(
         plan: &Elimination<N, R>,
-        mass: &[[f64; N]; N],
+        mass: &RowMatrix<N, N>,
     ) -> Self {
         let mut factor = zeros(plan.mass_slots);
         for &(i, j, slot) in plan.mass_alone {
@@ -261,7 +262,7 @@ impl SparseMass {
         &self,
         plan: &Elimination<N, R>,
         work: &mut [f64],
-        x: &mut [f64; N],
+        x: &mut SVector<f64, N>,
     ) {
         (plan.solve_mass)(&self.factor, work, x);
     }
@@ -272,14 +273,14 @@ impl SparseMass {
         &self,
         plan: &Elimination<N, R>,
         system: &S,
-        (t, q): (f64, &[f64; Q]),
+        (t, q): (f64, &SVector<f64, Q>),
         work: &mut [f64],
-        acceleration: &mut [f64; N],
+        acceleration: &mut SVector<f64, N>,
     ) where
         S: System<Q, N, R>,
     {
         if plan.forces_vary {
-            system.applied_forces(t, q, &[0.0; N], acceleration);
+            system.applied_forces(t, q, &SVector::zeros(), acceleration);
             self.solve(plan, work, acceleration);
         } else {
             system.acceleration(t, q, acceleration);
@@ -291,9 +292,9 @@ impl SparseMass {
 #[inline(never)]
 pub(crate) fn constant_mass<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    q: &[f64; Q],
-) -> super::Matrix<N, N> {
-    let mut mass = clear();
+    q: &SVector<f64, Q>,
+) -> RowMatrix<N, N> {
+    let mut mass = RowMatrix::zeros();
     system.mass_matrix(q, &mut mass);
     mass
 }

@@ -1,8 +1,24 @@
-//! Vector operations of fixed length.
+//! Vectors of fixed length.
+//!
+//! Sums keep their order of terms: a step has the same digits whatever the library's own order is.
+
+use nalgebra::{SMatrix, SVector};
+
+/// The vector with these entries.
+#[inline(always)]
+pub(crate) fn vector<const N: usize>(entry: impl FnMut(usize) -> f64) -> SVector<f64, N> {
+    SVector::from(std::array::from_fn(entry))
+}
 
 /// a · b.
 #[inline(always)]
-pub(crate) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+pub(crate) fn dot<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {
+    dot_of(&a.data.0[0], &b.data.0[0])
+}
+
+/// The same for arrays.
+#[inline(always)]
+pub(crate) fn dot_of<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
     if N <= 8 {
         let mut sum = 0.0;
         for i in 0..N {
@@ -30,26 +46,32 @@ pub(crate) fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 /// x ← x + Σ k_i rows_i.
 #[inline(always)]
 pub(crate) fn accumulate<const N: usize, const R: usize>(
-    x: &mut [f64; N],
-    rows: &[[f64; N]; R],
-    k: &[f64; R],
+    x: &mut SVector<f64, N>,
+    rows: &SMatrix<f64, N, R>,
+    k: &SVector<f64, R>,
 ) {
-    for i in 0..R {
-        let factor = k[i];
+    let ([x], [k]) = (&mut x.data.0, &k.data.0);
+    for (row, &factor) in rows.data.0.iter().zip(k) {
         if R >= super::SPARSE_FROM && factor == 0.0 {
             continue;
         }
         for j in 0..N {
-            x[j] += factor * rows[i][j];
+            x[j] += factor * row[j];
         }
     }
 }
 
 /// max |x_i|; NaN if any entry is NaN.
 #[inline(always)]
-pub(crate) fn largest(x: &[f64]) -> f64 {
+pub(crate) fn largest<const N: usize>(x: &SVector<f64, N>) -> f64 {
+    largest_of(x.as_slice())
+}
+
+/// The same for any number of values.
+#[inline(always)]
+pub(crate) fn largest_of(values: &[f64]) -> f64 {
     let mut largest = 0.0;
-    for &value in x {
+    for &value in values {
         let size = value.abs();
         // Nothing is larger than a NaN: it stays.
         if size > largest || size.is_nan() {
@@ -61,9 +83,9 @@ pub(crate) fn largest(x: &[f64]) -> f64 {
 
 /// Whether every entry is finite: one sum instead of a test per entry (an infinity or a NaN survives it).
 #[inline(always)]
-pub(crate) fn finite<const N: usize>(x: &[f64; N]) -> bool {
+pub(crate) fn finite<const N: usize>(x: &SVector<f64, N>) -> bool {
     let mut sum = 0.0;
-    for value in x {
+    for value in &x.data.0[0] {
         sum += value * 0.0;
     }
     sum == 0.0

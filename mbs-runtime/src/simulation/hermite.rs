@@ -5,17 +5,19 @@
 //! looked for on it; [`Simulation::look_at`](super::Simulation::look_at) gives states that satisfy the constraints.
 
 use crate::flow::{transport, unroll};
+use crate::linear::vector;
 use crate::{State, System};
+use nalgebra::SVector;
 
 /// The cubic of a step.
 pub(super) struct Hermite<const Q: usize, const N: usize> {
     /// When it begins and how long it is, s.
     time: f64,
     length: f64,
-    begin: [f64; Q],
+    begin: SVector<f64, Q>,
     /// x(1), x'(0) and x'(1).
-    moved: [f64; N],
-    rates: [[f64; N]; 2],
+    moved: SVector<f64, N>,
+    rates: [SVector<f64, N>; 2],
 }
 
 impl<const Q: usize, const N: usize> Hermite<Q, N> {
@@ -43,7 +45,7 @@ impl<const Q: usize, const N: usize> Hermite<Q, N> {
         &self,
         system: &S,
         s: f64,
-    ) -> (f64, [f64; Q], [f64; N]) {
+    ) -> (f64, SVector<f64, Q>, SVector<f64, N>) {
         let end = s * s * (3.0 - 2.0 * s);
         let slopes = [s * (1.0 - s).powi(2), -s * s * (1.0 - s)];
         let end_rate = 6.0 * s * (1.0 - s);
@@ -51,9 +53,9 @@ impl<const Q: usize, const N: usize> Hermite<Q, N> {
         let combine = |moved: f64, slopes: [f64; 2], i: usize| {
             moved * self.moved[i] + slopes[0] * self.rates[0][i] + slopes[1] * self.rates[1][i]
         };
-        let x: [f64; N] = std::array::from_fn(|i| combine(end, slopes, i));
+        let x: SVector<f64, N> = vector(|i| combine(end, slopes, i));
         let rate = |i| combine(end_rate, slope_rates, i) / self.length;
-        let mut v = [std::array::from_fn(rate)];
+        let mut v = [vector(rate)];
         transport::<S, Q, N, R>(&x, &mut v);
         let q = system.advance(&self.begin, &x, 1.0);
         (self.time + s * self.length, q, v[0])

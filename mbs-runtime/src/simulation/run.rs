@@ -3,6 +3,7 @@
 use super::Simulation;
 use super::hermite::Hermite;
 use crate::{Report, SimulationError, System, UnknownName};
+use nalgebra::SVector;
 
 /// A remainder of this fraction of a step is merged with the last step instead of being taken as a sliver. It covers the
 /// rounding of a clock that has added up 1e8 steps.
@@ -191,7 +192,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.event_at(index, t, &q, &v)
     }
 
-    fn event_at(&mut self, index: usize, t: f64, q: &[f64; Q], v: &[f64; N]) -> f64 {
+    fn event_at(&mut self, index: usize, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64 {
         let mut values = std::mem::take(&mut self.events);
         self.system().events(t, q, v, &mut values);
         self.events = values;

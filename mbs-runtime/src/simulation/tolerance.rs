@@ -16,7 +16,9 @@
 //! after these with a shorter pair.
 
 use super::Simulation;
+use crate::linear::vector;
 use crate::{SimulationError, StepController, System};
+use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
 const SHARE: f64 = 0.02;
@@ -217,7 +219,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// In sizes and radians; infinite if any entry is not a number.
-    fn size(&self, x: &[f64; N]) -> f64 {
+    fn size(&self, x: &SVector<f64, N>) -> f64 {
         let size = self.yardstick.measure(x);
         if size.is_nan() { f64::INFINITY } else { size }
     }
@@ -226,7 +228,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn apart(&self, h: f64) -> (f64, usize) {
         let (pair, other) = (&self.before, self.state());
         let q = self.system().difference(&pair.positions, &other.positions);
-        let v: [f64; N] = std::array::from_fn(|i| h * (other.velocities[i] - pair.velocities[i]));
+        let v: SVector<f64, N> = vector(|i| h * (other.velocities[i] - pair.velocities[i]));
         let (moved, carried) = (self.size(&q), self.size(&v));
         match moved >= carried {
             true => (moved, self.yardstick.worst(&q)),

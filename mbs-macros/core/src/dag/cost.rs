@@ -17,6 +17,15 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// Loops of as many multiplications as additions.
+    pub fn of_loops(operations: usize) -> Self {
+        Cost {
+            additions: operations / 2,
+            multiplications: operations - operations / 2,
+            ..Cost::default()
+        }
+    }
+
     /// All operations.
     pub fn total(self) -> usize {
         self.additions + self.multiplications + self.divisions + self.calls

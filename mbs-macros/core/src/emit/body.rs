@@ -177,7 +177,7 @@ impl<'a> Body<'a> {
         }
         match symbol {
             Symbol::Parameter(_) => format!("{}{}", self.parameters, self.graph.name(symbol)),
-            Symbol::InverseMass(i, j) => format!("{}inverse_mass[{i}][{j}]", self.constants),
+            Symbol::InverseMass(i, j) => format!("{}inverse_mass[({i}, {j})]", self.constants),
             other => self.graph.name(other),
         }
     }

@@ -3,6 +3,7 @@
 use super::body::number;
 use crate::choose::Candidate;
 use crate::compile::Analysis;
+use crate::contract;
 use crate::dag::Program;
 use crate::equations::RowKind;
 use crate::mobility::{self, Mobility};
@@ -73,14 +74,14 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
             format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {site} }}")
         })
         .collect();
-    let operations = program
-        .functions
-        .iter()
-        .map(|function| {
-            let cost = function.cost();
+    let functions = program.functions.iter();
+    let operations = functions
+        .map(|function| (function.name, function.cost()))
+        .chain(contract::loops(program))
+        .map(|(name, cost)| {
             format!(
                 "::mbs_runtime::FunctionCost {{ function: {:?}, additions: {}, multiplications: {}, divisions: {}, calls: {} }}",
-                function.name, cost.additions, cost.multiplications, cost.divisions, cost.calls
+                name, cost.additions, cost.multiplications, cost.divisions, cost.calls
             )
         })
         .collect();

@@ -5,33 +5,22 @@ use crate::dag::{Function, Program};
 use crate::symbolic::Graph;
 use std::fmt::Write;
 
-/// Name and signature of each.
-pub(super) const SIGNATURES: [(&str, &str); 3] = [
-    (
-        "advance",
-        "(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q]",
-    ),
-    (
-        "difference",
-        "(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N]",
-    ),
-    (
-        "free_flight",
-        "(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64)",
-    ),
-];
-
-/// Their bodies, in the same order.
-pub(super) fn bodies(graph: &Graph, program: &Program) -> [String; 3] {
-    if program.rotations.is_empty() && program.unwrapped_angles.is_empty() {
-        return [
-            "::mbs_runtime::generated::translated(q, v, h)".to_owned(),
-            "::mbs_runtime::generated::displacement(from, to)".to_owned(),
-            "*q = self.advance(q, v, h);".to_owned(),
-        ];
+/// The body of one of them.
+pub(super) fn body(graph: &Graph, program: &Program, name: &str) -> String {
+    let plain = program.rotations.is_empty() && program.unwrapped_angles.is_empty();
+    match (name, plain) {
+        ("advance", true) => "::mbs_runtime::generated::translated(q, v, h)".to_owned(),
+        ("difference", true) => "::mbs_runtime::generated::displacement(from, to)".to_owned(),
+        (_, true) => "*q = self.advance(q, v, h);".to_owned(),
+        ("advance", false) => advance(graph, program),
+        ("difference", false) => difference(program),
+        (_, false) => free_flight(graph, program),
     }
-    let advance = format!(
-        "let mut next = *q;\n{}{}{}next",
+}
+
+fn advance(graph: &Graph, program: &Program) -> String {
+    format!(
+        "let mut next = *q;\n{}{}{}next.into()",
         translations(program, |slot, i| format!(
             "next[{slot}] = q[{slot}] + h * v[{i}];"
         )),
@@ -42,9 +31,12 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> [String; 3] {
             elements("v", v, 3)
         )),
         count(graph, program, "next"),
-    );
-    let difference = format!(
-        "let mut v = [0.0; {}];\n{}{}v",
+    )
+}
+
+fn difference(program: &Program) -> String {
+    format!(
+        "let mut v = [0.0; {}];\n{}{}v.into()",
         program.size,
         translations(program, |slot, i| format!(
             "v[{i}] = to[{slot}] - from[{slot}];"
@@ -55,8 +47,11 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> [String; 3] {
             elements("from", q, 4),
             elements("to", q, 4)
         )),
-    );
-    let flight = format!(
+    )
+}
+
+fn free_flight(graph: &Graph, program: &Program) -> String {
+    format!(
         "{}{}{}",
         translations(program, |slot, i| format!("q[{slot}] += h * v[{i}];")),
         rotations(program, |index, q, v| format!(
@@ -67,8 +62,7 @@ pub(super) fn bodies(graph: &Graph, program: &Program) -> [String; 3] {
             elements("v", v, 3)
         )),
         count(graph, program, "q"),
-    );
-    [advance, difference, flight]
+    )
 }
 
 /// One line for each velocity that is the rate of a coordinate: (coordinate, velocity).

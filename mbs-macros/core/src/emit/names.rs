@@ -1,38 +1,18 @@
 //! Identifiers for generated code.
 
+use crate::contract::reserved_names;
 use crate::dag::{Function, Operand, Operation};
 use crate::symbolic::{Graph, Symbol};
 use std::collections::{BTreeMap, HashSet};
 
-/// Names that generated bodies use for themselves, and keywords that a coordinate might collide with.
+/// Names that generated bodies use for themselves beside those of their arguments, and keywords that a coordinate might
+/// collide with.
 const TAKEN: &[&str] = &[
-    "a",
-    "b",
-    "f",
-    "p",
-    "q",
-    "t",
-    "v",
-    "w",
-    "x",
-    "phi",
-    "gamma",
-    "correction",
-    "pivot_loss",
-    "lambda",
     "factor",
-    "acceleration",
-    "mass",
-    "delassus",
-    "a_rate",
-    "f_q",
-    "f_v",
-    "rates",
-    "p_q",
-    "outputs",
-    "events",
-    "points",
-    "reactions",
+    "entries",
+    "entries_mut",
+    "rows",
+    "rows_mut",
     "as",
     "async",
     "await",
@@ -83,7 +63,8 @@ pub(super) struct Names {
 
 impl Names {
     pub(super) fn new(graph: &Graph, function: &Function) -> Names {
-        let mut taken: HashSet<String> = TAKEN.iter().map(|name| (*name).to_owned()).collect();
+        let taken = TAKEN.iter().copied().chain(reserved_names());
+        let mut taken: HashSet<String> = taken.map(str::to_owned).collect();
         let mut bound = BTreeMap::new();
         for symbol in symbols(function) {
             let source = match symbol {

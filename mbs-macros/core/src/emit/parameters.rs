@@ -216,12 +216,13 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
         out.push_str(&motion::spins(program, operand));
     }
     if let Some(entries) = &program.constant_mass {
-        let _ = writeln!(out, "let mut mass = [[0.0; {0}]; {0}];", program.size);
+        let zeros = "::mbs_runtime::nalgebra::SMatrix::zeros()";
+        let _ = writeln!(out, "let mut mass = {zeros};");
         for &(i, j, value) in entries {
             let value = operand(value);
-            let _ = writeln!(out, "mass[{i}][{j}] = {value};");
+            let _ = writeln!(out, "mass[({i}, {j})] = {value};");
             if i != j {
-                let _ = writeln!(out, "mass[{j}][{i}] = {value};");
+                let _ = writeln!(out, "mass[({j}, {i})] = {value};");
             }
         }
         let coordinates: Vec<String> = model

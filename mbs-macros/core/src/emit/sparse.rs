@@ -9,6 +9,7 @@ use self::columns::{
     backward, forward, pair_column, symmetric_backward, symmetric_column, symmetric_forward,
 };
 use self::windows::{Column, stretches};
+use crate::contract::Method;
 use crate::dag::{Elimination, Function, Output, Place, Program, Sparse};
 use crate::symbolic::Graph;
 use std::fmt::Write;
@@ -73,8 +74,9 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     let rows_out = collect(rows, n, r);
     let _ = writeln!(
         out,
-        "fn sparse_solve(f: &[f64], rows: &[f64; {r}], x: &mut [f64], v: &mut [f64; {n}], kappa: &mut [f64; {r}]) {{
+        "fn sparse_solve(f: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
             let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{}>()) else {{ return }};
+            let (rows, v, kappa) = (entries(rows), entries_mut(v), entries_mut(kappa));
             {rows_in} {} {rows_out} }}",
         rows.slots,
         rows.columns.len(),
@@ -82,8 +84,9 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     );
     let _ = writeln!(
         out,
-        "fn sparse_solve_pair(f: &[f64], g: &[f64], rows: &[f64; {r}], x: &mut [f64], v: &mut [f64; {n}], kappa: &mut [f64; {r}]) {{
+        "fn sparse_solve_pair(f: &[f64], g: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
             let (Some(f), Some(g), Some(x)) = (f.first_chunk::<{0}>(), g.first_chunk::<{0}>(), x.first_chunk_mut::<{1}>()) else {{ return }};
+            let (rows, v, kappa) = (entries(rows), entries_mut(v), entries_mut(kappa));
             {rows_in} {2} {rows_out} }}",
         rows.slots,
         rows.columns.len(),
@@ -97,21 +100,14 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     }
     let _ = writeln!(
         out,
-        "fn sparse_solve_mass(f: &[f64], x: &mut [f64], v: &mut [f64; {n}]) {{
+        "fn sparse_solve_mass(f: &[f64], x: &mut [f64], v: &mut SVector<f64, {n}>) {{
+            let v = entries_mut(v);
             let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{n}>()) else {{ return }};
             {into} {} {back} }}",
         mass.slots,
         passes(mass, &["f"], symmetric_forward, symmetric_backward)
     );
     (constant, out)
-}
-
-/// The method that writes A into the array of K.
-pub(super) fn signature(sparse: &Sparse) -> String {
-    format!(
-        "(&self, t: f64, q: &[f64; {0}], phi: &mut [f64; {1}], k: &mut [f64], b: &mut [f64; {1}])",
-        sparse.size, sparse.row_count
-    )
 }
 
 /// A v.
@@ -129,7 +125,8 @@ fn rates(out: &mut String, sparse: &Sparse) {
     }
     let _ = writeln!(
         out,
-        "fn sparse_rates(k: &[f64], v: &[f64; {n}], rates: &mut [f64; {r}]) {{
+        "fn sparse_rates(k: &[f64], v: &SVector<f64, {n}>, rates: &mut SVector<f64, {r}>) {{
+            let (v, rates) = (entries(v), entries_mut(rates));
             let Some(k) = k.first_chunk::<{slots}>() else {{ return }}; {body} }}"
     );
 }
@@ -149,7 +146,8 @@ fn impulse(out: &mut String, sparse: &Sparse) {
     }
     let _ = writeln!(
         out,
-        "fn sparse_impulse(k: &[f64], kappa: &[f64; {r}], p: &mut [f64; {n}]) {{
+        "fn sparse_impulse(k: &[f64], kappa: &SVector<f64, {r}>, p: &mut SVector<f64, {n}>) {{
+            let (kappa, p) = (entries(kappa), entries_mut(p));
             let Some(k) = k.first_chunk::<{slots}>() else {{ return }}; {body} }}"
     );
 }
@@ -225,34 +223,42 @@ fn factor_pair(out: &mut String, e: &Elimination) {
     );
 }
 
-/// The methods of large mechanisms, as text: A into the array of K, and M⁻¹f where its symbolic form, which is as full as
-/// M⁻¹, would be long.
-pub(super) fn methods(out: &mut String, graph: &Graph, program: &Program) {
+/// Writes the functions that are others in large mechanisms: A into the array of K, and M⁻¹f where its symbolic form,
+/// which is as full as M⁻¹, would be long. Tells whether it has.
+pub(super) fn replaces(
+    out: &mut String,
+    graph: &Graph,
+    program: &Program,
+    method: &Method,
+) -> bool {
     let Some(sparse) = &program.sparse else {
-        return;
+        return false;
     };
-    if sparse.forces_vary {
-        let n = sparse.size;
-        let _ = writeln!(
-            out,
-            "fn acceleration(&self, t: f64, q: &[f64; {n}], acceleration: &mut [f64; {n}]) {{
-                self.applied_forces(t, q, &[0.0; {n}], acceleration);
-                ::mbs_runtime::generated::multiply(&self.inverse_mass, acceleration); }}"
-        );
-    }
-    let constraints_of = |function: &&Function| function.name == "constraints";
-    if let Some(function) = program.functions.iter().find(constraints_of) {
-        let function = constraints(sparse, function);
-        let body = super::body::Body::of_method(graph, &function);
-        let _ = writeln!(
-            out,
-            "#[inline]\nfn sparse_constraints{} {{
-                let Some(k) = k.first_chunk_mut::<{}>() else {{ return }};
-                {}{} }}",
-            signature(sparse),
-            sparse.rows.slots,
-            body.statements(),
-            body.writes()
-        );
+    let signature = method.signature(program);
+    match (method.name, program.function("constraints")) {
+        ("acceleration", _) if sparse.forces_vary => {
+            let _ = writeln!(
+                out,
+                "fn acceleration{signature} {{
+                    self.applied_forces(t, q, &SVector::zeros(), acceleration);
+                    ::mbs_runtime::generated::multiply(&self.inverse_mass, acceleration); }}"
+            );
+            true
+        }
+        ("sparse_constraints", Some(function)) => {
+            let function = constraints(sparse, function);
+            let body = super::body::Body::of_method(graph, &function);
+            let text = body.statements() + &body.writes();
+            let _ = writeln!(
+                out,
+                "#[inline]\nfn sparse_constraints{signature} {{
+                    let Some(k) = k.first_chunk_mut::<{}>() else {{ return }};
+                    {}{text} }}",
+                sparse.rows.slots,
+                super::methods::arrays(method, &text),
+            );
+            true
+        }
+        _ => false,
     }
 }

@@ -1,6 +1,7 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
 use super::{doc, metadata, methods, sparse, tokens};
+use crate::contract::Capability;
 use crate::dag::Program;
 use crate::model::Model;
 use crate::symbolic::Graph;
@@ -26,15 +27,15 @@ pub(super) fn emit(
         .visibility
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
-    let (coordinates, size) = (program.coordinates, program.size);
-    let (rows, inputs) = (program.rows.len(), model.inputs.len());
+    let size = program.size;
+    let inputs = model.inputs.len();
     let rotations: Vec<usize> = program.rotations.iter().map(|r| r.velocity).collect();
     let count = rotations.len();
     let spins = (count > 0).then(|| quote! { spins: [::mbs_runtime::generated::Spin; #count], });
     let inverse = program
         .constant_mass
         .is_some()
-        .then(|| quote! { inverse_mass: [[f64; #size]; #size], });
+        .then(|| quote! { inverse_mass: ::mbs_runtime::nalgebra::SMatrix<f64, #size, #size>, });
     let constants = program
         .constants
         .iter()
@@ -55,18 +56,38 @@ pub(super) fn emit(
     let doc = doc(&format!(
         "The equations of [`{parameters}`] for one set of parameters."
     ));
-    let full = methods::bodies(graph, program);
-    let stubs = tokens(&methods::stubs(program));
-    let structure = tokens(&metadata::structure(program));
-    let (metadata, full) = (tokens(metadata), tokens(&full));
-    let mass = mass_type(program);
+    let structure = metadata::structure(program);
     let (elimination, eliminating) = sparse::emit(program);
-    let elimination = tokens(&elimination);
+    let rotations = format!("const ROTATIONS: &'static [usize] = &{rotations:?};\n");
+    let associated = [
+        (Capability::Configuration, rotations),
+        (Capability::Inertia, mass_type(program)),
+        (Capability::Constraints, elimination),
+        (
+            Capability::System,
+            format!(
+                "const MODEL: &'static ::mbs_runtime::Model = {metadata};\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n"
+            ),
+        ),
+    ];
+    let implementations = |functions: &dyn Fn(Capability) -> String| {
+        let blocks = Capability::ALL.into_iter().map(|capability| {
+            let own = associated.iter().find(|(of, _)| *of == capability);
+            let own = own.map_or("", |(_, text)| text);
+            format!(
+                "#[allow(clippy::all, unused_variables, unused_parens)]\nimpl ::mbs_runtime::{} for {name} {{\n{own}{}}}\n",
+                capability.name(program),
+                functions(capability)
+            )
+        });
+        tokens(&blocks.collect::<String>())
+    };
+    let full = implementations(&|capability| methods::bodies(graph, program, capability));
+    let stubs = implementations(&|capability| methods::stubs(program, capability));
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
         quote! {
             #[allow(clippy::all, unused)]
-            #[cfg(not(rust_analyzer))]
             impl #name {
                 #functions
             }
@@ -93,38 +114,34 @@ pub(super) fn emit(
         // An `allow` reaches the `cfg`s inside its item, not its own; the user's crate need not know this one.
         #[allow(unexpected_cfgs)]
         const _: () = {
-            #[allow(clippy::all, unused_variables, unused_parens)]
-            #[cfg(not(rust_analyzer))]
-            impl ::mbs_runtime::System<#coordinates, #size, #rows> for #name {
-                const MODEL: &'static ::mbs_runtime::Model = #metadata;
-                const STRUCTURE: ::mbs_runtime::Structure = #structure;
-                const ROTATIONS: &'static [usize] = &[#( #rotations ),*];
-                #mass
-                #elimination
-                #full
-            }
+            #[allow(unused_imports)]
+            use ::mbs_runtime::generated::{entries, entries_mut, rows, rows_mut};
+            #[allow(unused_imports)]
+            use ::mbs_runtime::nalgebra::{SMatrix, SVector};
 
-            #eliminating
+            #[cfg(not(rust_analyzer))]
+            const _: () = {
+                #full
+                #eliminating
+            };
 
             // Editors resolve names against these signatures and never see the long bodies.
             #[cfg(rust_analyzer)]
-            impl ::mbs_runtime::System<#coordinates, #size, #rows> for #name {
-                const MODEL: &'static ::mbs_runtime::Model = #metadata;
-                const STRUCTURE: ::mbs_runtime::Structure = #structure;
-                const ROTATIONS: &'static [usize] = &[#( #rotations ),*];
-                #mass
+            const _: () = {
                 #stubs
-            }
+            };
         };
     }
 }
 
-fn mass_type(program: &Program) -> TokenStream {
-    let size = program.size;
+fn mass_type(program: &Program) -> String {
     match (&program.constant_mass, program.factor_entries()) {
-        (Some(_), _) => quote! { type Mass = (); },
-        (None, Some((_, entries))) => quote! { type Mass = [f64; #entries]; },
-        (None, None) => quote! { type Mass = ::mbs_runtime::generated::Cholesky<#size>; },
+        (Some(_), _) => "type Mass = ();\n".to_owned(),
+        (None, Some((_, entries))) => format!("type Mass = [f64; {entries}];\n"),
+        (None, None) => format!(
+            "type Mass = ::mbs_runtime::generated::Cholesky<{}>;\n",
+            program.size
+        ),
     }
 }
 

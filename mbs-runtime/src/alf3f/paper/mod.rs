@@ -22,6 +22,7 @@ mod rows;
 mod settings;
 mod start;
 
+use nalgebra::SVector;
 pub use settings::{MultiplierStart, PaperSettings, RowDirection};
 
 use self::rows::{Instant, Jacobian, RowMotion, Unknowns};
@@ -29,7 +30,7 @@ use self::start::Origin;
 use super::step_context::Counters;
 use super::{Fault, kicks};
 use crate::flow::trapezoid;
-use crate::linear::{Pivoted, dot, finite, largest};
+use crate::linear::{Pivoted, dot, finite, largest, vector};
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, System};
 
@@ -44,11 +45,11 @@ pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     motion: RowMotion,
     yardstick: Box<Yardstick<Q, N>>,
     /// Impulse of each row during the last step, N s.
-    impulse: [f64; R],
+    impulse: SVector<f64, R>,
     /// The length of that step, s.
     length: f64,
     /// Work of each row against b during it, J.
-    drive: [f64; R],
+    drive: SVector<f64, R>,
     counters: Counters,
 }
 
@@ -80,9 +81,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             end: instant(&system)?,
             jacobian: Box::new((Jacobian::new(), Pivoted::new())),
             motion,
-            impulse: [0.0; R],
+            impulse: SVector::zeros(),
             length: 0.0,
-            drive: [0.0; R],
+            drive: SVector::zeros(),
             counters: Counters::default(),
             settings: paper,
             yardstick: Box::new(Yardstick::new(&system, settings.step)),
@@ -114,21 +115,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         self.counters
     }
 
-    pub(crate) fn drive(&self) -> [f64; R] {
+    pub(crate) fn drive(&self) -> SVector<f64, R> {
         self.drive
     }
 
     /// The mean forces of the rows over the last step; `None` before the first one.
-    pub(crate) fn multipliers(&self) -> Option<[f64; R]> {
+    pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         (self.length > 0.0).then(|| self.impulse.map(|impulse| impulse / self.length))
     }
 
-    pub(crate) fn phi(&self) -> &[f64; R] {
+    pub(crate) fn phi(&self) -> &SVector<f64, R> {
         &self.start.phi
     }
 
     /// A v + b now.
-    pub(crate) fn rates(&self) -> [f64; R] {
+    pub(crate) fn rates(&self) -> SVector<f64, R> {
         self.start
             .geometry
             .velocity_rows(&self.system, &self.state.velocities)
@@ -156,7 +157,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             return Err(Fault::NonFinite("step"));
         }
         let end = self.state.time + h;
-        (self.impulse, self.drive) = ([0.0; R], [0.0; R]);
+        (self.impulse, self.drive) = (SVector::zeros(), SVector::zeros());
         self.length = h;
         self.state.fields.shortest = h;
         let mut left = h;
@@ -216,7 +217,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let force0 = self
             .start
             .total_force(&self.system, t0, &q0, &v0, &origin.mu, &origin.lambda);
-        let known = std::array::from_fn(|i| origin.momentum[i] + 0.5 * h * force0[i]);
+        let known = vector(|i| origin.momentum[i] + 0.5 * h * force0[i]);
         let integrated = match self.motion {
             RowMotion::Own => S::STRUCTURE.holonomic_rows,
             RowMotion::Static => R,
@@ -268,11 +269,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         } = &mut self.state;
         (*time, *positions, *velocities) = (t1, x.q, x.v);
         fields.momentum = momentum;
-        fields.constraint_momentum =
-            std::array::from_fn(|i| self.end.constraint_mass[i] * rates[i]);
+        fields.constraint_momentum = vector(|i| self.end.constraint_mass[i] * rates[i]);
         fields.change = match self.motion {
-            RowMotion::Own => std::array::from_fn(|i| x.mu[i] - origin.mu[i]),
-            RowMotion::Static => std::array::from_fn(|i| x.lambda[i] - origin.lambda[i]),
+            RowMotion::Own => vector(|i| x.mu[i] - origin.mu[i]),
+            RowMotion::Static => vector(|i| x.lambda[i] - origin.lambda[i]),
         };
         fields.length = h;
         (fields.mu, fields.lambda, fields.penalty) = (x.mu, x.lambda, x.penalty);
@@ -287,7 +287,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         &mut self,
         t1: f64,
         h: f64,
-        known: &[f64; N],
+        known: &SVector<f64, N>,
         x: &mut Unknowns<Q, N, R>,
     ) -> Result<(), Fault> {
         let settings = self.settings;
@@ -329,13 +329,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         &mut self,
         t1: f64,
         h: f64,
-        known: &[f64; N],
+        known: &SVector<f64, N>,
         x: &mut Unknowns<Q, N, R>,
     ) -> Result<(), Fault> {
         let mut size = 0.0;
         for _ in 0..self.settings.max_newton_iterations {
             let rates = self.defects(h, &x.v);
-            let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * rates[r]);
+            let mu: SVector<f64, R> = vector(|r| x.mu[r] - x.penalty[r] * rates[r]);
             let lambda = self.lifted_lambda(h, x, &mu);
             let mut change = self.residual(t1, h, known, x, &mu, &lambda);
             let (jacobian, factors) = &mut *self.jacobian;
@@ -364,9 +364,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     }
 
     /// The row furthest from ψ̇ = 0.
-    fn worst_row(&self, v: &[f64; N], iterations: usize) -> Fault {
+    fn worst_row(&self, v: &SVector<f64, N>, iterations: usize) -> Fault {
         let geometry = &self.end.geometry;
-        let rates: [f64; R] = std::array::from_fn(|i| dot(&geometry.a[i], v) + geometry.b[i]);
-        kicks::not_converged(&rates, &[1.0; R], iterations)
+        let rates: SVector<f64, R> = vector(|i| dot(&geometry.a[i], v) + geometry.b[i]);
+        kicks::not_converged(&rates, &SVector::repeat(1.0), iterations)
     }
 }

@@ -3,7 +3,8 @@
 use super::PaperStepper;
 use super::rows::{RowMotion, Unknowns};
 use crate::System;
-use crate::linear::{dot, largest};
+use crate::linear::{dot, largest, vector};
+use nalgebra::SVector;
 
 /// What Newton's iteration leaves of ψ̇, relative to its tolerance: its last correction is smaller than the one before by
 /// more than this.
@@ -15,17 +16,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         &mut self,
         t1: f64,
         h: f64,
-        known: &[f64; N],
+        known: &SVector<f64, N>,
         x: &Unknowns<Q, N, R>,
     ) -> bool {
         let defects = self.defects(h, &x.v);
         if !(largest(&defects) <= self.settings.velocity_tolerance) {
             return false;
         }
-        let mu: [f64; R] = std::array::from_fn(|r| x.mu[r] - x.penalty[r] * defects[r]);
+        let mu: SVector<f64, R> = vector(|r| x.mu[r] - x.penalty[r] * defects[r]);
         let lambda = self.lifted_lambda(h, x, &mu);
         let residual = self.residual(t1, h, known, x, &mu, &lambda);
-        let size = |x: &[f64; N]| {
+        let size = |x: &SVector<f64, N>| {
             let mut y = *x;
             self.system.solve_mass(&self.end.geometry.mass, &mut y);
             dot(x, &y).sqrt()
@@ -47,7 +48,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// What is left of the rows over a step, as velocities: ψ̇ where a row has no stiffness of its own, else the discrete
     /// form of (31), [m̄ψ̇] + h/2 Σ (c̄ψ̇ + k̄φ) divided by m̄ + h/2 c̄. The latter lets φ move, and brings it back.
-    pub(super) fn defects(&self, h: f64, v: &[f64; N]) -> [f64; R] {
+    pub(super) fn defects(&self, h: f64, v: &SVector<f64, N>) -> SVector<f64, R> {
         let (start, end) = (&self.start, &self.end);
         let rates = end.geometry.velocity_rows(&self.system, v);
         if !self.solves_row_motion() {
@@ -56,7 +57,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let before = start
             .geometry
             .velocity_rows(&self.system, &self.state.velocities);
-        std::array::from_fn(|i| {
+        vector(|i| {
             let inertia = end.constraint_mass[i] + 0.5 * h * end.constraint_damping[i];
             let known = (0.5 * h * start.constraint_damping[i] - start.constraint_mass[i])
                 * before[i]
@@ -71,8 +72,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     }
 
     /// λ̄ of (74); for M-ALF λ with the rate μ̄ at the end of the step.
-    pub(super) fn lifted_lambda(&self, h: f64, x: &Unknowns<Q, N, R>, mu: &[f64; R]) -> [f64; R] {
-        std::array::from_fn(|r| match self.motion {
+    pub(super) fn lifted_lambda(
+        &self,
+        h: f64,
+        x: &Unknowns<Q, N, R>,
+        mu: &SVector<f64, R>,
+    ) -> SVector<f64, R> {
+        vector(|r| match self.motion {
             RowMotion::Own if self.solves_row_motion() => x.lambda[r],
             RowMotion::Own => x.lambda[r] - x.penalty[r] * self.end.phi[r],
             RowMotion::Static => x.lambda[r] + 0.5 * h * (mu[r] - x.mu[r]),
@@ -84,14 +90,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         &mut self,
         t1: f64,
         h: f64,
-        known: &[f64; N],
+        known: &SVector<f64, N>,
         x: &Unknowns<Q, N, R>,
-        mu: &[f64; R],
-        lambda: &[f64; R],
-    ) -> [f64; N] {
+        mu: &SVector<f64, R>,
+        lambda: &SVector<f64, R>,
+    ) -> SVector<f64, N> {
         let (system, end) = (&self.system, &mut self.end);
         let force = end.total_force(system, t1, &x.q, &x.v, mu, lambda);
         let momentum = end.momentum(system, &x.q, &x.v, mu);
-        std::array::from_fn(|n| known[n] + 0.5 * h * force[n] - momentum[n])
+        vector(|n| known[n] + 0.5 * h * force[n] - momentum[n])
     }
 }

@@ -3,8 +3,9 @@
 use super::{PaperSettings, RowDirection};
 use crate::System;
 use crate::alf3f::{ConstraintGeometry, Fault};
-use crate::linear::{Matrix, clear, dot};
+use crate::linear::{RowMatrix, dot};
 use crate::sink::Discard;
+use nalgebra::SVector;
 
 /// The equation of motion that each row has, (16).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,57 +19,57 @@ pub(super) enum RowMotion {
 
 /// The unknowns at the end of a step.
 pub(super) struct Unknowns<const Q: usize, const N: usize, const R: usize> {
-    pub(super) v: [f64; N],
-    pub(super) q: [f64; Q],
-    pub(super) mu: [f64; R],
-    pub(super) lambda: [f64; R],
-    pub(super) penalty: [f64; R],
+    pub(super) v: SVector<f64, N>,
+    pub(super) q: SVector<f64, Q>,
+    pub(super) mu: SVector<f64, R>,
+    pub(super) lambda: SVector<f64, R>,
+    pub(super) penalty: SVector<f64, R>,
 }
 
 /// One instant of Algorithm 1.
 pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     motion: RowMotion,
     pub(super) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
-    pub(super) phi: [f64; R],
+    pub(super) phi: SVector<f64, R>,
     /// m̄ of (18), times the scale of the settings.
-    pub(super) constraint_mass: [f64; R],
+    pub(super) constraint_mass: SVector<f64, R>,
     /// c̄ of (20).
-    pub(super) constraint_damping: [f64; R],
+    pub(super) constraint_damping: SVector<f64, R>,
     /// k̄ of (20); zero for nonholonomic rows.
-    pub(super) constraint_stiffness: [f64; R],
+    pub(super) constraint_stiffness: SVector<f64, R>,
     /// c_R of (19), row by row.
-    direction: Matrix<R, N>,
-    mass: Matrix<N, N>,
+    direction: RowMatrix<N, R>,
+    mass: RowMatrix<N, N>,
     /// Ȧ along v.
-    a_rate: Matrix<R, N>,
+    a_rate: RowMatrix<N, R>,
     /// f, the applied forces.
-    applied: [f64; N],
+    applied: SVector<f64, N>,
     /// f + ∂T/∂q.
-    force: [f64; N],
-    momentum: [f64; N],
-    f_q: Matrix<N, N>,
-    pub(super) f_v: Matrix<N, N>,
-    scratch: [f64; R],
+    force: SVector<f64, N>,
+    momentum: SVector<f64, N>,
+    f_q: RowMatrix<N, N>,
+    pub(super) f_v: RowMatrix<N, N>,
+    scratch: SVector<f64, R>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant<S, Q, N, R> {
-    pub(super) fn new(system: &S, q: &[f64; Q], motion: RowMotion) -> Result<Self, Fault> {
+    pub(super) fn new(system: &S, q: &SVector<f64, Q>, motion: RowMotion) -> Result<Self, Fault> {
         Ok(Instant {
             motion,
             geometry: ConstraintGeometry::new(system, q)?,
-            phi: [0.0; R],
-            constraint_mass: [0.0; R],
-            constraint_damping: [0.0; R],
-            constraint_stiffness: [0.0; R],
-            direction: clear(),
-            mass: clear(),
-            a_rate: clear(),
-            applied: [0.0; N],
-            force: [0.0; N],
-            momentum: [0.0; N],
-            f_q: clear(),
-            f_v: clear(),
-            scratch: [0.0; R],
+            phi: SVector::zeros(),
+            constraint_mass: SVector::zeros(),
+            constraint_damping: SVector::zeros(),
+            constraint_stiffness: SVector::zeros(),
+            direction: RowMatrix::zeros(),
+            mass: RowMatrix::zeros(),
+            a_rate: RowMatrix::zeros(),
+            applied: SVector::zeros(),
+            force: SVector::zeros(),
+            momentum: SVector::zeros(),
+            f_q: RowMatrix::zeros(),
+            f_v: RowMatrix::zeros(),
+            scratch: SVector::zeros(),
         })
     }
 
@@ -78,15 +79,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         system: &S,
         settings: &PaperSettings,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
     ) -> Result<(), Fault> {
         let Instant { geometry, phi, .. } = self;
-        system.constraints(t, q, phi, &mut *geometry.a, &mut geometry.b);
+        system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
         geometry.metric(system, t, q)?;
         system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
         if self.motion == RowMotion::Static {
-            self.constraint_stiffness = [1.0; R];
+            self.constraint_stiffness = SVector::repeat(1.0);
             return Ok(());
         }
         if settings.direction == RowDirection::Euclidean {
@@ -132,11 +133,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         &mut self,
         system: &S,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-        mu: &[f64; R],
-        lambda: &[f64; R],
-    ) -> [f64; N] {
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        mu: &SVector<f64, R>,
+        lambda: &SVector<f64, R>,
+    ) -> SVector<f64, N> {
         system.applied_forces(t, q, v, &mut self.applied);
         system.forces(t, q, v, &mut self.force);
         system.constraint_rates(t, q, v, &mut self.a_rate, &mut self.scratch);
@@ -152,17 +153,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
     }
 
     /// M v of the last `momentum`.
-    pub(super) fn mechanical_momentum(&self) -> &[f64; N] {
+    pub(super) fn mechanical_momentum(&self) -> &SVector<f64, N> {
         &self.momentum
     }
 
     /// f + ∂T/∂q of the last `total_force`.
-    pub(super) fn force(&self) -> &[f64; N] {
+    pub(super) fn force(&self) -> &SVector<f64, N> {
         &self.force
     }
 
     /// c̄μ + k̄λ − f̄ of a row, with the f of the last `total_force`.
-    pub(super) fn row_force(&self, i: usize, mu: &[f64; R], lambda: &[f64; R]) -> f64 {
+    pub(super) fn row_force(
+        &self,
+        i: usize,
+        mu: &SVector<f64, R>,
+        lambda: &SVector<f64, R>,
+    ) -> f64 {
         if self.motion == RowMotion::Static {
             return lambda[i];
         }
@@ -174,10 +180,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
     pub(super) fn momentum(
         &mut self,
         system: &S,
-        q: &[f64; Q],
-        v: &[f64; N],
-        mu: &[f64; R],
-    ) -> [f64; N] {
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        mu: &SVector<f64, R>,
+    ) -> SVector<f64, N> {
         system.momentum(q, v, &mut self.momentum);
         let mut momentum = self.momentum;
         for i in 0..R {
@@ -227,22 +233,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
 
 /// Storage of J.
 pub(super) struct Jacobian<const N: usize> {
-    mass: Matrix<N, N>,
-    f_v: Matrix<N, N>,
-    pub(super) total: Matrix<N, N>,
+    mass: RowMatrix<N, N>,
+    f_v: RowMatrix<N, N>,
+    pub(super) total: RowMatrix<N, N>,
 }
 
 impl<const N: usize> Jacobian<N> {
     pub(super) fn new() -> Self {
         Jacobian {
-            mass: clear(),
-            f_v: clear(),
-            total: clear(),
+            mass: RowMatrix::zeros(),
+            f_v: RowMatrix::zeros(),
+            total: RowMatrix::zeros(),
         }
     }
 }
 
 /// xᵀ m x.
-fn quadratic<const N: usize>(m: &[[f64; N]; N], x: &[f64; N]) -> f64 {
+fn quadratic<const N: usize>(m: &RowMatrix<N, N>, x: &SVector<f64, N>) -> f64 {
     (0..N).map(|i| x[i] * dot(&m[i], x)).sum()
 }

@@ -4,12 +4,13 @@ use super::rows::{Instant, RowMotion, Unknowns};
 use super::{MultiplierStart, PaperSettings};
 use crate::alf3f::Fault;
 use crate::{State, System};
+use nalgebra::SVector;
 
 /// The fields at the beginning of a step.
 pub(super) struct Origin<const N: usize, const R: usize> {
-    pub(super) mu: [f64; R],
-    pub(super) lambda: [f64; R],
-    pub(super) momentum: [f64; N],
+    pub(super) mu: SVector<f64, R>,
+    pub(super) lambda: SVector<f64, R>,
+    pub(super) momentum: SVector<f64, N>,
 }
 
 impl<const N: usize, const R: usize> Origin<N, R> {
@@ -32,11 +33,11 @@ impl<const N: usize, const R: usize> Origin<N, R> {
                 momentum: fields.momentum,
             };
         }
-        let mut momentum = [0.0; N];
+        let mut momentum = SVector::zeros();
         system.momentum(positions, velocities, &mut momentum);
         Origin {
-            mu: [0.0; R],
-            lambda: [0.0; R],
+            mu: SVector::zeros(),
+            lambda: SVector::zeros(),
             momentum,
         }
     }
@@ -76,7 +77,7 @@ pub(super) fn estimate<S: System<Q, N, R>, const Q: usize, const N: usize, const
         q: system.advance(&state.positions, &state.velocities, h),
         mu,
         lambda,
-        penalty: [settings.penalty; R],
+        penalty: SVector::repeat(settings.penalty),
     }
 }
 
@@ -98,16 +99,23 @@ pub(super) fn begin<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     } = state;
     match motion {
         RowMotion::Own => {
-            start.total_force(system, *time, positions, velocities, &[0.0; R], &[0.0; R]);
+            start.total_force(
+                system,
+                *time,
+                positions,
+                velocities,
+                &SVector::zeros(),
+                &SVector::zeros(),
+            );
             for i in 0..R {
-                let own = start.row_force(i, &[0.0; R], &[0.0; R]);
+                let own = start.row_force(i, &SVector::zeros(), &SVector::zeros());
                 fields.change[i] = (reactions[i] - own) / start.constraint_mass[i];
             }
             fields.length = 1.0;
         }
         RowMotion::Static => {
             fields.lambda.copy_from_slice(&reactions);
-            fields.mu = [0.0; R];
+            fields.mu = SVector::zeros();
             system.momentum(positions, velocities, &mut fields.momentum);
             fields.started = true;
         }

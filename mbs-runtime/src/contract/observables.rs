@@ -1,0 +1,24 @@
+//! What is asked of a mechanism beside its motion.
+
+use nalgebra::SVector;
+
+/// Outputs, events, points and reactions of a mechanism with Q coordinates, N velocities and R constraint rows.
+pub trait Observables<const Q: usize, const N: usize, const R: usize> {
+    /// `Output`s, in the order of [`Model::outputs`] (a shorter slice receives the first ones).
+    fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
+    /// `Event` expressions, in the order of [`Model::events`].
+    fn events(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]);
+    /// Points in world axes, m, in the order of [`Model::points`].
+    fn points(&self, t: f64, q: &SVector<f64, Q>, points: &mut [[f64; 3]]);
+    /// Joint reactions from accelerations v̇ and multipliers λ (of M v̇ + Γvv = f + Aᵀλ), in the order of
+    /// [`Model::reactions`].
+    fn reactions(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        acceleration: &SVector<f64, N>,
+        lambda: &SVector<f64, R>,
+        reactions: &mut [f64],
+    );
+}

@@ -1,0 +1,37 @@
+//! All equations of a mechanism.
+
+use super::{Configuration, Constraints, Loads, Observables};
+use crate::{Model, Structure};
+use nalgebra::SVector;
+
+/// The equations of a mechanism for one set of parameters, with Q coordinates, N velocities and R constraint
+/// rows.
+pub trait System<const Q: usize, const N: usize, const R: usize>:
+    Configuration<Q, N> + Constraints<Q, N, R> + Loads<Q, N> + Observables<Q, N, R>
+{
+    /// What was modelled.
+    const MODEL: &'static Model;
+    /// What the integrator may rely on.
+    const STRUCTURE: Structure;
+
+    /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`], or
+    /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
+    /// minimum norm. `pivot_loss` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
+    /// orthogonal to those before it, or always redundant; 0 if it was passed over here. Generated where it is straight-line code
+    /// of bearable length; else it computes nothing and answers `false`.
+    #[inline(always)]
+    #[allow(clippy::too_many_arguments)]
+    fn accelerations(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        correction: &SVector<f64, R>,
+        acceleration: &mut SVector<f64, N>,
+        lambda: &mut SVector<f64, R>,
+        pivot_loss: &mut SVector<f64, R>,
+    ) -> bool {
+        let _ = (t, q, v, correction, acceleration, lambda, pivot_loss);
+        false
+    }
+}
