@@ -5,6 +5,7 @@ use crate::alf3f::residual_of;
 use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::linear::Dependence;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
+use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;
@@ -13,8 +14,6 @@ use nalgebra::SVector;
 const MAX_ITERATIONS: usize = 60;
 /// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
 const ASSEMBLED: f64 = 1e-9;
-/// |a| of a row, relative to what its unit leads to expect, that is round-off.
-const VANISHING: f64 = 1e-12;
 /// The same with which a state can be resumed.
 pub(crate) const RESUMABLE: f64 = 1e-6;
 
@@ -163,7 +162,7 @@ pub(crate) fn independent_rows<
 ) -> Dependence {
     dependence(geometry.a.rows(), geometry.w.rows(), |i| {
         let expected = RowScale::<R>::expected::<S, Q, N>(i, yardstick.length);
-        yardstick.row_length_squared(&geometry.a[i]) <= (VANISHING * expected).powi(2)
+        yardstick.row_length_squared(&geometry.a[i]) <= (NOTHING * expected).powi(2)
     })
 }
 

@@ -83,6 +83,7 @@ mod samples;
 mod settings;
 mod simulation;
 mod simulation_error;
+mod singular;
 mod sink;
 mod state;
 mod yardstick;

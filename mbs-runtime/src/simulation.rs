@@ -11,7 +11,8 @@ use self::singularity_detector::SingularityDetector;
 use crate::alf3f::{Fault, RowScale, StepMonitor};
 use crate::assembly::{RESUMABLE, assemble};
 use crate::integrator::Integrator;
-use crate::linear::{RankMargin, largest};
+use crate::linear::largest;
+use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample, Samples,

@@ -2,12 +2,8 @@
 
 use crate::alf3f::RowScale;
 use crate::linear::vector;
+use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
 use nalgebra::SVector;
-
-/// Multipliers whose squares grow by more than this in a step are not kept.
-const USUAL_GROWTH: f64 = 100.0;
-/// The same for a step beside a singular pose.
-const USUAL_GROWTH_WEAK: f64 = 4.0;
 
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,5 +1,6 @@
 //! ALF-3F: the two-level step and the paper's Algorithm 1.
 
+pub(crate) mod closing;
 mod composition;
 mod constraint_geometry;
 mod fault;

@@ -2,17 +2,10 @@
 
 use super::{ConstraintGeometry, Fault};
 use crate::linear::{dot, vector};
+use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
-
-/// A displacement, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so close to a
-/// singular pose that its multiplier has no direction; the next step closes it.
-const LOST: f64 = 1e-6;
-/// Velocities are known up to this part of them.
-const ROUND_OFF: f64 = 1e-14;
-/// A row whose |a_i| at the guess is below this part of what its unit leads to expect has no length to go by there.
-const VANISHING: f64 = 1e-4;
 
 /// Turns φ into a displacement: |φ_i| ≤ tolerance · |a_i|, where |a_i| is the change of φ_i as all coordinates change by
 /// the length of the mechanism or a radian, at the declared guess.
@@ -24,7 +17,7 @@ pub(crate) struct RowScale<const R: usize> {
     pub(crate) weights: SVector<f64, R>,
     /// |a_i|²: makes multipliers of rows in different units comparable, as works.
     pub(crate) lengths_squared: SVector<f64, R>,
-    /// (LOST / tolerance)².
+    /// ([`LEFT_OPEN`] / tolerance)².
     pub(crate) lost: f64,
     pub(crate) tolerance: f64,
 }
@@ -41,7 +34,7 @@ impl<const R: usize> RowScale<R> {
         let lengths_squared: SVector<f64, R> = vector(|i| {
             let length_squared = yardstick.row_length_squared(&geometry.a[i]);
             let expected = Self::expected::<S, Q, N>(i, yardstick.length);
-            match length_squared > (VANISHING * expected).powi(2) {
+            match length_squared > (NOTHING * expected).powi(2) {
                 true => length_squared,
                 false => expected * expected,
             }
@@ -49,7 +42,7 @@ impl<const R: usize> RowScale<R> {
         Ok(RowScale {
             weights: lengths_squared.map(|square| 1.0 / (tolerance * tolerance * square)),
             lengths_squared,
-            lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
+            lost: (LEFT_OPEN / tolerance).powi(2).max(STAGNATED),
             tolerance,
         })
     }
@@ -78,6 +71,12 @@ impl<const R: usize> RowScale<R> {
     /// mechanism and radians a second.
     pub(crate) fn round_off(&self, speed: f64) -> f64 {
         (ROUND_OFF / self.tolerance * speed).powi(2)
+    }
+
+    /// The residual that is taken where a new factor does not reduce it; `lost`: a multiplier has no direction.
+    #[inline(always)]
+    pub(crate) fn round_off_of(&self, lost: bool) -> f64 {
+        if lost { self.lost } else { STAGNATED }
     }
 
     /// Σ |a_i|² x_i² of multipliers.

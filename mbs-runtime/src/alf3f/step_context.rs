@@ -1,9 +1,11 @@
 //! What every two-level step works on.
 
 use super::RowScale;
+use super::closing::{Refining, refine};
 use super::kicks::residual_of;
 use super::{ConstraintGeometry, Fault};
-use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, Thresholds};
+use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix};
+use crate::singular::Thresholds;
 use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
 use nalgebra::SVector;
@@ -165,34 +167,53 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             counters.regularised += u64::from(work.delassus.regularised);
             let passes = fixed_iterations.map_or(REFINEMENTS, |_| FIXED_REFINEMENTS);
             let enough = scale.round_off(yardstick.measure(v));
-            refine(system, end, work, v, (passes, &scale.weights, enough));
+            refine_rates(system, end, work, v, (passes, &scale.weights, enough));
         }
     }
 }
 
-/// Iterates on what a nearly singular solve has left of A v + b: the proximal one leaves a part of all that lies in
-/// nearly lost directions, elimination some digits.
 #[cold]
 #[inline(never)]
-fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+fn refine_rates<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
     v: &mut SVector<f64, N>,
     (passes, weights, enough): (usize, &SVector<f64, R>, f64),
 ) {
-    let mut last = f64::INFINITY;
-    for _ in 0..passes {
-        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
-        let residual = residual_of(&multiplier, weights);
-        if residual <= enough || residual > 0.81 * last {
-            return;
-        }
-        last = residual;
-        work.delassus.solve(&mut multiplier);
-        crate::linear::accumulate(v, &end.w, &multiplier);
-        for i in 0..R {
-            work.impulse[1][i] += multiplier[i];
-        }
+    let mut rows = Rates {
+        system,
+        end,
+        work,
+        v,
+        weights,
+        rates: SVector::zeros(),
+    };
+    refine(&mut rows, passes, enough);
+}
+
+/// A v + b at the end of a step.
+struct Rates<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    system: &'a S,
+    end: &'a ConstraintGeometry<S, Q, N, R>,
+    work: &'a mut Workspace<R>,
+    v: &'a mut SVector<f64, N>,
+    weights: &'a SVector<f64, R>,
+    rates: SVector<f64, R>,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refining
+    for Rates<'_, S, Q, N, R>
+{
+    fn residual(&mut self) -> f64 {
+        self.rates = self.end.velocity_rows(self.system, self.v);
+        residual_of(&self.rates, self.weights)
+    }
+
+    fn correct(&mut self) {
+        let mut multiplier = -self.rates;
+        self.work.delassus.solve(&mut multiplier);
+        crate::linear::accumulate(self.v, &self.end.w, &multiplier);
+        self.work.impulse[1] += multiplier;
     }
 }

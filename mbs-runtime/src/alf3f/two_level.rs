@@ -5,7 +5,8 @@ use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
 use super::{Fault, StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
-use crate::linear::{RankMargin, vector};
+use crate::linear::vector;
+use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 

@@ -10,7 +10,7 @@ use super::index3_projections::Index3;
 use super::penalty::Penalty;
 use super::rattle::Rattle;
 use crate::alf3f::{ConstraintGeometry, Counters, Fault, RowScale};
-use crate::linear::RankMargin;
+use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
 use nalgebra::SVector;

@@ -4,16 +4,12 @@ use super::group::pull_back;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::linear::{Pivoted, RowMatrix, vector};
+use crate::singular::{ROUND_OFF, STILL};
 use crate::sink::Discard;
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
 const MAX_ITERATIONS: usize = 40;
-/// Newton stops when the correction is below this fraction of the velocities …
-const CONVERGED: f64 = 1e-14;
-/// … or when it no longer shrinks and is below this: round-off.
-const STAGNATED: f64 = 1e-9;
-
 /// J is singular, or not finite: with h → 0 it becomes M, so that a shorter step helps.
 const SINGULAR: Fault = Fault::Flow {
     residual: f64::INFINITY,
@@ -191,15 +187,16 @@ impl<const N: usize> Implicit<N> {
             }
             let size = yardstick.measure(&change);
             let speed = yardstick.measure(vb);
-            let least = (STAGNATED * speed).max(yardstick.imperceptible(&q1, self.h));
-            let stagnated = fresh && size >= 0.5 * last && size <= least;
+            let stagnated = fresh
+                && size >= 0.5 * last
+                && size <= (STILL * speed).max(yardstick.imperceptible(&q1, self.h));
             // At the rate of this correction the next one would be too small to matter.
             let rate = if last.is_finite() {
                 (size / last).min(1.0)
             } else {
                 1.0
             };
-            let converged = size * rate <= CONVERGED * speed;
+            let converged = size * rate <= ROUND_OFF * speed;
             if converged || stagnated {
                 return Ok(trapezoid(system, q0, va, vb, self.h));
             }

@@ -1,10 +1,8 @@
 //! Which constraint rows depend on others, for verdicts; never on the path of a step.
 
 use super::dot;
+use crate::singular::NOTHING;
 use nalgebra::SVector;
-
-/// The fraction of its length that a row must add to the span of the rows above it to count as independent.
-const INDEPENDENT: f64 = 1e-8;
 
 /// The numerical rank of A, and the rows that depend on those above them.
 pub(crate) struct Dependence {
@@ -36,7 +34,7 @@ pub(crate) fn dependence<const N: usize, const R: usize>(
             }
         }
         let left = dot(&row, &lifted).max(0.0).sqrt();
-        if left > INDEPENDENT * length && !vanishes(i) {
+        if left > NOTHING * length && !vanishes(i) {
             for j in 0..N {
                 row[j] /= left;
                 lifted[j] /= left;

@@ -1,8 +1,9 @@
 //! K of a large mechanism at one instant, and its factor.
 
-use super::{RankMargin, RowMatrix, Thresholds, WEAK_PIVOT};
+use super::RowMatrix;
 use crate::System;
 use crate::generated::Elimination;
+use crate::singular::{RankMargin, Thresholds, WEAK_PIVOT};
 use nalgebra::SVector;
 
 /// An array whose length generated code knows.

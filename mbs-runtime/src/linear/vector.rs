@@ -70,15 +70,16 @@ pub(crate) fn largest<const N: usize>(x: &SVector<f64, N>) -> f64 {
 /// The same for any number of values.
 #[inline(always)]
 pub(crate) fn largest_of(values: &[f64]) -> f64 {
-    let mut largest = 0.0;
+    let (mut largest, mut sum) = (0.0, 0.0);
     for &value in values {
         let size = value.abs();
-        // Nothing is larger than a NaN: it stays.
-        if size > largest || size.is_nan() {
+        if size > largest {
             largest = size;
         }
+        sum += size;
     }
-    largest
+    // The comparison passes a NaN over, the sum does not.
+    if sum.is_nan() { sum } else { largest }
 }
 
 /// Whether every entry is finite: one sum instead of a test per entry (an infinity or a NaN survives it).
