@@ -11,6 +11,7 @@ use cpu_time::ProcessTime;
 use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{andrews::Andrews, double_four_bar::DoubleFourBar, scenes};
+use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper};
 use std::hint::black_box;
 use std::process::Command;
@@ -162,7 +163,7 @@ fn andrews(file: &mut File) -> Result<(), String> {
 }
 
 fn andrews_disagreement(step: f64, steps: u64) -> f64 {
-    let settle = |end: Option<[f64; 7]>| end.unwrap_or([f64::NAN; 7]);
+    let settle = |end: Option<SVector<f64, 7>>| end.unwrap_or(SVector::repeat(f64::NAN));
     let hand = settle(run_andrews(handwritten::Andrews, step, steps));
     let generated = Andrews::default().prepare().ok();
     let generated = settle(generated.and_then(|system| run_andrews(system, step, steps)));
@@ -171,7 +172,7 @@ fn andrews_disagreement(step: f64, steps: u64) -> f64 {
 }
 
 /// The angles after some steps from the scene's start.
-fn run_andrews<S: System<7, 7, 6>>(system: S, step: f64, steps: u64) -> Option<[f64; 7]> {
+fn run_andrews<S: System<7, 7, 6>>(system: S, step: f64, steps: u64) -> Option<SVector<f64, 7>> {
     let settings = Settings {
         step,
         ..Settings::default()

@@ -5,6 +5,7 @@
 
 use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::scenes::{bricard, chaplygin_sleigh, double_four_bar, pendulum, slider_crank};
+use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{Mechanism, Settings, Simulation, State, System, TwoLevelStepper};
 
 /// Coefficients γ₁, γ₂, … up to the middle one, which is what is left of 1.
@@ -279,7 +280,7 @@ fn run<M, S, const Q: usize, const N: usize, const R: usize>(
     stages: &[f64],
     time: f64,
     rate: f64,
-) -> Option<([f64; Q], f64)>
+) -> Option<(SVector<f64, Q>, f64)>
 where
     M: Mechanism<System = S>,
     S: System<Q, N, R>,

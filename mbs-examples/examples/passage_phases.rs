@@ -11,6 +11,7 @@
 use mbs_examples::pages::phases::{COLUMNS, KEYS};
 use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::scenes::{double_four_bar, slider_crank};
+use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, State, System};
 
 const ORDERS: [u8; 2] = [2, 8];
@@ -30,7 +31,7 @@ const FINE: f64 = 2.5e-3;
 /// Where runs begin, and where they should be at each instant.
 struct Phase<const Q: usize, const N: usize, const R: usize> {
     start: State<Q, N, R>,
-    way: Vec<[f64; Q]>,
+    way: Vec<SVector<f64, Q>>,
 }
 
 /// How far named points are from the symmetry of the smooth branch, m.

@@ -5,7 +5,12 @@
 //! E against the first; every zero is left out, every constant precomputed.
 
 use mbs_examples::scenes::andrews::Andrews as Generated;
-use mbs_runtime::{MatrixSink, Mechanism, Model, Structure, System, TensorSink};
+use mbs_runtime::generated::{rows, rows_mut};
+use mbs_runtime::nalgebra::{SMatrix, SVector};
+use mbs_runtime::{
+    Configuration, Constraints, Inertia, Loads, MatrixSink, Mechanism, Model, Observables,
+    Structure, System, TensorSink,
+};
 
 /// β, θ, γ, φ, δ, Ω, ε.
 const N: usize = 7;
@@ -82,7 +87,7 @@ struct Pair {
 }
 
 /// C s of each pair, and its derivative.
-fn couplings(q: &[f64; N]) -> [(f64, f64); 3] {
+fn couplings(q: &SVector<f64, N>) -> [(f64, f64); 3] {
     let ((st, ct), (sp, cp), (so, co)) = (q[1].sin_cos(), q[3].sin_cos(), q[5].sin_cos());
     let [a, b, c] = PAIRS.map(|(.., pair)| pair.coupling);
     [(-a * ct, a * st), (b * sp, b * cp), (-c * so, -c * co)]
@@ -109,7 +114,7 @@ struct Places {
 }
 
 impl Places {
-    fn new(q: &[f64; N]) -> Self {
+    fn new(q: &SVector<f64, N>) -> Self {
         let by = |length: f64, angle: f64| {
             let (s, c) = angle.sin_cos();
             [length * c, length * s]
@@ -125,7 +130,7 @@ impl Places {
         }
     }
 
-    fn rows(&self, phi: &mut [f64; R]) {
+    fn rows(&self, phi: &mut SVector<f64, R>) {
         let (ex, ey) = (self.crank[0] - self.fe[0], self.crank[1] - self.fe[1]);
         phi[0] = ex - self.gamma[1] - XB;
         phi[1] = ey + self.gamma[0] - YB;
@@ -148,42 +153,34 @@ fn spring(gamma: f64) -> (f64, f64) {
     (-pull * across, pull * along - stiffening)
 }
 
-fn motor(f: &mut [f64; N]) {
+fn motor(f: &mut SVector<f64, N>) {
     f[0] = MOTOR;
 }
 
-impl System<N, N, R> for Andrews {
-    const MODEL: &'static Model = Generated::MODEL;
-    const STRUCTURE: Structure = Generated::MODEL.structure;
+impl Configuration<N, N> for Andrews {
     const ROTATIONS: &'static [usize] = &[];
-    type Mass = Inverse;
 
-    fn inputs(&self) -> &[f64] {
-        &[]
+    fn guess(&self) -> (SVector<f64, N>, SVector<f64, N>) {
+        (SVector::zeros(), SVector::zeros())
     }
-    fn inputs_mut(&mut self) -> &mut [f64] {
-        &mut []
+    fn advance(&self, q: &SVector<f64, N>, v: &SVector<f64, N>, h: f64) -> SVector<f64, N> {
+        q + h * v
     }
-    fn guess(&self) -> ([f64; N], [f64; N]) {
-        ([0.0; N], [0.0; N])
+    fn difference(&self, from: &SVector<f64, N>, to: &SVector<f64, N>) -> SVector<f64, N> {
+        to - from
     }
-    #[inline]
-    fn advance(&self, q: &[f64; N], v: &[f64; N], h: f64) -> [f64; N] {
-        std::array::from_fn(|i| q[i] + h * v[i])
-    }
-    fn difference(&self, from: &[f64; N], to: &[f64; N]) -> [f64; N] {
-        std::array::from_fn(|i| to[i] - from[i])
-    }
-    fn free_flight(&self, q: &mut [f64; N], v: &mut [f64; N], h: f64) {
+    fn free_flight(&self, q: &mut SVector<f64, N>, v: &mut SVector<f64, N>, h: f64) {
         *q = self.advance(q, v, h);
     }
+}
 
-    #[inline]
-    fn mass_matrix(&self, q: &[f64; N], mass: &mut impl MatrixSink) {
+impl Inertia<N, N> for Andrews {
+    type Mass = Inverse;
+
+    fn mass_matrix(&self, q: &SVector<f64, N>, mass: &mut impl MatrixSink) {
         write_mass(&couplings(q), mass);
     }
-    #[inline]
-    fn factor_mass(&self, q: &[f64; N]) -> Option<Inverse> {
+    fn factor_mass(&self, q: &SVector<f64, N>) -> Option<Inverse> {
         let couplings = couplings(q);
         let blocks: [[f64; 3]; 3] = std::array::from_fn(|k| {
             let (pair, c) = (PAIRS[k].2, couplings[k].0);
@@ -193,8 +190,7 @@ impl System<N, N, R> for Andrews {
         });
         Some(Inverse(blocks))
     }
-    #[inline]
-    fn solve_mass(&self, mass: &Inverse, x: &mut [f64; N]) {
+    fn solve_mass(&self, mass: &Inverse, x: &mut SVector<f64, N>) {
         for ((i, j, _), block) in PAIRS.iter().zip(&mass.0) {
             let (a, b) = (x[*i], x[*j]);
             x[*i] = block[0] * a + block[1] * b;
@@ -202,64 +198,26 @@ impl System<N, N, R> for Andrews {
         }
         x[GAMMA] *= 1.0 / BDE;
     }
-    #[inline]
-    fn solve_mass_rows(&self, mass: &Inverse, a: &[[f64; N]; R], w: &mut [[f64; N]; R]) {
-        for r in 0..R {
-            // Each row holds OF and FE, and one of the others.
-            let pair = |(i, j, _): (usize, usize, Pair), block: &[f64; 3], w: &mut [f64; N]| {
-                w[i] = block[0] * a[r][i] + block[1] * a[r][j];
-                w[j] = block[1] * a[r][i] + block[2] * a[r][j];
-            };
-            pair(PAIRS[0], &mass.0[0], &mut w[r]);
-            match r / 2 {
-                0 => w[r][GAMMA] = a[r][GAMMA] * (1.0 / BDE),
-                k => pair(PAIRS[k], &mass.0[k], &mut w[r]),
-            }
-        }
-    }
-    #[inline]
-    fn delassus(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]) {
-        for i in 0..R {
-            for j in 0..R {
-                let mut sum = a[i][0] * w[j][0] + a[i][1] * w[j][1];
-                if i / 2 == j / 2 {
-                    sum += match i / 2 {
-                        0 => a[i][2] * w[j][2],
-                        1 => a[i][3] * w[j][3] + a[i][4] * w[j][4],
-                        _ => a[i][5] * w[j][5] + a[i][6] * w[j][6],
-                    };
-                }
-                delassus[i][j] = sum;
-            }
-        }
-    }
-    #[inline]
-    fn row_rates(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R]) {
-        for i in 0..2 {
-            let shared = a[i][0] * v[0] + a[i][1] * v[1];
-            rates[i] = shared + a[i][2] * v[2];
-            rates[i + 2] = shared + a[i + 2][3] * v[3] + a[i + 2][4] * v[4];
-            rates[i + 4] = shared + a[i + 4][5] * v[5] + a[i + 4][6] * v[6];
-        }
-    }
-    #[inline]
-    fn momentum(&self, q: &[f64; N], v: &[f64; N], p: &mut [f64; N]) {
+    fn momentum(&self, q: &SVector<f64, N>, v: &SVector<f64, N>, p: &mut SVector<f64, N>) {
         momentum(&couplings(q), v, p);
     }
-    fn affinities(&self, _: &[f64; N], _: &mut impl TensorSink) {}
+    fn affinities(&self, _: &SVector<f64, N>, _: &mut impl TensorSink) {}
+    fn kinetic_energy(&self, _: &SVector<f64, N>, _: &SVector<f64, N>) -> f64 {
+        0.0
+    }
+}
 
-    #[inline]
-    fn holonomic(&self, _: f64, q: &[f64; N], phi: &mut [f64; R]) {
+impl Constraints<N, N, R> for Andrews {
+    fn holonomic(&self, _: f64, q: &SVector<f64, N>, phi: &mut SVector<f64, R>) {
         Places::new(q).rows(phi);
     }
-    #[inline]
     fn constraints(
         &self,
         _: f64,
-        q: &[f64; N],
-        phi: &mut [f64; R],
+        q: &SVector<f64, N>,
+        phi: &mut SVector<f64, R>,
         a: &mut impl MatrixSink,
-        _: &mut [f64; R],
+        _: &mut SVector<f64, R>,
     ) {
         let places = Places::new(q);
         places.rows(phi);
@@ -285,56 +243,117 @@ impl System<N, N, R> for Andrews {
     fn constraint_rates(
         &self,
         _: f64,
-        _: &[f64; N],
-        _: &[f64; N],
+        _: &SVector<f64, N>,
+        _: &SVector<f64, N>,
         _: &mut impl MatrixSink,
-        _: &mut [f64; R],
+        _: &mut SVector<f64, R>,
     ) {
     }
+    fn row_rates(&self, a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>) {
+        let a = rows(a);
+        for i in 0..2 {
+            let shared = a[i][0] * v[0] + a[i][1] * v[1];
+            rates[i] = shared + a[i][2] * v[2];
+            rates[i + 2] = shared + a[i + 2][3] * v[3] + a[i + 2][4] * v[4];
+            rates[i + 4] = shared + a[i + 4][5] * v[5] + a[i + 4][6] * v[6];
+        }
+    }
+    fn solve_mass_rows(&self, mass: &Inverse, a: &SMatrix<f64, N, R>, w: &mut SMatrix<f64, N, R>) {
+        let (a, w) = (rows(a), rows_mut(w));
+        for r in 0..R {
+            // Each row holds OF and FE, and one of the others.
+            let pair = |(i, j, _): (usize, usize, Pair), block: &[f64; 3], w: &mut [f64; N]| {
+                w[i] = block[0] * a[r][i] + block[1] * a[r][j];
+                w[j] = block[1] * a[r][i] + block[2] * a[r][j];
+            };
+            pair(PAIRS[0], &mass.0[0], &mut w[r]);
+            match r / 2 {
+                0 => w[r][GAMMA] = a[r][GAMMA] * (1.0 / BDE),
+                k => pair(PAIRS[k], &mass.0[k], &mut w[r]),
+            }
+        }
+    }
+    fn delassus(
+        &self,
+        a: &SMatrix<f64, N, R>,
+        w: &SMatrix<f64, N, R>,
+        delassus: &mut SMatrix<f64, R, R>,
+    ) {
+        let (a, w, delassus) = (rows(a), rows(w), rows_mut(delassus));
+        for i in 0..R {
+            for j in 0..R {
+                let mut sum = a[i][0] * w[j][0] + a[i][1] * w[j][1];
+                if i / 2 == j / 2 {
+                    sum += match i / 2 {
+                        0 => a[i][2] * w[j][2],
+                        1 => a[i][3] * w[j][3] + a[i][4] * w[j][4],
+                        _ => a[i][5] * w[j][5] + a[i][6] * w[j][6],
+                    };
+                }
+                delassus[i][j] = sum;
+            }
+        }
+    }
+}
 
-    #[inline]
-    fn applied_forces(&self, _: f64, q: &[f64; N], _: &[f64; N], f: &mut [f64; N]) {
+impl Loads<N, N> for Andrews {
+    fn inputs(&self) -> &[f64] {
+        &[]
+    }
+    fn inputs_mut(&mut self) -> &mut [f64] {
+        &mut []
+    }
+    fn applied_forces(
+        &self,
+        _: f64,
+        q: &SVector<f64, N>,
+        _: &SVector<f64, N>,
+        f: &mut SVector<f64, N>,
+    ) {
         motor(f);
         f[GAMMA] = spring(q[GAMMA]).0;
     }
-    #[inline]
-    fn forces(&self, _: f64, q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
+    fn forces(&self, _: f64, q: &SVector<f64, N>, v: &SVector<f64, N>, f: &mut SVector<f64, N>) {
         forces(&couplings(q), q, v, f);
     }
     fn applied_force_tangents(
         &self,
         _: f64,
-        q: &[f64; N],
-        _: &[f64; N],
+        q: &SVector<f64, N>,
+        _: &SVector<f64, N>,
         f_q: &mut impl MatrixSink,
         _: &mut impl MatrixSink,
     ) {
         f_q.set(GAMMA, GAMMA, spring(q[GAMMA]).1);
     }
-    #[inline]
     fn force_tangents(
         &self,
         _: f64,
-        q: &[f64; N],
-        v: &[f64; N],
+        q: &SVector<f64, N>,
+        v: &SVector<f64, N>,
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
     ) {
         tangents(&couplings(q), q, v, f_q, f_v, p_q);
     }
-    #[inline]
-    fn balance(&self, _: f64, q: &[f64; N], v: &[f64; N], p: &mut [f64; N], f: &mut [f64; N]) {
+    fn balance(
+        &self,
+        _: f64,
+        q: &SVector<f64, N>,
+        v: &SVector<f64, N>,
+        p: &mut SVector<f64, N>,
+        f: &mut SVector<f64, N>,
+    ) {
         let couplings = couplings(q);
         momentum(&couplings, v, p);
         forces(&couplings, q, v, f);
     }
-    #[inline]
     fn balance_tangents(
         &self,
         _: f64,
-        q: &[f64; N],
-        v: &[f64; N],
+        q: &SVector<f64, N>,
+        v: &SVector<f64, N>,
         mass: &mut impl MatrixSink,
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
@@ -344,31 +363,35 @@ impl System<N, N, R> for Andrews {
         write_mass(&couplings, mass);
         tangents(&couplings, q, v, f_q, f_v, p_q);
     }
-    fn acceleration(&self, _: f64, _: &[f64; N], _: &mut [f64; N]) {}
+    fn acceleration(&self, _: f64, _: &SVector<f64, N>, _: &mut SVector<f64, N>) {}
+    fn potential_energy(&self, _: &SVector<f64, N>) -> f64 {
+        0.0
+    }
+    fn nonconservative_power(&self, _: f64, _: &SVector<f64, N>, _: &SVector<f64, N>) -> f64 {
+        0.0
+    }
+}
 
-    // A stepper does not ask for what follows.
-    fn kinetic_energy(&self, _: &[f64; N], _: &[f64; N]) -> f64 {
-        0.0
-    }
-    fn potential_energy(&self, _: &[f64; N]) -> f64 {
-        0.0
-    }
-    fn nonconservative_power(&self, _: f64, _: &[f64; N], _: &[f64; N]) -> f64 {
-        0.0
-    }
-    fn outputs(&self, _: f64, _: &[f64; N], _: &[f64; N], _: &mut [f64]) {}
-    fn events(&self, _: f64, _: &[f64; N], _: &[f64; N], _: &mut [f64]) {}
-    fn points(&self, _: f64, _: &[f64; N], _: &mut [[f64; 3]]) {}
+// A stepper does not ask for these.
+impl Observables<N, N, R> for Andrews {
+    fn outputs(&self, _: f64, _: &SVector<f64, N>, _: &SVector<f64, N>, _: &mut [f64]) {}
+    fn events(&self, _: f64, _: &SVector<f64, N>, _: &SVector<f64, N>, _: &mut [f64]) {}
+    fn points(&self, _: f64, _: &SVector<f64, N>, _: &mut [[f64; 3]]) {}
     fn reactions(
         &self,
         _: f64,
-        _: &[f64; N],
-        _: &[f64; N],
-        _: &[f64; N],
-        _: &[f64; R],
+        _: &SVector<f64, N>,
+        _: &SVector<f64, N>,
+        _: &SVector<f64, N>,
+        _: &SVector<f64, R>,
         _: &mut [f64],
     ) {
     }
+}
+
+impl System<N, N, R> for Andrews {
+    const MODEL: &'static Model = Generated::MODEL;
+    const STRUCTURE: Structure = Generated::MODEL.structure;
 }
 
 #[inline]
@@ -383,7 +406,7 @@ fn write_mass(couplings: &[(f64, f64); 3], mass: &mut impl MatrixSink) {
 }
 
 #[inline]
-fn momentum(couplings: &[(f64, f64); 3], v: &[f64; N], p: &mut [f64; N]) {
+fn momentum(couplings: &[(f64, f64); 3], v: &SVector<f64, N>, p: &mut SVector<f64, N>) {
     for (&(i, j, pair), &(c, _)) in PAIRS.iter().zip(couplings) {
         let both = v[i] + v[j];
         p[j] = pair.inner * both + c * v[i];
@@ -393,7 +416,12 @@ fn momentum(couplings: &[(f64, f64); 3], v: &[f64; N], p: &mut [f64; N]) {
 }
 
 #[inline]
-fn forces(couplings: &[(f64, f64); 3], q: &[f64; N], v: &[f64; N], f: &mut [f64; N]) {
+fn forces(
+    couplings: &[(f64, f64); 3],
+    q: &SVector<f64, N>,
+    v: &SVector<f64, N>,
+    f: &mut SVector<f64, N>,
+) {
     motor(f);
     f[4] = 0.0;
     f[6] = 0.0;
@@ -407,8 +435,8 @@ fn forces(couplings: &[(f64, f64); 3], q: &[f64; N], v: &[f64; N], f: &mut [f64;
 #[inline]
 fn tangents(
     couplings: &[(f64, f64); 3],
-    q: &[f64; N],
-    v: &[f64; N],
+    q: &SVector<f64, N>,
+    v: &SVector<f64, N>,
     f_q: &mut impl MatrixSink,
     f_v: &mut impl MatrixSink,
     p_q: &mut impl MatrixSink,

@@ -218,7 +218,7 @@ pub const METHODS: &[Method] = &[
     method(Constraints, "sparse_constraints", &[T, Q, write("phi", Rows), write("k", Shape::Slots), write("b", Rows)], Nothing, Written),
     method(Constraints, "solve_mass_rows", &[MASS, A, write("w", RowsByVelocities)], Nothing, Kernel {
         constant_mass: "::mbs_runtime::generated::multiply_rows(&self.inverse_mass, a, w);",
-        varying_mass: "::mbs_runtime::generated::solve_rows(a, w, |x| self.solve_mass(mass, x));",
+        varying_mass: "::mbs_runtime::generated::solve_rows(a, w, |x| ::mbs_runtime::Inertia::solve_mass(self, mass, x));",
         operations: |n, r| 2 * n * n * r,
     }),
     method(Constraints, "delassus", &[A, W, write("delassus", RowsByRows)], Nothing, Kernel {

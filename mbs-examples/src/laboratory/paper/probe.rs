@@ -1,6 +1,7 @@
 //! What the figures show and summaries do not: rows one by one, the step and the penalties of Algorithm 1, and the force
 //! that a step has applied.
 
+use mbs_runtime::nalgebra::{Cholesky, DMatrix, DVector, SMatrix, SVector};
 use mbs_runtime::{AnySimulation, Simulation, System};
 
 /// Rows that follow from others are told apart from round-off by this, in rows of unit length.
@@ -43,39 +44,39 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
     for Simulation<S, Q, N, R>
 {
     fn rows(&self) -> [Vec<f64>; 2] {
-        let (mut phi, mut a, mut b) = ([0.0; R], Box::new([[0.0; N]; R]), [0.0; R]);
+        let (mut phi, mut a, mut b) = (SVector::zeros(), zeros::<R, N>(), SVector::zeros());
         let state = self.state();
         self.system()
             .constraints(state.time, &state.positions, &mut phi, &mut a, &mut b);
-        let rate = |i: usize| dot(&a[i], &state.velocities) + b[i];
-        [phi.to_vec(), (0..R).map(rate).collect()]
+        let rates = *a * state.velocities + b;
+        [list(&phi), list(&rates)]
     }
 
     fn effective_masses(&self) -> Vec<f64> {
         let state = self.state();
-        let Some((_, _, delassus)) = geometry(self.system(), state.time, &state.positions) else {
-            return vec![f64::NAN; R];
-        };
-        (0..R).map(|i| 1.0 / delassus[i][i]).collect()
+        match geometry(self.system(), state.time, &state.positions) {
+            Some((_, delassus)) => list(&delassus.diagonal().map(f64::recip)),
+            None => vec![f64::NAN; R],
+        }
     }
 
     fn algorithm(&self) -> (f64, Vec<f64>) {
         let fields = &self.state().fields;
-        (fields.shortest, fields.penalty.to_vec())
+        (fields.shortest, list(&fields.penalty))
     }
 
     fn instant(&self) -> Instant {
         let state = self.state();
         let (t, q, v) = (state.time, &state.positions, &state.velocities);
-        let (mut momentum, mut force) = ([0.0; N], [0.0; N]);
+        let (mut momentum, mut force) = (SVector::zeros(), SVector::zeros());
         self.system().momentum(q, v, &mut momentum);
         self.system().forces(t, q, v, &mut force);
         Instant {
             time: t,
-            q: q.to_vec(),
-            v: v.to_vec(),
-            momentum: momentum.to_vec(),
-            force: force.to_vec(),
+            q: list(q),
+            v: list(v),
+            momentum: list(&momentum),
+            force: list(&force),
         }
     }
 
@@ -83,26 +84,26 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
         let now = self.instant();
         let h = now.time - before.time;
         let system = self.system();
-        let mean = |a: &[f64], b: &[f64]| std::array::from_fn(|i| 0.5 * (a[i] + b[i]));
-        let v: [f64; N] = mean(&before.v, &now.v);
-        let start: [f64; Q] = std::array::from_fn(|i| before.q[i]);
+        let vector = |x: &[f64]| SVector::<f64, N>::from_column_slice(x);
+        let mean = |a: &[f64], b: &[f64]| 0.5 * (vector(a) + vector(b));
+        let rate = |a: &[f64], b: &[f64]| (vector(b) - vector(a)) / h;
+        let v = mean(&before.v, &now.v);
+        let start = SVector::from_column_slice(&before.q);
         let (t, q) = (before.time + 0.5 * h, system.advance(&start, &v, 0.5 * h));
         let unknown = || vec![f64::NAN; S::MODEL.reactions.len()];
-        let (Some((a, w, delassus)), Some(mass)) =
-            (geometry(system, t, &q), system.factor_mass(&q))
+        let (Some((a, delassus)), Some(mass)) = (geometry(system, t, &q), system.factor_mass(&q))
         else {
             return unknown();
         };
-        let force: [f64; N] = mean(&before.force, &now.force);
-        let mut rest: [f64; N] =
-            std::array::from_fn(|i| (now.momentum[i] - before.momentum[i]) / h - force[i]);
-        let acceleration: [f64; N] = std::array::from_fn(|i| (now.v[i] - before.v[i]) / h);
+        let mut rest = rate(&before.momentum, &now.momentum) - mean(&before.force, &now.force);
+        let acceleration = rate(&before.v, &now.v);
         system.solve_mass(&mass, &mut rest);
-        let wanted: Vec<f64> = a.iter().map(|row| dot(row, &rest)).collect();
-        drop(w);
-        let delassus: Vec<Vec<f64>> = delassus.iter().map(|row| row.to_vec()).collect();
-        let lambda = least(delassus, &wanted);
-        let lambda: [f64; R] = std::array::from_fn(|i| lambda[i]);
+        let wanted = list(&a.tr_mul(&rest));
+        let lambda = least(
+            DMatrix::from_column_slice(R, R, delassus.as_slice()),
+            DVector::from_vec(wanted),
+        );
+        let lambda = SVector::from_column_slice(lambda.as_slice());
         let mut reactions = unknown();
         system.reactions(t, &q, &v, &acceleration, &lambda, &mut reactions);
         reactions
@@ -112,9 +113,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
         let lambda = self.step_multipliers()?;
         let now = self.instant();
         let h = now.time - before.time;
-        let v: [f64; N] = std::array::from_fn(|i| 0.5 * (before.v[i] + now.v[i]));
-        let start: [f64; Q] = std::array::from_fn(|i| before.q[i]);
-        let acceleration: [f64; N] = std::array::from_fn(|i| (now.v[i] - before.v[i]) / h);
+        let [v0, v1] = [&before.v, &now.v].map(|v| SVector::<f64, N>::from_column_slice(v));
+        let v = 0.5 * (v0 + v1);
+        let start = SVector::from_column_slice(&before.q);
+        let acceleration = (v1 - v0) / h;
         let (t, q) = (
             before.time + 0.5 * h,
             self.system().advance(&start, &v, 0.5 * h),
@@ -126,73 +128,43 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Probe
     }
 }
 
-type Rows<const R: usize, const N: usize> = Box<[[f64; N]; R]>;
+fn list<const K: usize>(x: &SVector<f64, K>) -> Vec<f64> {
+    x.as_slice().to_vec()
+}
 
-/// A, M⁻¹Aᵀ and A M⁻¹Aᵀ; `None` where M has no factor.
+fn zeros<const ROWS: usize, const COLUMNS: usize>() -> Box<SMatrix<f64, ROWS, COLUMNS>> {
+    Box::new(SMatrix::zeros())
+}
+
+/// Aᵀ and A M⁻¹Aᵀ; `None` where M has no factor.
 fn geometry<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     t: f64,
-    q: &[f64; Q],
-) -> Option<(Rows<R, N>, Rows<R, N>, Rows<R, R>)> {
-    let (mut a, mut w) = (Box::new([[0.0; N]; R]), Box::new([[0.0; N]; R]));
-    let mut delassus = Box::new([[0.0; R]; R]);
-    system.constraints(t, q, &mut [0.0; R], &mut a, &mut [0.0; R]);
-    system.solve_mass_rows(&system.factor_mass(q)?, &a, &mut w);
-    system.delassus(&a, &w, &mut delassus);
-    Some((a, w, delassus))
+    q: &SVector<f64, Q>,
+) -> Option<(Box<SMatrix<f64, N, R>>, Box<SMatrix<f64, R, R>>)> {
+    let (mut a, mut w, mut delassus) = (zeros::<R, N>(), zeros(), zeros());
+    let mut ignored = SVector::zeros();
+    system.constraints(t, q, &mut SVector::zeros(), &mut a, &mut ignored);
+    let rows = Box::new(a.transpose());
+    system.solve_mass_rows(&system.factor_mass(q)?, &rows, &mut w);
+    system.delassus(&rows, &w, &mut delassus);
+    Some((rows, delassus))
 }
 
 /// The least x, in rows of unit length, with `delassus` x = `wanted`.
-fn least(mut delassus: Vec<Vec<f64>>, wanted: &[f64]) -> Vec<f64> {
-    let count = wanted.len();
-    let scale: Vec<f64> = (0..count).map(|i| delassus[i][i].sqrt().recip()).collect();
-    for i in 0..count {
-        for j in 0..count {
-            delassus[i][j] *= scale[i] * scale[j];
-        }
-    }
-    let factor = cholesky(&delassus);
-    let mut x = vec![0.0; count];
+fn least(delassus: DMatrix<f64>, wanted: DVector<f64>) -> DVector<f64> {
+    let scale = delassus.diagonal().map(|square| square.sqrt().recip());
+    let lengths = DMatrix::from_diagonal(&scale);
+    let unit = &lengths * delassus * &lengths;
+    let wanted = scale.component_mul(&wanted);
+    let mut x = DVector::zeros(wanted.len());
+    let identity = DMatrix::identity(wanted.len(), wanted.len());
+    // Round-off of a matrix of less than full rank is no larger than what is added.
+    let Some(factor) = Cholesky::new(&unit + PROXIMAL * identity) else {
+        return x.map(|_: f64| f64::NAN);
+    };
     for _ in 0..REFINEMENTS {
-        let left: Vec<f64> = (0..count)
-            .map(|i| scale[i] * wanted[i] - dot(&delassus[i], &x))
-            .collect();
-        for (x, change) in x.iter_mut().zip(solve(&factor, left)) {
-            *x += change;
-        }
+        x += factor.solve(&(&wanted - &unit * &x));
     }
-    x.iter().zip(&scale).map(|(x, scale)| x * scale).collect()
-}
-
-/// L of a matrix with [`PROXIMAL`] added to its diagonal.
-fn cholesky(matrix: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let count = matrix.len();
-    let mut l = vec![vec![0.0; count]; count];
-    for i in 0..count {
-        for j in 0..=i {
-            let rest = matrix[i][j] - dot(&l[i][..j], &l[j][..j]);
-            l[i][j] = if i == j {
-                (rest + PROXIMAL).max(PROXIMAL).sqrt()
-            } else {
-                rest / l[j][j]
-            };
-        }
-    }
-    l
-}
-
-fn solve(l: &[Vec<f64>], mut x: Vec<f64>) -> Vec<f64> {
-    let count = l.len();
-    for i in 0..count {
-        x[i] = (x[i] - dot(&l[i][..i], &x[..i])) / l[i][i];
-    }
-    for i in (0..count).rev() {
-        let above: f64 = (i + 1..count).map(|j| l[j][i] * x[j]).sum();
-        x[i] = (x[i] - above) / l[i][i];
-    }
-    x
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+    scale.component_mul(&x)
 }
