@@ -12,8 +12,7 @@
 //! Residuals are sums of squares (φ_i/tolerance_i)², so that 1 is the tolerance.
 //!
 //! Where steps land beside a pose is in `stage_placement.rs` and `simulation/placement.rs`, which poses are reported in
-//! `simulation/singularity_detector.rs`. Each constant says what it trades; the experiments are named in the book,
-//! "Numbers that were chosen".
+//! `simulation/singularity_detector.rs`. Each constant that was chosen and not derived says what it trades.
 
 /// ε of the proximal solve on rows of unit length: 1/ξ² for the penalty ξ = 1e7 of the augmented Lagrangian. Smaller, and
 /// round-off of BBᵀ takes its place; larger, and weak rows need more passes.
@@ -29,6 +28,11 @@ pub(crate) const WEAK_PIVOT: f64 = 1e-3;
 /// A squared residual above this part of the last one has stalled: corrections that do not halve an error end at round-off
 /// or in a lost direction. Larger, and they are repeated in vain; smaller, and slow ones are taken for finished.
 pub(crate) const STALLED: f64 = 0.25;
+/// The same of sizes that are not squared.
+#[inline(always)]
+pub(crate) fn has_stalled(size: f64, last: f64) -> bool {
+    size * size >= STALLED * (last * last)
+}
 /// A stalled residual is taken for round-off up to this many squared tolerances, a thousand tolerances: rows are long
 /// beside the round-off of their terms in some mechanisms.
 pub(crate) const STAGNATED: f64 = 1e6;

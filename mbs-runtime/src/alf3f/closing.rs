@@ -80,12 +80,11 @@ pub(crate) fn close<C: Closing>(
             Some(count) if iterations == count && residual.is_finite() => return Ok(Some(closed)),
             _ => {}
         }
-        let stalled = residual > STALLED * last && residual < rows.round_off();
         // Where the corrections that another factor costs would not do at the present rate.
         let slow = !(residual.powi(C::PATIENCE + 1) <= last.powi(C::PATIENCE) || residual <= 1.0);
         let slow = slow && iterations > 0 && (limits.fixed.is_none() || !residual.is_finite());
         if !factored || slow || rows.is_stale() {
-            if fresh && stalled && !C::VELOCITIES {
+            if fresh && !C::VELOCITIES && has_stalled(rows, residual, last) {
                 return Ok(Some(closed));
             }
             if (iterations >= limits.most && limits.fixed.is_none()) || !residual.is_finite() {
@@ -98,12 +97,18 @@ pub(crate) fn close<C: Closing>(
         } else {
             fresh = false;
         }
-        if rows.solve() && C::VELOCITIES && (residual <= 1.0 || stalled) {
+        if rows.solve() && C::VELOCITIES && (residual <= 1.0 || has_stalled(rows, residual, last)) {
             return Ok(Some(closed));
         }
         last = residual;
         iterations += 1;
     }
+}
+
+/// Whether a correction has left what is round-off.
+#[inline(always)]
+fn has_stalled(rows: &impl Closing, residual: f64, last: f64) -> bool {
+    residual > STALLED * last && residual < rows.round_off()
 }
 
 /// Velocity rows on which corrections through a nearly singular factor are repeated.

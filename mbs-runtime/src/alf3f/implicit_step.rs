@@ -16,7 +16,7 @@ use super::{ConstraintGeometry, Fault};
 use crate::System;
 use crate::flow::{Implicit, transport, trapezoid};
 use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, vector};
-use crate::singular::{MEAN_LOST, ROUND_OFF, STILL};
+use crate::singular::{MEAN_LOST, ROUND_OFF, STILL, has_stalled};
 use nalgebra::SVector;
 
 /// How a step ended.
@@ -247,6 +247,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Balance
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
     for Balance<'_, S, Q, N, R>
 {
+    const PATIENCE: i32 = 3;
     const VELOCITIES: bool = true;
 
     #[inline(always)]
@@ -336,7 +337,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         // The next correction, at the rate of this one.
         let next = size * (size / last).min(1.0);
         next <= (ROUND_OFF * speed).max(yardstick.imperceptible(&self.q, self.h))
-            || (size >= 0.5 * last && size <= STILL * speed)
+            || (has_stalled(size, last) && size <= STILL * speed)
     }
 
     fn is_stale(&self) -> bool {

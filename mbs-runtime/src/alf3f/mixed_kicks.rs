@@ -90,6 +90,8 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
+    const PATIENCE: i32 = 3;
+
     #[inline(always)]
     fn residual(&mut self) -> Result<f64, Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
@@ -119,7 +121,7 @@ where
         }
         if std::mem::take(&mut self.is_first) {
             // Kicks that cancel leave their round-off.
-            let speeds = vector(|i| self.va[i].abs() + v[i].abs());
+            let speeds = vector(|i| self.va[i].abs().max(v[i].abs()));
             let speed = yardstick.measure(&speeds).max(AT_REST);
             for i in holonomic..R {
                 self.weights[i] /= speed * speed;

@@ -4,7 +4,7 @@ use super::group::pull_back;
 use crate::System;
 use crate::alf3f::Fault;
 use crate::linear::{Pivoted, RowMatrix, vector};
-use crate::singular::{ROUND_OFF, STILL};
+use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::sink::Discard;
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
@@ -188,7 +188,7 @@ impl<const N: usize> Implicit<N> {
             let size = yardstick.measure(&change);
             let speed = yardstick.measure(vb);
             let stagnated = fresh
-                && size >= 0.5 * last
+                && has_stalled(size, last)
                 && size <= (STILL * speed).max(yardstick.imperceptible(&q1, self.h));
             // At the rate of this correction the next one would be too small to matter.
             let rate = if last.is_finite() {
