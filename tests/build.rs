@@ -1,4 +1,4 @@
-//! Writes the declarations of the scenes once more, with each choice of coordinates: see `tests/formulations.rs`.
+//! Writes the declarations of the scenes again, with each choice of coordinates: see `tests/formulations.rs`.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -44,7 +44,7 @@ fn main() {
     fs::write(target, out).expect("the target directory can be written");
 }
 
-/// A declaration whose world asks for certain coordinates.
+/// A declaration with a given choice of coordinates.
 fn with(declaration: &str, formulation: &str) -> String {
     let world = declaration.find("    world: ").expect("a world");
     let end = world + declaration[world..].find("),\n").expect("its end");

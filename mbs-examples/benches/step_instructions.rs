@@ -1,5 +1,6 @@
-//! Instructions of a step of the double four-bar and of Andrews' mechanism, hand-written and generated, and of every scene, counted by valgrind's callgrind: exact and
-//! repeatable, whatever else the machine is doing.
+//! Instructions of a step of the double four-bar and of Andrews' mechanism, hand-written and generated, and of every
+//! scene, counted by valgrind's callgrind. The counts are exact and repeatable; other work of the machine has no
+//! effect.
 //!
 //! `cargo bench -p mbs-examples --bench step_instructions [-- --csv DIR]` (needs valgrind on the path; a bench runs in
 //! its package, so that DIR is `../book/src/results/readme`)
@@ -16,7 +17,7 @@ use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper};
 use std::hint::black_box;
 use std::process::Command;
 
-/// The count is the difference between runs of these lengths, so that start-up cancels.
+/// The count is the difference between runs with these numbers of steps, so that the start cancels.
 const STEPS: [u64; 2] = [2_000, 12_000];
 /// The same for the table of all scenes.
 const SHORT: [u64; 2] = [20, 220];
@@ -31,7 +32,7 @@ const COLUMNS: [&str; 7] = [
     "estimated",
     "time_us",
 ];
-/// Times are the least of so many interleaved repeats.
+/// Times are the least of this number of interleaved repeats.
 const REPEATS: usize = 40;
 
 fn main() -> Result<(), String> {
@@ -91,7 +92,7 @@ fn main() -> Result<(), String> {
     Ok(())
 }
 
-/// A row of the file: velocities, rows, what the compiler expects and the time are in `rest`.
+/// A row of the file: velocities, rows, the operations estimated by the compiler and the time are in `rest`.
 fn line(name: &str, step: f64, count: f64, rest: [&str; 4]) -> Vec<String> {
     let [velocities, rows, estimated, time] = rest.map(str::to_owned);
     let count = format!("{count:.1}");
@@ -120,7 +121,7 @@ fn times(names: [&str; 2], step: f64) -> [f64; 2] {
     least.map(|time| 1e6 * time / STEPS[1] as f64)
 }
 
-/// Runs the double four-bar, hand-written or generated; what it ends with.
+/// Runs the double four-bar, hand-written or generated; returns its last coordinates.
 fn advance(name: &str, step: f64, steps: u64) -> f64 {
     if name == "hand-written" {
         let mut mechanism = handwritten::DoubleFourBar::new();
@@ -186,7 +187,7 @@ fn run_andrews<S: System<7, 7, 6>>(system: S, step: f64, steps: u64) -> Option<S
     Some(stepper.state().positions)
 }
 
-/// Instructions of a step of every scene at its own step size, beside what the compiler expects.
+/// Instructions of a step of every scene at its own step size, and the operations estimated by the compiler.
 fn every_scene(file: &mut File) -> Result<(), String> {
     println!();
     println!(
@@ -218,8 +219,8 @@ fn every_scene(file: &mut File) -> Result<(), String> {
     Ok(())
 }
 
-/// How instructions grow with the number of loops in a row of four-bars: the exponent between each two lengths, for each
-/// step.
+/// Growth of the instructions with the number of loops in a row of four-bars: the exponent between each two numbers,
+/// for each step.
 fn growth() {
     let chains = [
         ("double-four-bar", 2.0_f64),
@@ -262,7 +263,7 @@ fn run_scene(scene: &Scene, step: f64, steps: u64) {
     println!("{:?}", simulation.outputs());
 }
 
-/// The largest difference of the two mechanisms' coordinates: they have to be the same mechanism.
+/// The largest difference of the coordinates of the two mechanisms, which tests that they are the same mechanism.
 fn disagreement(step: f64, steps: u64) -> f64 {
     let Some(mut stepper) = stepper(step) else {
         return f64::NAN;

@@ -12,7 +12,7 @@ use std::hint::black_box;
 
 const STEP: f64 = 1e-3;
 
-/// Both run the same second of motion, through the first singular pose, again and again.
+/// Both repeat the same second of motion, through the first singular pose.
 const STEPS: u64 = 1000;
 
 fn double_four_bar(criterion: &mut Criterion) {

@@ -1,4 +1,5 @@
-//! How the equations of a chain grow: operations of its functions in joint coordinates, and the time to derive them.
+//! Growth of the equations of a chain: operations of its functions in joint coordinates, and the time of their
+//! derivation.
 //!
 //! `cargo run -p mbs-examples --example chain_costs` (unoptimised, as in users' builds)
 

@@ -1,5 +1,5 @@
-//! Symmetric compositions of the two-level step, compared by work: the stages a second with which each set of
-//! coefficients reaches an error of position, and the slope it has there.
+//! Symmetric compositions of the two-level step, compared by work: the stages per second of motion with which each set
+//! of coefficients reaches a position error, and the slope of the error there.
 //!
 //! `cargo run --release -p mbs-examples --example compositions [--csv book/src/results/readme]`
 
@@ -8,7 +8,7 @@ use mbs_examples::scenes::{bricard, chaplygin_sleigh, double_four_bar, pendulum,
 use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{Mechanism, Settings, Simulation, State, System, TwoLevelStepper};
 
-/// Coefficients γ₁, γ₂, … up to the middle one, which is what is left of 1.
+/// Coefficients γ₁, γ₂, … without the middle one, which makes the sum 1.
 struct Set {
     order: u8,
     name: &'static str,
@@ -168,13 +168,13 @@ const SETS: &[Set] = &[
     },
 ];
 
-/// Errors of position, sizes or radians, that are asked for.
+/// Position errors to reach, in sizes or radians.
 const ERRORS: [f64; 4] = [1e-3, 1e-5, 1e-7, 1e-9];
-/// Stages a second of the first run, and by how much each next one has more.
+/// Stages per second of the first run, and the factor from each run to the next.
 const FEWEST: f64 = 12.0;
 const MORE: f64 = 1.189_207_115_002_721;
 const RUNS: usize = 48;
-/// Step of the run that errors are measured from, as stages a second of the last order.
+/// Step of the fine run, from which errors are measured, as stages per second of the last order.
 const FINE: f64 = 60_000.0;
 
 impl Set {
@@ -203,7 +203,7 @@ fn main() -> Result<(), String> {
     println!(
         "stages a second for an error of position of {ERRORS:?}, and the slope at the last but one"
     );
-    // Before their first singular poses, where landings count and not coefficients.
+    // Before the first singular poses: beside them the error depends on where stages end, not on the coefficients.
     compare("pendulum", &pendulum::Pendulum::default(), 3.0, &mut file)?;
     compare(
         "slider-crank",
@@ -273,7 +273,7 @@ where
     Ok(())
 }
 
-/// q after `time` in whole steps, and the stages a second that were taken; `None` if a step fails.
+/// q after `time` in whole steps, and the stages per second; `None` if a step fails.
 fn run<M, S, const Q: usize, const N: usize, const R: usize>(
     mechanism: &M,
     start: &State<Q, N, R>,
@@ -302,13 +302,13 @@ where
     Some((stepper.state().positions, rate))
 }
 
-/// The stages a second from which on errors are below `wanted`, and the slope there.
+/// The stages per second from which on errors are below `wanted`, and the slope there.
 fn rate(errors: &[(f64, f64)], wanted: f64) -> Option<(f64, f64)> {
     let last = errors.iter().rposition(|(_, error)| !(*error < wanted))?;
     let (coarse, fine) = (errors.get(last)?, errors.get(last + 1)?);
     let slope = (coarse.1 / fine.1).ln() / (fine.0 / coarse.0).ln();
     let rate = coarse.0 * (coarse.1 / wanted).powf(1.0 / slope);
-    // Over a wider range, which the noise of single runs does not reach.
+    // Over a wider range, so that the noise of single runs has no effect.
     let wide = errors.get(last.checked_sub(3)?)?;
     let slope = (wide.1 / fine.1).ln() / (fine.0 / wide.0).ln();
     Some((rate, slope))

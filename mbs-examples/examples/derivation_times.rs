@@ -1,4 +1,4 @@
-//! How long each scene takes to compile from its declaration to Rust, stage by stage.
+//! The time to compile each scene from its declaration to Rust, stage by stage.
 //!
 //! Procedural macros run unoptimised in users' builds, so run this unoptimised, too:
 //! `cargo run --profile unoptimised -p mbs-examples --example derivation_times [-- --csv book/src/results/readme]`

@@ -1,12 +1,11 @@
-//! Singular passages at random steps from random phases: failures, wrong branches, and how far the worst energy error of a
-//! step is from the usual one.
+//! Passages with random steps from random phases: failures, wrong branches, and the ratio of the worst to the usual
+//! energy error of a step.
 //!
-//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene] [constraint tolerance]
-//! [--csv book/src/results/readme]`
-//!
-//! Each step, drawn log-uniformly, is run from several states on the smooth branch, drawn from its first ten seconds, and
-//! compared with a fine run from the same state at every half second. Energy alone does not show a wrong branch: on the
-//! smooth one the rods of the slider-crank stay mirror images, and the cranks of the double four-bar parallel.
+//! `cargo run --release -p mbs-examples --example passage_phases [steps per order] [scene] [constraint tolerance] [--csv book/src/results/readme]`
+//! Each step is drawn log-uniformly. It is run from several states, drawn from the first ten seconds of the smooth
+//! branch, and compared with a fine run from the same state at every half second. Energy alone does not show a wrong
+//! branch. On the smooth branch the rods of the slider-crank stay mirror images, and the cranks of the double four-bar
+//! stay parallel.
 
 use mbs_examples::pages::phases::{COLUMNS, KEYS};
 use mbs_examples::pages::record::{File, Recorder};
@@ -20,7 +19,7 @@ const STEPS: [f64; 2] = [5e-4, 2e-2];
 /// Length of a run, and instants of comparison, s.
 const DURATION: f64 = 10.0;
 const INTERVAL: f64 = 0.5;
-/// States that runs begin from, and how many of them each step has.
+/// Number of initial states, and number of runs of each step.
 const PHASES: usize = 40;
 const PHASES_OF_A_STEP: usize = 7;
 /// A mechanism that is this far from the symmetry of the smooth branch, m, has left it.
@@ -28,13 +27,13 @@ const ASTRAY: f64 = 0.1;
 /// Step of the fine runs, at order 8, s.
 const FINE: f64 = 2.5e-3;
 
-/// Where runs begin, and where they should be at each instant.
+/// An initial state, and the poses of its fine run at each instant.
 struct Phase<const Q: usize, const N: usize, const R: usize> {
     start: State<Q, N, R>,
     way: Vec<SVector<f64, Q>>,
 }
 
-/// How far named points are from the symmetry of the smooth branch, m.
+/// Distance of named points from the symmetry of the smooth branch, m.
 type Asymmetry = fn(&dyn Fn(&str) -> [f64; 3]) -> f64;
 
 fn main() -> Result<(), String> {
@@ -161,7 +160,7 @@ where
     Ok(())
 }
 
-/// States of a fine run at random times, and where fine runs lead from them.
+/// States of a fine run at random times, and the fine runs from them.
 fn phases<M, S, const Q: usize, const N: usize, const R: usize>(
     mechanism: &M,
     random: &mut u64,

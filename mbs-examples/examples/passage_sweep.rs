@@ -1,5 +1,5 @@
-//! Singular passages at every order, with and without placement: a table of orders and steps, then a sweep over random
-//! steps that counts failures and wrong branches.
+//! Passages at every order, with and without placement: a table of orders and steps, then a sweep over random steps
+//! that counts failures and wrong branches.
 //!
 //! `cargo run --release -p mbs-examples --example passage_sweep [steps per order] [--csv book/src/results/readme]`
 
@@ -15,7 +15,7 @@ const STEPS: [f64; 2] = [5e-4, 2e-2];
 /// A run that is this far from the reference, m, is on another branch.
 const ASTRAY: f64 = 0.3;
 
-/// Columns of the file of the sweeps; the first three identify one.
+/// Columns of the file of the sweeps; the first three identify a sweep.
 const SWEEPS: [&str; 12] = [
     "scene",
     "order",

@@ -1,8 +1,8 @@
-//! The two-level method against explicit Runge–Kutta on the index-1 form, both on the same generated code.
-//!
-//! For each scene and family: the least processor time of a loop of bare steps over ten seconds whose energy error stays
-//! within a bound, with the best order, step and setting of each family. A number of steps counts only if it and four larger
-//! ones, up to a tenth more, all stay within the bound and end on the right branch. Times are the least of interleaved repeats.
+//! The two-level method against explicit Runge–Kutta on the index-1 form, both on the same generated code. For each
+//! scene and family: the least processor time of a loop of steps, without `Simulation`, over ten seconds, with the
+//! energy error within a bound and with the best order, step and setting of the family. A number of steps counts only
+//! if it and four larger ones, up to a tenth more, all stay within the bound and end on the right branch. Times are the
+//! least of interleaved repeats.
 //!
 //! `cargo run --release -p mbs-examples --example rival [SCENE…] [--csv book/src/results/readme]`
 
@@ -26,10 +26,10 @@ const DURATION: f64 = 10.0;
 const BOUNDS: [f64; 3] = [1e-1, 1e-3, 1e-6];
 /// A run that ends this far from the reference, m, is on another branch.
 const ASTRAY: f64 = 0.3;
-/// Numbers of steps that are tried, and by what factor they grow.
+/// The least and the largest number of steps, and the factor from one to the next.
 const STEPS: [f64; 2] = [4.0, 20_000.0];
 const FINER: f64 = 1.03;
-/// By how many steps more at least, and by what factor, a run has to be as good.
+/// The runs that have to be within the bound, too: at least this number of steps more, and this factor.
 const NEIGHBOURS: [(u32, f64); 5] = [(0, 1.0), (1, 1.01), (2, 1.02), (3, 1.05), (4, 1.1)];
 const GAINS: [f64; 7] = [0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0];
 const REPEATS: usize = 40;
@@ -41,7 +41,7 @@ struct Entry {
     settings: Settings,
 }
 
-/// With the index of its bound, its steps and its least time, s.
+/// An entry with the index of its bound, its number of steps and its least time, s.
 type Run = (Entry, usize, u32, f64);
 
 /// Evaluations of the accelerations in a step of an explicit method.
@@ -158,7 +158,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bare<S,
     }
 }
 
-/// A scene with all that its runs start from.
+/// A scene with its initial state and its reference.
 struct Contest<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     system: S,
     start: State<Q, N, R>,
@@ -203,7 +203,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Contest
         }
     }
 
-    /// How far the end of a run is from the reference in its worst position, m.
+    /// The largest position error at the end of a run, against the reference, m.
     fn distance(&self, state: &State<Q, N, R>) -> f64 {
         let mut outputs = vec![0.0; S::MODEL.outputs.len()];
         let (q, v) = (&state.positions, &state.velocities);
@@ -226,7 +226,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Contest
             .fold(0.0, |most, e| if e > most || e.is_nan() { e } else { most })
     }
 
-    /// For each bound the least number of steps with which it holds, and holds with the neighbours.
+    /// For each bound the least number of steps such that the errors of this run and of its neighbours are within the
+    /// bound.
     fn coarsest(&self, settings: &Settings) -> [Option<u32>; 3] {
         let mut found = [None; 3];
         let mut count = STEPS[0];

@@ -1,5 +1,5 @@
-//! The README's table of scenes: errors of each scene with its own step, and the least time of a step; then what is left of the
-//! rows with other steps.
+//! The README's table of scenes: errors of each scene with its own step, and the least time of a step; then the
+//! residuals of the rows with other steps.
 //!
 //! `cargo run --release -p mbs-examples --example scene_table [--csv book/src/results/readme]`
 
@@ -7,7 +7,7 @@ use mbs_examples::pages::record::Recorder;
 use mbs_examples::pages::rows;
 use mbs_examples::pages::scene_runs::{COLUMNS, KEYS, SCENES, run, scene, time};
 
-/// Times are the least of so many interleaved repeats.
+/// Times are the least of this number of interleaved repeats.
 const REPEATS: usize = 10;
 
 fn main() -> Result<(), String> {

@@ -1,5 +1,5 @@
-//! What a tolerance means: the largest error of a run beside its reference as a multiple of the tolerance, for every
-//! tolerance and order, and the order with the fewest stages.
+//! The largest error of a run against its reference, as a multiple of the tolerance, for every tolerance and order, and
+//! the order with the fewest stages.
 //!
 //! `cargo run --release -p mbs-examples --example tolerances [scene…] [--csv book/src/results/readme]`
 
@@ -12,7 +12,7 @@ use mbs_examples::scenes::scenes;
 use mbs_runtime::output::Frame;
 use mbs_runtime::{Report, Settings, SimulationError};
 
-/// A scene's position columns, and its size in the unit of those.
+/// The position columns of a scene, and its size in their unit.
 struct Case {
     scene: &'static str,
     columns: &'static [&'static str],
@@ -71,9 +71,9 @@ const CASES: [Case; 8] = [
 ];
 const TOLERANCES: [f64; 7] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 const ORDERS: [u8; 4] = [2, 4, 6, 8];
-/// Instants that are looked at.
+/// Number of instants.
 const LOOKS: u32 = 1000;
-/// Below this, second order takes too long to be of interest.
+/// Below this tolerance second order takes too long.
 const LEAST_OF_SECOND: f64 = 1e-7;
 
 fn main() -> Result<(), String> {
@@ -121,8 +121,8 @@ fn main() -> Result<(), String> {
     Ok(())
 }
 
-/// The largest error at the instants of the reference, in sizes; counts without those of looking, and stages with a look
-/// every thousandth of the run.
+/// The largest error at the instants of the reference, in sizes; counts without the steps to instants, and stages with
+/// an instant every thousandth of the run.
 fn run(
     case: &Case,
     scene: &Scene,

@@ -1,7 +1,7 @@
 //! Searches for the parameters of the baselines, and prints a table.
 //!
-//! `cargo run --release -p mbs-examples --example tuning [METHOD…]`; the store is `book/src/results/tuning.csv`, or what the
-//! variable `TUNING_CSV` names. Candidates that it holds from the same commit are not run again.
+//! `cargo run --release -p mbs-examples --example tuning [METHOD…]`; the store is `book/src/results/tuning.csv`, or the
+//! file in the variable `TUNING_CSV`. Candidates that it has from the same commit are not run again.
 
 use std::path::PathBuf;
 

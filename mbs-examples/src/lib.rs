@@ -1,4 +1,4 @@
-//! Scenes with references, and what the command line `mbs` needs to run and show them.
+//! Scenes with references, and the code of the command line `mbs`, which runs and shows them.
 
 pub mod laboratory;
 pub mod pages;

@@ -21,13 +21,13 @@ const BLUE: RGBColor = RGBColor(20, 80, 125);
 const ORANGE: RGBColor = RGBColor(224, 142, 46);
 const GREEN: RGBColor = RGBColor(60, 133, 72);
 
-/// Errors below this are drawn at it: a logarithmic axis has no zero.
+/// Smaller errors are drawn at this value: a logarithmic axis has no zero.
 const FLOOR: f64 = 1e-18;
 
 /// Points of an error curve at most.
 const SPANS: usize = 400;
 
-/// A curve with its place in the legend.
+/// A curve with its colour, and its label in the legend.
 struct Curve {
     label: &'static str,
     colour: RGBColor,
@@ -51,8 +51,8 @@ impl Curve {
     }
 }
 
-/// The largest value in each of many equal spans of time: errors matter where they are large, and the dips of an
-/// oscillating error to zero would fill a logarithmic diagram.
+/// The largest value in each of many equal spans of time. Only large errors matter, and the zeros of an oscillating
+/// error would fill a logarithmic diagram with lines.
 fn envelope(curve: &Curve) -> Curve {
     let size = curve.points.len().div_ceil(SPANS).max(1);
     let largest = |span: &[(f64, f64)]| span.iter().fold(0.0, |most, p| f64::max(most, p.1));
@@ -70,7 +70,7 @@ type Drawn = Result<(), Box<dyn std::error::Error>>;
 /// Kinetic, potential and total energy above, the error of the balance below.
 ///
 /// # Errors
-/// The text of what the drawing library refused.
+/// The message of the drawing library.
 pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
     picture(|root| {
         let (upper, lower) = root.split_vertically(SIZE.1 * 11 / 20);
@@ -97,7 +97,7 @@ pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
 /// Position and velocity errors of the constraint rows.
 ///
 /// # Errors
-/// The text of what the drawing library refused.
+/// The message of the drawing library.
 pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
     picture(|root| {
         let curves = &[
@@ -151,7 +151,7 @@ fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Draw
     let curves: Vec<Curve> = curves.iter().map(envelope).collect();
     let values = curves.iter().flat_map(|c| &c.points).map(|p| p.1);
     let (low, high) = span(values.filter(|y| *y > 0.0)).unwrap_or((FLOOR, FLOOR));
-    // Whole decades, and the smallest ones only as far as they tell something.
+    // Whole decades, nine at most.
     let top = high.max(FLOOR * 10.0).log10().ceil();
     let bottom = low.max(FLOOR).log10().floor().max(top - 9.0).min(top - 1.0);
     let axis = Axis {
@@ -259,7 +259,7 @@ fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     })
 }
 
-/// The decimals that tell neighbouring ticks apart.
+/// The number of decimals with which neighbouring ticks differ.
 fn decimals(range: f64) -> usize {
     (1.3 - range.max(f64::MIN_POSITIVE).log10()).ceil().max(0.0) as usize
 }

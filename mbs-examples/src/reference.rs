@@ -1,4 +1,4 @@
-//! Trusted trajectories on disk, and how far a run is from them.
+//! Reference trajectories on disk, and the deviation of a run from them.
 
 use std::path::{Path, PathBuf};
 
@@ -27,7 +27,7 @@ struct Column {
     values: Vec<f64>,
 }
 
-/// How far a run is from one column of its reference.
+/// The deviation of a run from one column of its reference.
 #[derive(Debug, Clone)]
 pub struct Deviation {
     /// The column.
@@ -44,7 +44,7 @@ impl ReferenceTable {
     /// Reads the reference of a scene; `None` if the file is not on this machine.
     ///
     /// # Errors
-    /// The file is there and cannot be used: what is wrong, for people.
+    /// The file exists, but cannot be used; the error is a message.
     pub fn find(reference: &Reference, model: &Model) -> Result<Option<Self>, String> {
         match directories()
             .map(|d| d.join(reference.file))
@@ -134,7 +134,7 @@ impl ReferenceTable {
             Deviation {
                 column: column.name,
                 at_end: last.map(error),
-                // A NaN must not hide behind `f64::max`.
+                // `f64::max` would ignore a NaN.
                 largest: pairs
                     .iter()
                     .map(error)
@@ -170,7 +170,7 @@ impl ReferenceTable {
     }
 }
 
-/// Where references are looked for: data of the crate, then a collection beside the repository.
+/// The folders that are searched for references: data of the crate, then a collection beside the repository.
 fn directories() -> impl Iterator<Item = PathBuf> {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
     [

@@ -1,32 +1,32 @@
-//! A scene: a mechanism together with how long to run it and what to compare it with.
+//! A scene: a mechanism, the duration of a run, and the reference to compare it with.
 
 use mbs_runtime::{AnySimulation, Model, Settings, SimulationError};
 
 /// Makes a simulation of a mechanism from parameters by name.
 pub type Build = fn(&[(String, f64)], Settings) -> Result<Box<dyn AnySimulation>, SimulationError>;
 
-/// A mechanism that the command line knows.
+/// A mechanism of the command line.
 #[derive(Debug, Clone, Copy)]
 pub struct Scene {
     /// Its name on the command line, for example `slider-crank`.
     pub name: &'static str,
-    /// One line for people.
+    /// A title of one line.
     pub title: &'static str,
-    /// Where the numbers come from.
+    /// Source of the numbers.
     pub source: &'static str,
-    /// What was modelled.
+    /// The model.
     pub model: &'static Model,
-    /// Time to simulate unless told otherwise, s.
+    /// Simulated time by default, s.
     pub duration: f64,
-    /// Step unless told otherwise, s.
+    /// Step by default, s.
     pub step: f64,
-    /// Trusted values, if there are any for the default parameters.
+    /// Reference values, if there are any for the default parameters.
     pub reference: Option<Reference>,
     /// Makes the simulation; [`build_scene!`](crate::build_scene) writes this function.
     pub build: Build,
 }
 
-/// A table of trusted values.
+/// A table of reference values.
 #[derive(Debug, Clone, Copy)]
 pub struct Reference {
     /// File name, for example `a01_pendulum_10s.csv`; its column `time_s` is the time.

@@ -1,5 +1,5 @@
-//! Every command line that the README and the book show is run: here, by `cargo test --workspace`, or by the script of
-//! the checks.
+//! Every command line in the README and the book is run: here, by `cargo test --workspace`, or by the script of the
+//! checks.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -101,7 +101,7 @@ fn command_lines_work() {
     assert!(run >= 5, "{run} command lines were run");
 }
 
-/// Each option that the help tells, with its command, on the page of the command line.
+/// Each option of the help, with its command, is on the page of the command line.
 #[test]
 fn every_option_is_on_its_page() {
     let page = fs::read_to_string(root().join("book/src/command-line.md")).expect("the page");

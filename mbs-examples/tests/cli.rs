@@ -1,5 +1,5 @@
-//! The command line from outside: exit codes, messages, JSON and files. Scenes are asked for, not named, so that every
-//! new one is tested too.
+//! The command line from outside: exit codes, messages, JSON and files. The tests take the scenes from the list, so
+//! that every new scene is tested, too.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -87,7 +87,7 @@ fn text(path: &Path) -> &str {
     path.to_str().expect("UTF-8")
 }
 
-/// A time of few steps, whatever the scene.
+/// A time of a few steps, for every scene.
 fn short(scene: &Value) -> String {
     (20.0 * scene["step_s"].as_f64().expect("a step")).to_string()
 }

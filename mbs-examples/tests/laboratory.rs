@@ -1,4 +1,4 @@
-//! The method laboratory: what it keeps, what it resumes, and what it draws of runs that failed.
+//! The method laboratory: stored results, interrupted measurements, and pictures of runs that failed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -44,7 +44,7 @@ fn a_store_goes_on_where_it_was_interrupted() {
         .put(row(&["pendulum", "1e-2", "0.125"]))
         .expect("a row");
     drop(store);
-    // Killed while it wrote the next row.
+    // Interrupted in the middle of the next row.
     let text = fs::read_to_string(&path).expect("a file");
     fs::write(&path, text + "bricard,1e-2,0.0").expect("a file");
 
@@ -95,7 +95,7 @@ fn outcomes_have_names() {
     assert_eq!(Outcome::by_name("fine"), None);
 }
 
-/// A method that is added to the runtime has to come into the charts.
+/// Every method of the runtime has to be in the charts.
 #[test]
 fn every_method_is_compared() {
     let entries = entries();
@@ -160,7 +160,7 @@ fn failed_runs_are_drawn_as_failed() {
     let with = draw("t", "n", &["bdf"], &points, MEASURES[0]);
     let without = draw("t", "n", &["bdf"], &points[..1], MEASURES[0]);
     assert!(with.contains("bdf (1 ✗)") && !without.contains('✗'));
-    // The error of a failed run does not stretch the axis.
+    // The error of a failed run does not change the axis.
     let paths = |svg: &str| svg.matches("<path").count();
     assert_eq!(
         paths(&with),
@@ -212,19 +212,19 @@ fn a_chart_resumes_from_its_points() {
     for name in ["stability-mass-scale.svg", "stability.html"] {
         assert!(out.join(name).is_file(), "{name}");
     }
-    // Interrupted after the first point, which is told by its time.
+    // Interrupted after the first point, which is recognised by its time.
     let kept: Vec<&str> = complete.lines().take(3).collect();
     fs::write(&csv, kept.join("\n") + "\n").expect("a CSV");
     assert!(mbs(&arguments).status.success());
     let resumed = fs::read_to_string(&csv).expect("a CSV");
     assert_eq!(resumed.lines().nth(2), Some(kept[2]));
     assert_eq!(resumed.lines().count() - 2, cells);
-    // And nothing is measured twice.
+    // No point is measured twice.
     assert!(mbs(&arguments).status.success());
     assert_eq!(fs::read_to_string(&csv).expect("a CSV"), resumed);
 }
 
-/// Takes some runs of a figure of the paper.
+/// Makes some runs of a figure of the paper.
 fn take(name: &str, number: u8, part: f64, wanted: &[&str]) -> Stores {
     let out = directory(name);
     let extent = Extent {
@@ -276,7 +276,7 @@ fn the_papers_mechanisms_have_the_papers_counts() {
     }
 }
 
-/// The closed form of the pendulum against a simulation: heights and reactions.
+/// The closed form of the pendulum compared with a simulation: heights and reactions.
 #[test]
 fn the_exact_pendulum_is_that_of_the_scene() {
     let stores = take("paper-1", 1, 0.003, &["exact", "two-level"]);
@@ -292,7 +292,7 @@ fn the_exact_pendulum_is_that_of_the_scene() {
     }
 }
 
-/// Of m̄ and ξ only the product acts where multipliers begin anew in each step.
+/// If multipliers start from zero in each step, only the product of m̄ and ξ matters.
 #[test]
 fn a_tenth_of_the_masses_is_a_tenth_of_the_penalties() {
     let runs = ["two-level", "m̄; ξ = 10", "m̄/10; ξ = 100", "m̄ = 0; ξ = 100"];
@@ -316,7 +316,7 @@ fn a_tenth_of_the_masses_is_a_tenth_of_the_penalties() {
     assert_eq!(outcome(runs[3]).as_deref(), Some("step underflow"));
 }
 
-/// Through two singular poses: Algorithm 1 with the start that it has by default, not with penalties that are too small.
+/// Algorithm 1 with its default start passes two singular poses; with too small penalties it does not.
 #[test]
 fn figure_4_tells_who_passes_the_singular_pose() {
     let runs = ["two-level", "m-alf", "ξ = 1e4", "ξ = 1"];
@@ -336,7 +336,7 @@ fn figure_4_tells_who_passes_the_singular_pose() {
     assert!(number(&failed[3]) < 0.5, "{failed:?}");
 }
 
-/// A run can be repeated from what its row says.
+/// A run can be repeated from the settings in its row.
 #[test]
 fn runs_tell_their_settings() {
     let stores = take(
@@ -366,21 +366,21 @@ fn a_figure_resumes_from_its_runs() {
     let [samples, runs] = ["figure-3.csv", "figure-3-runs.csv"].map(file);
     assert!(samples.starts_with("# commit "), "{samples}");
     assert_eq!(runs.lines().count(), 2 + 4, "{runs}");
-    // Interrupted in the last run: the others are told by their processor times.
+    // Interrupted in the last run: the others are recognised by their processor times.
     let kept: Vec<&str> = runs.lines().take(2 + 3).collect();
     fs::write(path("figure-3-runs.csv"), kept.join("\n") + "\n").expect("a CSV");
     assert!(mbs(&arguments).status.success());
     let resumed = file("figure-3-runs.csv");
     assert_eq!(resumed.lines().take(2 + 3).collect::<Vec<_>>(), kept);
     assert_eq!(resumed.lines().count(), 2 + 4, "{resumed}");
-    // The run that is taken again may be given up at another time.
+    // The run that is repeated may stop at another time.
     let again = file("figure-3.csv");
     let known = |text: &str| {
         let lines = text.lines().filter(|line| !line.starts_with("m̄/100"));
         lines.map(str::to_owned).collect::<Vec<_>>()
     };
     assert!(known(&samples) == known(&again), "samples of other runs");
-    // And nothing is run twice.
+    // No run is made twice.
     assert!(mbs(&arguments).status.success());
     let last = file("figure-3-runs.csv");
     assert!(last == resumed, "{last}\n{resumed}");

@@ -1,4 +1,4 @@
-//! The README and the book say what programs measured, and the programs still measure the same.
+//! The README and the book have the measured numbers, and the programs still measure the same numbers.
 
 use mbs_examples::pages::block::find;
 use mbs_examples::pages::data::Data;
@@ -143,7 +143,7 @@ fn the_command_says_what_is_stale() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("no block `scenes`"));
 }
 
-/// Two numbers that a run gave, before and now. What is round-off may be another one on another machine.
+/// Two results of a run, before and now. Round-off may differ on another machine.
 fn agree(before: f64, now: f64, round_off: f64) -> bool {
     (before - now).abs() <= 0.05 * before.abs().max(now.abs()) + round_off
 }

@@ -44,7 +44,7 @@ const PANELS: [Panel; 2] = [
     },
 ];
 
-/// On paper: the plane as it is, space from the front, a little from the side and from above.
+/// The projection: the plane without change, space seen from the front, a little from the side and from above.
 fn seen([x, y, z]: [f64; 3], world: World) -> [f64; 2] {
     match world {
         World::Planar => [x, y],
@@ -182,7 +182,7 @@ fn picture() -> String {
     out
 }
 
-/// The numbers of a text, and what stands between them.
+/// The numbers of a text, and the text between them.
 fn parts(text: &str) -> (Vec<f64>, Vec<&str>) {
     let digit = |c: char| c.is_ascii_digit() || matches!(c, '.' | '-');
     let numbers = text
@@ -203,7 +203,7 @@ fn the_picture_is_up_to_date() {
     let before = fs::read_to_string(&file).expect("UPDATE_PICTURE=1 writes it");
     let ((new, text), (old, same)) = (parts(&now), parts(&before));
     assert_eq!(text, same, "UPDATE_PICTURE=1 writes it again");
-    // Half a pixel, for changes of the method that nobody sees.
+    // Half a pixel, for changes of the method that are not visible.
     let differs = new
         .iter()
         .zip(&old)

@@ -1,4 +1,4 @@
-//! Tables: trusted values that runs are compared with, the columns of the command line, and those of the charts.
+//! Tables: reference values for runs, the columns of the command line, and those of the charts.
 
 use mbs_examples::laboratory::outcome::Outcome;
 use mbs_examples::laboratory::tables::front;
@@ -11,7 +11,7 @@ use mbs_runtime::Energy;
 use mbs_runtime::output::Frame;
 use std::path::Path;
 
-/// The first output of a scene against three trusted values.
+/// The first output of a scene compared with three reference values.
 fn trusted(name: &str) -> ReferenceTable {
     let scenes = scenes();
     let has_output = |model: &mbs_runtime::Model| !model.outputs.is_empty();

@@ -55,7 +55,7 @@ pub fn check_finite(name: &'static str, value: f64) -> Result<(), ParameterError
     }
 }
 
-/// q + h v: [`System::advance`] where no coordinate is a rotation.
+/// q + h v: [`Configuration::advance`] where no coordinate is a rotation.
 #[inline]
 pub fn translated<const N: usize>(
     q: &SVector<f64, N>,
@@ -65,7 +65,7 @@ pub fn translated<const N: usize>(
     vector(|i| q[i] + h * v[i])
 }
 
-/// to − from: [`System::difference`] where no coordinate is a rotation.
+/// to − from: [`Configuration::difference`] where no coordinate is a rotation.
 #[inline]
 pub fn displacement<const N: usize>(
     from: &SVector<f64, N>,

@@ -5,7 +5,7 @@ mod common;
 use common::alloc::{Counting, count};
 use common::planar::{Doubled, FourBar, SliderCrank};
 use common::scenes::*;
-use common::{Hand, Parameters, Scene};
+use common::{Hand, Parameters, Scene, distance};
 use mbs_runtime::{
     Flow, Method, PaperSettings, Settings, Simulation, SimulationError, TwoLevelStepper,
 };
@@ -32,11 +32,6 @@ fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let mut simulation = Simulation::with_settings(Parameters(scene), settings).unwrap();
     simulation.run_until(time).unwrap();
     simulation
-}
-
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let pairs = a.iter().zip(b);
-    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// Checks the slopes of positions between h and h/2, against order 8 with a fine step.

@@ -6,6 +6,7 @@ use common::alloc::{Counting, count};
 use common::planar::{FourBar, SliderCrank};
 use common::scenes::*;
 use common::{Hand, Parameters, Scene};
+use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
     AnySimulation, Flow, Mechanism, Method, PaperSettings, PaperStepper, Settings, Simulation,
     SimulationError, State, TwoLevelStepper,
@@ -57,7 +58,8 @@ fn singular_passages_do_not_allocate() {
     let system = Parameters(FourBar).prepare().unwrap();
     let (q, v) = FourBar.guess();
     let settings = Settings::default();
-    let mut stepper = TwoLevelStepper::new(system, State::new(0.0, q, v), &settings).unwrap();
+    let state = State::new(0.0, q.into(), v.into());
+    let mut stepper = TwoLevelStepper::new(system, state, &settings).unwrap();
     let before = count();
     for _ in 0..2000 {
         stepper.step(1e-3).unwrap();
@@ -251,8 +253,9 @@ fn contradicting_rows_are_named() {
 fn states_that_cannot_be_resumed_are_refused() {
     let (q, v) = FourBar.guess();
     let resume = |state| Simulation::resume(Parameters(FourBar), Settings::default(), state);
+    let (q, v) = (SVector::from(q), SVector::from(v));
     assert!(resume(State::new(0.0, q, v)).is_ok());
-    let error = resume(State::new(0.0, q.map(|x| 1.01 * x), v))
+    let error = resume(State::new(0.0, 1.01 * q, v))
         .err()
         .unwrap()
         .to_string();
@@ -260,7 +263,7 @@ fn states_that_cannot_be_resumed_are_refused() {
         error.starts_with("cannot resume from this state: crank"),
         "{error}"
     );
-    let error = resume(State::new(0.0, q, v.map(|x| x + 1.0)))
+    let error = resume(State::new(0.0, q, v.add_scalar(1.0)))
         .err()
         .unwrap()
         .to_string();
@@ -276,7 +279,7 @@ fn states_that_cannot_be_resumed_are_refused() {
         error.starts_with("cannot resume from this state: time is NaN"),
         "{error}"
     );
-    let error = resume(State::new(0.0, [f64::NAN; 6], v))
+    let error = resume(State::new(0.0, SVector::repeat(f64::NAN), v))
         .err()
         .unwrap()
         .to_string();
@@ -289,10 +292,9 @@ fn states_that_cannot_be_resumed_are_refused() {
 #[test]
 fn an_assembled_guess_is_left_as_it_is() {
     let simulation = new(FourBar, Settings::default()).unwrap();
-    assert_eq!(
-        (*simulation.positions(), *simulation.velocities()),
-        FourBar.guess()
-    );
+    let (q, v) = FourBar.guess();
+    assert_eq!(simulation.positions(), &SVector::from(q));
+    assert_eq!(simulation.velocities(), &SVector::from(v));
     assert_eq!(simulation.assembly().moved, 0.0);
     assert_eq!(
         (simulation.assembly().rank, simulation.report().rank),
@@ -305,7 +307,8 @@ fn steppers_work_alone_and_simulations_behind_a_face() {
     let (q, v) = SliderCrank.guess();
     let system = Parameters(SliderCrank).prepare().unwrap();
     let settings = Settings::default();
-    let mut paper = PaperStepper::new(system, State::new(0.0, q, v), &settings).unwrap();
+    let state = State::new(0.0, q.into(), v.into());
+    let mut paper = PaperStepper::new(system, state, &settings).unwrap();
     paper.step(1e-3).unwrap();
     assert_eq!(paper.state().time, 1e-3);
     let mut any: Box<dyn AnySimulation> = Box::new(new(FourBar, settings).unwrap());

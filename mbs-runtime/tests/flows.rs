@@ -4,7 +4,7 @@ mod common;
 
 use common::planar::{FourBar, SliderCrank};
 use common::scenes::*;
-use common::{Hand, Parameters, Scene};
+use common::{Hand, Parameters, Scene, distance};
 use mbs_runtime::{Flow, Settings, Simulation, State};
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
@@ -36,13 +36,6 @@ fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         simulation.report()
     );
     simulation
-}
-
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max)
 }
 
 /// The ratio of differences of three runs with steps h, h/2, h/4: 4 at second order.

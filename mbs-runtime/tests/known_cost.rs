@@ -4,9 +4,11 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
+use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
-    MatrixSink, Mechanism, Model, Settings, Simulation, SimulationError, Structure, System,
-    TensorSink, TwoLevelStepper, mechanism,
+    Configuration, Constraints, Inertia, Loads, MatrixSink, Mechanism, Model, Observables,
+    Settings, Simulation, SimulationError, Structure, System, TensorSink, TwoLevelStepper,
+    mechanism,
 };
 
 mechanism!(SliderCrank {
@@ -61,13 +63,43 @@ macro_rules! forward {
     };
 }
 
-impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q, N, R>
+impl<S: Configuration<Q, N>, const Q: usize, const N: usize> Configuration<Q, N> for Counted<S> {
+    const ROTATIONS: &'static [usize] = S::ROTATIONS;
+    forward! {
+        guess() -> (SVector<f64, Q>, SVector<f64, N>);
+        advance(q: &SVector<f64, Q>, v: &SVector<f64, N>, h: f64) -> SVector<f64, Q>;
+        difference(from: &SVector<f64, Q>, to: &SVector<f64, Q>) -> SVector<f64, N>;
+        free_flight(q: &mut SVector<f64, Q>, v: &mut SVector<f64, N>, h: f64);
+    }
+}
+
+impl<S: Inertia<Q, N>, const Q: usize, const N: usize> Inertia<Q, N> for Counted<S> {
+    type Mass = S::Mass;
+    forward! {
+        mass_matrix(q: &SVector<f64, Q>, mass: &mut impl MatrixSink);
+        factor_mass(q: &SVector<f64, Q>) -> Option<Self::Mass>;
+        solve_mass(mass: &Self::Mass, x: &mut SVector<f64, N>);
+        momentum(q: &SVector<f64, Q>, v: &SVector<f64, N>, p: &mut SVector<f64, N>);
+        affinities(q: &SVector<f64, Q>, gamma: &mut impl TensorSink);
+        kinetic_energy(q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64;
+    }
+}
+
+impl<S: Constraints<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constraints<Q, N, R>
     for Counted<S>
 {
-    const MODEL: &'static Model = S::MODEL;
-    const STRUCTURE: Structure = S::STRUCTURE;
-    const ROTATIONS: &'static [usize] = S::ROTATIONS;
-    type Mass = S::Mass;
+    forward! {
+        holonomic(t: f64, q: &SVector<f64, Q>, phi: &mut SVector<f64, R>);
+        constraints(t: f64, q: &SVector<f64, Q>, phi: &mut SVector<f64, R>, a: &mut impl MatrixSink, b: &mut SVector<f64, R>);
+        constraint_rates(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, a_rate: &mut impl MatrixSink, gamma: &mut SVector<f64, R>);
+        solve_mass_rows(mass: &Self::Mass, a: &SMatrix<f64, N, R>, w: &mut SMatrix<f64, N, R>);
+        delassus(a: &SMatrix<f64, N, R>, w: &SMatrix<f64, N, R>, delassus: &mut SMatrix<f64, R, R>);
+        metric(mass: &Self::Mass, t: f64, q: &SVector<f64, Q>, a: &SMatrix<f64, N, R>, w: &mut SMatrix<f64, N, R>, delassus: &mut SMatrix<f64, R, R>);
+        row_rates(a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>);
+    }
+}
+
+impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Counted<S> {
     fn inputs(&self) -> &[f64] {
         self.inner.inputs()
     }
@@ -75,35 +107,32 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         self.inner.inputs_mut()
     }
     forward! {
-        guess() -> ([f64; Q], [f64; N]);
-        advance(q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q];
-        difference(from: &[f64; Q], to: &[f64; Q]) -> [f64; N];
-        free_flight(q: &mut [f64; Q], v: &mut [f64; N], h: f64);
-        mass_matrix(q: &[f64; Q], mass: &mut impl MatrixSink);
-        factor_mass(q: &[f64; Q]) -> Option<Self::Mass>;
-        solve_mass(mass: &Self::Mass, x: &mut [f64; N]);
-        solve_mass_rows(mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R]);
-        delassus(a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]);
-        metric(mass: &Self::Mass, t: f64, q: &[f64; Q], a: &[[f64; N]; R], w: &mut [[f64; N]; R], delassus: &mut [[f64; R]; R]);
-        row_rates(a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R]);
-        momentum(q: &[f64; Q], v: &[f64; N], p: &mut [f64; N]);
-        affinities(q: &[f64; Q], gamma: &mut impl TensorSink);
-        holonomic(t: f64, q: &[f64; Q], phi: &mut [f64; R]);
-        constraints(t: f64, q: &[f64; Q], phi: &mut [f64; R], a: &mut impl MatrixSink, b: &mut [f64; R]);
-        constraint_rates(t: f64, q: &[f64; Q], v: &[f64; N], a_rate: &mut impl MatrixSink, gamma: &mut [f64; R]);
-        applied_forces(t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]);
-        forces(t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]);
-        applied_force_tangents(t: f64, q: &[f64; Q], v: &[f64; N], f_q: &mut impl MatrixSink, f_v: &mut impl MatrixSink);
-        force_tangents(t: f64, q: &[f64; Q], v: &[f64; N], f_q: &mut impl MatrixSink, f_v: &mut impl MatrixSink, p_q: &mut impl MatrixSink);
-        acceleration(t: f64, q: &[f64; Q], acceleration: &mut [f64; N]);
-        kinetic_energy(q: &[f64; Q], v: &[f64; N]) -> f64;
-        potential_energy(q: &[f64; Q]) -> f64;
-        nonconservative_power(t: f64, q: &[f64; Q], v: &[f64; N]) -> f64;
-        outputs(t: f64, q: &[f64; Q], v: &[f64; N], outputs: &mut [f64]);
-        events(t: f64, q: &[f64; Q], v: &[f64; N], events: &mut [f64]);
-        points(t: f64, q: &[f64; Q], points: &mut [[f64; 3]]);
-        reactions(t: f64, q: &[f64; Q], v: &[f64; N], acceleration: &[f64; N], lambda: &[f64; R], reactions: &mut [f64]);
+        applied_forces(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, f: &mut SVector<f64, N>);
+        forces(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, f: &mut SVector<f64, N>);
+        applied_force_tangents(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, f_q: &mut impl MatrixSink, f_v: &mut impl MatrixSink);
+        force_tangents(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, f_q: &mut impl MatrixSink, f_v: &mut impl MatrixSink, p_q: &mut impl MatrixSink);
+        acceleration(t: f64, q: &SVector<f64, Q>, acceleration: &mut SVector<f64, N>);
+        potential_energy(q: &SVector<f64, Q>) -> f64;
+        nonconservative_power(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64;
     }
+}
+
+impl<S: Observables<Q, N, R>, const Q: usize, const N: usize, const R: usize> Observables<Q, N, R>
+    for Counted<S>
+{
+    forward! {
+        outputs(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
+        events(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]);
+        points(t: f64, q: &SVector<f64, Q>, points: &mut [[f64; 3]]);
+        reactions(t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, acceleration: &SVector<f64, N>, lambda: &SVector<f64, R>, reactions: &mut [f64]);
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q, N, R>
+    for Counted<S>
+{
+    const MODEL: &'static Model = S::MODEL;
+    const STRUCTURE: Structure = S::STRUCTURE;
 }
 
 fn settings(corrections: usize) -> Settings {

@@ -5,9 +5,10 @@ mod common;
 use common::planar::SliderCrank;
 use common::scenes::SliderCrankAngles;
 use common::scenes::{DampedSleigh, Shaken, Sleigh};
-use common::{Hand, Parameters, Scene};
+use common::{Hand, Parameters, Scene, distance};
+use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
-    Method, MultiplierStart, PaperSettings, RowDirection, Settings, Simulation, System,
+    Constraints, Method, MultiplierStart, PaperSettings, RowDirection, Settings, Simulation,
 };
 
 fn start<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -80,16 +81,16 @@ fn stiffness_of_the_rows_brings_positions_back() {
         let mut simulation = start(SliderCrank, 1e-3, paper);
         simulation.run_until(0.3).unwrap();
         println!("{:?}", simulation.report());
-        let mut phi = [0.0; 3];
+        let mut phi = SVector::zeros();
         let state = simulation.state();
         simulation.system().constraints(
             state.time,
             &state.positions,
             &mut phi,
             &mut [[0.0; 4]; 3],
-            &mut [0.0; 3],
+            &mut SVector::zeros(),
         );
-        phi.iter().fold(0.0, |most: f64, phi| most.max(phi.abs()))
+        phi.amax()
     };
     let (literal, stiff) = (run(0.0), run(200.0));
     println!("{literal:e} {stiff:e}");
@@ -108,7 +109,7 @@ fn other_directions_of_rows_give_the_same_motion() {
         simulation.run_until(0.2).unwrap();
         *simulation.positions()
     });
-    let apart = (0..4).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
+    let apart = distance(&a, &b);
     assert!(apart < 1e-6 && apart > 0.0, "{apart:e}");
 }
 
@@ -149,8 +150,6 @@ fn ratio<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         println!("{:?} {:?}", simulation.report(), simulation.energy());
         *simulation.positions()
     });
-    let distance =
-        |a: &[f64; Q], b: &[f64; Q]| (0..Q).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
     distance(&a, &b) / distance(&b, &c)
 }
 
@@ -186,8 +185,6 @@ fn second_order_with_loose_tolerances_of_the_rows() {
             simulation.run_until(0.2).unwrap();
             *simulation.positions()
         });
-        let distance =
-            |a: &[f64; 2], b: &[f64; 2]| (0..2).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max);
         let ratio = distance(&a, &b) / distance(&b, &c);
         println!("{}: ratio {ratio}", method.name());
         assert!((3.0..5.5).contains(&ratio), "{}: {ratio}", method.name());
@@ -206,11 +203,7 @@ fn carried_fields_change_nothing_for_quadratic_rows() {
         simulation.run_until(0.2).unwrap();
         *simulation.positions()
     });
-    let difference = a
-        .iter()
-        .zip(&b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max);
+    let difference = distance(&a, &b);
     println!("difference {difference:e}");
     assert!(difference < 1e-9, "{difference:e}");
 }

@@ -5,7 +5,8 @@ mod common;
 use common::alloc::{Counting, count};
 use common::planar::{DampedSliderCrank, FourBar, SliderCrank};
 use common::scenes::*;
-use common::{Hand, Parameters, Scene, structure};
+use common::{Hand, Parameters, Scene, distance, structure};
+use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
     Method, PaperSettings, Settings, Simulation, SimulationError, Structure, mechanism,
 };
@@ -30,17 +31,12 @@ fn begin<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     Simulation::with_settings(Parameters(scene), settings).unwrap()
 }
 
-fn distance(a: &[f64], b: &[f64]) -> f64 {
-    let pairs = a.iter().zip(b);
-    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
-}
-
 /// The error after `time` stays within ten times each tolerance, and it falls with the tolerance.
 fn proportional<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     order: u8,
     tolerances: &[f64],
-    exact: &[f64; Q],
+    exact: &SVector<f64, Q>,
     time: f64,
 ) {
     let mut last = f64::INFINITY;
@@ -62,7 +58,7 @@ fn fine<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     order: u8,
     step: f64,
     time: f64,
-) -> [f64; Q] {
+) -> SVector<f64, Q> {
     let settings = Settings {
         order,
         step,

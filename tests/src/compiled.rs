@@ -1,10 +1,11 @@
-//! What the compiled functions give, as a table.
+//! The values of the compiled functions, as a table.
 
 use crate::random::Arguments;
 use crate::table::Table;
+use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{MatrixSink, System, TensorSink};
 
-/// Receives entries and keeps them as they come, so that a zero never written is seen to be absent.
+/// Stores the entries that are written, so that a zero that is never written is absent.
 #[derive(Debug, Default)]
 struct Entries(Vec<([usize; 3], f64)>);
 
@@ -44,35 +45,39 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     let mut mass = Entries::default();
     system.mass_matrix(q, &mut mass);
     sparse(&mut table, "mass_matrix", "mass", mass);
-    let mut p = [f64::NAN; N];
+    let mut p = SVector::<f64, N>::repeat(f64::NAN);
     system.momentum(q, v, &mut p);
-    table.vector("momentum", "p", &p);
+    table.vector("momentum", "p", p.as_slice());
     let mut gamma = Entries::default();
     system.affinities(q, &mut gamma);
     sparse(&mut table, "affinities", "gamma", gamma);
 
     let holonomic = S::STRUCTURE.holonomic_rows;
-    let mut phi = [f64::NAN; R];
+    let mut phi = SVector::<f64, R>::repeat(f64::NAN);
     system.holonomic(t, q, &mut phi);
-    table.vector("holonomic", "phi", &phi[..holonomic]);
-    let (mut phi, mut a, mut b) = ([f64::NAN; R], Entries::default(), [f64::NAN; R]);
+    table.vector("holonomic", "phi", &phi.as_slice()[..holonomic]);
+    let (mut phi, mut a, mut b) = (
+        SVector::<f64, R>::repeat(f64::NAN),
+        Entries::default(),
+        SVector::<f64, R>::repeat(f64::NAN),
+    );
     system.constraints(t, q, &mut phi, &mut a, &mut b);
-    table.vector("constraints", "phi", &phi[..holonomic]);
-    table.vector("constraints", "b", &b);
-    let mut rows = Box::new([[0.0; N]; R]);
+    table.vector("constraints", "phi", &phi.as_slice()[..holonomic]);
+    table.vector("constraints", "b", b.as_slice());
+    let mut rows = Box::new(SMatrix::<f64, N, R>::zeros());
     a.0.iter()
-        .for_each(|&([i, j, _], value)| rows[i][j] = value);
+        .for_each(|&([i, j, _], value)| rows[(j, i)] = value);
     sparse(&mut table, "constraints", "a", a);
-    let (mut rate, mut gamma) = (Entries::default(), [f64::NAN; R]);
+    let (mut rate, mut gamma) = (Entries::default(), SVector::<f64, R>::repeat(f64::NAN));
     system.constraint_rates(t, q, v, &mut rate, &mut gamma);
     sparse(&mut table, "constraint_rates", "a_rate", rate);
-    table.vector("constraint_rates", "gamma", &gamma);
+    table.vector("constraint_rates", "gamma", gamma.as_slice());
 
-    let mut f = [f64::NAN; N];
+    let mut f = SVector::<f64, N>::repeat(f64::NAN);
     system.applied_forces(t, q, v, &mut f);
-    table.vector("applied_forces", "f", &f);
+    table.vector("applied_forces", "f", f.as_slice());
     system.forces(t, q, v, &mut f);
-    table.vector("forces", "f", &f);
+    table.vector("forces", "f", f.as_slice());
     let (mut f_q, mut f_v) = (Entries::default(), Entries::default());
     system.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
     sparse(&mut table, "applied_force_tangents", "f_q", f_q);
@@ -82,26 +87,30 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     sparse(&mut table, "force_tangents", "f_q", f_q);
     sparse(&mut table, "force_tangents", "f_v", f_v);
     sparse(&mut table, "force_tangents", "p_q", p_q);
-    let (mut p, mut f) = ([f64::NAN; N], [f64::NAN; N]);
+    let (mut p, mut f) = (
+        SVector::<f64, N>::repeat(f64::NAN),
+        SVector::<f64, N>::repeat(f64::NAN),
+    );
     system.balance(t, q, v, &mut p, &mut f);
-    table.vector("balance", "p", &p);
-    table.vector("balance", "f", &f);
+    table.vector("balance", "p", p.as_slice());
+    table.vector("balance", "f", f.as_slice());
     let [mut mass, mut f_q, mut f_v, mut p_q] = [(); 4].map(|()| Entries::default());
     system.balance_tangents(t, q, v, &mut mass, &mut f_q, &mut f_v, &mut p_q);
     for (sink, entries) in [("mass", mass), ("f_q", f_q), ("f_v", f_v), ("p_q", p_q)] {
         sparse(&mut table, "balance_tangents", sink, entries);
     }
-    let mut explicit = [0.0; N];
+    let mut explicit = SVector::zeros();
     system.acceleration(t, q, &mut explicit);
-    table.vector("acceleration", "acceleration", &explicit);
+    table.vector("acceleration", "acceleration", explicit.as_slice());
 
     // Random numbers in place of the corrections.
-    let (mut explicit, mut multipliers, mut weakness) = ([0.0; N], [0.0; R], [0.0; R]);
-    let into = (&mut explicit, &mut multipliers, &mut weakness);
+    let (mut explicit, mut multipliers, mut pivot_loss) =
+        (SVector::zeros(), SVector::zeros(), SVector::zeros());
+    let into = (&mut explicit, &mut multipliers, &mut pivot_loss);
     if system.accelerations(t, q, v, lambda, into.0, into.1, into.2) {
-        table.vector("accelerations", "weakness", &weakness);
-        table.vector("accelerations", "acceleration", &explicit);
-        table.vector("accelerations", "lambda", &multipliers);
+        table.vector("accelerations", "pivot_loss", pivot_loss.as_slice());
+        table.vector("accelerations", "acceleration", explicit.as_slice());
+        table.vector("accelerations", "lambda", multipliers.as_slice());
     }
 
     table.insert(("kinetic_energy", "", [0; 3]), system.kinetic_energy(q, v));
@@ -128,40 +137,26 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     system.reactions(t, q, v, acceleration, lambda, &mut reactions);
     table.vector("reactions", "reactions", &reactions);
 
-    let mut rates = [f64::NAN; R];
+    let mut rates = SVector::<f64, R>::repeat(f64::NAN);
     system.row_rates(&rows, v, &mut rates);
-    table.vector("row_rates", "rates", &rates);
+    table.vector("row_rates", "rates", rates.as_slice());
 
     // The kernels, for x = v̇ and a = A, w = M⁻¹ A.
     if let Some(mass) = system.factor_mass(q) {
         let mut x = *acceleration;
         system.solve_mass(&mass, &mut x);
-        table.vector("solve_mass", "x", &x);
-        let mut w = Box::new([[0.0; N]; R]);
+        table.vector("solve_mass", "x", x.as_slice());
+        let mut w = Box::new(SMatrix::zeros());
         system.solve_mass_rows(&mass, &rows, &mut w);
-        for (i, row) in w.iter().enumerate() {
-            for (j, &value) in row.iter().enumerate() {
-                table.insert(("solve_mass_rows", "w", [i, j, 0]), value);
-            }
-        }
-        let mut delassus = Box::new([[0.0; R]; R]);
+        table.rows("solve_mass_rows", "w", &w);
+        let mut delassus = Box::new(SMatrix::zeros());
         system.delassus(&rows, &w, &mut delassus);
-        for (i, row) in delassus.iter().enumerate() {
-            for (j, &value) in row.iter().enumerate() {
-                table.insert(("delassus", "delassus", [i, j, 0]), value);
-            }
-        }
+        table.rows("delassus", "delassus", &delassus);
         // Either generated, or the two kernels above one after the other.
-        *w = [[0.0; N]; R];
+        w.fill(0.0);
         system.metric(&mass, t, q, &rows, &mut w, &mut delassus);
-        for i in 0..R {
-            for (j, &value) in w[i].iter().enumerate() {
-                table.insert(("metric", "w", [i, j, 0]), value);
-            }
-            for (j, &value) in delassus[i].iter().enumerate() {
-                table.insert(("metric", "delassus", [i, j, 0]), value);
-            }
-        }
+        table.rows("metric", "w", &w);
+        table.rows("metric", "delassus", &delassus);
     }
     table
 }

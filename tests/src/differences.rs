@@ -1,14 +1,15 @@
-//! Compiled functions against differences of the functions they are derivatives of.
+//! Compiled derivatives compared with differences of the functions from which they are derived.
 
 use crate::random::{Arguments, Random};
 use mbs_runtime::System;
+use mbs_runtime::nalgebra::{SMatrix, SVector, Vector3};
 
-/// Steps of the differences. Each slope is taken with all of them; the one that agrees best with its neighbour counts,
-/// so that neither the curvature of a mechanism of a few centimetres nor the round-off of one of metres decides.
+/// Steps of the differences. Each slope is computed with all of them, and the value that agrees best with its neighbour
+/// counts: so neither the curvature in a mechanism of centimetres nor the round-off in one of metres matters.
 const STEPS: [f64; 5] = [1e-2, 2e-3, 4e-4, 8e-5, 1.6e-5];
-/// Agreement asked for, relative to the largest component of the slope and of the function.
+/// Required agreement, relative to the largest component of the slope and of the function.
 const TOLERANCE: f64 = 2e-7;
-/// Agreement asked of identities without differences.
+/// Required agreement of identities without differences.
 const EXACT: f64 = 1e-11;
 
 /// d/ds of a vector function at s = 0, by central differences of fourth order.
@@ -42,14 +43,14 @@ fn slope(function: &dyn Fn(f64) -> Vec<f64>) -> (Vec<f64>, f64) {
     (best, size)
 }
 
-/// What does not agree.
+/// The quantities that do not agree.
 struct Findings(Vec<String>);
 
 impl Findings {
     fn compare(&mut self, what: &str, given: &[f64], expected: &[f64], tolerance: f64) {
         assert_eq!(given.len(), expected.len(), "{what}");
         for (i, (given, expected)) in given.iter().zip(expected).enumerate() {
-            // A NaN is a finding, too.
+            // A NaN is a disagreement, too.
             let agrees = (given - expected).abs() <= tolerance;
             if !agrees {
                 self.0.push(format!(
@@ -74,71 +75,76 @@ impl Findings {
     }
 }
 
-/// All functions of a system in dense form, as closures of the arguments would be too long to write each time.
+/// All functions of a system in dense form, because closures of their arguments would be long.
 struct Dense<'a, S, const Q: usize, const N: usize, const R: usize>(&'a S);
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dense<'_, S, Q, N, R> {
-    fn mass(&self, q: &[f64; Q]) -> Vec<f64> {
-        let mut mass = Box::new([[0.0; N]; N]);
-        self.0.mass_matrix(q, &mut *mass);
-        mass.as_flattened().to_vec()
+    fn mass(&self, q: &SVector<f64, Q>) -> Box<SMatrix<f64, N, N>> {
+        let mut mass = zeros();
+        self.0.mass_matrix(q, &mut mass);
+        mass
     }
-    fn momentum(&self, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
-        let mut p = [0.0; N];
+    fn momentum(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> SVector<f64, N> {
+        let mut p = SVector::zeros();
         self.0.momentum(q, v, &mut p);
-        p.to_vec()
+        p
     }
-    fn holonomic(&self, t: f64, q: &[f64; Q]) -> Vec<f64> {
-        let mut phi = [0.0; R];
+    fn holonomic(&self, t: f64, q: &SVector<f64, Q>) -> SVector<f64, R> {
+        let mut phi = SVector::zeros();
         self.0.holonomic(t, q, &mut phi);
-        phi.to_vec()
+        phi
     }
-    /// φ, A by rows, b.
-    fn constraints(&self, t: f64, q: &[f64; Q]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-        let (mut phi, mut a, mut b) = ([0.0; R], Box::new([[0.0; N]; R]), [0.0; R]);
-        self.0.constraints(t, q, &mut phi, &mut *a, &mut b);
-        (phi.to_vec(), a.as_flattened().to_vec(), b.to_vec())
+    /// φ, A, b.
+    fn constraints(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+    ) -> (SVector<f64, R>, Box<SMatrix<f64, R, N>>, SVector<f64, R>) {
+        let (mut phi, mut a, mut b) = (SVector::zeros(), zeros(), SVector::zeros());
+        self.0.constraints(t, q, &mut phi, &mut a, &mut b);
+        (phi, a, b)
     }
     /// A v + b.
-    fn rates(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
+    fn rates(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> SVector<f64, R> {
         let (_, a, b) = self.constraints(t, q);
-        (0..R).map(|i| b[i] + dot(&a[i * N..][..N], v)).collect()
+        *a * v + b
     }
-    fn constraint_rates(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> (Vec<f64>, Vec<f64>) {
-        let (mut rate, mut gamma) = (Box::new([[0.0; N]; R]), [0.0; R]);
-        self.0.constraint_rates(t, q, v, &mut *rate, &mut gamma);
-        (rate.as_flattened().to_vec(), gamma.to_vec())
+    fn constraint_rates(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> (Box<SMatrix<f64, R, N>>, SVector<f64, R>) {
+        let (mut rate, mut gamma) = (zeros(), SVector::zeros());
+        self.0.constraint_rates(t, q, v, &mut rate, &mut gamma);
+        (rate, gamma)
     }
-    fn applied(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
-        let mut f = [0.0; N];
+    fn applied(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> SVector<f64, N> {
+        let mut f = SVector::zeros();
         self.0.applied_forces(t, q, v, &mut f);
-        f.to_vec()
+        f
     }
-    fn total(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> Vec<f64> {
-        let mut f = [0.0; N];
+    fn total(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> SVector<f64, N> {
+        let mut f = SVector::zeros();
         self.0.forces(t, q, v, &mut f);
-        f.to_vec()
+        f
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+fn zeros<const ROWS: usize, const COLUMNS: usize>() -> Box<SMatrix<f64, ROWS, COLUMNS>> {
+    Box::new(SMatrix::zeros())
 }
 
-/// x + s·direction.
-fn along<const N: usize>(x: &[f64; N], s: f64, direction: &[f64; N]) -> [f64; N] {
-    std::array::from_fn(|i| x[i] + s * direction[i])
+/// Entries, column by column.
+fn list<const ROWS: usize, const COLUMNS: usize>(matrix: &SMatrix<f64, ROWS, COLUMNS>) -> Vec<f64> {
+    matrix.as_slice().to_vec()
 }
 
-fn unit<const N: usize>(i: usize) -> [f64; N] {
-    std::array::from_fn(|j| f64::from(u8::from(i == j)))
+fn unit<const N: usize>(i: usize) -> SVector<f64, N> {
+    SVector::from_fn(|j, _| f64::from(u8::from(i == j)))
 }
 
-fn column<const N: usize>(matrix: &[[f64; N]], j: usize) -> Vec<f64> {
-    matrix.iter().map(|row| row[j]).collect()
-}
-
-/// All that does not agree at an instant.
+/// All disagreements at an instant.
 pub fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     at: &Arguments<Q, N, R>,
@@ -154,17 +160,15 @@ pub fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usi
     findings.0
 }
 
-/// (p × ω)_j where v_j is a component of an angular velocity: what F has beside f and ∂T/∂q.
+/// (p × ω)_j if v_j is a component of an angular velocity: the term of F in addition to f and ∂T/∂q.
 fn gyroscopic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    p: &[f64],
-    v: &[f64; N],
-) -> [f64; N] {
-    let mut torque = [0.0; N];
+    p: &SVector<f64, N>,
+    v: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    let mut torque = SVector::<f64, N>::zeros();
     for &first in S::ROTATIONS {
-        for i in 0..3 {
-            let (j, k) = (first + (i + 1) % 3, first + (i + 2) % 3);
-            torque[first + i] = p[j] * v[k] - p[k] * v[j];
-        }
+        let [p, v] = [p, v].map(|x| Vector3::from_column_slice(&x.as_slice()[first..][..3]));
+        torque.as_mut_slice()[first..][..3].copy_from_slice(p.cross(&v).as_slice());
     }
     torque
 }
@@ -178,35 +182,35 @@ fn motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let (q, v) = (&at.q, &at.v);
     findings.identity(
         "q ⊕ v ⊖ q",
-        &system.difference(q, &system.advance(q, v, 1.0)),
-        v,
+        system.difference(q, &system.advance(q, v, 1.0)).as_slice(),
+        v.as_slice(),
     );
     let back = system.advance(&system.advance(q, v, 0.7), v, -0.7);
-    findings.identity("q ⊕ h v ⊕ −h v", &back, q);
+    findings.identity("q ⊕ h v ⊕ −h v", back.as_slice(), q.as_slice());
     let flight = |h: f64| {
         let (mut q, mut v) = (*q, *v);
         system.free_flight(&mut q, &mut v, h);
         (q, v)
     };
-    findings.identity("flight of no time", &flight(0.0).1, v);
+    findings.identity("flight of no time", flight(0.0).1.as_slice(), v.as_slice());
     for j in 0..N {
         // All of G, and not only along v.
-        let (rate, _) = slope(&|s| system.advance(q, &unit(j), s).to_vec());
+        let (rate, _) = slope(&|s| list(&system.advance(q, &unit(j), s)));
         findings.derivative(&format!("G, column {j}"), &rate, &|s| {
             let mut q = *q;
             system.free_flight(&mut q, &mut unit(j), s);
-            q.to_vec()
+            list(&q)
         });
     }
     if S::STRUCTURE.constant_mass {
         let dense = Dense(system);
         let p = dense.momentum(q, v);
         let torque = gyroscopic::<S, Q, N, R>(&p, v);
-        findings.derivative("torque-free motion", &torque, &|s| {
+        findings.derivative("torque-free motion", torque.as_slice(), &|s| {
             let (q, v) = flight(s);
-            dense.momentum(&q, &v)
+            list(&dense.momentum(&q, &v))
         });
-        let energy = |(q, v): ([f64; Q], [f64; N])| system.kinetic_energy(&q, &v);
+        let energy = |(q, v): (SVector<f64, Q>, SVector<f64, N>)| system.kinetic_energy(&q, &v);
         findings.derivative("T in free flight", &[0.0], &|s| vec![energy(flight(s))]);
     }
 }
@@ -222,28 +226,30 @@ fn constraints<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usiz
     let (phi, a, b) = dense.constraints(t, q);
     findings.identity(
         "phi",
-        &dense.holonomic(t, q)[..holonomic],
-        &phi[..holonomic],
+        &list(&dense.holonomic(t, q))[..holonomic],
+        &phi.as_slice()[..holonomic],
     );
     for j in 0..N {
-        let entries: Vec<f64> = (0..holonomic).map(|i| a[i * N + j]).collect();
-        findings.derivative(&format!("A, column {j}"), &entries, &|s| {
-            dense.holonomic(t, &system.advance(q, &unit(j), s))[..holonomic].to_vec()
+        let entries = a.column(j);
+        let entries = &entries.as_slice()[..holonomic];
+        findings.derivative(&format!("A, column {j}"), entries, &|s| {
+            let phi = dense.holonomic(t, &system.advance(q, &unit(j), s));
+            phi.as_slice()[..holonomic].to_vec()
         });
     }
-    findings.derivative("b", &b[..holonomic], &|s| {
-        dense.holonomic(t + s, q)[..holonomic].to_vec()
+    findings.derivative("b", &b.as_slice()[..holonomic], &|s| {
+        dense.holonomic(t + s, q).as_slice()[..holonomic].to_vec()
     });
     let (a_rate, gamma) = dense.constraint_rates(t, q, v);
-    findings.derivative("rate of A", &a_rate, &|s| {
-        dense.constraints(t + s, &system.advance(q, v, s)).1
+    findings.derivative("rate of A", a_rate.as_slice(), &|s| {
+        list(&dense.constraints(t + s, &system.advance(q, v, s)).1)
     });
-    findings.derivative("gamma", &gamma, &|s| {
-        dense.rates(t + s, &system.advance(q, v, s), v)
+    findings.derivative("gamma", gamma.as_slice(), &|s| {
+        list(&dense.rates(t + s, &system.advance(q, v, s), v))
     });
 }
 
-/// f + ∂V/∂q is what does work without potential.
+/// f + ∂V/∂q is the force without potential.
 fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
@@ -253,7 +259,7 @@ fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let (t, q, v) = (at.time, &at.q, &at.v);
     let f = dense.applied(t, q, v);
     let power = system.nonconservative_power(t, q, v);
-    findings.derivative("f·v − power", &[dot(&f, v) - power], &|s| {
+    findings.derivative("f·v − power", &[f.dot(v) - power], &|s| {
         vec![-system.potential_energy(&system.advance(q, v, s))]
     });
     if !S::STRUCTURE.velocity_forces && power == 0.0 {
@@ -265,9 +271,9 @@ fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     }
     let total = dense.total(t, q, v);
     let torque = gyroscopic::<S, Q, N, R>(&dense.momentum(q, v), v);
-    let inertial: Vec<f64> = (0..N).map(|j| total[j] - f[j] - torque[j]).collect();
+    let inertial = total - f - torque;
     for j in 0..N {
-        // Beside large applied forces the difference has their round-off.
+        // With large applied forces the difference has their round-off.
         let round_off = 1e-8 * f[j];
         findings.derivative(&format!("F − f, {j}"), &[inertial[j], 0.0], &|s| {
             let energy = system.kinetic_energy(&system.advance(q, &unit(j), s), v);
@@ -283,32 +289,30 @@ fn tangents<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 ) {
     let dense = Dense(system);
     let (t, q, v) = (at.time, &at.q, &at.v);
-    let (mut f_q, mut f_v) = (Box::new([[0.0; N]; N]), Box::new([[0.0; N]; N]));
-    system.applied_force_tangents(t, q, v, &mut *f_q, &mut *f_v);
-    let (mut total_q, mut total_v, mut p_q) = (
-        Box::new([[0.0; N]; N]),
-        Box::new([[0.0; N]; N]),
-        Box::new([[0.0; N]; N]),
-    );
-    system.force_tangents(t, q, v, &mut *total_q, &mut *total_v, &mut *p_q);
+    let [mut f_q, mut f_v] = [(); 2].map(|()| zeros::<N, N>());
+    system.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
+    let [mut total_q, mut total_v, mut p_q] = [(); 3].map(|()| zeros::<N, N>());
+    system.force_tangents(t, q, v, &mut total_q, &mut total_v, &mut p_q);
     for j in 0..N {
-        findings.derivative(&format!("∂f/∂q, column {j}"), &column(&*f_q, j), &|s| {
+        let mut column =
+            |what: &str, matrix: &SMatrix<f64, N, N>, function: &dyn Fn(f64) -> SVector<f64, N>| {
+                let given = matrix.column(j).into_owned();
+                let what = format!("{what}, column {j}");
+                findings.derivative(&what, given.as_slice(), &|s| list(&function(s)));
+            };
+        column("∂f/∂q", &f_q, &|s| {
             dense.applied(t, &system.advance(q, &unit(j), s), v)
         });
-        findings.derivative(&format!("∂f/∂v, column {j}"), &column(&*f_v, j), &|s| {
-            dense.applied(t, q, &along(v, s, &unit(j)))
+        column("∂f/∂v", &f_v, &|s| {
+            dense.applied(t, q, &(v + s * unit(j)))
         });
-        findings.derivative(
-            &format!("∂F/∂q, column {j}"),
-            &column(&*total_q, j),
-            &|s| dense.total(t, &system.advance(q, &unit(j), s), v),
-        );
-        findings.derivative(
-            &format!("∂F/∂v, column {j}"),
-            &column(&*total_v, j),
-            &|s| dense.total(t, q, &along(v, s, &unit(j))),
-        );
-        findings.derivative(&format!("∂p/∂q, column {j}"), &column(&*p_q, j), &|s| {
+        column("∂F/∂q", &total_q, &|s| {
+            dense.total(t, &system.advance(q, &unit(j), s), v)
+        });
+        column("∂F/∂v", &total_v, &|s| {
+            dense.total(t, q, &(v + s * unit(j)))
+        });
+        column("∂p/∂q", &p_q, &|s| {
             dense.momentum(&system.advance(q, &unit(j), s), v)
         });
     }
@@ -322,21 +326,24 @@ fn inertia<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let dense = Dense(system);
     let (q, v) = (&at.q, &at.v);
     let mass = dense.mass(q);
-    let transposed: Vec<f64> = (0..N * N).map(|i| mass[(i % N) * N + i / N]).collect();
-    findings.identity("M, transposed", &transposed, &mass);
+    findings.identity(
+        "M, transposed",
+        mass.transpose().as_slice(),
+        mass.as_slice(),
+    );
     let p = dense.momentum(q, v);
-    let expected: Vec<f64> = (0..N).map(|i| dot(&mass[i * N..][..N], v)).collect();
-    findings.identity("p", &p, &expected);
-    findings.identity("T", &[system.kinetic_energy(q, v)], &[0.5 * dot(v, &p)]);
+    findings.identity("p", p.as_slice(), (*mass * v).as_slice());
+    findings.identity("T", &[system.kinetic_energy(q, v)], &[0.5 * v.dot(&p)]);
 
     let mut gamma = vec![[[0.0; N]; N]; N];
     let mut sink = Affinities(&mut gamma);
     system.affinities(q, &mut sink);
     if S::STRUCTURE.constant_mass && !S::ROTATIONS.is_empty() {
-        let product = |i: usize| (0..N).map(|j| v[j] * dot(&gamma[i][j], v)).sum::<f64>();
+        let row = |i: usize, j: usize| SVector::from(gamma[i][j]).dot(v);
+        let product = |i: usize| (0..N).map(|j| v[j] * row(i, j)).sum::<f64>();
         let given: Vec<f64> = (0..N).map(product).collect();
-        let expected = gyroscopic::<S, Q, N, R>(&p, v).map(|torque| -torque);
-        findings.identity("affinities", &given, &expected);
+        let expected = -gyroscopic::<S, Q, N, R>(&p, v);
+        findings.identity("affinities", &given, expected.as_slice());
         return;
     }
     if S::STRUCTURE.constant_mass {
@@ -349,7 +356,7 @@ fn inertia<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         return;
     }
     let slopes: Vec<(Vec<f64>, f64)> = (0..N)
-        .map(|k| slope(&|s| dense.mass(&system.advance(q, &unit(k), s))))
+        .map(|k| slope(&|s| list(&dense.mass(&system.advance(q, &unit(k), s)))))
         .collect();
     let size = slopes
         .iter()
@@ -366,14 +373,14 @@ fn inertia<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             }
             let b = 3 - a - c;
             let sign = if (a + 1) % 3 == b { 1.0 } else { -1.0 };
-            sign * mass[(first + b) * N + j]
+            sign * mass[(first + b, j)]
         })
     };
     for i in 0..N {
         for j in 0..N {
             let expected: Vec<f64> = (0..N)
                 .map(|k| {
-                    let slope = |i: usize, j: usize, k: usize| slopes[k].0[i * N + j];
+                    let slope = |i: usize, j: usize, k: usize| slopes[k].0[j * N + i];
                     0.5 * (slope(i, j, k) + slope(i, k, j) - slope(j, k, i))
                         - 0.5 * (turning(i, j, k) + turning(i, k, j))
                 })
@@ -401,121 +408,98 @@ fn kernels<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let dense = Dense(system);
     let q = &at.q;
     let mass = dense.mass(q);
-    let times_mass =
-        |x: &[f64; N]| -> [f64; N] { std::array::from_fn(|i| dot(&mass[i * N..][..N], x)) };
     let Some(factor) = system.factor_mass(q) else {
         findings.0.push("M is not positive definite".to_owned());
         return;
     };
-    let x: [f64; N] = random.array(1.0);
-    let mut y = times_mass(&x);
-    system.solve_mass(&factor, &mut y);
+    let solved = |mut x: SVector<f64, N>| {
+        system.solve_mass(&factor, &mut x);
+        x
+    };
+    let x: SVector<f64, N> = random.vector(1.0);
     // The condition number of M decides about the digits.
-    findings.compare("M⁻¹ M x", &y, &x, 1e-8);
+    findings.compare("M⁻¹ M x", solved(*mass * x).as_slice(), x.as_slice(), 1e-8);
 
-    let mut a = Box::new([[0.0; N]; R]);
-    system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
-    // Any rows with the zeros of A.
-    a.as_flattened_mut()
-        .iter_mut()
-        .filter(|entry| **entry != 0.0)
-        .for_each(|entry| {
-            *entry = 0.5 + random.within(1.0);
-        });
-    let mut rates = [0.0; R];
+    let metric = |findings: &mut Findings,
+                  of: &str,
+                  a: &SMatrix<f64, N, R>,
+                  w: &SMatrix<f64, N, R>,
+                  delassus: &SMatrix<f64, R, R>| {
+        for i in 0..R {
+            let expected = solved(a.column(i).into_owned());
+            let what = format!("row {i} of M⁻¹ a{of}");
+            findings.identity(&what, w.column(i).as_slice(), expected.as_slice());
+        }
+        for i in 0..R {
+            let expected = w.tr_mul(&a.column(i));
+            let what = format!("row {i} of A W{of}");
+            findings.identity(&what, delassus.column(i).as_slice(), expected.as_slice());
+        }
+    };
+    // Aᵀ; any rows with the zeros of A.
+    let rows = Box::new(dense.constraints(at.time, q).1.transpose());
+    let a = Box::new(rows.map(|entry| match entry {
+        0.0 => 0.0,
+        _ => 0.5 + random.within(1.0),
+    }));
+    let mut rates = SVector::zeros();
     system.row_rates(&a, &x, &mut rates);
-    let expected: Vec<f64> = a.iter().map(|row| dot(row, &x)).collect();
-    findings.identity("A v", &rates, &expected);
-    let mut w = Box::new([[0.0; N]; R]);
+    findings.identity("A v", rates.as_slice(), a.tr_mul(&x).as_slice());
+    let (mut w, mut delassus) = (zeros(), zeros());
     system.solve_mass_rows(&factor, &a, &mut w);
-    for i in 0..R {
-        let mut expected = a[i];
-        system.solve_mass(&factor, &mut expected);
-        findings.identity(&format!("row {i} of M⁻¹ a"), &w[i], &expected);
-    }
-    let mut delassus = Box::new([[0.0; R]; R]);
     system.delassus(&a, &w, &mut delassus);
-    for i in 0..R {
-        let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
-        findings.identity(
-            &format!("row {i} of the Gram matrix"),
-            &delassus[i],
-            &expected,
-        );
-    }
-    let mut a = Box::new([[0.0; N]; R]);
-    system.constraints(at.time, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
-    let mut w = Box::new([[0.0; N]; R]);
-    system.metric(&factor, at.time, q, &a, &mut w, &mut delassus);
-    for i in 0..R {
-        let mut expected = a[i];
-        system.solve_mass(&factor, &mut expected);
-        findings.identity(&format!("row {i} of W of the metric"), &w[i], &expected);
-    }
-    for i in 0..R {
-        let expected: Vec<f64> = (0..R).map(|j| dot(&a[i], &w[j])).collect();
-        findings.identity(
-            &format!("row {i} of A W of the metric"),
-            &delassus[i],
-            &expected,
-        );
-    }
-    let mut explicit = [0.0; N];
+    metric(findings, "", &a, &w, &delassus);
+    w.fill(0.0);
+    system.metric(&factor, at.time, q, &rows, &mut w, &mut delassus);
+    metric(findings, " of the metric", &rows, &w, &delassus);
+
+    let mut explicit = SVector::zeros();
     system.acceleration(at.time, q, &mut explicit);
     if S::STRUCTURE.constant_mass && !S::STRUCTURE.velocity_forces {
-        let mut expected = [0.0; N];
-        system.applied_forces(at.time, q, &at.v, &mut expected);
-        system.solve_mass(&factor, &mut expected);
-        findings.identity("M⁻¹ f", &explicit, &expected);
+        let expected = solved(dense.applied(at.time, q, &at.v));
+        findings.identity("M⁻¹ f", explicit.as_slice(), expected.as_slice());
     }
     accelerations(findings, system, at, random, &mass);
 }
 
-/// M v̇ + ṗ|_v = F + Aᵀλ, and A v̇ + γ + correction = 0 for every row that is asked for.
+/// M v̇ + ṗ|_v = F + Aᵀλ, and A v̇ + γ + correction = 0 for every selected row.
 fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     findings: &mut Findings,
     system: &S,
     at: &Arguments<Q, N, R>,
     random: &mut Random,
-    mass: &[f64],
+    mass: &SMatrix<f64, N, N>,
 ) {
+    let dense = Dense(system);
     let (t, q, v) = (at.time, &at.q, &at.v);
-    let correction = random.array(1.0);
-    let (mut acceleration, mut lambda, mut weakness) = ([0.0; N], [0.0; R], [0.0; R]);
-    let into = (&mut acceleration, &mut lambda, &mut weakness);
+    let correction = random.vector(1.0);
+    let mut acceleration = SVector::zeros();
+    let (mut lambda, mut pivot_loss) = (SVector::zeros(), SVector::zeros());
+    let into = (&mut acceleration, &mut lambda, &mut pivot_loss);
     if !system.accelerations(t, q, v, &correction, into.0, into.1, into.2) {
         return;
     }
-    let mut a = Box::new([[0.0; N]; R]);
-    system.constraints(t, q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
-    let mut f = [0.0; N];
-    system.forces(t, q, v, &mut f);
-    let [mut f_q, mut f_v, mut p_q] = [(); 3].map(|()| Box::new([[0.0; N]; N]));
-    system.force_tangents(t, q, v, &mut *f_q, &mut *f_v, &mut *p_q);
-    let inertial: Vec<f64> = (0..N)
-        .map(|i| dot(&mass[i * N..][..N], &acceleration) + dot(&p_q[i], v))
-        .collect();
-    let driving: Vec<f64> = (0..N)
-        .map(|i| f[i] + (0..R).map(|r| a[r][i] * lambda[r]).sum::<f64>())
-        .collect();
+    let (_, a, _) = dense.constraints(t, q);
+    let [mut f_q, mut f_v, mut p_q] = [(); 3].map(|()| zeros::<N, N>());
+    system.force_tangents(t, q, v, &mut f_q, &mut f_v, &mut p_q);
+    let inertial = mass * acceleration + *p_q * v;
+    let driving = dense.total(t, q, v) + a.tr_mul(&lambda);
     let size = |list: &[f64]| list.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
-    let tolerance = 1e-9 * size(&inertial).max(size(&lambda));
-    findings.compare("M v̇ + ṗ against F + Aᵀλ", &inertial, &driving, tolerance);
-    let mut gamma = [0.0; R];
-    system.constraint_rates(
-        t,
-        q,
-        v,
-        &mut Box::new([[0.0; N]; R]) as &mut [[f64; N]; R],
-        &mut gamma,
+    let tolerance = 1e-9 * size(inertial.as_slice()).max(size(lambda.as_slice()));
+    findings.compare(
+        "M v̇ + ṗ against F + Aᵀλ",
+        inertial.as_slice(),
+        driving.as_slice(),
+        tolerance,
     );
+    let (_, gamma) = dense.constraint_rates(t, q, v);
     let redundant = S::MODEL.mobility.as_ref();
     let asked = |r: &usize| {
         let name = S::MODEL.rows[*r].name;
         !redundant.is_some_and(|found| found.redundant.iter().any(|row| row.row == name))
     };
     let rows: Vec<usize> = (0..R).filter(asked).collect();
-    let met: Vec<f64> = rows.iter().map(|&r| dot(&a[r], &acceleration)).collect();
-    let wanted: Vec<f64> = rows.iter().map(|&r| -gamma[r] - correction[r]).collect();
+    let (met, wanted) = (*a * acceleration, -gamma - correction);
+    let [met, wanted] = [met, wanted].map(|x| rows.iter().map(|&r| x[r]).collect::<Vec<_>>());
     findings.compare("A v̇ + γ", &met, &wanted, 1e-9 * size(&wanted));
 }

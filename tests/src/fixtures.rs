@@ -1,5 +1,6 @@
-//! Mechanisms that between them use every kind and every function of the language. They need not be sensible machines,
-//! and they need not be assembled: derivatives hold everywhere. (But what can be assembled nowhere is refused.)
+//! Mechanisms that together use every kind and every function of the language. They need not be useful machines, and
+//! the tests need no assembled pose: derivatives are right in every pose. (But the compiler refuses a mechanism that
+//! has no assembled pose.)
 
 use crate::laws;
 use mbs_runtime::mechanism;
@@ -452,4 +453,48 @@ mechanism!(Whip {
     hinge1: Revolute(lash0, lash1, at = [0.0, 0.1, -0.6], axis = Y),
     hinge2: Revolute(lash1, lash2, at = [0.1, 0.1, -0.9], axis = X),
     tip: Output(lash2.b),
+});
+
+mechanism!(Vice {
+    doc: "Screws that are coordinates, one of each hand, and one declared from the part that it carries.",
+    world: Spatial(gravity = [0.2, 0.3, -9.81_m_per_s2], coordinates = Joint),
+    lift: Param(0.4_m),
+
+    bed: Body(
+        mass = 2.0_kg,
+        inertia = diag(0.1, 0.2, 0.15),
+        at = [0.3, 0.2, 0.1],
+        center_of_mass = [0.1, 0.0, 0.05]
+    ),
+    jaw: Body(
+        mass = 1.0_kg,
+        inertia = diag(0.05, 0.04, 0.06),
+        at = [0.5, 0.2, 0.1],
+        orientation = turn([1.0, 2.0, 0.5], 0.7),
+        center_of_mass = [0.02, -0.03, 0.05]
+    ),
+    handle: Body(
+        mass = 0.6_kg,
+        inertia = diag(0.01, 0.02, 0.025),
+        at = [0.6, 0.4, 0.2],
+        center_of_mass = [0.05, 0.02, 0.0]
+    ),
+    hinge: Revolute(ground, bed, at = [0.0, 0.0, 0.0], axis = [0.0, 1.0, 0.3]),
+    thread: Screw(
+        bed,
+        jaw,
+        at = [0.5, 0.2, 0.3],
+        axis = [0.3, 0.2, 1.0],
+        pitch = lift
+    ),
+    left: Screw(
+        handle,
+        jaw,
+        at = [0.5, 0.3, 0.2],
+        axis = [1.0, 0.0, 0.2],
+        pitch = -0.3_m
+    ),
+    wind: TorsionSpring(left, stiffness = 3.0_Nm, angle = 0.5),
+    turned: Output(thread.angle),
+    sliding: Output(left.speed),
 });

@@ -1,16 +1,16 @@
-//! Formulas as text for people: whole, however long. What long formulas have in common is named, and lines are broken.
+//! Formulas as readable text, always complete. Common parts of long formulas get names, and long lines are broken.
 
 use mbs_macros_core::symbolic::{Expr, Graph, Node};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
-/// Formulas longer than this are written with names for what they share.
+/// Formulas longer than this are written with names for common subexpressions.
 const WHOLE: usize = 240;
-/// What is shorter than this gets no name.
+/// A shorter subexpression gets no name.
 const SHORT: usize = 40;
 /// Lines are at most about this long.
 const WIDTH: usize = 110;
-/// Nor are they broken inside more parentheses than this.
+/// Lines are not broken inside more parentheses than this.
 const DEEPEST: usize = 8;
 
 /// Formulas that are written one after the other, with the same names for the same expressions.
@@ -126,7 +126,7 @@ impl Writer<'_> {
             }
         }
         inside.remove(&root);
-        // Operands are made before what is made of them.
+        // Operands have smaller indices than the expressions made from them.
         for expr in inside {
             if self.uses[&expr] > 1 && self.short(expr).is_none() {
                 let count = self.counts.entry(quantity.to_owned()).or_default();
@@ -143,7 +143,7 @@ impl Writer<'_> {
         (text.chars().count() <= SHORT).then_some(text)
     }
 
-    /// Writes a formula; from now on its name stands for it.
+    /// Writes a formula; later formulas use its name.
     fn formula(&mut self, name: &str, expr: Expr) {
         let text = match self.names.get(&expr) {
             Some(other) => other.clone(),
@@ -156,8 +156,8 @@ impl Writer<'_> {
     }
 }
 
-/// The text on several lines: broken before signs, those inside parentheses only where what is around them is too long for
-/// a line.
+/// The text on several lines, broken before signs; before signs inside parentheses only if the text around them is too
+/// long for a line.
 fn broken(text: &str) -> String {
     let mut out = String::new();
     let mut line = String::new();
@@ -172,14 +172,14 @@ fn broken(text: &str) -> String {
     out + line.trim_end()
 }
 
-/// The summands inside `depth` parentheses, and what they consist of where they are long.
+/// The summands inside `depth` parentheses, and their parts if they are long.
 fn pieces(text: &str, depth: usize) -> Vec<&str> {
     let mut summands = Vec::new();
     let (mut start, mut inside) = (0, 0);
     for (at, character) in text.char_indices() {
         match character {
             '(' => inside += 1,
-            // A piece of something longer closes what it has not opened.
+            // A piece of a longer text may close parentheses that it has not opened.
             ')' => inside -= 1,
             _ => {}
         }

@@ -1,4 +1,4 @@
-//! What the two interpreters give for the same declaration, as tables.
+//! The values of the two interpreters for the same declaration, as tables.
 
 use crate::laws;
 use crate::random::Arguments;
@@ -8,9 +8,10 @@ use mbs_macros_core::derivatives::Derived;
 use mbs_macros_core::model::{Law, Layout};
 use mbs_macros_core::symbolic::{Evaluator, Expr, Graph, LawEvaluation, Symbol};
 use mbs_macros_core::{Analysis, analyse};
+use mbs_runtime::nalgebra::{DMatrix, SMatrix, SVector};
 use mbs_runtime::{Mechanism, System};
 
-/// A declaration that was compiled once more, inside the test.
+/// A declaration that is compiled again inside the test.
 pub struct Interpreted {
     laws: Vec<Law>,
     layout: Layout,
@@ -18,7 +19,7 @@ pub struct Interpreted {
     expressions: Vec<(Key, Expr)>,
     program: Program,
     parameters: Vec<f64>,
-    inverse: Vec<Vec<f64>>,
+    inverse: DMatrix<f64>,
     constants: Vec<f64>,
 }
 
@@ -55,13 +56,13 @@ impl Interpreted {
             })
             .collect();
         let mut interpreted = Interpreted {
-            laws: analysis.model.laws,
+            laws: analysis.outline.laws,
             layout,
             graph,
             expressions,
             program,
             parameters,
-            inverse: Vec::new(),
+            inverse: DMatrix::zeros(0, 0),
             constants: Vec::new(),
         };
         interpreted.prepare::<N>();
@@ -73,7 +74,7 @@ impl Interpreted {
         let mut constants = vec![f64::NAN; self.program.constants.len()];
         self.run_preparation(0, &mut constants);
         if let Some(entries) = &self.program.constant_mass {
-            let mut mass = Box::new([[0.0; N]; N]);
+            let mut mass = Box::new(SMatrix::zeros());
             for &(i, j, value) in entries {
                 let value = match value {
                     Operand::Number(number) => number.value(),
@@ -81,12 +82,12 @@ impl Interpreted {
                     Operand::Symbol(Symbol::Parameter(i)) => self.parameters[i as usize],
                     other => panic!("{other:?} in a constant mass matrix"),
                 };
-                mass[i][j] = value;
-                mass[j][i] = value;
+                mass[(i, j)] = value;
+                mass[(j, i)] = value;
             }
             let inverse = mbs_runtime::generated::inverse_mass(&mass, &[""; N])
                 .expect("the mechanism was prepared");
-            self.inverse = inverse.iter().map(|row| row.to_vec()).collect();
+            self.inverse = DMatrix::from_column_slice(N, N, inverse.as_slice());
         }
         self.run_preparation(1, &mut constants);
         self.constants = constants;
@@ -112,7 +113,7 @@ impl Interpreted {
     fn parameter(&self, symbol: Symbol) -> f64 {
         match symbol {
             Symbol::Parameter(i) => self.parameters[i as usize],
-            Symbol::InverseMass(i, j) => self.inverse[i as usize][j as usize],
+            Symbol::InverseMass(i, j) => self.inverse[(i as usize, j as usize)],
             other => panic!("{other:?} is not known from parameters"),
         }
     }
@@ -124,13 +125,16 @@ impl Interpreted {
         at: &Arguments<Q, N, R>,
     ) -> (Table, Table) {
         let inputs = system.inputs();
-        let (mut a, mut w) = (Box::new([[0.0; N]; R]), Box::new([[0.0; N]; R]));
-        system.constraints(at.time, &at.q, &mut [0.0; R], &mut *a, &mut [0.0; R]);
+        let mut a = Box::new(SMatrix::<f64, R, N>::zeros());
+        let mut w = Box::new(SMatrix::zeros());
+        let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
+        system.constraints(at.time, &at.q, &mut phi, &mut a, &mut b);
+        let a = Box::new(a.transpose());
         if let Some(mass) = system.factor_mass(&at.q) {
             system.solve_mass_rows(&mass, &a, &mut w);
         }
         let laws = |law: u32, arguments: &[f64]| laws::call(&self.laws[law as usize], arguments);
-        let factor = self.factor(&at.q, &laws);
+        let factor = self.factor(at.q.as_slice(), &laws);
         let symbols = |symbol: Symbol| match symbol {
             Symbol::FactorEntry(i) => factor[i as usize],
             Symbol::Time => at.time,
@@ -139,9 +143,9 @@ impl Interpreted {
             Symbol::Velocity(i) => at.v[i as usize],
             Symbol::Acceleration(i) | Symbol::VectorEntry(i) => at.acceleration[i as usize],
             Symbol::Multiplier(i) | Symbol::Correction(i) => at.lambda[i as usize],
-            Symbol::RowEntry(i, j) => a[i as usize][j as usize],
-            Symbol::WeightedEntry(i, j) => w[i as usize][j as usize],
-            other => match self.layout.value(other, &at.q) {
+            Symbol::RowEntry(i, j) => a[(j as usize, i as usize)],
+            Symbol::WeightedEntry(i, j) => w[(j as usize, i as usize)],
+            other => match self.layout.value(other, at.q.as_slice()) {
                 Some(value) => value,
                 None => self.parameter(other),
             },
@@ -160,7 +164,7 @@ impl Interpreted {
         };
         // Counted angles are no method of their own: `advance` writes them, and outputs show them. The factor of M shows
         // in what is solved with it.
-        let inner = ["windings", "factor_mass"];
+        let inner = ["unwrapped_angles", "factor_mass"];
         let methods = self.program.functions.iter();
         for function in methods.filter(|function| !inner.contains(&function.name)) {
             for (output, value) in run.function(function) {
@@ -170,7 +174,7 @@ impl Interpreted {
         (symbolic, program)
     }
 
-    /// The factor of M at q, where straight-line code computes it.
+    /// The factor of M at q, if straight-line code computes it.
     fn factor(&self, q: &[f64], laws: LawEvaluation) -> Vec<f64> {
         let Some((function, entries)) = self.program.factor_entries() else {
             return Vec::new();
@@ -192,7 +196,7 @@ impl Interpreted {
     }
 }
 
-/// Every derived expression and where the generated code writes it.
+/// Every derived expression, and the place to which the generated code writes it.
 fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
     let system = &derived.system;
     let mut list = Vec::new();

@@ -1,5 +1,5 @@
-//! What the tests across the workspace share; the tests themselves are in `tests/`. The pages below are compiled and run
-//! as documentation tests.
+//! The common code of the tests across the workspace; the tests themselves are in `tests/`. The pages below are
+//! compiled and run as documentation tests.
 
 pub mod compiled;
 pub mod differences;
@@ -43,8 +43,8 @@ mod assembly {}
 #[doc = include_str!("../../book/src/accuracy.md")]
 mod accuracy {}
 
-/// Runs a test where there is room on the stack: unoptimised code moves the matrices of the largest scene about, and a
-/// test's thread has 2 MiB only.
+/// Runs a test on a larger stack: unoptimised code copies the matrices of the largest scene, and the thread of a test
+/// has only 2 MiB.
 pub fn with_room<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().stack_size(32 << 20);

@@ -85,9 +85,9 @@ impl Page {
         lines
     }
 
-    /// What stands between single backticks.
+    /// The texts between single backticks.
     pub fn spans(&self) -> Vec<&str> {
-        // A span may go on in the next line: whole paragraphs have an even number of backticks.
+        // A span may continue on the next line: only whole paragraphs have an even number of backticks.
         self.prose()
             .flat_map(|line| line.split('`').skip(1).step_by(2))
             .collect()

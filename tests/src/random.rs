@@ -1,6 +1,7 @@
 //! Deterministic numbers that look random.
 
 use mbs_runtime::System;
+use mbs_runtime::nalgebra::SVector;
 
 /// SplitMix64.
 #[derive(Debug, Clone)]
@@ -28,8 +29,8 @@ impl Random {
     }
 
     /// Numbers in [−size, size).
-    pub fn array<const N: usize>(&mut self, size: f64) -> [f64; N] {
-        std::array::from_fn(|_| self.within(size))
+    pub fn vector<const N: usize>(&mut self, size: f64) -> SVector<f64, N> {
+        SVector::from_fn(|_, _| self.within(size))
     }
 }
 
@@ -39,26 +40,26 @@ pub struct Arguments<const Q: usize, const N: usize, const R: usize> {
     /// t
     pub time: f64,
     /// q
-    pub q: [f64; Q],
+    pub q: SVector<f64, Q>,
     /// v
-    pub v: [f64; N],
+    pub v: SVector<f64, N>,
     /// v̇
-    pub acceleration: [f64; N],
+    pub acceleration: SVector<f64, N>,
     /// λ
-    pub lambda: [f64; R],
+    pub lambda: SVector<f64, R>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Arguments<Q, N, R> {
     /// Arguments near the guess of q; constraints are not respected, since derivatives hold everywhere.
     pub fn near<S: System<Q, N, R>>(system: &S, random: &mut Random) -> Self {
         let (guess, _) = system.guess();
-        let way = random.array(0.4);
+        let way = random.vector(0.4);
         Arguments {
             time: 0.7 + random.within(0.6),
             q: system.advance(&guess, &way, 1.0),
-            v: random.array(1.5),
-            acceleration: random.array(2.0),
-            lambda: random.array(2.0),
+            v: random.vector(1.5),
+            acceleration: random.vector(2.0),
+            lambda: random.vector(2.0),
         }
     }
 }

@@ -4,14 +4,14 @@ use mbs_examples::scene::Scene;
 use mbs_runtime::AnySimulation;
 use std::path::Path;
 
-/// A table of trusted values.
+/// A table of reference values.
 #[derive(Debug, Clone)]
 pub struct Table {
     header: Vec<String>,
     rows: Vec<Vec<f64>>,
 }
 
-/// Reads a table; one that is missing is a failure, not a reason to skip a test.
+/// Reads a table; a missing table is a failure, and does not skip a test.
 pub fn table(file: &str) -> Table {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("reference")

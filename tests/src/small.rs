@@ -1,8 +1,8 @@
-//! Small declarations that are followed through the compiler. Between them every quantity that is derived is there and is
-//! not zero: `tests/flipped_signs.rs` counts.
+//! Small declarations that are followed through the compiler. Every derived quantity is nonzero in at least one of
+//! them: `tests/flipped_signs.rs` counts.
 
 // ANCHOR: slider_crank
-/// Constant M, and rows: what the book follows through the compiler.
+/// Constant M, and rows: the example of the book.
 pub const SLIDER_CRANK: &str = r#"SliderCrank {
     doc: "A crank, a rod and a massless slider.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -23,7 +23,7 @@ pub const SLIDER_CRANK: &str = r#"SliderCrank {
 }"#;
 // ANCHOR_END: slider_crank
 
-/// M(q), so that Γ holds Christoffel's symbols and ∂p/∂q and ∂F/∂v are not zero; a spring and a damper.
+/// M(q), so that Γ has Christoffel's symbols, and ∂p/∂q and ∂F/∂v are not zero; a spring and a damper.
 pub const DOUBLE_PENDULUM: &str = r#"DoublePendulum {
     doc: "Two bars in a row, with a spring and a damper at the elbow.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Joint),
@@ -45,7 +45,7 @@ pub const DOUBLE_PENDULUM: &str = r#"DoublePendulum {
     straight: Event(sin(lower.angle - upper.angle)),
 }"#;
 
-/// A rotation of space, so that Γ holds ω × J ω; a holonomic and a nonholonomic row, both with b; a force that depends on
+/// A rotation of space, so that Γ has ω × J ω; a holonomic and a nonholonomic row, both with b; a force that depends on
 /// orientation and velocity.
 pub const SKATE: &str = r#"Skate {
     doc: "A body in space that glides on a deck which rises and falls, across a stream.",

@@ -1,4 +1,4 @@
-//! A declaration after each stage of the compiler, as text that is stable and made for people.
+//! A declaration after each stage of the compiler, as stable and readable text.
 
 use crate::formulas::Formulas;
 use mbs_macros_core::derivatives::Derived;
@@ -56,7 +56,7 @@ fn syntax(tree: &Declaration) -> String {
 }
 
 fn model(analysis: &Analysis) -> String {
-    let (model, system) = (&analysis.model, &analysis.derived.system);
+    let (model, system) = (&analysis.outline, &analysis.derived.system);
     let (graph, candidates) = (&system.graph, &analysis.candidates);
     let mut out = String::new();
     for parameter in &model.parameters {
@@ -110,10 +110,10 @@ fn model(analysis: &Analysis) -> String {
     for sentence in &model.reductions {
         let _ = writeln!(out, "reduction: {sentence}");
     }
-    for (name, _) in &model.joints {
+    for name in &model.joints {
         let _ = writeln!(out, "rows from {name}");
     }
-    for (name, _) in &model.forces {
+    for name in &model.forces {
         let _ = writeln!(out, "force from {name}");
     }
     for (name, _) in &model.drawing.points {
@@ -169,8 +169,7 @@ pub fn derived(derived: &Derived) -> String {
     )
 }
 
-/// What a mechanism's rows, inertia and forces have beyond the model: M, Γ, A, b, Ȧ, γ and the tangents, with all that they
-/// consist of.
+/// The quantities that the later stages derive: M, Γ, A, b, Ȧ, γ and the tangents, with all their subexpressions.
 pub fn quantities(derived: &Derived) -> String {
     let mut formulas = Formulas::new(&derived.system.graph);
     formulas.matrix("M", &derived.system.mass);

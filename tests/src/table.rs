@@ -1,6 +1,7 @@
 //! Values of generated functions by name and place.
 
 use mbs_macros_core::dag::Place;
+use mbs_runtime::nalgebra::SMatrix;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Function, argument that receives the value, and indices in it.
@@ -26,6 +27,20 @@ impl Table {
         }
     }
 
+    /// Stores a matrix by its rows, which are the columns of `rows`.
+    pub fn rows<const N: usize, const R: usize>(
+        &mut self,
+        function: &'static str,
+        sink: &'static str,
+        rows: &SMatrix<f64, N, R>,
+    ) {
+        for (i, row) in rows.column_iter().enumerate() {
+            for (j, &value) in row.iter().enumerate() {
+                self.insert((function, sink, [i, j, 0]), value);
+            }
+        }
+    }
+
     /// What a function writes to one of its arguments, by place.
     pub fn of(&self, function: &str, sink: &str) -> Vec<([usize; 3], f64)> {
         let keys = self.values.iter();
@@ -39,8 +54,9 @@ impl Table {
         self.values.keys().map(|key| key.0).collect()
     }
 
-    /// Where this table differs from another by more than `relative` of the largest value of the same function and sink
-    /// (`each_by_itself`: of the value itself). Functions that only one of the two has are not compared.
+    /// The places at which this table differs from another by more than `relative` times the largest value of the same
+    /// function and sink (with `each_by_itself`: times the value itself). A function that is in only one of the two is
+    /// not compared.
     pub fn differences(&self, other: &Table, relative: f64, each_by_itself: bool) -> Vec<String> {
         let mut sizes: BTreeMap<(&str, &str), f64> = BTreeMap::new();
         for (key, value) in self.values.iter().chain(&other.values) {

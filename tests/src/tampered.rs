@@ -1,6 +1,10 @@
-//! A system in which one function is slightly wrong, or one sign is flipped: what no test finds, no test tests.
+//! A system in which one function is slightly wrong, or one sign is flipped. The tests have to find each such error.
 
-use mbs_runtime::{MatrixSink, Model, Structure, System, TensorSink};
+use mbs_runtime::nalgebra::{SMatrix, SVector};
+use mbs_runtime::{
+    Configuration, Constraints, Inertia, Loads, MatrixSink, Model, Observables, Structure, System,
+    TensorSink,
+};
 
 /// The functions that can be made wrong, by the argument or value that they give.
 pub const QUANTITIES: &[&str] = &[
@@ -42,7 +46,7 @@ const ERROR: f64 = 1e-4;
 /// What is wrong with a quantity.
 #[derive(Debug, Clone, Copy)]
 enum Fault {
-    /// Its size: a little, in the largest component of a vector, or in every entry of a matrix.
+    /// A small relative error, in the largest component of a vector or in every entry of a matrix.
     Size,
     /// The sign of one entry.
     Sign([usize; 3]),
@@ -116,7 +120,7 @@ impl<S> Tampered<S> {
     }
 }
 
-/// Makes entries wrong on their way.
+/// Changes entries while they are written.
 struct Wrong<'a, T> {
     sink: &'a mut T,
     fault: Option<Fault>,
@@ -134,7 +138,8 @@ impl<T> Wrong<'_, T> {
 impl<T: MatrixSink> MatrixSink for Wrong<'_, T> {
     fn set(&mut self, row: usize, column: usize, value: f64) {
         let wrong = self.value([row, column, 0], value);
-        // One triangle more than the other, so that a wrong M is not merely another M.
+        // One triangle more than the other, so that M is not symmetric: otherwise it would be the right M of another
+        // mechanism.
         let more = match self.fault {
             Some(Fault::Size) if row > column => 1.5,
             _ => 1.0,
@@ -150,140 +155,157 @@ impl<T: TensorSink> TensorSink for Wrong<'_, T> {
     }
 }
 
-impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q, N, R>
-    for Tampered<S>
-{
-    const MODEL: &'static Model = S::MODEL;
-    const STRUCTURE: Structure = S::STRUCTURE;
+impl<S: Configuration<Q, N>, const Q: usize, const N: usize> Configuration<Q, N> for Tampered<S> {
     const ROTATIONS: &'static [usize] = S::ROTATIONS;
+
+    fn guess(&self) -> (SVector<f64, Q>, SVector<f64, N>) {
+        self.inner.guess()
+    }
+    fn advance(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>, h: f64) -> SVector<f64, Q> {
+        self.inner.advance(q, v, h)
+    }
+    fn difference(&self, from: &SVector<f64, Q>, to: &SVector<f64, Q>) -> SVector<f64, N> {
+        let mut way = self.inner.difference(from, to);
+        self.vector("difference", way.as_mut_slice());
+        way
+    }
+    fn free_flight(&self, q: &mut SVector<f64, Q>, v: &mut SVector<f64, N>, h: f64) {
+        self.inner.free_flight(q, v, h);
+        self.vector("free_flight", v.as_mut_slice());
+    }
+}
+
+impl<S: Inertia<Q, N>, const Q: usize, const N: usize> Inertia<Q, N> for Tampered<S> {
     type Mass = S::Mass;
 
+    fn mass_matrix(&self, q: &SVector<f64, Q>, mass: &mut impl MatrixSink) {
+        self.inner.mass_matrix(q, &mut self.sink("mass", mass));
+    }
+    fn factor_mass(&self, q: &SVector<f64, Q>) -> Option<Self::Mass> {
+        self.inner.factor_mass(q)
+    }
+    fn solve_mass(&self, mass: &Self::Mass, x: &mut SVector<f64, N>) {
+        self.inner.solve_mass(mass, x);
+        self.vector("solve_mass", x.as_mut_slice());
+    }
+    fn momentum(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>, p: &mut SVector<f64, N>) {
+        self.inner.momentum(q, v, p);
+        self.vector("p", p.as_mut_slice());
+    }
+    fn affinities(&self, q: &SVector<f64, Q>, gamma: &mut impl TensorSink) {
+        self.inner
+            .affinities(q, &mut self.sink("affinities", gamma));
+    }
+    fn kinetic_energy(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64 {
+        self.number("T", self.inner.kinetic_energy(q, v))
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constraints<Q, N, R>
+    for Tampered<S>
+{
+    fn holonomic(&self, t: f64, q: &SVector<f64, Q>, phi: &mut SVector<f64, R>) {
+        self.inner.holonomic(t, q, phi);
+        self.vector(
+            "holonomic",
+            &mut phi.as_mut_slice()[..S::STRUCTURE.holonomic_rows],
+        );
+    }
+    fn constraints(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        phi: &mut SVector<f64, R>,
+        a: &mut impl MatrixSink,
+        b: &mut SVector<f64, R>,
+    ) {
+        self.inner.constraints(t, q, phi, &mut self.sink("a", a), b);
+        self.vector(
+            "phi",
+            &mut phi.as_mut_slice()[..S::STRUCTURE.holonomic_rows],
+        );
+        // Differences do not know b of a nonholonomic row by itself.
+        let rows = match self.fault {
+            Fault::Size => S::STRUCTURE.holonomic_rows,
+            Fault::Sign(_) => R,
+        };
+        self.vector("b", &mut b.as_mut_slice()[..rows]);
+    }
+    fn constraint_rates(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        a_rate: &mut impl MatrixSink,
+        gamma: &mut SVector<f64, R>,
+    ) {
+        self.inner
+            .constraint_rates(t, q, v, &mut self.sink("a_rate", a_rate), gamma);
+        self.vector("gamma", gamma.as_mut_slice());
+    }
+    fn solve_mass_rows(
+        &self,
+        mass: &Self::Mass,
+        a: &SMatrix<f64, N, R>,
+        w: &mut SMatrix<f64, N, R>,
+    ) {
+        self.inner.solve_mass_rows(mass, a, w);
+        self.vector("solve_mass_rows", w.as_mut_slice());
+    }
+    fn delassus(
+        &self,
+        a: &SMatrix<f64, N, R>,
+        w: &SMatrix<f64, N, R>,
+        delassus: &mut SMatrix<f64, R, R>,
+    ) {
+        self.inner.delassus(a, w, delassus);
+        self.vector("delassus", delassus.as_mut_slice());
+    }
+    fn metric(
+        &self,
+        mass: &Self::Mass,
+        t: f64,
+        q: &SVector<f64, Q>,
+        a: &SMatrix<f64, N, R>,
+        w: &mut SMatrix<f64, N, R>,
+        delassus: &mut SMatrix<f64, R, R>,
+    ) {
+        self.inner.metric(mass, t, q, a, w, delassus);
+        self.vector("metric_rows", w.as_mut_slice());
+        self.vector("metric_delassus", delassus.as_mut_slice());
+    }
+    fn row_rates(&self, a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>) {
+        self.inner.row_rates(a, v, rates);
+        self.vector("row_rates", rates.as_mut_slice());
+    }
+}
+
+impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Tampered<S> {
     fn inputs(&self) -> &[f64] {
         self.inner.inputs()
     }
     fn inputs_mut(&mut self) -> &mut [f64] {
         self.inner.inputs_mut()
     }
-    fn guess(&self) -> ([f64; Q], [f64; N]) {
-        self.inner.guess()
-    }
-    fn advance(&self, q: &[f64; Q], v: &[f64; N], h: f64) -> [f64; Q] {
-        self.inner.advance(q, v, h)
-    }
-    fn difference(&self, from: &[f64; Q], to: &[f64; Q]) -> [f64; N] {
-        let mut way = self.inner.difference(from, to);
-        self.vector("difference", &mut way);
-        way
-    }
-    fn free_flight(&self, q: &mut [f64; Q], v: &mut [f64; N], h: f64) {
-        self.inner.free_flight(q, v, h);
-        self.vector("free_flight", v);
-    }
-    fn mass_matrix(&self, q: &[f64; Q], mass: &mut impl MatrixSink) {
-        self.inner.mass_matrix(q, &mut self.sink("mass", mass));
-    }
-    fn factor_mass(&self, q: &[f64; Q]) -> Option<Self::Mass> {
-        self.inner.factor_mass(q)
-    }
-    fn solve_mass(&self, mass: &Self::Mass, x: &mut [f64; N]) {
-        self.inner.solve_mass(mass, x);
-        self.vector("solve_mass", x);
-    }
-    fn solve_mass_rows(&self, mass: &Self::Mass, a: &[[f64; N]; R], w: &mut [[f64; N]; R]) {
-        self.inner.solve_mass_rows(mass, a, w);
-        self.vector("solve_mass_rows", w.as_flattened_mut());
-    }
-    fn delassus(&self, a: &[[f64; N]; R], w: &[[f64; N]; R], delassus: &mut [[f64; R]; R]) {
-        self.inner.delassus(a, w, delassus);
-        self.vector("delassus", delassus.as_flattened_mut());
-    }
-    fn metric(
+    fn applied_forces(
         &self,
-        mass: &Self::Mass,
         t: f64,
-        q: &[f64; Q],
-        a: &[[f64; N]; R],
-        w: &mut [[f64; N]; R],
-        delassus: &mut [[f64; R]; R],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        f: &mut SVector<f64, N>,
     ) {
-        self.inner.metric(mass, t, q, a, w, delassus);
-        self.vector("metric_rows", w.as_flattened_mut());
-        self.vector("metric_delassus", delassus.as_flattened_mut());
-    }
-    fn accelerations(
-        &self,
-        t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-        correction: &[f64; R],
-        acceleration: &mut [f64; N],
-        lambda: &mut [f64; R],
-        weakness: &mut [f64; R],
-    ) -> bool {
-        let generated =
-            (self.inner).accelerations(t, q, v, correction, acceleration, lambda, weakness);
-        self.vector("accelerations", acceleration);
-        self.vector("multipliers", lambda);
-        generated
-    }
-    fn row_rates(&self, a: &[[f64; N]; R], v: &[f64; N], rates: &mut [f64; R]) {
-        self.inner.row_rates(a, v, rates);
-        self.vector("row_rates", rates);
-    }
-    fn momentum(&self, q: &[f64; Q], v: &[f64; N], p: &mut [f64; N]) {
-        self.inner.momentum(q, v, p);
-        self.vector("p", p);
-    }
-    fn affinities(&self, q: &[f64; Q], gamma: &mut impl TensorSink) {
-        self.inner
-            .affinities(q, &mut self.sink("affinities", gamma));
-    }
-    fn holonomic(&self, t: f64, q: &[f64; Q], phi: &mut [f64; R]) {
-        self.inner.holonomic(t, q, phi);
-        self.vector("holonomic", &mut phi[..S::STRUCTURE.holonomic_rows]);
-    }
-    fn constraints(
-        &self,
-        t: f64,
-        q: &[f64; Q],
-        phi: &mut [f64; R],
-        a: &mut impl MatrixSink,
-        b: &mut [f64; R],
-    ) {
-        self.inner.constraints(t, q, phi, &mut self.sink("a", a), b);
-        self.vector("phi", &mut phi[..S::STRUCTURE.holonomic_rows]);
-        // Differences do not know b of a nonholonomic row by itself.
-        let rows = match self.fault {
-            Fault::Size => S::STRUCTURE.holonomic_rows,
-            Fault::Sign(_) => R,
-        };
-        self.vector("b", &mut b[..rows]);
-    }
-    fn constraint_rates(
-        &self,
-        t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-        a_rate: &mut impl MatrixSink,
-        gamma: &mut [f64; R],
-    ) {
-        self.inner
-            .constraint_rates(t, q, v, &mut self.sink("a_rate", a_rate), gamma);
-        self.vector("gamma", gamma);
-    }
-    fn applied_forces(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]) {
         self.inner.applied_forces(t, q, v, f);
-        self.vector("f", f);
+        self.vector("f", f.as_mut_slice());
     }
-    fn forces(&self, t: f64, q: &[f64; Q], v: &[f64; N], f: &mut [f64; N]) {
+    fn forces(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, f: &mut SVector<f64, N>) {
         self.inner.forces(t, q, v, f);
-        self.vector("F", f);
+        self.vector("F", f.as_mut_slice());
     }
     fn applied_force_tangents(
         &self,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
     ) {
@@ -294,8 +316,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
     fn force_tangents(
         &self,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
@@ -304,44 +326,70 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         self.inner
             .force_tangents(t, q, v, &mut f_q, &mut f_v, &mut self.sink("p_q", p_q));
     }
-    fn acceleration(&self, t: f64, q: &[f64; Q], acceleration: &mut [f64; N]) {
+    fn acceleration(&self, t: f64, q: &SVector<f64, Q>, acceleration: &mut SVector<f64, N>) {
         self.inner.acceleration(t, q, acceleration);
-        self.vector("acceleration", acceleration);
+        self.vector("acceleration", acceleration.as_mut_slice());
     }
-    fn kinetic_energy(&self, q: &[f64; Q], v: &[f64; N]) -> f64 {
-        self.number("T", self.inner.kinetic_energy(q, v))
-    }
-    fn potential_energy(&self, q: &[f64; Q]) -> f64 {
+    fn potential_energy(&self, q: &SVector<f64, Q>) -> f64 {
         let energy = self.inner.potential_energy(q);
-        // A constant error would not matter.
+        // A constant error would have no effect.
         if self.wrong == "V" {
             energy * (1.0 + ERROR) + ERROR * q[0]
         } else {
             energy
         }
     }
-    fn nonconservative_power(&self, t: f64, q: &[f64; Q], v: &[f64; N]) -> f64 {
+    fn nonconservative_power(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64 {
         self.number("power", self.inner.nonconservative_power(t, q, v))
     }
-    fn outputs(&self, t: f64, q: &[f64; Q], v: &[f64; N], outputs: &mut [f64]) {
+}
+
+impl<S: Observables<Q, N, R>, const Q: usize, const N: usize, const R: usize> Observables<Q, N, R>
+    for Tampered<S>
+{
+    fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]) {
         self.inner.outputs(t, q, v, outputs);
     }
-    fn events(&self, t: f64, q: &[f64; Q], v: &[f64; N], events: &mut [f64]) {
+    fn events(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]) {
         self.inner.events(t, q, v, events);
     }
-    fn points(&self, t: f64, q: &[f64; Q], points: &mut [[f64; 3]]) {
+    fn points(&self, t: f64, q: &SVector<f64, Q>, points: &mut [[f64; 3]]) {
         self.inner.points(t, q, points);
     }
     fn reactions(
         &self,
         t: f64,
-        q: &[f64; Q],
-        v: &[f64; N],
-        acceleration: &[f64; N],
-        lambda: &[f64; R],
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        acceleration: &SVector<f64, N>,
+        lambda: &SVector<f64, R>,
         reactions: &mut [f64],
     ) {
         self.inner
             .reactions(t, q, v, acceleration, lambda, reactions);
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q, N, R>
+    for Tampered<S>
+{
+    const MODEL: &'static Model = S::MODEL;
+    const STRUCTURE: Structure = S::STRUCTURE;
+
+    fn accelerations(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        correction: &SVector<f64, R>,
+        acceleration: &mut SVector<f64, N>,
+        lambda: &mut SVector<f64, R>,
+        pivot_loss: &mut SVector<f64, R>,
+    ) -> bool {
+        let generated =
+            (self.inner).accelerations(t, q, v, correction, acceleration, lambda, pivot_loss);
+        self.vector("accelerations", acceleration.as_mut_slice());
+        self.vector("multipliers", lambda.as_mut_slice());
+        generated
     }
 }

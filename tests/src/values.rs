@@ -1,4 +1,4 @@
-//! What the compiled functions give at a state without symmetry, as text: a flipped sign anywhere in them shows.
+//! The values of the compiled functions at a state without symmetry, as text: every flipped sign changes it.
 
 use crate::compiled;
 use crate::fixtures;
@@ -12,7 +12,7 @@ use std::fmt::Write;
 /// A quantity: its symbol, its name in [`Tampered`], and the function and argument that it comes from.
 type Quantity = (&'static str, &'static str, &'static str, &'static str);
 
-/// What is written, in this order.
+/// The quantities, in the order of the text.
 pub const QUANTITIES: [Quantity; 15] = [
     ("M", "mass", "mass_matrix", "mass"),
     ("p", "p", "momentum", "p"),
@@ -31,7 +31,7 @@ pub const QUANTITIES: [Quantity; 15] = [
     ("∂p/∂q", "p_q", "force_tangents", "p_q"),
 ];
 
-/// Beside the largest entry of its quantity this is round-off.
+/// Smaller values, relative to the largest entry of the quantity, are round-off.
 const ROUND_OFF: f64 = 1e-12;
 
 /// The values of each mechanism of the list below, by its name.
@@ -39,7 +39,7 @@ pub fn texts() -> Vec<(&'static str, String)> {
     mechanisms().into_iter().map(|m| (m.name, m.text)).collect()
 }
 
-/// How many entries of each quantity were given the opposite sign, and which of these changes do not show in the text.
+/// How many entries of each quantity were given the opposite sign, and which of these changes do not change the text.
 pub fn flips() -> (BTreeMap<&'static str, usize>, Vec<String>) {
     let (mut counts, mut unseen) = (BTreeMap::new(), Vec::new());
     for Values {
@@ -152,7 +152,7 @@ fn text<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     at: &Arguments<Q, N, R>,
 ) -> String {
     let mut out = format!("t = {}\n", number(at.time));
-    for (symbol, values) in [("q", at.q.as_slice()), ("v", &at.v)] {
+    for (symbol, values) in [("q", at.q.as_slice()), ("v", at.v.as_slice())] {
         for (i, &value) in values.iter().enumerate() {
             let _ = writeln!(out, "{symbol}[{i}] = {}", number(value));
         }

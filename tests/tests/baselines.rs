@@ -1,4 +1,4 @@
-//! The integrators of the literature follow the references of scenes that are within their reach.
+//! The integrators of the literature agree with the references of scenes that they can integrate.
 
 use mbs_examples::scenes::scenes;
 use mbs_runtime::{
@@ -51,7 +51,7 @@ fn methods() -> Vec<(Method, fn(&Case) -> f64)> {
     let tight = PaperSettings {
         velocity_tolerance: 1e-7,
         residual_tolerance: 1e-9,
-        // A stiffness: that of the default is for seconds, and one of the cases lasts milliseconds.
+        // The default stiffness is for motions of seconds; one of the cases takes milliseconds.
         penalty: 1e10,
         ..PaperSettings::m_alf()
     };

@@ -1,4 +1,4 @@
-//! What the book and the README point at is there.
+//! Links, files and names in the book and the README exist.
 
 use mbs_tests::pages::{Page, pages, root};
 use std::fs;
@@ -152,7 +152,7 @@ fn has_word(text: &str, word: &str) -> bool {
         .any(|other| other == word)
 }
 
-/// Pages with Rust of their own are documentation tests; what is not tested there is included from where it is compiled.
+/// Pages with Rust are documentation tests; other code on pages is included from files that are compiled.
 #[test]
 fn every_page_with_code_is_compiled() {
     let library = fs::read_to_string(root().join("tests/src/lib.rs")).expect("UTF-8");

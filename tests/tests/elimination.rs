@@ -76,7 +76,8 @@ fn what_is_affine() {
     }
 }
 
-/// Random systems of integers: the solution fulfils the rows, whatever remains, and says how it answers to residuals.
+/// Random systems of integers: the solution satisfies the rows for any values of the remaining unknowns, and has the
+/// right derivatives with respect to residuals.
 #[test]
 fn solutions_fulfil_the_rows() {
     let mut random = Random::of("solutions fulfil the rows");
@@ -145,7 +146,7 @@ fn pivots_and_dependent_rows() {
         let sum = graph.linear(constant, terms);
         read(graph, sum).expect("it is affine")
     };
-    // 5 x − y: the coefficient of size 1; x + z and y − z: the last of several; twice the first says nothing new.
+    // 5 x − y: the coefficient of size 1; x + z and y − z: the last of several; twice the first follows from the first.
     let rows = [
         row(graph, 1.0, &[(x, 5.0), (y, -1.0)]),
         row(graph, 0.0, &[(x, 1.0), (z, 1.0)]),
@@ -157,7 +158,7 @@ fn pivots_and_dependent_rows() {
     let pivots = [(0, Symbol::LocalPosition(1)), (1, Symbol::LocalPosition(2))];
     assert_eq!(solution.pivots, pivots);
     assert_eq!(solution.dependent, [vec![0, 2], vec![0, 3]]);
-    // p x + p y = 0 says something, but which of them it gives depends on p.
+    // p x + p y = 0 is a condition, but division by p is not allowed.
     let sum = graph.add(x, y);
     let scaled = graph.mul(p, sum);
     let stays = [(0, read(graph, scaled).expect("it is affine"))];

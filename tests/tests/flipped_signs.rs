@@ -1,5 +1,5 @@
-//! A flipped sign shows in the snapshots: in the formulas, in the program and in the Rust if it is in a derived
-//! expression, and in the numbers if it is in a compiled function.
+//! A flipped sign changes the snapshots: the formulas, the program and the Rust if it is in a derived expression, and
+//! the numbers if it is in a compiled function.
 
 use mbs_macros_core::derivatives::Derived;
 use mbs_macros_core::symbolic::Expr;
@@ -105,7 +105,7 @@ fn in_every_derived_quantity_of_small_declarations() {
 
 #[test]
 fn in_every_formula_of_scenes() {
-    // These are left to the small declarations.
+    // The small declarations test these.
     let left_out = ["p", "T", "f", "F", "∂f/∂q", "∂f/∂v"];
     let mut seen = BTreeSet::from(left_out);
     for name in small::SCENES {

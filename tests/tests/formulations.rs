@@ -1,5 +1,5 @@
-//! The same motion in whatever coordinates: each description converges to the reference with second order, through singular
-//! poses, and knows the same outputs and reactions.
+//! The same motion in all coordinates: each description converges to the reference with second order, through singular
+//! poses, and has the same outputs and reactions.
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;

@@ -1,4 +1,4 @@
-//! No test is left out: a library or program that is not built for tests (`test = false`) has none in its sources.
+//! No test is left out: a library or program that is not built for tests (`test = false`) has no test in its sources.
 
 use mbs_tests::pages::root;
 use std::fs;
@@ -42,7 +42,7 @@ fn what_is_not_built_for_tests_has_none() {
             others += usize::from(inside);
         }
     }
-    // Both kinds are there, so that both lists are read.
+    // Both lists have entries, so that both were read.
     assert!(checked >= 4, "{checked} packages checked");
     assert!(others >= 2, "{others} packages with tests inside");
 }

@@ -1,11 +1,11 @@
-//! Rank, degrees of freedom and redundant rows, told at compile time by the names of the declaration.
+//! Rank, degrees of freedom and redundant rows, found at compile time, with the names of the declaration.
 
 use mbs_macros_core::mobility::Mobility;
 use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
 
-// Three parallel cranks carry one coupler: the third holds nothing that the other two do not hold already, as long as all
-// are parallel. Counting says zero degrees of freedom.
+// Three parallel cranks carry one coupler: as long as all are parallel, the row of the third follows from those of the
+// other two. The count gives zero degrees of freedom.
 mechanism!(ThreeCranks {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     length: Param(1.0_m),
@@ -90,7 +90,7 @@ fn singular_starts_do_not_count() {
             .mobility
             .unwrap_or_else(|| panic!("{} does not assemble", scene.name));
         let redundant = match scene.name {
-            // Overconstrained by nature: six revolutes in a ring, two universal joints between fixed bearings.
+            // Overconstrained mechanisms: six revolutes in a ring, two universal joints between fixed bearings.
             "bricard" | "bricard-slender" | "bricard-reference" | "cardan-shaft" => 1,
             _ => 0,
         };
@@ -149,7 +149,7 @@ fn rolling_in_a_straight_line_is_holonomic() {
     assert!(integrable(SPACE, &format!("{DISK} {upright}")).is_empty());
     let straight = format!("{DISK} {upright} {ahead}");
     assert_eq!(integrable(SPACE, &straight), ["no_slip[0]", "no_slip[1]"]);
-    // The heading may be held by its rate, too: then it counts as one that integrates.
+    // The heading may also be held by a row on its rate, which is itself integrable.
     let steered = "steered: Nonholonomic(dot(disk.angular_velocity, ground.z)),";
     let rows = integrable(SPACE, &format!("{DISK} {upright} {steered}"));
     assert_eq!(rows.len(), 3);
@@ -161,7 +161,7 @@ fn skates_with_a_heading_are_holonomic() {
     assert_eq!(integrable("Planar()", &held), ["edge"]);
     let steered = format!("{SKATE} steered: Nonholonomic(skate.rate),");
     assert_eq!(integrable("Planar()", &steered).len(), 2);
-    // A heading that turns as time passes lets it go anywhere.
+    // If the heading changes with time, the row is not integrable.
     let turning = format!("{SKATE} turning: Drive(skate.angle, value = 0.3 + 1.0_rad_per_s * t),");
     assert!(integrable("Planar()", &turning).is_empty());
 }
@@ -246,7 +246,7 @@ fn mobility_in_words() {
         bricard.ends_with(") follows from j1…j5; mobility 1; Grübler counts 0"),
         "{bricard}"
     );
-    // With joints as coordinates the last of the ring has rows, and the others their part in them.
+    // With joints as coordinates the last joint of the ring has rows, and these depend on the other joints.
     let joints = words("bricard");
     assert!(
         joints.starts_with("5 rows, rank 4: one row of `j4` ("),
@@ -265,7 +265,7 @@ fn mobility_in_words() {
 
 #[test]
 fn redundant_rows_leave_reactions_open() {
-    // The third crank holds the coupler, so that all that carries it shares the load with it.
+    // The third crank holds the coupler, so that all parts that carry the coupler share the load with it.
     let model = ThreeCranks::MODEL;
     for joint in ["third", "bearing_left", "bearing_right"] {
         assert!(!model.is_determined(joint), "{joint}");
@@ -289,7 +289,7 @@ fn redundant_rows_leave_reactions_open() {
     assert_eq!(beside.undetermined, ["once", "twice"]);
 }
 
-// A door in both descriptions: by joints the second hinge has nothing left to hold.
+// A door in both descriptions: by joints the rows of the second hinge are zero.
 const DOOR: &str =
     "leaf: Body(mass = 20.0_kg, inertia = Cuboid(0.9_m, 0.04_m, 2.0_m), at = [0.3, 0.2, 1.0]),
     low: Param(0.2_m),
@@ -306,7 +306,7 @@ fn rows_that_joint_coordinates_leave_nothing_to_hold_are_left_out() {
         assert_eq!(redundancy.follows_from, ["lower"]);
     }
     assert_eq!(door.undetermined, ["lower", "upper"]);
-    // Both descriptions call the same rows redundant and the same reactions open.
+    // In both descriptions the same rows are redundant and the same reactions undetermined.
     let rows = mobility("Spatial(coordinates = Reference)", DOOR);
     let names = |mobility: &Mobility| -> Vec<String> {
         let names = mobility.redundant.iter();
@@ -364,7 +364,8 @@ fn auto_takes_the_hinge_of_a_door_for_its_coordinate() {
     let simulation = Simulation::new(Door::default()).expect("it assembles");
     let reactions = simulation.reactions().expect("they are known");
     assert!(!reactions.unique);
-    // Moments about the lower hinge and the weight are shared somehow, but as a whole they hold the door.
+    // The hinges share the weight and the moment about the lower hinge in an undetermined way, but the sums hold the
+    // door.
     let sum = |component: &str| {
         let of = |joint| simulation.reaction(joint, component).expect("it is there");
         of("lower") + of("upper")
@@ -438,7 +439,7 @@ fn loops_that_cannot_close_are_found_for_certain_only() {
             "{message}"
         );
     }
-    // Two ropes between the same points contradict each other; half of each is the best compromise.
+    // Two ropes between the same points contradict each other; the least residual is at the mean length.
     let text = format!("Tried {{ world: {SPACE}, a: Particle(mass = 1.0_kg, at = [1.0, 0.0, 0.0]),
         long: Distance(ground.origin, a.origin, length = 2.0_m), short: Distance(ground.origin, a.origin, length = 1.0_m) }}");
     let (_, outcome) = analyse(text.parse().expect("these are tokens"));
@@ -456,7 +457,7 @@ fn loops_that_cannot_close_are_found_for_certain_only() {
 
 #[test]
 fn a_bushing_alone_holds() {
-    // Its spring is felt: 2 Hz in all directions.
+    // Oscillations at 2 Hz show its stiffness in all directions.
     mechanism!(Mounted {
         world: Spatial(),
         block: Body(
@@ -479,14 +480,15 @@ fn a_bushing_alone_holds() {
     assert!((x - amplitude).abs() < 1e-4 * amplitude, "{x}");
 }
 
-/// Which joints a redundant row depends on, and how many degrees of freedom are left where counting gives none.
+/// The joints on which a redundant row depends, and the degrees of freedom of mechanisms for which the count gives
+/// none.
 #[test]
 fn overconstrained_mechanisms_of_space_move() {
     let scenes = mbs_examples::scenes::scenes();
     let all = ["j1", "j2", "j3", "j4", "j5", "j6"];
     for (name, size, last, joints) in [
         ("bricard-reference", 30, "j6", &all[..]),
-        // Five of the six joints are coordinates; the one that closes the loop says too much by itself.
+        // Five of the six joints are coordinates; the joint that closes the loop has a redundant row.
         ("bricard", 5, "j4", &["j4"][..]),
         ("bricard-slender", 5, "j4", &["j4"][..]),
         ("cardan-shaft", 4, "cross2", &["cross2"][..]),

@@ -1,9 +1,11 @@
-//! Inertia as the derivation by Lagrange has it, against Newton and Euler: m a of every centre of mass and J ω̇ + ω × J ω of
-//! every body, with masses and tensors written here and accelerations by differences along the motion. And power is dE/dt.
+//! The inertia terms of Lagrange's equations compared with the equations of Newton and Euler: m a of every centre of
+//! mass and J ω̇ + ω × J ω of every body, with masses and tensors written here and accelerations from differences along
+//! the motion. Also: the power is dE/dt.
 
 use mbs_examples::scenes;
 use mbs_macros_core::Analysis;
 use mbs_macros_core::symbolic::{Evaluator, Symbol};
+use mbs_runtime::nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 use mbs_runtime::{Mechanism, System, TensorSink};
 use mbs_tests::fixtures;
 use mbs_tests::interpreted::analysis;
@@ -12,80 +14,54 @@ use mbs_tests::tampered::Tampered;
 
 /// Half the width of the stencils is four of these: their error is then some 1e-12 of a motion at a few rad/s.
 const STEP: f64 = 2e-2;
-/// Agreement asked for, relative to the largest component.
+/// Required agreement, relative to the largest component.
 const TOLERANCE: f64 = 1e-9;
 /// Central differences of eighth order, for s = 1…4: the slope, and the curvature with its weight of the centre.
 const SLOPE: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
 const CURVATURE: [f64; 4] = [8.0 / 5.0, -1.0 / 5.0, 8.0 / 315.0, -1.0 / 560.0];
 const CENTRE: f64 = -205.0 / 72.0;
 
-type Vector = [f64; 3];
-type Tensor = [Vector; 3];
-
 /// Value, slope and curvature at 0.
-fn jet<const K: usize>(curve: impl Fn(f64) -> [f64; K]) -> [[f64; K]; 3] {
+fn jet<const A: usize, const B: usize>(
+    curve: impl Fn(f64) -> SMatrix<f64, A, B>,
+) -> [SMatrix<f64, A, B>; 3] {
     let centre = curve(0.0);
-    let (mut slope, mut curvature) = ([0.0; K], centre.map(|x| CENTRE * x));
+    let (mut slope, mut curvature) = (SMatrix::zeros(), CENTRE * centre);
     for k in 0..4 {
         let s = STEP * (k + 1) as f64;
         let (left, right) = (curve(-s), curve(s));
-        for i in 0..K {
-            slope[i] += SLOPE[k] * (right[i] - left[i]);
-            curvature[i] += CURVATURE[k] * (right[i] + left[i]);
-        }
+        slope += SLOPE[k] * (right - left);
+        curvature += CURVATURE[k] * (right + left);
     }
-    let squared = STEP * STEP;
-    [
-        centre,
-        slope.map(|x| x / STEP),
-        curvature.map(|x| x / squared),
-    ]
+    [centre, slope / STEP, curvature / (STEP * STEP)]
 }
 
-fn dot<const K: usize>(a: &[f64; K], b: &[f64; K]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn cross(a: &Vector, b: &Vector) -> Vector {
-    std::array::from_fn(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn times(tensor: &Tensor, x: &Vector) -> Vector {
-    std::array::from_fn(|i| dot(&tensor[i], x))
-}
-
-fn diag(x: f64, y: f64, z: f64) -> Tensor {
-    [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]]
+fn diag(x: f64, y: f64, z: f64) -> Matrix3<f64> {
+    Matrix3::from_diagonal(&Vector3::new(x, y, z))
 }
 
 /// A box of edges a, b, c.
-fn cuboid(mass: f64, a: f64, b: f64, c: f64) -> Tensor {
+fn cuboid(mass: f64, a: f64, b: f64, c: f64) -> Matrix3<f64> {
     let side = |x: f64, y: f64| mass * (x * x + y * y) / 12.0;
     diag(side(b, c), side(a, c), side(a, b))
 }
 
 /// A round bar along x.
-fn round(mass: f64, length: f64, radius: f64) -> Tensor {
+fn round(mass: f64, length: f64, radius: f64) -> Matrix3<f64> {
     let across = mass * (length * length / 12.0 + radius * radius / 4.0);
     diag(0.5 * mass * radius * radius, across, across)
 }
 
-/// Axes that never turn, by rows.
-const UNTURNED: [f64; 9] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
-
 /// The vector of the skew part of Rᵀ B: ω in body axes for B = Ṙ, ω̇ for B = R̈.
-fn turning(r: &[f64; 9], b: &[f64; 9]) -> Vector {
-    let product = |i: usize, j: usize| -> f64 { (0..3).map(|k| r[3 * k + i] * b[3 * k + j]).sum() };
-    std::array::from_fn(|i| {
+fn turning(r: &Matrix3<f64>, b: &Matrix3<f64>) -> Vector3<f64> {
+    let product = r.tr_mul(b);
+    Vector3::from_fn(|i, _| {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        0.5 * (product(k, j) - product(j, k))
+        0.5 * (product[(k, j)] - product[(j, k)])
     })
 }
 
-/// Coordinates of the parts on their own, by name, whatever the mechanism's coordinates are.
+/// The local coordinates of the parts, by name, for any coordinates of the mechanism.
 struct Named<'a> {
     analysis: &'a Analysis,
     q: &'a [f64],
@@ -97,20 +73,23 @@ impl<'a> Named<'a> {
     }
 
     fn local(&self, name: &str) -> u32 {
-        let locals = &self.analysis.model.locals;
+        let locals = &self.analysis.outline.locals;
         let index = locals.iter().position(|local| local.name == name);
         index.unwrap_or_else(|| panic!("no coordinate `{name}` in {locals:?}")) as u32
     }
 
     fn value(&self, symbol: Symbol) -> f64 {
-        let Analysis { model, derived, .. } = self.analysis;
-        let expr = model.reduction.get(symbol).expect("every part is placed");
+        let Analysis {
+            outline, derived, ..
+        } = self.analysis;
+        let system = &derived.system;
+        let expr = system.reduction.get(symbol).expect("every part is placed");
         let symbols = |symbol: Symbol| match symbol {
-            Symbol::Parameter(i) => model.parameters[i as usize].default,
-            other => model.layout.value(other, self.q).expect("a position"),
+            Symbol::Parameter(i) => outline.parameters[i as usize].default,
+            other => system.layout.value(other, self.q).expect("a position"),
         };
         let laws = |_: u32, _: &[f64]| unreachable!("no law places a part");
-        Evaluator::new(&derived.system.graph, &symbols, &laws).value(expr)
+        Evaluator::new(&system.graph, &symbols, &laws).value(expr)
     }
 
     fn get(&self, name: &str) -> f64 {
@@ -118,40 +97,41 @@ impl<'a> Named<'a> {
         self.value(Symbol::LocalPosition(self.local(name)))
     }
 
-    fn point(&self, name: &str) -> Vector {
-        ["x", "y", "z"].map(|axis| self.get(&format!("{name}.{axis}")))
+    fn point(&self, name: &str) -> Vector3<f64> {
+        let axes = ["x", "y", "z"];
+        axes.map(|axis| self.get(&format!("{name}.{axis}"))).into()
     }
 
-    fn axes(&self, name: &str) -> [f64; 9] {
+    fn axes(&self, name: &str) -> Matrix3<f64> {
         let first = self.local(&format!("{name}.rotation.x"));
-        std::array::from_fn(|entry| self.value(Symbol::LocalRotation(first, entry as u8)))
+        Matrix3::from_fn(|i, j| self.value(Symbol::LocalRotation(first, (3 * i + j) as u8)))
     }
 }
 
-/// What has mass.
+/// A part with mass.
 enum Matter {
     /// A body with its tensor about the centre of mass, in its axes.
-    Rigid(&'static str, f64, Tensor),
-    Point(f64, fn(&Named) -> Vector),
+    Rigid(&'static str, f64, Matrix3<f64>),
+    Point(f64, fn(&Named) -> Vector3<f64>),
     /// A slender bar between two points.
     Slender(f64, [&'static str; 2]),
 }
 
-/// A point, or a frame, with its inertia: what Newton and Euler speak about.
+/// A point or a frame with its inertia, for the equations of Newton and Euler.
 struct Piece<'a> {
     mass: f64,
-    tensor: Tensor,
-    place: Box<dyn Fn(&Named) -> Vector + 'a>,
-    axes: Box<dyn Fn(&Named) -> [f64; 9] + 'a>,
+    tensor: Matrix3<f64>,
+    place: Box<dyn Fn(&Named) -> Vector3<f64> + 'a>,
+    axes: Box<dyn Fn(&Named) -> Matrix3<f64> + 'a>,
 }
 
 impl Matter {
     fn pieces(&self) -> Vec<Piece<'_>> {
-        let point = |mass: f64, place: Box<dyn Fn(&Named) -> Vector>| Piece {
+        let point = |mass: f64, place: Box<dyn Fn(&Named) -> Vector3<f64>>| Piece {
             mass,
-            tensor: diag(0.0, 0.0, 0.0),
+            tensor: Matrix3::zeros(),
             place,
-            axes: Box::new(|_| UNTURNED),
+            axes: Box::new(|_| Matrix3::identity()),
         };
         match *self {
             Matter::Rigid(name, mass, tensor) => vec![Piece {
@@ -161,13 +141,13 @@ impl Matter {
                 axes: Box::new(move |q| q.axes(name)),
             }],
             Matter::Point(mass, place) => vec![point(mass, Box::new(place))],
-            // Half the mass at each of Gauss' two points: exact for what is quadratic along the bar.
+            // Half the mass at each of Gauss' two points: exact for functions that are quadratic along the bar.
             Matter::Slender(mass, [a, b]) => [-1.0, 1.0]
                 .map(|side: f64| 0.5 + side / 12f64.sqrt())
                 .map(|part| {
                     let place = move |q: &Named| {
                         let (a, b) = (q.point(a), q.point(b));
-                        std::array::from_fn(|i| a[i] + part * (b[i] - a[i]))
+                        a + part * (b - a)
                     };
                     point(0.5 * mass, Box::new(place))
                 })
@@ -176,38 +156,31 @@ impl Matter {
     }
 }
 
-struct Affinities<'a, const N: usize>(&'a mut [[[f64; N]; N]]);
-
-impl<const N: usize> TensorSink for Affinities<'_, N> {
-    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
-        self.0[i][j][k] = value;
-    }
+/// Γ v v, as Γ comes.
+struct Convective<'a, const N: usize> {
+    v: &'a SVector<f64, N>,
+    sum: SVector<f64, N>,
 }
 
-/// Γ v v.
-fn convective<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    system: &S,
-    q: &[f64; Q],
-    v: &[f64; N],
-) -> [f64; N] {
-    let mut gamma = vec![[[0.0; N]; N]; N];
-    system.affinities(q, &mut Affinities(&mut gamma));
-    std::array::from_fn(|i| (0..N).map(|j| v[j] * dot(&gamma[i][j], v)).sum())
+impl<const N: usize> TensorSink for Convective<'_, N> {
+    fn set(&mut self, i: usize, j: usize, k: usize, value: f64) {
+        self.sum[i] += value * self.v[j] * self.v[k];
+    }
 }
 
 /// The motion with velocity v and acceleration v̇ at s = 0; a further term would be of third order.
 fn motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    q: &[f64; Q],
-    v: &[f64; N],
-    acceleration: &[f64; N],
+    q: &SVector<f64, Q>,
+    v: &SVector<f64, N>,
+    acceleration: &SVector<f64, N>,
     s: f64,
-) -> [f64; Q] {
-    let way = std::array::from_fn(|i| s * (v[i] + 0.5 * s * acceleration[i]));
+) -> SVector<f64, Q> {
+    let way = s * (v + 0.5 * s * acceleration);
     system.advance(q, &way, 1.0)
 }
 
-/// What does not agree at an instant.
+/// The disagreements at an instant.
 fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     matter: &[Matter],
@@ -231,36 +204,39 @@ fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     };
 
     let analysis = analysis(S::MODEL.declaration);
-    let (mut inertial, mut energy) = ([0.0; N], 0.0);
+    let (mut inertial, mut energy) = (SVector::<f64, N>::zeros(), 0.0);
     for piece in matter.iter().flat_map(Matter::pieces) {
-        let along = |v: &[f64; N], acceleration: &[f64; N]| {
+        let along = |v: &SVector<f64, N>, acceleration: &SVector<f64, N>| {
             let moved = |s: f64| motion(system, q, v, acceleration, s);
-            let place = jet(|s| (piece.place)(&Named::new(&analysis, &moved(s))));
-            let axes = jet(|s| (piece.axes)(&Named::new(&analysis, &moved(s))));
+            let place = jet(|s| (piece.place)(&Named::new(&analysis, moved(s).as_slice())));
+            let axes = jet(|s| (piece.axes)(&Named::new(&analysis, moved(s).as_slice())));
             let spin = turning(&axes[0], &axes[1]);
             (place, spin, turning(&axes[0], &axes[2]))
         };
         let ([_, velocity, linear], omega, angular) = along(v, acceleration);
-        let momentum = times(&piece.tensor, &omega);
-        let gyroscopic = cross(&omega, &momentum);
-        let euler = times(&piece.tensor, &angular);
-        let torque: Vector = std::array::from_fn(|i| euler[i] + gyroscopic[i]);
-        energy += 0.5 * (piece.mass * dot(&velocity, &velocity) + dot(&omega, &momentum));
+        let momentum = piece.tensor * omega;
+        let torque = piece.tensor * angular + omega.cross(&momentum);
+        energy += 0.5 * (piece.mass * velocity.norm_squared() + omega.dot(&momentum));
         for j in 0..N {
-            let direction = std::array::from_fn(|i| f64::from(u8::from(i == j)));
-            let ([_, way, _], turn, _) = along(&direction, &[0.0; N]);
-            inertial[j] += piece.mass * dot(&way, &linear) + dot(&turn, &torque);
+            let direction = SVector::from_fn(|i, _| f64::from(u8::from(i == j)));
+            let ([_, way, _], turn, _) = along(&direction, &SVector::zeros());
+            inertial[j] += piece.mass * way.dot(&linear) + turn.dot(&torque);
         }
     }
 
-    let mut mass = Box::new([[0.0; N]; N]);
-    system.mass_matrix(q, &mut *mass);
-    let quadratic = convective(system, q, v);
+    let mut mass = Box::new(SMatrix::<f64, N, N>::zeros());
+    system.mass_matrix(q, &mut mass);
+    let mut quadratic = Convective {
+        v,
+        sum: SVector::zeros(),
+    };
+    system.affinities(q, &mut quadratic);
+    let quadratic = quadratic.sum;
     let size = inertial.iter().fold(1e-3, |size: f64, x| size.max(x.abs()));
+    let given = *mass * acceleration + quadratic;
     for i in 0..N {
-        let given = dot(&mass[i], acceleration) + quadratic[i];
         let what = format!("M v̇ + Γ v v along {}", S::MODEL.velocities[i].name);
-        compare(&what, given, inertial[i], size);
+        compare(&what, given[i], inertial[i], size);
     }
     compare("T", system.kinetic_energy(q, v), energy, energy);
 
@@ -268,26 +244,24 @@ fn findings<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         findings.push("M is not positive definite".to_owned());
         return findings;
     };
-    let mut free = [0.0; N];
+    let mut free = SVector::zeros();
     system.applied_forces(*time, q, v, &mut free);
-    let work = free.iter().zip(v).map(|(f, v)| (f * v).abs()).sum::<f64>();
-    for i in 0..N {
-        free[i] -= quadratic[i];
-    }
+    let work = free.component_mul(v).abs().sum();
+    free -= quadratic;
     system.solve_mass(&factor, &mut free);
-    // Light bodies are thrown about: the shorter the time, the smaller what the stencil leaves out.
+    // Light bodies have large accelerations: with a shorter time the error of the stencil is smaller.
     let fastest = free.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
     let scale = 1.0 / fastest.sqrt();
-    let [_, [rate], _] = jet(|s| {
+    let [_, rate, _] = jet(|s| {
         let s = scale * s;
         let q = motion(system, q, v, &free, s);
-        let v = std::array::from_fn(|i| v[i] + s * free[i]);
-        [system.kinetic_energy(&q, &v) + system.potential_energy(&q)]
+        let v = v + s * free;
+        SVector::from([system.kinetic_energy(&q, &v) + system.potential_energy(&q)])
     });
     let power = system.nonconservative_power(*time, q, v);
     let total = system.kinetic_energy(q, v) + system.potential_energy(q).abs();
     let size = work.max(total / scale);
-    compare("dE/dt", rate / scale, power, size);
+    compare("dE/dt", rate[0] / scale, power, size);
     findings
 }
 
@@ -334,8 +308,8 @@ fn flyball_governor() -> Vec<Matter> {
     let (rod, ball) = (0.3, 5.0);
     let reach = (0.5 * rod + ball) / (rod + ball);
     let own = cuboid(rod, 1.0, 0.01, 0.01);
-    let across = own[1][1] + rod * (reach - 0.5f64).powi(2) + ball * (1.0 - reach).powi(2);
-    let arm = diag(own[0][0], across, across);
+    let across = own[(1, 1)] + rod * (reach - 0.5f64).powi(2) + ball * (1.0 - reach).powi(2);
+    let arm = diag(own[(0, 0)], across, across);
     vec![
         Matter::Rigid("shaft", rod, own),
         Matter::Rigid("slider", 3.0, cuboid(3.0, 0.1, 0.1, 0.1)),
@@ -356,17 +330,17 @@ fn workshop() -> Vec<Matter> {
         Matter::Rigid(
             "wheel",
             load,
-            diag(cylinder[1][1], cylinder[0][0], cylinder[1][1]),
+            diag(cylinder[(1, 1)], cylinder[(0, 0)], cylinder[(1, 1)]),
         ),
         Matter::Rigid("nut", load, diag(sphere, sphere, sphere)),
         Matter::Rigid(
             "carriage",
             load,
-            [
+            Matrix3::from([
                 [0.03, 0.002, 0.001],
                 [0.002, 0.04, 0.003],
                 [0.001, 0.003, 0.05],
-            ],
+            ]),
         ),
         Matter::Rigid("drum", load, diag(0.02 * drum, 0.03 * drum, 0.025 * drum)),
         Matter::Rigid("plate", load, diag(0.02, 0.02, 0.02)),
@@ -376,7 +350,7 @@ fn workshop() -> Vec<Matter> {
         Matter::Point(0.2 * load, |q| q.point("rod.b")),
         Matter::Point(load, |q| {
             let twist = q.get("twist");
-            [twist.cos(), 0.5 * twist.sin(), 0.2 * twist].map(|x| 0.4 * x)
+            0.4 * Vector3::new(twist.cos(), 0.5 * twist.sin(), 0.2 * twist)
         }),
     ]
 }
@@ -410,11 +384,11 @@ fn a_rattleback() {
     let (sin, cos) = 2f64.to_radians().sin_cos();
     let (roll, pitch) = (2e-4, 1.6e-3);
     let off = (roll - pitch) * sin * cos;
-    let tensor = [
+    let tensor = Matrix3::from([
         [roll * cos * cos + pitch * sin * sin, off, 0.0],
         [off, roll * sin * sin + pitch * cos * cos, 0.0],
         [0.0, 0.0, 1.7e-3],
-    ];
+    ]);
     check::<scenes::rattleback::Rattleback, _, _, _, _>(&[Matter::Rigid("stone", 1.0, tensor)]);
 }
 
@@ -439,7 +413,16 @@ fn a_workshop() {
     check::<fixtures::Workshop, _, _, _, _>(&workshop());
 }
 
-/// What is slightly wrong is found.
+#[test]
+fn a_vice() {
+    check::<fixtures::Vice, _, _, _, _>(&[
+        Matter::Rigid("bed", 2.0, diag(0.1, 0.2, 0.15)),
+        Matter::Rigid("jaw", 1.0, diag(0.05, 0.04, 0.06)),
+        Matter::Rigid("handle", 0.6, diag(0.01, 0.02, 0.025)),
+    ]);
+}
+
+/// A small error is found.
 #[test]
 fn an_error_in_inertia_or_power_is_found() {
     let (system, states) = random_states(&fixtures::Workshop::default());

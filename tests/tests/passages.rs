@@ -1,4 +1,4 @@
-//! Singular passages at high order: the right branch, with the accuracy of the order.
+//! Passages at high order: the right branch, with the accuracy of the order.
 
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Scene;
@@ -73,8 +73,8 @@ fn the_double_four_bar_passes_at_every_order() {
     }
 }
 
-/// What a stage leaves of the rows turns velocities by φ/σ² beside a singular pose. At these steps eighth order was no
-/// better than 1e-7 J before weak rows were closed to round-off and steps aimed past the poses.
+/// Beside a singular pose the residual φ of a stage turns velocities by φ/σ². With these steps the error of eighth
+/// order was 1e-7 J, until rows with small pivots were solved to round-off and placement was introduced.
 #[test]
 fn high_order_loses_nothing_at_small_steps() {
     for (scene, columns) in SCENES {
@@ -89,8 +89,9 @@ fn high_order_loses_nothing_at_small_steps() {
     }
 }
 
-/// Stages of an explicit step that are evaluated beside a singular pose see what they violate of the rows as 1/σ²: at small
-/// steps of order 8, one in six runs ended on another branch before steps kept clear and weak rows were closed exactly.
+/// In stages of an explicit step beside a singular pose a violation of the rows has an effect of 1/σ². With small steps
+/// of order 8, one in six runs ended on another branch, until placement was introduced and rows with small pivots were
+/// solved to round-off.
 #[test]
 fn explicit_steps_of_high_order_pass() {
     for (scene, columns) in SCENES {

@@ -1,4 +1,4 @@
-//! Joint reactions against formulas and against trusted tables.
+//! Joint reactions compared with formulas and with reference tables.
 
 use mbs_examples::scenes;
 use mbs_runtime::{Mechanism, Settings, Simulation, System};

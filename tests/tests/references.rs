@@ -1,5 +1,5 @@
-//! Every scene with a reference converges towards it with second order, on the right branch, and keeps what the
-//! integrator promises to keep.
+//! Every scene with a reference converges to it with second order, on the right branch, and its energy error and
+//! residuals stay within bounds.
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{self, scenes};
@@ -7,7 +7,7 @@ use mbs_runtime::{Mechanism, Settings, Simulation, State, System};
 use mbs_tests::reference::{self, deviation};
 use mbs_tests::with_room;
 
-/// What is asked of a scene.
+/// The requirements on a scene.
 struct Case {
     scene: &'static str,
     /// The coarsest of three steps, each half the one before, s. It divides the spacing of the reference.

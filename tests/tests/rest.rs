@@ -1,4 +1,5 @@
-//! Damped mechanisms come to rest: velocities then lie below the round-off of the rows, which no smaller step improves.
+//! Damped mechanisms come to rest. Then velocities are below the round-off of the rows, and a smaller step does not
+//! help.
 
 use mbs_runtime::{Flow, Mechanism, Settings, Simulation, System, mechanism};
 

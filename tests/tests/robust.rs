@@ -1,4 +1,4 @@
-//! Whatever is written, the compiler answers: it accepts, or it rejects with a message. It never panics.
+//! For every input the compiler either accepts, or rejects with a message. It never panics.
 
 mod common;
 
@@ -7,14 +7,14 @@ use mbs_macros_core::{analyse, dag, emit};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What the compiler said.
+/// The result of the compiler.
 #[derive(Debug)]
 enum Answer {
     Accepted,
     Rejected(Vec<String>),
 }
 
-/// Compiles; panics where the compiler does, with the declaration in the message.
+/// Compiles; if the compiler panics, this panics with the declaration in the message.
 fn answer(tokens: TokenStream) -> Answer {
     let text = tokens.to_string();
     let run = move || {
@@ -57,7 +57,7 @@ fn with_output(expression: &str) -> String {
     )
 }
 
-/// Xorshift: a mutant is found again by its number.
+/// Xorshift: a mutant is reproduced by its number.
 struct Random(u64);
 
 impl Random {
@@ -87,7 +87,7 @@ fn flatten(tokens: &TokenStream, list: &mut Vec<TokenTree>) {
     }
 }
 
-/// Tokens that a mutation may bring in besides those of the declaration.
+/// Tokens that a mutation may insert, in addition to those of the declaration.
 fn strangers() -> Vec<TokenTree> {
     let mut list: Vec<TokenTree> = [
         "ground",
@@ -162,7 +162,7 @@ fn strangers() -> Vec<TokenTree> {
     list
 }
 
-/// What to do to the token of a number, counted through all groups.
+/// The change of the token with a given number, counted through all groups.
 struct Mutation {
     at: usize,
     kind: usize,
@@ -224,7 +224,7 @@ fn mutants() -> usize {
     wanted.unwrap_or(60_000)
 }
 
-/// Small mechanisms that between them have every joint and force of space.
+/// Small mechanisms that together have every joint and force of space.
 const IN_SPACE: [&str; 6] = [
     "Hinged { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]), size: Param(0.3_m),
         arm: Body(mass = 1.0_kg, inertia = Cuboid(size, 0.2_m, 0.1_m), at = [0.0, 0.0, size],
@@ -280,7 +280,7 @@ fn mutants_are_answered() {
         (name.to_owned(), tokens)
     });
     for (name, tokens) in declarations().into_iter().chain(in_space) {
-        // Large mechanisms take long to derive and say no more than small ones.
+        // Large mechanisms take long to derive, and test no more than small ones.
         let mutants = mutants() / count(&tokens);
         let mut random = Random(0x9e37_79b9_7f4a_7c15);
         for number in 0..mutants {

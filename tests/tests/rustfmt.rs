@@ -5,7 +5,7 @@ mod common;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// What rustfmt says of some files; nothing if it is not installed.
+/// The output of rustfmt for some files; nothing if it is not installed.
 fn check(files: &[PathBuf]) -> Option<Output> {
     let rustfmt = Command::new("rustfmt")
         .args(["--check", "--edition", "2024"])

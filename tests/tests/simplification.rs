@@ -17,7 +17,7 @@ enum Tree {
 }
 
 const VARIABLES: u32 = 4;
-/// Functions that are smooth and finite where the trees call them; the others get an argument that suits them.
+/// Functions that are smooth and finite for the arguments in the trees; the others get an argument in their domain.
 const FUNCTIONS: [Function; 15] = [
     Function::Sin,
     Function::Cos,
@@ -62,7 +62,7 @@ fn trees() -> impl Strategy<Value = Tree> {
             4 => prop::collection::vec((inner.clone(), prop_oneof![4 => Just(1), 2 => Just(2), 1 => Just(3), 1 => Just(-1)]), 1..4)
                 .prop_map(Tree::Product),
             3 => (0..FUNCTIONS.len(), boxed.clone()).prop_map(|(f, x)| Tree::Call(FUNCTIONS[f], x)),
-            // Squares of sines and cosines of the same angle, so that sin² + cos² = 1 is met.
+            // Squares of sines and cosines of the same angle, so that sin² + cos² = 1 occurs.
             2 => (boxed.clone(), prop_oneof![Just(8), -8..=8], prop_oneof![Just(8), -8..=8]).prop_map(|(x, a, b)| {
                 let square = |f| Tree::Product(vec![(Tree::Call(f, x.clone()), 2)]);
                 Tree::Linear(0, vec![(square(Function::Sin), a), (square(Function::Cos), b)])
@@ -97,7 +97,7 @@ fn inside(function: Function) -> Inside {
     }
 }
 
-/// The value, and a bound of the magnitudes that were added up and multiplied on the way.
+/// The value, and a bound of the intermediate magnitudes.
 fn naive(tree: &Tree, variables: &[f64]) -> (f64, f64) {
     match tree {
         Tree::Number(n) => (eighths(*n), eighths(n.abs())),
@@ -114,7 +114,7 @@ fn naive(tree: &Tree, variables: &[f64]) -> (f64, f64) {
             .fold((1.0, 1.0), |(value, size), (factor, p)| {
                 let (x, x_size) = naive(factor, variables);
                 match p {
-                    // 1/x as x/(x² + 1) would be, were it not for the name: a denominator that is not zero.
+                    // Instead of 1/x: x/(x² + 1), whose denominator is not zero.
                     -1 => (value / (x * x + 1.0), size),
                     p => (value * x.powi(*p), size * x_size.powi(*p)),
                 }
@@ -246,7 +246,7 @@ fn variables() -> impl Strategy<Value = Vec<f64>> {
     )
 }
 
-/// Whether a tree stays within magnitudes at which rounding says nothing.
+/// Whether the magnitudes of a tree are so small that rounding has no effect.
 fn tame(size: f64) -> bool {
     size.is_finite() && size < 1e9
 }
@@ -311,7 +311,7 @@ proptest! {
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .expect("five steps");
         let resolution = 1e-8 * (1.0 + size + best.abs());
-        // Where the differences disagree among themselves they say nothing.
+        // If the differences disagree among themselves, there is no test.
         prop_assume!(spread <= resolution);
         prop_assert!((found - best).abs() <= 10.0 * resolution, "{found} against {best}: {}", graph.text(slope));
     }
@@ -336,7 +336,7 @@ proptest! {
     }
 }
 
-/// A sum whose coefficients collect to one is dissolved like any other.
+/// A sum whose coefficients collect to one is flattened like any other.
 #[test]
 fn a_sum_that_collects_to_itself_is_flat() {
     let mut graph = Graph::default();
@@ -350,7 +350,7 @@ fn a_sum_that_collects_to_itself_is_flat() {
     }
 }
 
-/// Expressions as the outputs of a system that has nothing else.
+/// Expressions as the outputs of an otherwise empty system.
 mod program {
     use super::*;
     use mbs_macros_core::dag::{self, Place, Run};
@@ -359,7 +359,7 @@ mod program {
 
     pub fn run(mut graph: Graph, outputs: &[Expr], variables: &[f64]) -> Vec<f64> {
         let zero = graph.zero();
-        let derived = derivatives::derive(System {
+        let system = System {
             graph,
             size: 0,
             mass: BTreeMap::new(),
@@ -368,7 +368,8 @@ mod program {
             power: zero,
             rows: Vec::new(),
             vacuous: Vec::new(),
-            pull: None,
+            constant_mass: true,
+            reduction: Substitution::default(),
             reactions: Vec::new(),
             outputs: outputs.to_vec(),
             events: Vec::new(),
@@ -376,7 +377,8 @@ mod program {
             kinetic: None,
             layout: Default::default(),
             unwrapped_angles: Vec::new(),
-        });
+        };
+        let derived = derivatives::derive(system, Vec::new());
         let program = dag::lower(&derived);
         let symbols = |symbol| match symbol {
             Symbol::Coordinate(i) | Symbol::Parameter(i) => variables[i as usize],

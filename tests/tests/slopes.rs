@@ -1,16 +1,16 @@
-//! Orders 6 and 8 have their slopes on scenes of every kind: rows that vary, masses that vary, nonholonomic rows, redundant
-//! ones.
+//! Orders 6 and 8 have their slopes on scenes of every sort: varying rows, varying masses, nonholonomic rows, redundant
+//! rows.
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{bricard, chaplygin_sleigh, double_four_bar, pendulum, slider_crank};
 use mbs_runtime::Settings;
 
-/// q after `time`, in so many steps.
+/// q after `time`, in this number of steps.
 fn run(scene: &Scene, order: u8, time: f64, steps: u32) -> Vec<f64> {
     let settings = Settings {
         order,
         step: time / f64::from(steps),
-        // Steps of one length, up to where the first singular pose comes near.
+        // Steps of one length, up to the first singular pose.
         placement: false,
         ..Settings::default()
     };

@@ -1,5 +1,5 @@
-//! Small declarations after every stage of the compiler, and what is derived for some scenes: as formulas, and as numbers
-//! that the generated code gives. `cargo insta review` shows what a change does to them.
+//! Small declarations after every stage of the compiler, and the derived quantities of some scenes, as formulas and as
+//! numbers from the generated code. `cargo insta review` shows the effect of a change on them.
 
 use mbs_tests::interpreted::analysis;
 use mbs_tests::small;
@@ -12,41 +12,36 @@ fn rust(declaration: &str) -> String {
     prettyplease::unparse(&file.expect("generated Rust parses"))
 }
 
-/// The methods of the system with these names.
-fn methods(declaration: &str, names: &[&str]) -> String {
-    let mut file: syn::File =
-        syn::parse2(mbs_macros_core::compile(stages::tokens(declaration))).expect("it parses");
-    // The implementation is inside `const _: () = { … };`.
-    let inner = file.items.iter().filter_map(|item| match item {
-        syn::Item::Const(constant) => match &*constant.expr {
+/// The items inside `const _: () = { … };`, but for those that only an editor sees.
+fn inside(items: &[syn::Item]) -> Vec<syn::Item> {
+    let hidden = |attribute: &syn::Attribute| match &attribute.meta {
+        syn::Meta::List(list) => {
+            list.path.is_ident("cfg") && list.tokens.to_string() == "rust_analyzer"
+        }
+        _ => false,
+    };
+    let blocks = items.iter().filter_map(|item| match item {
+        syn::Item::Const(constant) if !constant.attrs.iter().any(hidden) => match &*constant.expr {
             syn::Expr::Block(block) => Some(&block.block.stmts),
             _ => None,
         },
         _ => None,
     });
-    file.items = inner
-        .flatten()
-        .filter_map(|statement| match statement {
-            syn::Stmt::Item(item) => Some(item.clone()),
-            _ => None,
-        })
-        .collect();
-    file.items.retain(|item| match item {
-        syn::Item::Impl(block) => {
-            let system = block
-                .trait_
-                .as_ref()
-                .and_then(|(_, path, _)| path.segments.last());
-            let hidden = block.attrs.iter().any(|attribute| {
-                let syn::Meta::List(list) = &attribute.meta else {
-                    return false;
-                };
-                list.path.is_ident("cfg") && list.tokens.to_string() == "rust_analyzer"
-            });
-            system.is_some_and(|segment| segment.ident == "System") && !hidden
-        }
-        _ => false,
+    let statements = blocks.flatten().filter_map(|statement| match statement {
+        syn::Stmt::Item(item) => Some(item.clone()),
+        _ => None,
     });
+    statements.collect()
+}
+
+/// The methods of the system with these names.
+fn methods(declaration: &str, names: &[&str]) -> String {
+    let mut file: syn::File =
+        syn::parse2(mbs_macros_core::compile(stages::tokens(declaration))).expect("it parses");
+    // The implementations are inside `const _: () = { const _: () = { … }; };`.
+    file.items = inside(&inside(&file.items));
+    file.items
+        .retain(|item| matches!(item, syn::Item::Impl(block) if block.trait_.is_some()));
     for item in &mut file.items {
         if let syn::Item::Impl(block) = item {
             block.items.retain(|item| match item {
@@ -55,6 +50,8 @@ fn methods(declaration: &str, names: &[&str]) -> String {
             });
         }
     }
+    file.items
+        .retain(|item| !matches!(item, syn::Item::Impl(block) if block.items.is_empty()));
     prettyplease::unparse(&file)
 }
 
@@ -75,7 +72,7 @@ fn stage_6() {
     }
 }
 
-/// What an integrator evaluates most often.
+/// The method that an integrator evaluates most often.
 #[test]
 fn constraints() {
     for (name, declaration) in small::ALL {
@@ -104,7 +101,7 @@ fn values() {
     }
 }
 
-/// A snapshot whose test is gone would never be looked at again.
+/// Every snapshot has a test.
 #[test]
 fn every_snapshot_has_its_test() {
     let directory = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/snapshots");

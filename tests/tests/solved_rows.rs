@@ -1,5 +1,4 @@
-//! Rows that are affine in a coordinate leave with it, and the mechanism does not notice: the same motion, reactions,
-//! start and mobility.
+//! Rows that are affine in a coordinate are eliminated with it; motion, reactions, start and mobility stay the same.
 
 use mbs_macros_core::{Analysis, analyse};
 use mbs_runtime::{Mechanism, Settings, Simulation, System, mechanism};
@@ -50,7 +49,7 @@ mechanism!(Guided {
     y: Output(rod.b.y),
 });
 
-// The same, but that the sine keeps the row from being affine.
+// The same, but with a sine the row is not affine.
 mechanism!(Held {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
     crank: Bar(
@@ -140,7 +139,7 @@ fn a_body_on_a_rail() {
         let reaction = |component| simulation.reaction("rail", component).expect("recovered");
         close(reaction("fx"), 0.0, 1e-12);
         close(reaction("fy"), 2.0 * 9.81, 1e-10);
-        // The weight acts beside the place where the rail takes hold.
+        // The weight acts beside the point of the rail.
         close(reaction("torque"), 0.2 * 2.0 * 9.81, 1e-10);
     }
     let saved =
@@ -169,7 +168,7 @@ mechanism!(Train {
         at = [0.8, 0.0, 0.0]
     ),
     shaft_a: Revolute(ground, a, at = [0.0, 0.0, 0.0], axis = Z),
-    // declared the other way round: its angle is that of the ground against the wheel
+    // declared with exchanged partners: its angle is that of the ground relative to the wheel
     shaft_b: Revolute(b, ground, at = [0.3, 0.0, 0.0], axis = Z),
     shaft_c: Revolute(ground, c, at = [0.8, 0.0, 0.0], axis = Z),
     mesh: Gear(shaft_a, shaft_b, ratio = first),
@@ -203,7 +202,7 @@ mechanism!(TrainOfBodies {
     angle: Output(shaft_a.angle),
 });
 
-/// Three wheels, one degree of freedom, no row, and over many turns what Newton says of it.
+/// Three wheels, one degree of freedom, no row, compared with Newton's equations over many turns.
 #[test]
 fn a_gear_train() {
     assert_eq!(sizes::<Train>(), (1, 0));
@@ -223,7 +222,7 @@ fn a_gear_train() {
     close(output("angle"), angle, 1e-9 * angle);
     close(output("middle"), -2.0 * angle, 1e-9 * angle);
     close(output("last"), 3.0 * angle, 1e-9 * angle);
-    // What each mesh passes on accelerates the wheels behind it.
+    // The torque of each mesh accelerates the wheels behind it.
     let torque = |joint| train.reaction(joint, "torque").expect("recovered");
     close(torque("next_mesh"), c * 3.0 * alpha, 1e-10);
     let reversed = -b * 2.0 * alpha;
@@ -255,7 +254,7 @@ mechanism!(Wheels {
     angle: Output(a.angle),
 });
 
-/// A guess of a coordinate that leaves is not lost: the start is the one that changes all guesses least, weighted by mass.
+/// The guess of an eliminated coordinate is used, too: the start has the least change of all guesses, weighted by mass.
 #[test]
 fn the_same_start() {
     assert_eq!(sizes::<Wheels>(), (1, 0));
@@ -283,7 +282,7 @@ mechanism!(Coupled {
     x: Output(other.origin.x),
 });
 
-// The same in the coordinate that is left.
+// The same in the remaining coordinate.
 mechanism!(Single {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     turn: Coordinate(0.3, rate = 0.5),
@@ -309,7 +308,7 @@ mechanism!(Loose {
     x: Output(other.origin.x),
 });
 
-/// Where M varies the guesses have to fulfil the row, or it stays.
+/// If M varies and the guesses do not satisfy the row, the row stays.
 #[test]
 fn coordinates_by_hand() {
     assert_eq!(sizes::<Coupled>(), (2, 1), "the rates contradict it");
@@ -363,7 +362,7 @@ fn count(analysis: &Analysis) -> (usize, usize) {
     (system.size, system.rows.len())
 }
 
-/// Rows that say the same, or the contrary, are told as ever.
+/// Rows that are equivalent or contradictory are reported as without elimination.
 #[test]
 fn redundant_rows_stay() {
     let plain = tried(SLIDER).expect("it is right");
@@ -408,7 +407,7 @@ fn redundant_rows_stay() {
     );
 }
 
-/// A body without mass that only passes forces on leaves nothing behind.
+/// A body without mass that only transmits forces is eliminated completely.
 #[test]
 fn massless_bodies_vanish() {
     let slider = "Planar(coordinates = Natural), crank: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.7),
@@ -419,7 +418,7 @@ fn massless_bodies_vanish() {
     assert_eq!(count(&analysis), (3, 2));
     let mobility = analysis.mobility.expect("it assembles");
     assert_eq!((mobility.rank, mobility.mobility), (2, 1));
-    // With nothing to hold its angle it is an error, as ever.
+    // If no row holds its angle, it is an error, as before.
     let loose = slider.replace(
         "rail: Prismatic(ground.origin, slider.origin",
         "rail: PointOnLine(slider.origin, ground.origin",
@@ -428,7 +427,7 @@ fn massless_bodies_vanish() {
     assert!(messages[0].contains("`slider`"), "{messages:?}");
 }
 
-/// Only numbers divide, time and inputs stay outside, and what cannot move keeps its rows.
+/// Only numbers are divisors; rows with time or inputs are not eliminated; parts that cannot move keep their rows.
 #[test]
 fn rows_that_stay() {
     // The direction of the line is a parameter: either of its components may be zero.
@@ -441,7 +440,7 @@ fn rows_that_stay() {
     assert_eq!(count(&tried(driven).expect("it is right")), (2, 1));
     let pinned = "Planar(), bead: Particle(mass = 1.0_kg), x: Holonomic(bead.origin.x - 1.0_m), y: Holonomic(bead.origin.y),";
     assert_eq!(count(&tried(pinned).expect("it is right")), (2, 2));
-    // A rope of constant length between what two rows hold says nothing any more.
+    // The two couplings already fix the distance of the particles: the row of the rope is redundant.
     let vacuous = "Planar(), bead: Particle(mass = 1.0_kg), other: Particle(mass = 1.0_kg), rope: Distance(bead.origin, other.origin, length = 1.0_m),
         x: Coupling(bead.origin.x, other.origin.x, ratio = 1.0), y: Coupling(bead.origin.y, other.origin.y, ratio = 1.0, offset = 1.0_m),";
     let vacuous = tried(vacuous).expect("redundancy is no error");

@@ -1,8 +1,8 @@
-//! Where errors point: a line of a declaration, and `~` under what is wrong.
+//! Positions of errors: a line of a declaration, and `~` under the wrong tokens.
 
 use mbs_macros_core::analyse;
 
-/// What the lines stand after and may refer to.
+/// Entries before the lines, to which they may refer.
 const BEFORE: &str = "world: Planar(gravity = [0.0, -9.81_m_per_s2]),
 bar: Bar(mass = 1.0_kg, length = 1.0_m),
 pivot: Revolute(ground.origin, bar.a),
@@ -14,7 +14,7 @@ fn points_at(lines: &str, message: &str) {
     points_at_after(BEFORE, lines, message);
 }
 
-/// What the lines stand after in space.
+/// Entries before the lines, in space.
 const IN_SPACE: &str = "world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
 arm: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
 hinge: Revolute(ground, arm, at = [0.0, 0.0, 0.0], axis = X),

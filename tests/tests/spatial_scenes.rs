@@ -1,4 +1,4 @@
-//! Scenes of space: closed forms, what motion leaves as it is, and long runs with coarse steps.
+//! Scenes of space: closed forms, constants of motion, and long runs with coarse steps.
 
 use mbs_examples::scenes::bricard::BricardReference;
 use mbs_examples::scenes::cardan_shaft::CardanShaft;
@@ -42,13 +42,14 @@ fn ratio(bend: f64, angle: f64) -> f64 {
     bend.cos() / (angle.cos().powi(2) + (bend.cos() * angle.sin()).powi(2))
 }
 
-/// ω(θ) of the kinetic energy ½ J ω² (2 + (dθ₂/dθ)²), which stays.
+/// ω(θ) from the constant kinetic energy ½ J ω² (2 + (dθ₂/dθ)²).
 fn cardan_rate(shaft: &CardanShaft, angle: f64) -> f64 {
     let inertia = |angle: f64| 2.0 + ratio(shaft.bend, angle).powi(2);
     shaft.rate * (inertia(0.0) / inertia(angle)).sqrt()
 }
 
-/// When the input has turned by `angle`: ∫ dθ/ω, whose smooth and periodic integrand Simpson's rule likes.
+/// The time at which the input has turned by `angle`: ∫ dθ/ω by Simpson's rule, which is accurate for this smooth and
+/// periodic integrand.
 fn cardan_time(shaft: &CardanShaft, angle: f64) -> f64 {
     let intervals = 4000;
     let width = angle / f64::from(intervals);
@@ -128,7 +129,7 @@ fn a_spherical_pendulum_runs_between_two_roots() {
         let mut simulation = simulation(pendulum, step);
         let (mut worst, mut lowest, mut highest): (f64, f64, f64) = (0.0, 0.0, -1.0);
         for half in 1..=12 {
-            // A grid of its own for each half period: none of its instants is a multiple of the step.
+            // A separate grid for each half period: none of its instants is a multiple of the step.
             for part in 1..=20 {
                 simulation
                     .run_until(0.5 * period * (f64::from(half - 1) + f64::from(part) / 20.0))
@@ -249,7 +250,7 @@ fn stiffness_does_not_limit_the_step_of_the_governor() {
         let report = simulation.report();
         assert_eq!(report.rejected_steps, 0, "{report:?}");
         let height = simulation.output("height").expect("declared");
-        // The error that the convergence of second order from steps of 1 ms lets expect.
+        // The expected error, by convergence of second order from steps of 1 ms.
         let error = (height - last("a05_flyball_governor.csv", "s_m")).abs();
         assert!(error <= 50.0 * step * step, "{height}");
     });
@@ -275,7 +276,7 @@ fn bricard_swings_with_coarse_steps() {
     });
 }
 
-/// Newton's method may go to and fro for ever on steps in which a disk turns several times.
+/// Newton's method may oscillate without end in steps in which a disk turns several times.
 #[test]
 fn steps_that_are_far_too_long_come_to_an_end() {
     let scene = &mbs_examples::scenes::rolling_disk::TILTED;

@@ -1,4 +1,4 @@
-//! Declared velocities of parts whose points are merged with those of slender bars, which have none to declare.
+//! Declared velocities of parts whose points are merged with those of slender bars, which have no declared velocities.
 
 use mbs_runtime::{Simulation, mechanism};
 
@@ -22,7 +22,7 @@ mechanism!(Chain {
     ),
     pivot: Spherical(ground.origin, upper.a),
     elbow: Spherical(upper.b, lower.a),
-    // to the first bar only by way of the second
+    // connected with the first bar only through the second
     eye: Spherical(middle, lower.a),
     knot: Spherical(bob, lower.b),
     middle_velocity: Output(middle.velocity),

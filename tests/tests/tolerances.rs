@@ -1,11 +1,12 @@
-//! The error of a run beside its reference stays within ten times its tolerance, in sizes of the mechanism and radians.
+//! The error of a run against its reference stays within ten times its tolerance, in sizes of the mechanism and
+//! radians.
 
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scenes::scenes;
 use mbs_runtime::Settings;
 use mbs_runtime::output::Frame;
 
-/// Runs a scene to its end at the order that suits each tolerance.
+/// Runs a scene to its end at the order for each tolerance.
 fn check(name: &str, columns: &[&str], size: f64, tolerances: &[f64]) {
     let scene = scenes().iter().find(|scene| scene.name == name);
     let scene = scene.expect("a scene");

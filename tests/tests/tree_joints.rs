@@ -1,4 +1,5 @@
-//! Joints that become coordinates: the same motion and the same reactions as by rows, whichever partner is declared first.
+//! Joints that become coordinates: the same motion and the same reactions as with rows, for both orders of the
+//! partners.
 
 use mbs_runtime::{Mechanism, Model, Settings, Simulation, System, mechanism};
 
@@ -143,7 +144,7 @@ mod welds {
 
     #[test]
     fn welded_bodies_have_no_coordinates() {
-        // Neither has an angle that is a coordinate a memory of its turns.
+        // An angle that is a coordinate does not count turns either.
         assert_eq!(size(joints::Welds::MODEL), (3, 3, 0));
         agree(
             [&|h| run::<rows::Welds, _, _, _, _>(h, 0.4), &|h| {
@@ -188,6 +189,98 @@ mod turns {
     }
 }
 
+mod threads {
+    use super::{mechanism, *};
+
+    // The second thread is declared from the carried part to the one that carries it.
+    both!(Threads, Spatial(gravity = [0.3_m_per_s2, -1.0, -9.81]),
+        post: Body(mass = 2.0_kg, inertia = diag(0.1, 0.2, 0.15), at = [0.3, 0.2, 0.1], center_of_mass = [0.1, 0.0, 0.05]),
+        nut: Body(mass = 1.0_kg, inertia = diag(0.05, 0.04, 0.06), at = [0.5, 0.2, 0.1], orientation = turn([1.0, 2.0, 0.5], 0.7),
+            center_of_mass = [0.02, -0.03, 0.05]),
+        bolt: Body(mass = 0.6_kg, inertia = diag(0.01, 0.02, 0.025), at = [0.6, 0.4, 0.2], center_of_mass = [0.05, 0.02, 0.0]),
+        hinge: Revolute(ground, post, at = [0.0, 0.0, 0.0], axis = [0.0, 1.0, 0.3]),
+        thread: Screw(post, nut, at = [0.5, 0.2, 0.3], axis = [0.3, 0.2, 1.0], pitch = 0.4_m),
+        left: Screw(bolt, nut, at = [0.5, 0.3, 0.2], axis = [1.0, 0.0, 0.2], pitch = -0.3_m),
+        wind: TorsionSpring(left, stiffness = 3.0_Nm, angle = 0.5),
+        push: Torque(thread, value = 0.4_Nm * sin(3.0_rad_per_s * t)),
+        turned: Output(thread.angle),
+        turning: Output(thread.rate),
+        slid: Output(thread.stroke),
+        sliding: Output(left.speed),
+        unscrewed: Output(left.angle),
+        tip: Output(bolt.point(0.2, 0.3, 0.1)),
+    );
+
+    #[test]
+    fn screws_turn_and_slide_by_one_coordinate() {
+        assert_eq!(size(joints::Threads::MODEL), (3, 3, 0));
+        assert_eq!(size(rows::Threads::MODEL).2, 15);
+        agree(
+            [&|h| run::<rows::Threads, _, _, _, _>(h, 0.3), &|h| {
+                run::<joints::Threads, _, _, _, _>(h, 0.3)
+            }],
+            2e-3,
+            1e-3,
+        );
+    }
+
+    /// stroke = pitch · angle / 2π, whichever partner is declared first.
+    #[test]
+    fn the_stroke_follows_the_angle() {
+        let run = run::<joints::Threads, _, _, _, _>(1e-3, 0.3);
+        let value = |name: &str| {
+            let found = run.iter().find(|(other, _)| other == name);
+            found.expect("it is an output").1
+        };
+        let lead = 0.4 / std::f64::consts::TAU;
+        assert!(value("turned").abs() > 0.1);
+        assert!((value("slid") - lead * value("turned")).abs() < 1e-12);
+    }
+}
+
+mod jack {
+    use super::{mechanism, *};
+
+    // A nut that falls along a vertical thread, and starts with a declared speed.
+    both!(Jack, Spatial(gravity = [0.0, 0.0, -10.0_m_per_s2]),
+        nut: Body(mass = 2.0_kg, inertia = diag(0.3, 0.3, 0.1), velocity = [0.0_m_per_s, 0.0, -0.5]),
+        thread: Screw(ground, nut, at = [0.0, 0.0, 0.0], axis = Z, pitch = 0.5_m),
+        turned: Output(thread.angle),
+        fallen: Output(thread.stroke),
+        speed: Output(thread.speed),
+    );
+
+    /// (m p² + J) θ̈ = −m g p with p = pitch / 2π: uniform acceleration; the thread carries what is left of the weight.
+    #[test]
+    fn a_nut_falls_along_its_thread() {
+        let lead = 0.5 / std::f64::consts::TAU;
+        let acceleration = -2.0 * 10.0 * lead * lead / (2.0 * lead * lead + 0.1);
+        let until: f64 = 3.0;
+        let fallen = -0.5 * until + 0.5 * acceleration * until * until;
+        let force = 2.0 * (acceleration + 10.0);
+        for run in [
+            run::<rows::Jack, _, _, _, _>(1e-3, until),
+            run::<joints::Jack, _, _, _, _>(1e-3, until),
+        ] {
+            let value = |name: &str| {
+                let found = run.iter().find(|(other, _)| other == name);
+                found.unwrap_or_else(|| panic!("{name} in {run:?}")).1
+            };
+            assert!(value("turned").abs() > std::f64::consts::TAU);
+            assert!((value("turned") * lead - value("fallen")).abs() < 1e-6);
+            assert!((value("thread.fz") - force).abs() < 1e-6 * force);
+            assert!((value("thread.tz") + lead * force).abs() < 1e-6 * force);
+            for absent in ["thread.fx", "thread.fy", "thread.tx", "thread.ty"] {
+                assert!(value(absent).abs() < 1e-9);
+            }
+        }
+        assert_eq!(size(joints::Jack::MODEL), (1, 1, 0));
+        let run = run::<joints::Jack, _, _, _, _>(1e-3, until);
+        let found = run.iter().find(|(name, _)| name == "fallen");
+        assert!((found.expect("an output").1 - fallen).abs() < 1e-9);
+    }
+}
+
 mod cuts {
     use super::{mechanism, *};
 
@@ -205,7 +298,8 @@ mod cuts {
 
     #[test]
     fn the_joint_with_most_freedoms_is_cut() {
-        // Reached as early as possible, the block would hang on the ball, and a joint of four rows would close the loop.
+        // With the shortest chain the block would be carried by the ball, and a joint of four rows would close the
+        // loop.
         let rows: Vec<&str> = joints::Cuts::MODEL
             .rows
             .iter()

@@ -1,8 +1,7 @@
-//! Wrong programs: what the user sees. Each has one mistake and shows one message, at the offending tokens.
-//!
-//! The compiler is a library, so that no rustc has to run for each of them: its messages are put into rustc's form here.
-//! `TRYBUILD=overwrite cargo test -p mbs-tests --test ui` writes the `.stderr` files. That rustc shows messages in this
-//! form is tested by a few of each nature, in `mbs-runtime/tests/ui`.
+//! Wrong programs and their messages. Each program has one mistake and one message, at the wrong tokens. The compiler
+//! is a library, so that rustc does not have to run for each of them: this test writes the messages in the form of
+//! rustc. `TRYBUILD=overwrite cargo test -p mbs-tests --test ui` writes the `.stderr` files. A few programs of each
+//! sort, in `mbs-runtime/tests/ui`, test that rustc shows messages in this form.
 
 use mbs_tests::pages::pages;
 use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
@@ -11,9 +10,9 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// Where the wrong programs are, in this package.
+/// The folders of the wrong programs in this package.
 const OWN: &str = "tests/ui";
-/// Those that rustc is asked about.
+/// The folder of those that rustc compiles.
 const OF_RUSTC: &str = "../mbs-runtime/tests/ui";
 
 #[test]
@@ -31,7 +30,7 @@ fn wrong_programs() {
     assert!(checked > 100, "{checked} wrong programs only");
 }
 
-/// What rustc showed is what is made here, where that can be made.
+/// The output of rustc equals the text that is made here, if it can be made here.
 #[test]
 fn form_is_that_of_rustc() {
     let mut compared = 0;
@@ -44,7 +43,7 @@ fn form_is_that_of_rustc() {
     assert!(compared > 10, "{compared} compared only");
 }
 
-/// The message in the first chapter of the book is what its reader gets for that slip.
+/// The message in the first chapter of the book is the real message for that mistake.
 #[test]
 fn a_slip_in_the_first_chapter_is_shown_as_there() {
     let pages = pages();
@@ -67,7 +66,7 @@ fn a_slip_in_the_first_chapter_is_shown_as_there() {
     );
 }
 
-/// Calls `check` with each program of a folder and the file of its message; fails with all that is wrong.
+/// Calls `check` with each program of a folder and the file of its message; fails with a list of all errors.
 fn all(folder: &str, mut check: impl FnMut(&Path, &Path) -> Result<(), String>) -> usize {
     let programs = files(folder, "rs");
     let mut failures = String::new();
@@ -76,7 +75,7 @@ fn all(folder: &str, mut check: impl FnMut(&Path, &Path) -> Result<(), String>) 
             let _ = writeln!(failures, "{}: {why}", program.display());
         }
     }
-    // Nobody sees a message without a program.
+    // A message without a program is an error.
     for message in files(folder, "stderr") {
         if !message.with_extension("rs").exists() {
             let _ = writeln!(failures, "{}: its program is missing", message.display());
@@ -108,17 +107,17 @@ fn files(folder: &str, extension: &str) -> Vec<PathBuf> {
     files
 }
 
-/// What is shown for a program, if something is and no rustc is needed to know it.
+/// The message for a program; `None` if there is none, or if only rustc can show it.
 ///
 /// # Errors
-/// It has no `mechanism!`, or one became something that is no Rust.
+/// It has no `mechanism!`, or the generated code is not Rust.
 fn shown(program: &Path) -> Result<Option<String>, String> {
     let text = fs::read_to_string(program).map_err(|error| error.to_string())?;
     let name = program.file_name().unwrap_or_default().to_string_lossy();
     shown_of(&text, &format!("tests/ui/{name}"))
 }
 
-/// The same for a text, as if it stood in `path`.
+/// The same for a text, as if it were in `path`.
 fn shown_of(text: &str, path: &str) -> Result<Option<String>, String> {
     let tokens: TokenStream = text.parse().map_err(|_| "these are no tokens of Rust")?;
     let declarations = invocations(tokens, "mechanism");
@@ -137,9 +136,9 @@ fn shown_of(text: &str, path: &str) -> Result<Option<String>, String> {
         .map(|reports| reports.join("\n")))
 }
 
-/// The errors in what a declaration became: their messages and where they are.
+/// The errors in the code generated for a declaration: their messages and positions.
 fn errors(output: TokenStream) -> Result<Vec<(String, Range<LineColumn>)>, String> {
-    // Beside its errors stands what was understood, for editors; no error may come of that.
+    // The code also has the correct parts of the declaration, for editors; they must not give errors.
     syn::parse2::<syn::File>(output.clone())
         .map_err(|error| format!("what was emitted is not Rust: {error}"))?;
     invocations(output, "compile_error")
@@ -181,11 +180,11 @@ fn invocations(tokens: TokenStream, name: &str) -> Vec<Invocation> {
     found
 }
 
-/// An error in the form of rustc: the message, the place, the line, and carets under what is wrong. Nothing where that
-/// form is another: for what is at no token, is on several lines, or has a message of several lines.
+/// An error in the form of rustc: the message, the position, the line, and carets under the wrong tokens. `None` if the
+/// form is different: an error at no token or on several lines, or a message of several lines.
 fn report(message: &str, path: &str, text: &str, place: Range<LineColumn>) -> Option<String> {
     let Range { start, end } = place;
-    // A token has an extent; the place of the whole invocation has none outside rustc.
+    // A token has an extent; the position of the whole invocation has none outside rustc.
     if start >= end || start.line != end.line || message.contains('\n') {
         return None;
     }

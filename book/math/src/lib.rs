@@ -1,7 +1,6 @@
 //! The formulas of the book: LaTeX between dollar signs becomes MathML, which browsers show without scripts, fonts or a
-//! network.
-//!
-//! `$…$` stands in a line, `$$…$$` on lines of its own; code spans and code blocks are left alone, and `\$` is a dollar.
+//! network. `$…$` is inside a line, `$$…$$` on separate lines; code spans and code blocks are not changed, and `\$` is
+//! a dollar.
 
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser, Storage, push_mathml};
@@ -12,7 +11,7 @@ use std::fmt;
 pub struct Mistake {
     /// The formula.
     pub formula: String,
-    /// What is wrong with it.
+    /// Its error.
     pub message: String,
 }
 
@@ -102,8 +101,7 @@ fn formula(
     let events = events.into_iter().map(Ok::<_, fmt::Error>);
     let mut mathml = String::new();
     push_mathml(&mut mathml, events, config).map_err(|error| mistake(latex, error.to_string()))?;
-    // Named entities do not survive what mdBook does to HTML, and the sign of a millionth has no italic form, which the
-    // Greek letter has.
+    // mdBook destroys named entities in HTML, and the micro sign has no italic form, while the Greek letter has one.
     out.push_str(
         &mathml
             .replace("&nbsp;", "\u{a0}")

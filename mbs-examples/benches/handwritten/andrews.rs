@@ -1,8 +1,7 @@
 //! Andrews' squeezer mechanism written by hand: M, forces and rows in the seven angles of the test set (Hairer, Wanner:
-//! Solving Ordinary Differential Equations II, section VII.7), for the integrator that runs the generated equations, too.
-//!
-//! M has three blocks of two and one of one; three sines say all of it that varies. Rows are differences of three places of
-//! E against the first; every zero is left out, every constant precomputed.
+//! Solving Ordinary Differential Equations II, section VII.7), for the integrator that runs the generated equations,
+//! too. M has three blocks of two and one of one; it varies only with three sines. The rows are the differences between
+//! E on each of three chains and E on the first chain. Zeros are left out, and constants are precomputed.
 
 use mbs_examples::scenes::andrews::Andrews as Generated;
 use mbs_runtime::generated::{rows, rows_mut};
@@ -17,7 +16,7 @@ const N: usize = 7;
 /// E on three chains.
 const R: usize = 6;
 
-// Places, m.
+// Positions, m.
 const XA: f64 = -0.06934;
 const YA: f64 = -0.00227;
 const XB: f64 = -0.03635;
@@ -77,8 +76,8 @@ const AH_HE: Pair = Pair {
 const PAIRS: [(usize, usize, Pair); 3] = [(0, 1, OF_FE), (4, 3, AG_GE), (6, 5, AH_HE)];
 const GAMMA: usize = 2;
 
-/// Two bars, the second on the first, in the angle of the first and the angle between them:
-/// M = [[outer + 2 C s, inner + C s], [inner + C s, inner]].
+/// Two bars, the second at the end of the first, in the angle of the first and the angle between them: M = [[outer + 2
+/// C s, inner + C s], [inner + C s, inner]].
 #[derive(Clone, Copy)]
 struct Pair {
     outer: f64,
@@ -163,6 +162,7 @@ impl Configuration<N, N> for Andrews {
     fn guess(&self) -> (SVector<f64, N>, SVector<f64, N>) {
         (SVector::zeros(), SVector::zeros())
     }
+    #[inline]
     fn advance(&self, q: &SVector<f64, N>, v: &SVector<f64, N>, h: f64) -> SVector<f64, N> {
         q + h * v
     }
@@ -177,9 +177,11 @@ impl Configuration<N, N> for Andrews {
 impl Inertia<N, N> for Andrews {
     type Mass = Inverse;
 
+    #[inline]
     fn mass_matrix(&self, q: &SVector<f64, N>, mass: &mut impl MatrixSink) {
         write_mass(&couplings(q), mass);
     }
+    #[inline]
     fn factor_mass(&self, q: &SVector<f64, N>) -> Option<Inverse> {
         let couplings = couplings(q);
         let blocks: [[f64; 3]; 3] = std::array::from_fn(|k| {
@@ -190,6 +192,7 @@ impl Inertia<N, N> for Andrews {
         });
         Some(Inverse(blocks))
     }
+    #[inline]
     fn solve_mass(&self, mass: &Inverse, x: &mut SVector<f64, N>) {
         for ((i, j, _), block) in PAIRS.iter().zip(&mass.0) {
             let (a, b) = (x[*i], x[*j]);
@@ -198,6 +201,7 @@ impl Inertia<N, N> for Andrews {
         }
         x[GAMMA] *= 1.0 / BDE;
     }
+    #[inline]
     fn momentum(&self, q: &SVector<f64, N>, v: &SVector<f64, N>, p: &mut SVector<f64, N>) {
         momentum(&couplings(q), v, p);
     }
@@ -208,9 +212,11 @@ impl Inertia<N, N> for Andrews {
 }
 
 impl Constraints<N, N, R> for Andrews {
+    #[inline]
     fn holonomic(&self, _: f64, q: &SVector<f64, N>, phi: &mut SVector<f64, R>) {
         Places::new(q).rows(phi);
     }
+    #[inline]
     fn constraints(
         &self,
         _: f64,
@@ -249,6 +255,7 @@ impl Constraints<N, N, R> for Andrews {
         _: &mut SVector<f64, R>,
     ) {
     }
+    #[inline]
     fn row_rates(&self, a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>) {
         let a = rows(a);
         for i in 0..2 {
@@ -258,6 +265,7 @@ impl Constraints<N, N, R> for Andrews {
             rates[i + 4] = shared + a[i + 4][5] * v[5] + a[i + 4][6] * v[6];
         }
     }
+    #[inline]
     fn solve_mass_rows(&self, mass: &Inverse, a: &SMatrix<f64, N, R>, w: &mut SMatrix<f64, N, R>) {
         let (a, w) = (rows(a), rows_mut(w));
         for r in 0..R {
@@ -273,6 +281,7 @@ impl Constraints<N, N, R> for Andrews {
             }
         }
     }
+    #[inline]
     fn delassus(
         &self,
         a: &SMatrix<f64, N, R>,
@@ -303,6 +312,7 @@ impl Loads<N, N> for Andrews {
     fn inputs_mut(&mut self) -> &mut [f64] {
         &mut []
     }
+    #[inline]
     fn applied_forces(
         &self,
         _: f64,
@@ -313,6 +323,7 @@ impl Loads<N, N> for Andrews {
         motor(f);
         f[GAMMA] = spring(q[GAMMA]).0;
     }
+    #[inline]
     fn forces(&self, _: f64, q: &SVector<f64, N>, v: &SVector<f64, N>, f: &mut SVector<f64, N>) {
         forces(&couplings(q), q, v, f);
     }
@@ -326,6 +337,7 @@ impl Loads<N, N> for Andrews {
     ) {
         f_q.set(GAMMA, GAMMA, spring(q[GAMMA]).1);
     }
+    #[inline]
     fn force_tangents(
         &self,
         _: f64,
@@ -337,6 +349,7 @@ impl Loads<N, N> for Andrews {
     ) {
         tangents(&couplings(q), q, v, f_q, f_v, p_q);
     }
+    #[inline]
     fn balance(
         &self,
         _: f64,
@@ -349,6 +362,7 @@ impl Loads<N, N> for Andrews {
         momentum(&couplings, v, p);
         forces(&couplings, q, v, f);
     }
+    #[inline]
     fn balance_tangents(
         &self,
         _: f64,

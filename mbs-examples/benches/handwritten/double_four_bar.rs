@@ -1,6 +1,6 @@
 //! The double four-bar written by hand, as an engineer would write it for this one mechanism: the same two-level step
-//! (kick, leapfrog, kick; multipliers extrapolated from the last two steps; chord iteration on A₀M⁻¹A₀ᵀ, renewed as
-//! B = A₁M⁻¹A₀ᵀ where it converges slowly), on fixed arrays, with every zero left out and every constant precomputed.
+//! (kick, leapfrog, kick; multipliers extrapolated from the last two steps; chord iteration on A₀M⁻¹A₀ᵀ, replaced by
+//! B = A₁M⁻¹A₀ᵀ if it converges slowly), on fixed arrays, without zeros and with precomputed constants.
 /// Tips of the three cranks.
 const N: usize = 6;
 /// Three cranks, two couplers.
@@ -19,7 +19,7 @@ struct Mass {
     inverse: [[f64; 3]; 3],
     /// M⁻¹(e_{j+1} − e_j) for coupler j.
     coupler: [[f64; 3]; 2],
-    /// M⁻¹f: how fast the tips would fall, were the bars' lengths not kept (half of a crank's weight hangs on its pivot).
+    /// M⁻¹f: the acceleration of the tips without the rows of the bars (the pivot carries half of a crank's weight).
     fall: [f64; 3],
 }
 

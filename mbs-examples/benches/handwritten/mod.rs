@@ -1,7 +1,7 @@
-//! Mechanisms written by hand, as an engineer would write them for this one mechanism: the yardsticks of the generated
-//! code. Keep them as they are.
+//! Equations written by hand, as an engineer would write them for one mechanism, for comparison with the generated
+//! code. Do not change them.
 
-// Each bench uses its own part.
+// Each benchmark uses a part of this module.
 #![allow(dead_code, unused_imports)]
 
 mod andrews;

@@ -1,5 +1,5 @@
-//! A pole is balanced on a cart, which a motor moves through a crank and a rod. The controller runs at 1 kHz, in real
-//! time, against the simulated machine.
+//! A controller balances a pole on a cart, which a motor moves through a crank and a rod. It runs at 1 kHz, in real
+//! time, with the simulated machine.
 
 use mbs_runtime::{Settings, Simulation, SimulationError, mechanism};
 use std::time::{Duration, Instant};
@@ -37,8 +37,8 @@ const PERIOD: f64 = 1e-3;
 ///
 ///     a ẍ + b θ̈ = u,    b ẍ + c θ̈ = b g θ
 ///
-/// with x the cart's position, θ the lean and u the force of the rod on the cart. So y = x + c/b θ obeys ÿ = g θ, and u
-/// can give it four poles at −ω.
+/// with x the cart's position, θ the lean and u the force of the rod on the cart. So y = x + c/b θ satisfies ÿ = g θ,
+/// and with u as feedback the controller has four poles at −ω.
 struct Controller {
     a: f64,
     b: f64,
@@ -75,12 +75,12 @@ impl Controller {
             + 6.0 * omega.powi(2) * y[2]
             + 4.0 * omega * y[3]);
         let force = a * g * lean - (a * c - b * b) / (b * g) * fourth;
-        // The crank stands upright: a force to the right is a torque clockwise.
+        // The crank is vertical: a force to the right is a clockwise torque.
         -Self::CRANK_LENGTH * force
     }
 }
 
-/// What came of it.
+/// The results.
 struct Outcome {
     lean: f64,
     position: f64,
@@ -88,9 +88,9 @@ struct Outcome {
     late: u32,
 }
 
-/// Balances for some seconds; `real_time` keeps pace with the clock.
+/// Balances for some seconds; with `real_time` each period takes its real time.
 fn balance(seconds: f64, real_time: bool) -> Result<Outcome, SimulationError> {
-    // Without placement every step has the length of the period, wherever the machine stands.
+    // Without placement every step has the length of the period, in every pose.
     let settings = Settings {
         step: PERIOD,
         placement: false,

@@ -1,4 +1,4 @@
-//! What a page has to know of a mechanism, as lines of fields with tabs between them.
+//! The data of a mechanism for the page, as lines of fields with tabs between them.
 //!
 //! | line | fields |
 //! |---|---|

@@ -1,8 +1,8 @@
 //! The functions that the page calls.
 //!
-//! Numbers go both ways through one buffer of [`ROOM`] numbers that stays in place, texts come by pointer and length. Each
-//! function returns how many numbers, bytes or steps there are; a negative result −n says that it was refused, and that
-//! the reason is a text of n bytes.
+//! Numbers go both ways through one buffer of [`ROOM`] numbers that stays in place, texts come by pointer and length.
+//! Each function returns how many numbers, bytes or steps there are; a negative result −n means that the call failed,
+//! and that the reason is a text of n bytes.
 
 use crate::description::describe;
 use crate::{Figure, MECHANISMS, Refusal};

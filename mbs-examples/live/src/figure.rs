@@ -58,7 +58,7 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Starts a run from time 0; what ran there before is gone. `parameters` are in the order of the declaration; those
+    /// Starts a run from time 0, in place of an earlier one. `parameters` are in the order of the declaration; those
     /// that are missing have their defaults.
     ///
     /// # Errors
@@ -105,7 +105,7 @@ impl Figure {
     /// steps: a page shows where the method has been.
     ///
     /// # Errors
-    /// A run that was not started, and a step that cannot be taken; the run stays where it was before that step.
+    /// A run that was not started, or a step that fails; the run then keeps the state before that step.
     pub fn advance(&mut self, run: usize, time: f64, most: usize) -> Result<usize, Refusal> {
         let Run { simulation, worst } = self.run_mut(run)?;
         let mut taken = 0;

@@ -1,9 +1,8 @@
 //! The live mechanisms of the book: three scenes in a WebAssembly module, integrated in the reader's browser.
 //!
 //! The page draws and has the clock; this crate has the mechanisms and the runtime. They share a few functions
-//! ([`exports`]), a buffer of numbers and a text: no generator of bindings is needed. A [`Figure`] holds two runs of one
-//! mechanism, that of the two-level method and that of a baseline, and answers what cannot be done with a sentence for
-//! the page.
+//! ([`exports`]), a buffer of numbers and a text: no generator of bindings is needed. A [`Figure`] has two runs of one
+//! mechanism, with the two-level method and with a baseline; if a call fails it returns a message for the page.
 //!
 //! # Building the module
 //!
@@ -16,17 +15,17 @@
 //! from beside it, but not fetch a module. It is compressed, and the browser unpacks it.
 //!
 //! The file is kept in the repository. The book then needs no second target to be built, here or anywhere, and the test
-//! `digits` runs what readers get: it interprets the module of that file, takes the same steps with this crate as the
-//! processor at hand runs it, and compares all digits. A module that is older than the runtime passes as long as it computes
-//! the same, and fails when it does not; then it has to be built anew.
+//! `digits` interprets the module of that file, takes the same steps with this crate as a native program, and compares
+//! all digits. A module that is older than the runtime passes as long as its results are the same. Otherwise the test
+//! fails, and the module has to be built again.
 //!
 //! # Where digits may differ
 //!
-//! WebAssembly has the arithmetic of IEEE 754 and the square root, with all roundings prescribed, and the compiler reorders
-//! nothing: additions, products, quotients and roots are the same bits everywhere. Sines and cosines are not prescribed. In
-//! the module they are those of Rust's own port of the C library musl, elsewhere those of the platform's C library; both
-//! are right to less than a unit in the last place, and not always with the same last bit. The test says what that comes
-//! to.
+//! WebAssembly has the arithmetic of IEEE 754 and the square root, with all roundings prescribed, and the compiler
+//! reorders nothing: additions, products, quotients and roots are the same bits everywhere. Sines and cosines are not
+//! prescribed. In the module they are those of Rust's own port of the C library musl, in a native program those of the
+//! platform's C library. Both have an error of less than a unit in the last place, but not always the same last bit.
+//! The test states the effect.
 
 pub mod description;
 pub mod exports;

@@ -1,7 +1,7 @@
 //! The mechanisms of the page, as the scenes declare them.
 //!
-//! The files are those of `mbs-examples`, compiled once more: that library brings the command line and twenty other scenes,
-//! of which the module must not carry anything. Variants of a scene that are not shown leave no trace in the module.
+//! The files are those of `mbs-examples`, compiled once more: that library also has the command line and twenty other
+//! scenes, which must not be in the module. Variants of a scene that are not shown are not in the module either.
 
 use crate::scene::Scene;
 
@@ -15,7 +15,7 @@ mod pendulum;
 #[allow(dead_code)]
 mod slider_crank;
 
-/// A scene, and how far the sliders of the page move its parameters.
+/// A scene, and the ranges of its parameters on the page.
 #[derive(Debug)]
 pub struct Mechanism {
     /// The scene.
@@ -28,7 +28,7 @@ pub struct Mechanism {
     pub angles: &'static [&'static str],
 }
 
-/// All mechanisms; the page knows them by the names of their scenes.
+/// All mechanisms; the page uses the names of their scenes.
 pub static MECHANISMS: [Mechanism; 3] = [
     Mechanism {
         scene: pendulum::SCENE,

@@ -1,10 +1,10 @@
-//! What the page is told when something cannot be done.
+//! The messages to the page about failed calls.
 
 use crate::figure::STEPS;
 use mbs_runtime::SimulationError;
 use std::fmt;
 
-/// Why a call did nothing.
+/// The reason why a call failed.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Refusal {
     /// There is no mechanism of this index.

@@ -1,5 +1,5 @@
-//! What readers get against what this crate computes on the processor at hand: the same steps, digit by digit; the same
-//! refusals; no way to make either panic; and a page that stays small.
+//! The module of the book compared with this crate as a native program: the same steps, digit by digit; the same
+//! refusals; no panic in either; and a small page.
 
 mod module;
 
@@ -130,8 +130,8 @@ fn the_pendulum_has_the_same_digits_until_a_sine_is_rounded_differently() {
     assert!(worst < 1e-12, "{worst:e}");
 }
 
-/// The same with five angles and an implicit step, so with many sines and cosines in each. Against the C library of GNU one
-/// of them is first rounded differently in step 31, or 30; a module of another runtime is betrayed by its first step.
+/// The same with five angles and an implicit step, so with many sines and cosines in each. Against the C library of GNU
+/// one of them is first rounded differently in step 31, or 30; a module of another runtime differs in its first step.
 #[test]
 fn bricard_has_the_same_digits_but_for_roundings_of_sines() {
     let mut both = Both::new();
@@ -185,7 +185,7 @@ fn what_cannot_be_is_answered_with_a_sentence() {
         let answer = both.start(mechanism, method, step, parameters);
         let text = answer.expect_err("it cannot be");
         assert!(text.contains(word), "{text}");
-        // And nothing runs.
+        // No run is active.
         assert!(both.step().is_err() && both.page.read(0).is_err());
     };
     refused(9, 0, 1e-3, &[], "no mechanism 9");
@@ -198,8 +198,8 @@ fn what_cannot_be_is_answered_with_a_sentence() {
     refused(2, 0, 1e-3, &[1.0, 0.0], "not positive definite");
 }
 
-/// Parameters at and beyond the ends of the sliders, and such as nobody means. Either side may refuse or stop; neither
-/// panics, and both say the same, but for the digits of residuals that are round-off.
+/// Parameters at and beyond the ends of the sliders, and meaningless ones. Either side may refuse or stop; neither
+/// panics, and both have the same messages, except for the digits of residuals that are round-off.
 #[test]
 fn no_value_makes_a_panic() {
     const HOSTILE: [f64; 9] = [
@@ -231,7 +231,7 @@ fn no_value_makes_a_panic() {
                             Ok(()) => ran += 1,
                             Err(_) => refused += 1,
                         }
-                        // What stops here may go on there, where it hangs on a rounding.
+                        // If the outcome depends on rounding, a run may stop on one side only.
                         let _ = figure.advance(0, f64::INFINITY, 20);
                         let _ = page.advance(0, f64::INFINITY, 20);
                         let _ = (figure.read(0, &mut out), page.read(0));
@@ -246,7 +246,7 @@ fn no_value_makes_a_panic() {
     );
 }
 
-/// What the page tells of a run.
+/// The results of a run that the page states.
 struct Told {
     mechanism: &'static str,
     method: &'static str,
@@ -318,7 +318,7 @@ fn the_numbers_of_the_page_are_so() {
     }
 }
 
-/// What the page tells of methods that do not get through.
+/// The statements of the page about methods that fail.
 #[test]
 fn methods_stop_where_the_page_says() {
     let (mut figure, mut head) = (Figure::default(), [0.0; HEAD]);
@@ -335,7 +335,7 @@ fn methods_stop_where_the_page_says() {
     assert!(figure.advance(0, 0.2, usize::MAX).is_err());
 }
 
-/// All that the page adds to the book.
+/// The size of all files that the page adds to the book.
 #[test]
 fn the_page_is_small_and_asks_for_nothing() {
     let (mut size, mut scripts) = (0, 0);

@@ -40,7 +40,7 @@ enum Kind {
 }
 
 impl Chart {
-    /// Measures what is not known yet and draws.
+    /// Measures the points that the file does not have yet, and draws.
     pub fn run(&self) -> Result<(), Failure> {
         let directory = self.out.clone().unwrap_or_else(|| "out/chart".into());
         fs::create_dir_all(&directory).map_err(|e| Failure::writing(&directory, e))?;
@@ -51,7 +51,7 @@ impl Chart {
         }
     }
 
-    /// Opens the file of a chart; `settings` say what its numbers are.
+    /// Opens the file of a chart; `settings` is the description of its numbers.
     fn store(
         &self,
         path: &Path,

@@ -1,4 +1,4 @@
-//! `mbs explain`: what was modelled.
+//! `mbs explain`: the model of a scene.
 
 use std::fmt::{self, Write as _};
 
@@ -102,7 +102,7 @@ fn explain(out: &mut String, scene: &Scene) -> fmt::Result {
     Ok(())
 }
 
-/// What the symbolic expressions and the assembled mechanism say about the equations.
+/// The properties of the equations that follow from the symbolic expressions and the assembled mechanism.
 fn structure(out: &mut String, scene: &Scene) -> fmt::Result {
     let structure = scene.model.structure;
     let depends = |yes: bool, true_case, false_case| if yes { true_case } else { false_case };
@@ -162,7 +162,7 @@ fn assembled(out: &mut String, simulation: &dyn AnySimulation) -> fmt::Result {
     writeln!(out, "  flow         {}", simulation.flow().name())
 }
 
-/// Coordinates beside the velocities that move them; the components of a point or rotation share a line.
+/// Coordinates, each with its velocity; the components of a point or rotation are on one line.
 fn state(model: &Model) -> Vec<[String; 4]> {
     let (coordinates, velocities) = (grouped(model.coordinates), grouped(model.velocities));
     let lines = coordinates.len().max(velocities.len());
@@ -194,7 +194,7 @@ fn grouped(list: &[Coordinate]) -> Vec<[String; 2]> {
     groups.into_iter().map(|(group, _)| group).collect()
 }
 
-/// What each joint can tell, and whether it is determined.
+/// The reactions of each joint, and whether they are determined.
 fn reactions(out: &mut String, model: &Model) {
     let mut joints: Vec<[String; 3]> = Vec::new();
     let mut unit = "";

@@ -1,4 +1,4 @@
-//! Why a command failed, in words.
+//! The message of a command that failed.
 
 use std::io;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Things by name, with a suggestion where the name is not quite right.
+//! Finds items by name; for an unknown name the message suggests a similar one.
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;

@@ -73,12 +73,12 @@ fn object(scene: &Scene) -> Value {
     })
 }
 
-/// What `mbs simulate --set` takes.
+/// The names for `mbs simulate --set`.
 fn quantity(quantity: &Quantity) -> Value {
     json!({"name": quantity.name, "unit": quantity.unit, "default": quantity.default})
 }
 
-/// The rank is numerical: it is known once the mechanism is assembled.
+/// The rank is computed numerically, so that the mechanism has to be assembled.
 fn rank(scene: &Scene) -> Option<usize> {
     let settings = Settings {
         step: scene.step,

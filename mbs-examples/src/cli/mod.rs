@@ -1,4 +1,4 @@
-//! The command line. Every failure is a message with what to do on stderr, and exit code 1.
+//! The command line. A failure gives a message on stderr that says what to do, and exit code 1.
 
 mod chart;
 mod explain;
@@ -35,9 +35,9 @@ enum Command {
     List(list::List),
     /// Run a scene, write its trajectory, diagrams and animation, and print a summary.
     Simulate(simulate::Simulate),
-    /// Say what was modelled in a scene.
+    /// Show the model of a scene.
     Explain(explain::Explain),
-    /// Compare the methods: speed against accuracy, stability, what a model costs.
+    /// Compare the methods: speed against accuracy, stability, the cost of models.
     Chart(chart::Chart),
     /// Draw the figures of the paper, with other methods beside its own.
     Paper(paper::Paper),
@@ -56,7 +56,7 @@ pub fn main() -> ExitCode {
             Command::Paper(paper) => paper.run(),
             Command::Pages(pages) => pages.run(),
         },
-        // Asked for help or the version: not a failure.
+        // The options for help and version are not failures.
         Err(message) if !message.use_stderr() => print::print(&message.to_string()),
         Err(message) => {
             let _ = message.print();
@@ -66,7 +66,7 @@ pub fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure(message)) => {
-            // A closed stderr leaves nobody to tell.
+            // If stderr is closed, the message is lost.
             let _ = std::io::Write::write_all(
                 &mut std::io::stderr(),
                 format!("error: {message}\n").as_bytes(),

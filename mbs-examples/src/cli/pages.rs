@@ -1,4 +1,4 @@
-//! `mbs pages`: numbers that programs measured, in the README and the book.
+//! `mbs pages`: writes measured numbers into the README and the book.
 
 use std::fs;
 use std::path::PathBuf;
@@ -38,7 +38,7 @@ impl Pages {
             }
         }
         match (list.is_empty(), self.check) {
-            (true, _) => print("every page is as its data render to\n"),
+            (true, _) => print("every page is up to date\n"),
             (false, true) => Err(Failure(format!("stale; `mbs pages` writes them:\n{list}"))),
             (false, false) => print(&format!("written:\n{list}")),
         }

@@ -1,4 +1,4 @@
-//! `mbs paper`: the figures of the paper as ours.
+//! `mbs paper`: the figures of the paper, with our code.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ pub struct Paper {
 }
 
 impl Paper {
-    /// Takes the runs that are not known yet and draws.
+    /// Makes the runs that the files do not have yet, and draws.
     pub fn run(&self) -> Result<(), Failure> {
         let extent = match self.quick {
             true => Extent::QUICK,
@@ -116,7 +116,7 @@ impl Paper {
     }
 }
 
-/// How the runs ended.
+/// The ends of the runs.
 fn summary(rows: &[Row]) -> String {
     let heading = [
         ("run", Align::Left),

@@ -1,11 +1,11 @@
-//! The progress bar on stderr; it hides itself where stderr is not a terminal.
+//! The progress bar on stderr; it is not shown if stderr is not a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-/// Parts of the run that the bar tells apart.
+/// Number of parts of the run that the bar distinguishes.
 const PARTS: f64 = 1000.0;
 
-/// How far a run has come.
+/// The progress of a run.
 pub struct Progress {
     bar: ProgressBar,
     end: f64,
@@ -31,19 +31,19 @@ impl Progress {
         }
     }
 
-    /// Removes the bar: what follows it on the terminal is the summary.
+    /// Removes the bar: the summary follows on the terminal.
     pub fn finish(self) {
         self.bar.finish_and_clear();
     }
 }
 
-/// How many points of a chart are known, and the time that the rest will take.
+/// The number of points of a chart that are done, and the time for the rest.
 pub struct Points {
     bar: ProgressBar,
 }
 
 impl Points {
-    /// A bar over so many points.
+    /// A bar for this number of points.
     pub fn new(chart: &'static str, points: u64) -> Self {
         let bar = ProgressBar::new(points);
         let style =
@@ -55,12 +55,12 @@ impl Points {
         Points { bar }
     }
 
-    /// Points of this are measured now.
+    /// The part of the chart that is measured now.
     pub fn at(&self, what: &'static str) {
         self.bar.set_message(what);
     }
 
-    /// One more is known.
+    /// One more point is done.
     pub fn tick(&self) {
         self.bar.inc(1);
     }

@@ -1,4 +1,4 @@
-//! What a user asked `mbs simulate` for, checked before anything runs.
+//! The request of a user to `mbs simulate`, checked before the run.
 
 use mbs_examples::scene::Scene;
 use mbs_runtime::{AnySimulation, Method, Settings};
@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::find::unknown;
 use super::simulate::Simulate;
 
-/// A run that makes sense.
+/// A run whose arguments were checked.
 pub struct Request {
     /// Up to this time, s.
     pub duration: f64,
@@ -49,7 +49,7 @@ impl Request {
         Ok(request)
     }
 
-    /// True if the run is of the scene as it was declared, so that its reference applies.
+    /// Whether the run has the declared values of the scene, so that its reference applies.
     pub fn is_unchanged(&self) -> bool {
         self.parameters.is_empty() && self.inputs.is_empty()
     }

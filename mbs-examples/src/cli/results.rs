@@ -21,7 +21,7 @@ pub const FILES: [&str; 4] = [
     "motion.html",
 ];
 
-/// A directory that is being filled.
+/// The directory of a run in progress.
 pub struct Results {
     directory: PathBuf,
     trajectory: CsvWriter<BufWriter<File>>,
@@ -31,7 +31,7 @@ impl Results {
     /// Makes the directory and begins the trajectory.
     pub fn create(directory: &Path, scene: &Scene) -> Result<Self, Failure> {
         fs::create_dir_all(directory).map_err(|e| Failure::writing(directory, e))?;
-        // What an earlier run left must not pass for this one's, should it be ended from outside.
+        // Files of an earlier run are removed: if this run is interrupted, they must not look like its results.
         for name in &FILES[1..] {
             let _ = fs::remove_file(directory.join(name));
         }

@@ -17,9 +17,9 @@ use super::request::Request;
 use super::results::Results;
 use super::summary;
 
-/// Instants that are recorded at most, give or take one.
+/// The largest number of recorded instants, up to one.
 const MOST_SAMPLES: f64 = 2000.0;
-/// Instants that are looked at, at least, where they fall between steps.
+/// The least number of recorded instants, if they are between steps.
 const LOOKS: f64 = 500.0;
 
 /// Arguments of `mbs simulate`. Numbers are read as text, so that all of them are checked in one place.
@@ -30,7 +30,7 @@ pub struct Simulate {
     /// Simulated time, s [default: the scene's].
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub time: Option<String>,
-    /// Step, s [default: the scene's]; with --tolerance the first one that is tried.
+    /// Step, s [default: the scene's]; with --tolerance the first step.
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub step: Option<String>,
     /// Chooses the steps, and the order too: the accuracy wanted, relative to the size of the mechanism, for example 1e-6.
@@ -40,7 +40,7 @@ pub struct Simulate {
     /// penalty.
     #[arg(long, value_name = "M", default_value = "two-level")]
     pub method: String,
-    /// Order of the method: 2, 4, 6 or 8 [default: 2, or what suits --tolerance].
+    /// Order of the method: 2, 4, 6 or 8 [default: 2, or the order that fits --tolerance].
     #[arg(long, value_name = "N")]
     pub order: Option<String>,
     /// Value of a parameter or an input; may be repeated.
@@ -54,7 +54,7 @@ pub struct Simulate {
     pub json: bool,
 }
 
-/// What a run gave, complete or not.
+/// The results of a run, complete or not.
 pub struct Run {
     /// The scene.
     pub scene: &'static Scene,
@@ -66,7 +66,7 @@ pub struct Run {
     pub cpu: f64,
     /// Why it ended before its end.
     pub stopped: Option<SimulationError>,
-    /// How far it is from the scene's reference; `Err` says why it was not compared.
+    /// The deviation from the reference of the scene; `Err` is the reason if it was not compared.
     pub reference: Result<Vec<Deviation>, String>,
     /// Where the files are.
     pub files: Option<PathBuf>,
@@ -83,7 +83,7 @@ impl Simulate {
             (None, true) => None,
             (None, false) => Some(PathBuf::from("out").join(scene.name)),
         };
-        // The trajectory is opened now and written as it comes: a run that is ended from outside leaves its part.
+        // The trajectory is written during the run: an interrupted run leaves its part.
         let mut results = files
             .as_deref()
             .map(|d| Results::create(d, scene))
@@ -135,7 +135,7 @@ fn integrate(
         Ok::<(), Failure>(())
     };
     record(&mut run.frames, run.simulation.as_ref())?;
-    // Steps that a tolerance calls for go past the samples, which are then looked back at.
+    // With a tolerance steps go beyond a sample, whose state is computed afterwards.
     let between = run.simulation.settings().tolerance.is_some();
     let samples = (end / interval - 1e-6).ceil().max(1.0) as u64;
     for sample in 1..=samples {
@@ -152,7 +152,7 @@ fn integrate(
         run.cpu += started.elapsed().as_secs_f64();
         if let Err(error) = advanced {
             run.stopped = Some(error);
-            // The last step that succeeded is where to look for the reason.
+            // The state after the last successful step shows the reason.
             if run
                 .frames
                 .last()
@@ -178,7 +178,9 @@ fn integrate(
     Ok(())
 }
 
-/// Where a tolerance chooses the steps a part of the reference's interval, else a whole number of steps, so that sampling shortens none; of these one that meets the reference's instants.
+/// The interval of the samples. With a tolerance it is a fraction of the interval of the reference. Otherwise it is a
+/// whole number of steps, so that samples shorten no step, and if possible one whose samples include the instants of
+/// the reference.
 fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64 {
     let wanted = reference.and_then(ReferenceTable::interval);
     if request.settings.tolerance.is_some() {
@@ -197,7 +199,7 @@ fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64
     steps * step
 }
 
-/// The scene's reference, or why there is none to compare with.
+/// The reference of the scene, or the reason why there is no comparison.
 fn reference(scene: &Scene, request: &Request) -> Result<ReferenceTable, String> {
     let Some(reference) = &scene.reference else {
         return Err("the scene has none".to_owned());

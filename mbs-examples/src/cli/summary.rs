@@ -1,4 +1,4 @@
-//! What `mbs simulate` says about a run.
+//! The summary of `mbs simulate`.
 
 use std::fmt::Write as _;
 
@@ -59,7 +59,7 @@ pub fn json(run: &Run) -> String {
     format!("{object:#}\n")
 }
 
-/// The step, s; where a tolerance chose it, the average one.
+/// The step, s; with a tolerance the mean step.
 fn step(run: &Run) -> f64 {
     match run.simulation.settings().tolerance {
         Some(_) => run.simulation.time() / run.simulation.report().steps.max(1) as f64,
@@ -94,7 +94,7 @@ fn by_declared_name(model: &Model, values: &[f64]) -> Map<String, Value> {
     object
 }
 
-/// The summary for people.
+/// The summary as text.
 pub fn text(run: &Run) -> String {
     let mut text = String::new();
     // Writing to a String cannot fail.
@@ -254,7 +254,7 @@ fn write_reference(out: &mut String, run: &Run) -> std::fmt::Result {
     Ok(())
 }
 
-/// Ten digits; all of them are in the trajectory.
+/// Ten digits; the trajectory has all digits.
 fn readable(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),

@@ -10,17 +10,17 @@ const TOP: f64 = 92.0;
 const BOTTOM: f64 = 570.0;
 /// Room for the failed runs, between the frame and the largest error.
 const FAILED: f64 = 26.0;
-/// Errors below this are drawn at it.
+/// Smaller errors are drawn at this value.
 const FLOOR: f64 = 1e-16;
 
-/// What is drawn of a point.
+/// The error of a point that is drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {
     /// Index into [`Point::errors`].
     pub index: usize,
-    /// In file names and switches.
+    /// Name in file names and switches.
     pub name: &'static str,
-    /// At the axis.
+    /// Label of the axis.
     pub axis: &'static str,
 }
 
@@ -43,7 +43,7 @@ pub const MEASURES: [Measure; 3] = [
     },
 ];
 
-/// The looks of a method: the colour tells the family, marker and dash the member; they stay apart in grey.
+/// The style of a method: the colour shows the family, marker and dash the member; the styles differ also in grey.
 fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
     match label {
         "two-level 2" => ("#14507d", Marker::Disk, "", 2.6),
@@ -69,7 +69,7 @@ fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
     }
 }
 
-/// Log-log axes over the place of the diagram.
+/// Log-log axes over the area of the diagram.
 struct Axes {
     x: [i32; 2],
     y: [i32; 2],

@@ -1,4 +1,4 @@
-//! One run: how it ended, how wrong it was, and its processor time.
+//! One run: its outcome, its errors, and its processor time.
 
 use cpu_time::ProcessTime;
 use mbs_runtime::{AnySimulation, SimulationError};
@@ -7,10 +7,10 @@ use super::methods::Entry;
 use super::outcome::{ASTRAY, Outcome};
 use super::yardstick::{INSTANTS, Yardstick, worse};
 
-/// How wrong a run was.
+/// The errors of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Errors {
-    /// How it ended.
+    /// Its outcome.
     pub outcome: Outcome,
     /// Processor time until it ended, comparisons included, s.
     pub cpu: f64,
@@ -27,7 +27,7 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// Of a run without numbers.
+    /// For a run without numbers.
     fn of(outcome: Outcome, detail: String) -> Self {
         Errors {
             outcome,
@@ -41,7 +41,7 @@ impl Errors {
     }
 }
 
-/// Runs to the end of the yardstick and compares; gives up after `patience` seconds of processor time.
+/// Runs to the end of the yardstick and compares; stops after `patience` seconds of processor time.
 pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64) -> Errors {
     let mut errors = Errors::of(Outcome::Ok, String::new());
     let mut simulation = match yardstick.build(entry, control) {

@@ -1,19 +1,19 @@
-//! The methods that are compared, each tuned as its users would.
+//! The methods that are compared, each with the settings that its users would choose.
 
 use mbs_runtime::{
     BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, PaperSettings,
     PenaltySettings, Settings,
 };
 
-/// Algorithm 1 halves its steps down to this part of the step, which nobody can stop in between.
+/// Algorithm 1 halves its steps down to this fraction of the step; the halved steps cannot be interrupted.
 const SMALLEST: f64 = 1e-3;
-/// The penalty that Algorithm 1 needs at the singular poses of the paper's mechanisms with steps of 1e-3 s; that of its
-/// default suits longer steps.
+/// The penalty that Algorithm 1 needs at the singular poses of the paper's mechanisms with steps of 1e-3 s; its default
+/// is for longer steps.
 const HEAVY: f64 = 1e4;
 /// Its label.
 const PAPER_HEAVY: &str = "alf3f-paper 1e4";
 
-/// What makes a method finer.
+/// The parameter that refines a method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Control {
     /// The length of its steps.
@@ -57,7 +57,7 @@ impl Entry {
         })
     }
 
-    /// What makes it finer.
+    /// The parameter that refines it.
     pub fn control(&self) -> Control {
         match self.method {
             _ if self.tolerant => Control::Tolerance,
@@ -69,10 +69,9 @@ impl Entry {
         }
     }
 
-    /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance.
-    ///
-    /// What has the unit of a frequency follows the duration: a user gives a mechanism of milliseconds a stiffer
-    /// stabilisation than one of seconds. Runs of ten seconds have the default values.
+    /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance. Settings
+    /// with the unit of a frequency depend on the duration: for motions of milliseconds a user chooses a stiffer
+    /// stabilisation than for motions of seconds. Runs of ten seconds have the default values.
     pub fn settings(&self, model: &Model, duration: f64, control: f64) -> Settings {
         let pace = 10.0 / duration;
         if self.tolerant {
@@ -108,7 +107,7 @@ impl Entry {
         };
         let step = match self.control() {
             Control::Step => control,
-            // The longest that it may take.
+            // The longest step that it may take.
             Control::Tolerance => duration / 50.0,
         };
         Settings {

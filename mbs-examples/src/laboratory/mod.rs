@@ -1,7 +1,6 @@
-//! The method laboratory: speed against accuracy, stability where methods fail, and what a model costs.
-//!
-//! A chart is a plan of points, a [`store`] that keeps each point as it comes, and pictures of what the store holds: long
-//! work can be interrupted and goes on where it was.
+//! The method laboratory: speed against accuracy, maps of stability, and the cost of models. A chart is a plan of
+//! points, a [`store`] that keeps each measured point, and pictures made from the store. So a long measurement can be
+//! interrupted and continued.
 
 pub mod diagram;
 pub mod measure;

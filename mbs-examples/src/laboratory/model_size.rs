@@ -1,4 +1,4 @@
-//! One slider-crank modelled in four ways: what each costs at the same accuracy.
+//! One slider-crank modelled in four ways: the cost of each at the same accuracy.
 
 use std::io;
 
@@ -28,14 +28,14 @@ pub const COLUMNS: [&str; 13] = [
 /// How many of them identify a row.
 pub const KEYS: usize = 3;
 
-/// Position errors that are asked for, m.
+/// The bounds of the position error, m.
 const BOUNDS: [f64; 2] = [1e-3, 1e-6];
-/// The methods that have to meet them.
+/// The methods.
 const METHODS: [&str; 3] = ["two-level 2", "two-level 8", "projected 8"];
 /// Numbers of steps grow by this factor, from the least of them to the most.
 const FINER: f64 = 1.15;
 const STEPS: [f64; 2] = [50.0, 300_000.0];
-/// A run is given up after this processor time, s.
+/// A run is stopped after this processor time, s.
 const PATIENCE: f64 = 2.0;
 
 /// Rows of the chart of so many models.
@@ -43,7 +43,7 @@ pub fn points(models: usize) -> usize {
     models * METHODS.len() * BOUNDS.len()
 }
 
-/// Measures what the store does not hold yet; times are the least of `repeats` in turns.
+/// Measures the rows that the store does not have yet; times are the least of `repeats`, in which the models alternate.
 ///
 /// # Errors
 /// A file that cannot be written.

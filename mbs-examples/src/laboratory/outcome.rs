@@ -1,30 +1,30 @@
-//! How a run ended. The book states the criteria before the results (`results/criteria.md`).
+//! The outcome of a run. The book states the criteria before the results (`results/criteria.md`).
 
 use mbs_runtime::SimulationError;
 
-/// Energy that may appear or vanish, as a part of the largest kinetic energy.
+/// Gain or loss of energy that is allowed, relative to the largest kinetic energy.
 pub const ENERGY: f64 = 0.1;
-/// Violation of a position row, as a part of the size of the mechanism.
+/// Violation of a position row that is allowed, relative to the size of the mechanism.
 pub const DRIFT: f64 = 1e-3;
-/// Distance from the right motion, as a part of the size of the mechanism.
+/// Distance from the right motion that is allowed, relative to the size of the mechanism.
 pub const ASTRAY: f64 = 0.1;
 
-/// How a run ended.
+/// The outcome of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Outcome {
-    /// To its end, on the right branch.
+    /// It reached its end on the right branch.
     Ok,
-    /// In poses that the mechanism does not pass, or far from where it should be.
+    /// Its poses are not on the right motion, or its position error is too large.
     WrongBranch,
-    /// Rows violated, or energy lost.
+    /// Rows are violated, or energy was lost.
     Drift,
-    /// Energy gained, or no finite state.
+    /// Energy was gained, or the state is not finite.
     EnergyGrowth,
-    /// The smallest step was not small enough.
+    /// Even the smallest step failed.
     StepUnderflow,
-    /// An iteration did not end.
+    /// An iteration did not converge.
     NoConvergence,
-    /// It took too long and was given up.
+    /// It took too long and was stopped.
     TooSlow,
     /// The method does not apply to such a mechanism.
     Refused,
@@ -67,7 +67,7 @@ impl Outcome {
         !matches!(self, Outcome::Ok | Outcome::TooSlow | Outcome::Refused)
     }
 
-    /// What an error of a simulation means.
+    /// The outcome for an error of a simulation.
     pub fn of_error(error: &SimulationError) -> Self {
         match error {
             SimulationError::StepUnderflow { .. } => Outcome::StepUnderflow,

@@ -1,4 +1,4 @@
-//! A picture of an outcome map: a letter in each cell says what its colour says.
+//! A picture of an outcome map: each cell has the colour and the letter of its outcome.
 
 use super::outcome::Outcome;
 use super::stability::{Cell, Map};
@@ -9,7 +9,7 @@ const TOP: f64 = 70.0;
 const CELL: [f64; 2] = [84.0, 24.0];
 const MUTED: &str = "#5b6169";
 
-/// Colour, ink and letter; the lightness tells outcomes apart in grey.
+/// Colour, ink and letter; the lightness differs between outcomes.
 fn looks(outcome: Outcome) -> (&'static str, &'static str, &'static str) {
     match outcome {
         Outcome::Ok => ("#e4f0e2", INK, "✓"),

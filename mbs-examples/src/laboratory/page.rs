@@ -1,10 +1,10 @@
-//! One page for any browser, without network: pictures with a switch for each thing that they differ in.
+//! One page for any browser, without network: pictures, with one switch for the scene and one for the measure.
 
 use std::fmt::Write as _;
 
 use super::svg::escape;
 
-/// A picture and what it shows.
+/// A picture with its scene and measure.
 pub struct Picture {
     /// Value of the first switch: a scene.
     pub scene: String,

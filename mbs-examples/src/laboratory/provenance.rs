@@ -1,4 +1,4 @@
-//! Where numbers come from: the machine and the commit.
+//! The source of numbers: the machine and the commit.
 
 use std::path::Path;
 use std::process::Command;
@@ -11,7 +11,7 @@ pub fn provenance() -> String {
 fn commit() -> String {
     let git = |arguments: &[&str]| {
         let mut git = Command::new("git");
-        // Others may be asking at the same time.
+        // Other processes may call it at the same time.
         git.arg("--no-optional-locks");
         git.arg("-C").arg(Path::new(env!("CARGO_MANIFEST_DIR")));
         let output = git.args(arguments).output().ok()?;
@@ -21,7 +21,7 @@ fn commit() -> String {
     let Some(commit) = git(&["rev-parse", "--short=12", "HEAD"]) else {
         return "unknown".to_owned();
     };
-    // Documents do not change what is measured.
+    // Changes of documents do not change the results.
     match git(&["status", "--porcelain", "--", "*.rs", "*.toml"]) {
         Some(changes) if changes.is_empty() => commit,
         _ => format!("{commit} with changes"),

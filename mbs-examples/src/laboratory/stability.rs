@@ -1,4 +1,4 @@
-//! Outcome maps: a method and a step (or a penalty, a stiffness, a ratio of masses) to how runs end.
+//! Outcome maps: the outcome of runs for a method and a step (or a penalty, a stiffness, a ratio of masses).
 
 mod maps;
 mod run;
@@ -28,7 +28,8 @@ pub struct Problem {
     pub parameters: Vec<(String, f64)>,
     /// s
     pub duration: f64,
-    /// Whether one coordinate says all: then its poses are a curve, and a run that leaves it is on a wrong branch.
+    /// Whether it has one degree of freedom: then its poses form a curve, and a run that leaves the curve is on a wrong
+    /// branch.
     pub one_degree_of_freedom: bool,
 }
 
@@ -65,9 +66,9 @@ impl Problem {
 
 /// One run of a cell.
 pub struct Trial {
-    /// What is run.
+    /// The problem.
     pub problem: Problem,
-    /// And how.
+    /// The settings.
     pub settings: Settings,
 }
 
@@ -77,7 +78,7 @@ pub struct Map {
     pub name: &'static str,
     /// For people.
     pub title: &'static str,
-    /// What the columns are.
+    /// The quantity of the columns.
     pub axis: &'static str,
     /// Labels of the rows.
     pub rows: Vec<String>,

@@ -1,4 +1,4 @@
-//! A CSV file that grows by one row as each point is known, and from which interrupted work goes on.
+//! A CSV file with one row for each measured point, from which an interrupted measurement continues.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
@@ -18,8 +18,8 @@ pub struct Store {
 }
 
 impl Store {
-    /// Opens the file for rows of these columns, the first `keys` of which identify a point. Rows that are there are kept
-    /// if the note above them is the same: the machine, the commit and the settings; otherwise the file is begun again.
+    /// Opens the file for rows of these columns, the first `keys` of which identify a point. Existing rows are kept if
+    /// the note above them is the same (machine, commit and settings); otherwise the file is written anew.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -39,7 +39,7 @@ impl Store {
             head,
         };
         if let Some(body) = text.strip_prefix(&store.head) {
-            // What follows the last line end was being written when the work was interrupted.
+            // Text after the last end of line is incomplete: the measurement was interrupted there.
             for line in body.split_inclusive('\n').filter(|l| l.ends_with('\n')) {
                 let row: Row = line.trim_end().split(',').map(str::to_owned).collect();
                 if row.len() == store.columns {
@@ -61,7 +61,7 @@ impl Store {
         self.rows.iter().find(|row| row[..self.keys] == *key)
     }
 
-    /// Keeps a row, in place of an earlier one of the same point. It is on disk when this returns.
+    /// Stores a row and replaces an earlier one of the same point. It is on disk when this returns.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -99,7 +99,7 @@ fn line(row: &Row) -> String {
     format!("{}\n", row.join(","))
 }
 
-/// Commas and line ends separate cells and rows: messages do without.
+/// Removes commas and line ends from messages, because they separate cells and rows.
 fn clean(cell: &str) -> String {
     cell.replace(',', ";").replace(['\n', '\r'], " ")
 }

@@ -1,4 +1,4 @@
-//! The few shapes that the pictures are made of. Text and lines take the colours of the page that a picture is set in.
+//! The shapes of the pictures. Text and lines have the colours of the surrounding page.
 
 use std::fmt::Write as _;
 
@@ -7,14 +7,14 @@ pub const INK: &str = "#1d2126";
 /// Fine lines.
 pub const GRID: &str = "#dcded9";
 
-/// A picture that grows.
+/// A picture under construction.
 pub struct Svg {
     width: f64,
     height: f64,
     body: String,
 }
 
-/// Where a text is held.
+/// The anchor of a text.
 #[derive(Debug, Clone, Copy)]
 pub enum Anchor {
     /// At its start.
@@ -108,7 +108,7 @@ impl Svg {
         ));
     }
 
-    /// A text that reads upwards, in the middle of its place.
+    /// A vertical text, read upwards, centred at its position.
     pub fn upright(&mut self, [x, y]: [f64; 2], size: f64, text: &str) {
         let text = escape(text);
         self.push(format_args!(

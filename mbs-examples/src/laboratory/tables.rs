@@ -1,4 +1,4 @@
-//! The charts as tables in Markdown, for the book: who is fastest for an accuracy, and what failed.
+//! The charts as tables in Markdown, for the book: the fastest methods for an accuracy, and the failures.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -15,12 +15,12 @@ pub const COARSE_BOUNDS: [i32; 3] = [-2, -5, -8];
 /// Families that are compared with the fastest.
 const FAMILIES: [&str; 2] = ["two-level", "projected"];
 
-/// The place of the position error and of the energy error in [`Point::errors`].
+/// The indices of the position error and of the energy error in [`Point::errors`].
 pub const POSITION: usize = 0;
 /// As [`POSITION`].
 pub const ENERGY: usize = 1;
 
-/// Methods by the time, s, that an error of this measure takes: the fastest first.
+/// Methods with the time, s, that they need for an error of this measure, the fastest first.
 pub fn ranking(points: &[Point], measure: usize, bound: f64) -> Vec<(&str, f64)> {
     let mut curves: BTreeMap<&str, Vec<&Point>> = BTreeMap::new();
     for point in points {
@@ -30,7 +30,7 @@ pub fn ranking(points: &[Point], measure: usize, bound: f64) -> Vec<(&str, f64)>
     let mut ranking = Vec::new();
     for (method, mut curve) in curves {
         curve.sort_by(|a, b| b.value.total_cmp(&a.value));
-        // A lucky step does not count: the next finer one has to be as good.
+        // To exclude accidental results, the next finer step has to be within the bound, too.
         let kept = curve
             .windows(2)
             .filter(|pair| pair.iter().all(|p| within(p)));
@@ -72,7 +72,7 @@ pub fn front(points: &[Point], bounds: &[i32]) -> String {
     out
 }
 
-/// Failures of each method, counted: rows of a table of scene, method and outcomes.
+/// Numbers of failures of each method: lines of a table of scene, method and outcomes.
 pub fn failures(scene: &str, points: &[Point], labels: &[&str]) -> String {
     let mut out = String::new();
     for &label in labels {
@@ -103,9 +103,9 @@ pub fn refused<'a>(points: &[Point], labels: &[&'a str]) -> Vec<&'a str> {
     labels.iter().filter(refuses).copied().collect()
 }
 
-/// Every failed cell of a map: row, outcome, columns (with the number of runs where not all failed, or there were several).
+/// Every failed cell of a map: method, outcome, columns (with the number of failed runs, if the cell has several runs).
 pub fn failed_cells(map: &Map, cells: &[Cell]) -> String {
-    let mut out = String::from("| row | outcome | columns |\n|---|---|---|\n");
+    let mut out = String::from("| method | outcome | columns |\n|---|---|---|\n");
     let mut any = false;
     for row in &map.rows {
         let mut groups: Vec<(Outcome, Vec<String>)> = Vec::new();
@@ -140,7 +140,7 @@ pub fn failed_cells(map: &Map, cells: &[Cell]) -> String {
     }
 }
 
-/// Three significant digits, as short as can be.
+/// Three significant digits, in the shortest form.
 fn short(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return x.to_string();

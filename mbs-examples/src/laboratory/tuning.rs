@@ -1,7 +1,6 @@
-//! How the parameters of the baselines were found: a search on scenes that no map and no figure shows.
-//!
-//! One parameter after the other takes every value of its grid while the others stay; the best of all stays too; until a
-//! round changes nothing. `cargo run --release -p mbs-examples --example tuning` does it; the [`table`] is in the book.
+//! The search for the parameters of the baselines, on scenes that are in no map and no figure. One parameter after the
+//! other is varied over its grid, with the other parameters constant, and keeps its best value, until a round changes
+//! nothing. `cargo run --release -p mbs-examples --example tuning` does it; the [`table`] is in the book.
 
 mod candidates;
 mod problems;
@@ -34,7 +33,8 @@ pub const KEYS: usize = 2;
 /// Rounds at most.
 const ROUNDS: usize = 2;
 
-/// Searches for the best parameters of a method; candidates that the store holds are not run again. `tick` hears of each.
+/// Searches for the best parameters of a method; candidates that the store has are not run again. `tick` is called for
+/// each candidate.
 ///
 /// # Errors
 /// A file that cannot be written.

@@ -26,24 +26,24 @@ pub const COLUMNS: [&str; 12] = [
 /// How many of them identify a point.
 pub const KEYS: usize = 4;
 
-/// After so many runs in a row that were given up finer ones are not tried.
+/// After this number of consecutive runs that were stopped, finer runs are not tried.
 const ENOUGH: u32 = 3;
 
-/// How much work a chart may be.
+/// The limits of the work for a chart.
 #[derive(Debug, Clone, Copy)]
 pub struct Effort {
-    /// A run is given up after this processor time, s.
+    /// A run is stopped after this processor time, s.
     pub patience: f64,
-    /// Times are the least of so many interleaved repeats.
+    /// Times are the least of this number of interleaved repeats.
     pub repeats: u32,
-    /// Steps are halved (tolerances divided by ten) so many times.
+    /// Number of times that steps are halved (tolerances divided by ten).
     pub levels: u32,
-    /// Of the levels only each so-many-th is taken.
+    /// Only every n-th level is taken.
     pub stride: u32,
 }
 
 impl Effort {
-    /// For a look, and for tests.
+    /// For a quick view, and for tests.
     pub const QUICK: Effort = Effort {
         patience: 0.1,
         repeats: 2,
@@ -75,7 +75,7 @@ pub struct Point {
     pub method: String,
     /// Step, s, or tolerance.
     pub value: f64,
-    /// How the run ended.
+    /// The outcome of the run.
     pub outcome: Outcome,
     /// s
     pub cpu: f64,
@@ -84,7 +84,7 @@ pub struct Point {
 }
 
 impl Point {
-    /// From a row of the file; `None` if it is no such row.
+    /// From a row of the file; `None` if the row has another form.
     pub fn read(row: &Row) -> Option<Self> {
         let number = |i: usize| row.get(i)?.parse::<f64>().ok();
         Some(Point {
@@ -105,8 +105,8 @@ fn control(entry: &Entry, duration: f64, level: u32) -> f64 {
     }
 }
 
-/// Measures what the store does not hold yet of a scene. Methods take turns, from coarse to fine, and so do the repeats: a
-/// machine that is slow for a while is slow for all.
+/// Measures the points of a scene that the store does not have yet. Methods and repeats alternate, from coarse to fine,
+/// so that a slow period of the machine affects all methods.
 ///
 /// # Errors
 /// A file that cannot be written.
@@ -118,7 +118,7 @@ pub fn measure(
 ) -> io::Result<()> {
     let entries = entries();
     let scene = yardstick.scene.name;
-    // Runs in a row that were given up; with long steps every one may take many iterations.
+    // Consecutive runs that were stopped; with long steps each of them may take many iterations.
     let mut given_up: Vec<u32> = vec![0; entries.len()];
     for level in effort.levels() {
         for (entry, given_up) in entries.iter().zip(&mut given_up) {
@@ -188,7 +188,7 @@ fn first(
     row
 }
 
-/// One more time: the least counts.
+/// Another measured time; the least one counts.
 fn again(yardstick: &Yardstick, entry: &Entry, value: f64, mut row: Row) -> Row {
     let before: f64 = row[6].parse().unwrap_or(f64::INFINITY);
     let now = time(yardstick, entry, value).unwrap_or(f64::INFINITY);

@@ -1,4 +1,4 @@
-//! What runs are held against: instants, the trusted reference, and a fine run of our own.
+//! The data that runs are compared with: instants, the reference, and a fine run of our own.
 
 use mbs_runtime::output::Frame;
 use mbs_runtime::{AnySimulation, Energy, SimulationError};
@@ -11,17 +11,17 @@ use crate::scene::Scene;
 /// Instants at which runs are compared.
 pub const INSTANTS: u32 = 50;
 
-/// A mechanism and what its runs are held against.
+/// A mechanism and the data that its runs are compared with.
 pub struct Yardstick {
     /// The mechanism.
     pub scene: &'static Scene,
     /// s
     pub duration: f64,
-    /// Trusted positions.
+    /// Reference positions.
     pub reference: ReferenceTable,
     /// The largest position in the reference, in its unit (m or rad).
     pub size: f64,
-    /// Reactions at the instants, N and N m, of a fine run of our own; none where no method could make it.
+    /// Reactions at the instants, N and N m, of a fine run of our own; none if no method could make such a run.
     pub reactions: Vec<Vec<f64>>,
     /// The method and step of that run, and its own position error.
     pub source: String,
@@ -31,7 +31,7 @@ impl Yardstick {
     /// The yardstick of a scene with a reference.
     ///
     /// # Errors
-    /// What is missing, for people.
+    /// A message about missing data.
     pub fn new(scene: &'static Scene) -> Result<Self, String> {
         let reference = scene.reference.as_ref().ok_or("the scene has none")?;
         let table = ReferenceTable::find(reference, scene.model)?
@@ -72,7 +72,7 @@ impl Yardstick {
         self.duration * f64::from(i) / f64::from(INSTANTS)
     }
 
-    /// A frame with nothing but outputs: what the reference is compared with.
+    /// A frame with outputs only, for the comparison with the reference.
     pub fn frame(&self, time: f64, outputs: Vec<f64>) -> Frame {
         Frame {
             time,
@@ -87,7 +87,7 @@ impl Yardstick {
         }
     }
 
-    /// The largest position error over the frames, m or rad; infinite where it is not a number.
+    /// The largest position error over the frames, m or rad; infinite if it is not a number.
     pub fn distance(&self, frames: &[Frame]) -> f64 {
         let deviations = self.reference.compare(frames);
         let positions = deviations
@@ -96,7 +96,7 @@ impl Yardstick {
         positions.fold(0.0, |most, deviation| worse(most, deviation.largest))
     }
 
-    /// The run of our own that is nearest to the reference gives the reactions.
+    /// The reactions of that run of our own whose positions are nearest to the reference.
     fn find_reactions(&mut self) {
         let mut best = f64::INFINITY;
         for label in ["two-level 8", "projected 8", "two-level 2"] {
@@ -129,7 +129,7 @@ impl Yardstick {
     }
 }
 
-/// The larger error; what is not a number is the largest.
+/// The larger error; NaN counts as the largest.
 pub fn worse(a: f64, b: f64) -> f64 {
     if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }

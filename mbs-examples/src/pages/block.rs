@@ -12,11 +12,11 @@ pub struct Found<'p> {
     pub name: &'p str,
     /// Where its text is, in bytes.
     pub text: Range<usize>,
-    /// Whether it is a part of a line. (A comment at the beginning of a line ends the paragraph before it.)
+    /// Whether it is a part of a line. (A comment at the beginning of a line would end the paragraph before it.)
     pub inline: bool,
 }
 
-/// The blocks of a page, in their order. What is shown as code is none.
+/// The blocks of a page, in their order. Text inside a code fence is not a block.
 ///
 /// # Errors
 /// A comment that does not end, a block that does not end, or one inside another.
@@ -63,7 +63,7 @@ fn end_of(name: &str) -> String {
     format!("<!-- end of {name}{CLOSE}")
 }
 
-/// The text of a block as it is on its page: a part of a line, or lines of their own.
+/// The text of a block in the form for its page: a part of a line, or separate lines.
 pub fn framed(found: &Found, new: &str) -> String {
     let new = new.trim();
     match found.inline {

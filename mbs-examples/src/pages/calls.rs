@@ -1,10 +1,10 @@
-//! How often explicit steps call the accelerations.
+//! Numbers of calls of the accelerations in explicit steps.
 
 use super::data::{Data, Line};
 use super::markdown::{significant, table as markdown, thousands};
 use super::rival::{BOUNDS, FILE, SCENES, best, first};
 
-/// The rival's calls beside those of `projected`.
+/// The calls of the rival and of `projected`.
 pub fn table(data: &Data) -> Result<String, String> {
     const HEADING: [&str; 6] = [
         "scene",

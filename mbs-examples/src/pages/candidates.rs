@@ -1,4 +1,4 @@
-//! The descriptions that were compared.
+//! The coordinate descriptions that the compiler compared.
 
 use mbs_runtime::Model;
 
@@ -8,7 +8,7 @@ use crate::table::{Align, table};
 
 use Align::{Left, Right};
 
-/// The heading that `mbs explain` gives them, and the table.
+/// The table of the candidates, with the heading of `mbs explain`.
 pub fn considered(model: &Model) -> String {
     let rows = model.candidates.iter().map(|candidate| {
         [
@@ -49,7 +49,7 @@ fn cut(joints: &[&str]) -> String {
     }
 }
 
-/// Of two scenes, as `mbs explain` prints them.
+/// The tables of two scenes, as `mbs explain` prints them.
 pub fn text(_: &Data) -> Result<String, String> {
     let parts =
         ["slider-crank", "bricard"].map(|name| scene(name).map(|scene| considered(scene.model)));

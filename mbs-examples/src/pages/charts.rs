@@ -16,7 +16,7 @@ use crate::scenes::scenes;
 /// Scenes that are shown in full; those of a quick chart.
 pub const IN_FULL: [&str; 3] = ["slider-crank", "double-four-bar", "bricard"];
 
-/// What there is to measure in a scene.
+/// The measures of a scene.
 pub fn measures(scene: &Scene) -> impl Iterator<Item = Measure> {
     let reacts = !scene.model.reactions.is_empty();
     MEASURES
@@ -24,12 +24,12 @@ pub fn measures(scene: &Scene) -> impl Iterator<Item = Measure> {
         .filter(move |measure| measure.index != 2 || reacts)
 }
 
-/// Where the points of speed against accuracy are from.
+/// Source of the points of speed against accuracy.
 pub fn work_precision_source(data: &Data) -> Result<String, String> {
     Ok(data.table("work-precision.csv")?.source())
 }
 
-/// Where the cells of the maps are from.
+/// Source of the cells of the maps.
 pub fn stability_source(data: &Data) -> Result<String, String> {
     Ok(data.table("stability.csv")?.source())
 }
@@ -42,7 +42,7 @@ pub fn work_precision(data: &Data) -> Result<String, String> {
     Ok(fronts(&measured, &results.rows))
 }
 
-/// Who is the fastest in these scenes, and what failed.
+/// The fastest methods in these scenes, and the runs that failed.
 pub fn fronts(scenes: &[&Scene], rows: &[Row]) -> String {
     let entries = entries();
     let labels: Vec<&str> = entries.iter().map(|entry| entry.label).collect();

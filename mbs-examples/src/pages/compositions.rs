@@ -1,4 +1,4 @@
-//! Symmetric compositions by work.
+//! Symmetric compositions, compared by work.
 
 use super::data::Data;
 use super::markdown::table as markdown;

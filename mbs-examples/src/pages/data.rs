@@ -87,7 +87,7 @@ impl Table {
     /// The first row with these cells.
     ///
     /// # Errors
-    /// There is none.
+    /// There is no such row.
     pub fn find(&self, cells: &[(&str, &str)]) -> Result<Line<'_>, String> {
         let fits = |line: &Line| {
             cells
@@ -122,7 +122,7 @@ impl<'t> Line<'t> {
     /// A cell as a number.
     ///
     /// # Errors
-    /// It is none.
+    /// It is not a number.
     pub fn number(&self, column: &str) -> Result<f64, String> {
         let text = self.text(column)?;
         let number = text.parse();

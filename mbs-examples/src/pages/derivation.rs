@@ -1,4 +1,4 @@
-//! How long deriving takes.
+//! Time of the derivation.
 
 use super::data::Data;
 use super::markdown::{paragraph, significant};
@@ -13,8 +13,8 @@ pub fn sentence(data: &Data) -> Result<String, String> {
         Ok::<_, String>(significant(line.number("total_ms")?, 2))
     };
     Ok(paragraph(&format!(
-        "Deriving and emitting the slider-crank takes {} ms in an unoptimised compiler, Bricard's mechanism in both descriptions, \
-         with its loop cut in two ways, {} ms (`cargo run --profile unoptimised -p mbs-examples --example derivation_times`).",
+        "To derive and emit the slider-crank takes an unoptimised compiler {} ms. Bricard's mechanism in both descriptions, with its \
+         loop cut in two ways, takes {} ms (`cargo run --profile unoptimised -p mbs-examples --example derivation_times`).",
         time("slider-crank")?,
         time("bricard")?,
     )))

@@ -10,7 +10,7 @@ fn count(results: &Table, name: &str, step: &str) -> Result<f64, String> {
     line.number("instructions")
 }
 
-/// The generated step beside those written by hand.
+/// The generated step compared with one written by hand.
 pub fn beside_hand(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
     let pair = |step| {
@@ -27,10 +27,10 @@ pub fn beside_hand(data: &Data) -> Result<String, String> {
     let (hand, generated) = (time("hand-written")?, time("generated")?);
     let scene = |name, step| count(&results, name, step).map(thousands);
     Ok(paragraph(&format!(
-        "The generated step of the double four-bar takes {} times the instructions of one written by hand for that mechanism at \
+        "The generated step of the double four-bar takes {} times the instructions of a step written by hand for that mechanism at \
          h = 1e-3 s and {} times at 1e-2 s ({} and {}, counted by callgrind), and {} times its time ({} against {} µs, least of \
-         interleaved repeats; `cargo bench -p mbs-examples --bench step_instructions`). The step of `bricard` in joint coordinates \
-         takes {} instructions, that by bodies {}; that of `andrews` {}, and {} with equations written by hand.",
+         interleaved repeats; `cargo bench -p mbs-examples --bench step_instructions`). The step of `bricard` takes {} \
+         instructions in joint coordinates and {} by bodies; that of `andrews` takes {}, and {} with equations written by hand.",
         short.0,
         long.0,
         short.1,
@@ -45,12 +45,13 @@ pub fn beside_hand(data: &Data) -> Result<String, String> {
     )))
 }
 
-/// Mechanisms with rows that always follow from others.
+/// Mechanisms with rows that are redundant in every pose.
 pub fn redundant(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
     let scene = |name| count(&results, name, "1e-2").map(thousands);
     Ok(paragraph(&format!(
-        "A step of `bricard` (5 rows of rank 4) takes {} instructions this way, one of `bricard-reference` (30 rows of rank 29) {}.",
+        "With this elimination a step of `bricard` (5 rows of rank 4) takes {} instructions, a step of `bricard-reference` (30 rows \
+         of rank 29) {}.",
         scene("bricard")?,
         scene("bricard-reference")?,
     )))

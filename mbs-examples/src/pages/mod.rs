@@ -1,9 +1,9 @@
-//! What programs write into the README and the book.
+//! The parts of the README and the book that programs write.
 //!
-//! Programs that measure keep their results as CSV below `book/src/results`. `mbs pages` renders these into the pages: into
-//! blocks between two comments, and into whole files that pages include. `tests/pages.rs` fails where a page is not what its
-//! data render to. [`registry`] lists the blocks; a new one is a function from [`Data`](data::Data) to Markdown, a line
-//! there, and two comments on the page.
+//! Programs that measure keep their results as CSV below `book/src/results`. `mbs pages` renders these into the pages:
+//! into blocks between two comments, and into whole files that pages include. `tests/pages.rs` fails if a page differs
+//! from the text rendered from its data. [`registry`] lists the blocks; a new one is a function from
+//! [`Data`](data::Data) to Markdown, a line there, and two comments on the page.
 
 pub mod block;
 mod calls;

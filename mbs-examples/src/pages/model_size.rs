@@ -1,4 +1,4 @@
-//! One mechanism in four ways.
+//! One mechanism, modelled in four ways.
 
 use super::data::Data;
 use super::markdown::{significant, table as markdown};

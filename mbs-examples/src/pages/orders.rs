@@ -36,7 +36,7 @@ pub const SCENES: [(&Scene, &[&str]); 2] = [
 ];
 /// s
 pub const DURATION: f64 = 10.0;
-/// Samples, which end steps, of these runs, and those of `mbs simulate` with steps of 0.025 s, s.
+/// Times between samples, which end steps: of these runs, and of `mbs simulate` with steps of 0.025 s; s.
 pub const INTERVALS: [f64; 2] = [0.5, 0.05];
 const STEP: &str = "2.5e-2";
 const ORDERS: [&str; 3] = ["4", "6", "8"];
@@ -148,7 +148,7 @@ pub fn table(data: &Data) -> Result<String, String> {
     Ok(markdown(&HEADING, &rows))
 }
 
-/// What more samples change.
+/// The effect of more samples.
 pub fn samples(data: &Data) -> Result<String, String> {
     let runs = data.table(FILE)?;
     let line = |interval| {
@@ -162,15 +162,15 @@ pub fn samples(data: &Data) -> Result<String, String> {
     };
     let says = |line: Line| {
         Ok::<_, String>(format!(
-            "{} stages, {} m",
+            "{} stages, with a position error of {} m",
             thousands(line.number("stages")?),
             error(line.number("position_error_m")?)
         ))
     };
     Ok(paragraph(&format!(
-        "Without a tolerance samples end steps: a step that was placed is followed by a shorter one up to the next sample. So \
-         a run depends on its samples. `mbs simulate slider-crank --order 6 --step 0.025`, which samples every 0.05 s, takes {} of position error; \
-         the table of orders, with a sample every 0.5 s, has {}.",
+        "Without a tolerance a step ends at each sample. After a step whose length was changed by placement, the last step before \
+         the sample is shorter. So a run depends on its samples. `mbs simulate slider-crank --order 6 --step 0.025`, with a \
+         sample every 0.05 s, takes {}; the run in the table of orders, with a sample every 0.5 s, takes {}.",
         says(line("5e-2")?)?,
         says(line("5e-1")?)?,
     )))

@@ -4,7 +4,7 @@ use super::data::Data;
 use super::markdown::{error, table as markdown};
 use crate::laboratory::paper::{COMPARED, EXACT, ensemble_table, run_table};
 
-/// How the runs of a figure ended, with their settings.
+/// The ends of the runs of a figure, with their settings.
 fn runs(data: &Data, number: u8) -> Result<String, String> {
     let runs = data.table(&format!("paper/figure-{number}-runs.csv"))?;
     let samples = data.table(&format!("paper/figure-{number}.csv"))?;
@@ -16,7 +16,7 @@ fn runs(data: &Data, number: u8) -> Result<String, String> {
     Ok(format!("{table}\nMeasured at {}.\n", runs.source()))
 }
 
-/// How the starts of its ensembles ended.
+/// The ends of the runs of its ensemble.
 fn ensembles(data: &Data, number: u8) -> Result<String, String> {
     let members = data.table(&format!("paper/figure-{number}-ensemble.csv"))?;
     Ok(ensemble_table(&members.rows))

@@ -1,4 +1,4 @@
-//! Singular passages at random steps from random phases.
+//! Passages with random steps from random phases.
 
 use super::data::{Data, Line};
 use super::markdown::{about, error, paragraph, significant, table as markdown};
@@ -72,11 +72,11 @@ pub fn table(data: &Data) -> Result<String, String> {
         "{}\n\n{}",
         markdown(&HEADING, &rows),
         paragraph(&format!(
-            "At eighth order with placement the worst run of the double four-bar is off by {} J, that of the slider-crank, with its \
-             longest steps, by {} J. On the double four-bar {} % of these steps have a ratio above 3, {} at most: errors are \
-             some {} J there, and the constraint tolerance of 1e-13 of the size lets a stage go without a correction now and then, \
-             which by forces of 100 N is 1e-11 J. With a tolerance of 1e-15 (`--example passage_phases 500 double-four-bar 1e-15`) \
-             {} % are within 3, and the largest is {}.",
+            "At eighth order with placement the largest energy error of the double four-bar is {} J, that of the slider-crank, with its \
+             longest steps, {} J. On the double four-bar {} % of these values of h have a ratio above 3, {} at most. The errors \
+             are about {} J there. With the constraint tolerance of 1e-13 of the size a stage sometimes needs no correction; its \
+             residual times forces of 100 N is 1e-11 J. With a tolerance of 1e-15 (`--example passage_phases 500 \
+             double-four-bar 1e-15`) {} % of the ratios are 3 at most, and the largest is {}.",
             about(says(four, "energy_error_worst_J")?),
             about(says(slider, "energy_error_worst_J")?),
             significant(100.0 - says(four, "within_3_percent")?, 2),

@@ -1,4 +1,4 @@
-//! Where programs that measure write their results: `--csv DIR`, or nowhere.
+//! The option `--csv DIR` of programs that measure: the folder for their results.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// Of this process; `command` is what it was started with, for the first line of the files.
+    /// The arguments of this process; `command` is the command line for the first line of the files.
     pub fn new(command: &'static str) -> Self {
         let mut recorder = Recorder {
             command,
@@ -26,7 +26,7 @@ impl Recorder {
         while let Some(argument) = arguments.next() {
             match argument.as_str() {
                 "--csv" => recorder.directory = arguments.next().map(PathBuf::from),
-                // Cargo says this to every bench.
+                // Cargo passes this to every benchmark.
                 "--bench" => {}
                 _ => recorder.arguments.push(argument),
             }
@@ -34,7 +34,7 @@ impl Recorder {
         recorder
     }
 
-    /// A file of the directory. What it holds is kept if machine and commit are the same.
+    /// A file of the directory. Its rows are kept if machine and commit are the same.
     ///
     /// # Errors
     /// A file that cannot be written.

@@ -6,10 +6,10 @@ use super::{
     phases, rival, rows, scenes, springs, tolerances, tuning, which,
 };
 
-/// From the data to Markdown; what is missing, for people.
+/// From the data to Markdown; the error is a message about missing data.
 pub type Render = fn(&Data) -> Result<String, String>;
 
-/// Where a text is; paths from the top of the repository.
+/// The position of a text; paths are relative to the top of the repository.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place<'p> {
     /// Between the two comments of this name.

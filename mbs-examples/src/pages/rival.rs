@@ -1,12 +1,12 @@
-//! Explicit Runge–Kutta steps beside the two-level ones: times at the best settings, and which these are.
+//! Explicit Runge–Kutta steps compared with two-level steps: times at the best settings, and these settings.
 
 use super::data::{Data, Line, Table};
 use super::markdown::{significant, table as markdown};
 
 /// Below `book/src/results`.
 pub const FILE: &str = "readme/rival.csv";
-/// Columns of the file; the first three identify a row. Cells behind them are empty where a family never stays within a
-/// bound.
+/// Columns of the file; the first three identify a row. The other cells are empty if no run of a family stays within
+/// the bound.
 pub const COLUMNS: [&str; 9] = [
     "scene",
     "bound_J",

@@ -1,4 +1,4 @@
-//! How well rows hold, and the corrections that it takes.
+//! Residuals of the rows, and the number of corrections.
 
 use super::data::{Data, Table};
 use super::markdown::{error, paragraph, significant};
@@ -22,7 +22,7 @@ pub const KEYS: usize = 2;
 const RUNS: i32 = 40;
 /// Samples of a run, at most.
 const SAMPLES: f64 = 400.0;
-/// What is more than this is named: far above round-off.
+/// Residuals above this, which is far above round-off, are named.
 const NAMED: f64 = 1e-11;
 
 /// Steps, s.
@@ -72,9 +72,9 @@ pub fn measured(data: &Data) -> Result<String, String> {
         })
     };
     Ok(paragraph(&format!(
-        "More is left of the rows where a step of second order lands beside a singular pose, as a row with a pivot below 1e-6 is left \
-         out there. Each of the {own} scenes with rows was run with {RUNS} steps, from half to 1.25 times that of the table. The largest \
-         |φ|: {}. The largest |A v + b|: {}.",
+        "Where a step of second order ends beside a singular pose the residuals are larger, because a row with a pivot below 1e-6 is \
+         left out there. Each of the {own} scenes with rows was run with {RUNS} values of h, from half to 1.25 times that of the \
+         table. The largest |φ|: {}. The largest |A v + b|: {}.",
         sentence("holonomic_error")?,
         sentence("velocity_error")?,
     )))

@@ -30,7 +30,7 @@ pub const COLUMNS: [&str; 15] = [
     "velocity_error",
     "time_us",
 ];
-/// Of these a repetition gives the same, to round-off and what it grows to.
+/// A repetition gives the same values of these, except for round-off and its growth.
 pub const REPEATABLE: [&str; 5] = [
     "energy_error_J",
     "kinetic_energy_J",
@@ -41,13 +41,13 @@ pub const REPEATABLE: [&str; 5] = [
 /// How many columns identify a run.
 pub const KEYS: usize = 1;
 
-/// Scenes of the table, and what is said of them.
+/// Scenes of the table, each with a remark.
 pub const SCENES: [(&str, &str); 16] = [
     ("pendulum", " (a bar)"),
     ("slider-crank", ", through singular poses"),
     ("double-four-bar", ", through singular poses"),
     ("four-bar-10", ""),
-    ("four-bar-40", ", solved without zeros"),
+    ("four-bar-40", ", sparse elimination"),
     ("andrews", ""),
     ("chaplygin-sleigh", " (nonholonomic)"),
     ("driven-slider-crank", " (rheonomic)"),
@@ -64,7 +64,7 @@ pub const SCENES: [(&str, &str); 16] = [
 /// A scene by its name.
 ///
 /// # Errors
-/// There is none.
+/// There is no such scene.
 pub fn scene(name: &str) -> Result<&'static Scene, String> {
     let found = scenes().iter().find(|scene| scene.name == name);
     found.ok_or_else(|| format!("there is no scene `{name}`"))

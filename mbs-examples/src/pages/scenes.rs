@@ -28,7 +28,7 @@ pub fn table(data: &Data) -> Result<String, String> {
         };
         let energy = error(number("energy_error_J")?);
         let energy = match name {
-            // Its drive puts in and takes out as much.
+            // The drive does positive and negative work of this size.
             "driven-slider-crank" => {
                 format!("{energy} (of {:.0} J)", number("kinetic_energy_J")?)
             }

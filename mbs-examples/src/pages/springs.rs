@@ -1,4 +1,4 @@
-//! What the maps of stability say about stiff springs.
+//! The result of the maps of stability for stiff springs.
 
 use super::data::{Data, Table};
 use super::markdown::paragraph;
@@ -26,8 +26,8 @@ pub fn sentence(data: &Data) -> Result<String, String> {
         failed => format!("fails in {failed} of the {all} cells of all maps"),
     };
     Ok(paragraph(&format!(
-        "Beside a stiff spring constant steps are not enough: with a step of 0.01 s and ω h = 0.01, 0.1, …, 1e4 (ω² = stiffness / \
-         mass) {}. With a tolerance the method {tolerant} ([the maps](book/src/results/stability.md)).",
+        "With a stiff spring and constant steps the two-level method fails at some stiffness: with a step of 0.01 s and ω h = 0.01, \
+         0.1, …, 1e4 (ω² = stiffness / mass) {}. With a tolerance it {tolerant} ([the maps](book/src/results/stability.md)).",
         orders.join(", ")
     )))
 }

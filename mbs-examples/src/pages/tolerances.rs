@@ -1,4 +1,4 @@
-//! What a tolerance means.
+//! Errors of runs with a tolerance.
 
 use mbs_runtime::Settings;
 
@@ -95,12 +95,12 @@ pub fn others(data: &Data) -> Result<String, String> {
         })
         .collect();
     Ok(paragraph(&format!(
-        "Other orders above 2 do not do so well everywhere. Their largest multiples are {}.",
+        "Other orders above 2 have larger multiples on some scenes: the largest are {}.",
         list.join(", ")
     )))
 }
 
-/// What it costs to look between steps.
+/// The cost of instants between steps.
 pub fn looks(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
     let order = usual_order("slider-crank", "1e-6")?;
@@ -112,7 +112,7 @@ pub fn looks(data: &Data) -> Result<String, String> {
     let line = results.find(&keys)?;
     Ok(paragraph(&format!(
         "The stages of these shorter steps are counted, too: `mbs simulate slider-crank --tolerance 1e-6` shows 1001 instants \
-         and takes {} stages, of which {} lead on.",
+         and takes {} stages, of which {} belong to whole steps.",
         thousands(line.number("stages_with_looks")?),
         thousands(line.number("stages")?),
     )))

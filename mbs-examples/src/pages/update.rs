@@ -1,4 +1,4 @@
-//! Pages from their data: which are stale, and new texts.
+//! Compares the pages with their data: stale blocks, and new texts.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,12 +8,12 @@ use super::block;
 use super::data::Data;
 use super::registry::{Entry, Place};
 
-/// A file of the repository as it is and as its data render to.
+/// A file of the repository: its present text, and the text rendered from the data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Update {
     /// From the top of the repository.
     pub path: String,
-    /// The text that is there; nothing where there is no file.
+    /// The present text; empty if there is no file.
     pub old: String,
     /// The text that should be there.
     pub new: String,

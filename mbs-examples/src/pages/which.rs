@@ -1,4 +1,4 @@
-//! Which method is the fastest in each scene, for readers who do not read charts.
+//! The fastest method of each scene, in one table.
 
 use super::data::Data;
 use super::markdown::{significant, table as markdown};
@@ -55,7 +55,7 @@ fn places(points: &[Point], bound: f64) -> [String; 3] {
     ]
 }
 
-/// Counts, and what decides about methods.
+/// Numbers of velocities and rows, and the properties on which the choice of a method depends.
 fn what(scene: &Scene) -> String {
     let model = scene.model;
     let (structure, rows) = (&model.structure, model.rows.len());

@@ -1,8 +1,7 @@
 //! Andrews' squeezer mechanism: seven bodies, three loops that meet in one point, one spring and a motor; it runs at
-//! several thousand rad/s within 0.05 s.
-//!
-//! Modelled in the seven angles of the test set, each body's frame written as an expression of them: M depends on q, and
-//! three revolutes leave six rows. Reference: one coordinate with the loops closed by circle intersection.
+//! several thousand rad/s within 0.05 s. The coordinates are the seven angles of the test set, and each body's frame is
+//! an expression of them: M depends on q, and three revolutes give six rows. Reference: one coordinate, with the loops
+//! closed by the intersection of circles.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};
@@ -15,20 +14,20 @@ mechanism!(Andrews {
     motor: Param(0.033_Nm),
     /// Stiffness of the spring between C and D.
     stiffness: Param(4530.0_N_per_m),
-    /// Its length without force.
+    /// Free length of the spring.
     free_length: Param(0.07785_m),
 
     /// Initial angle of the crank.
     beta0: Param(-0.06171389001427645_rad),
-    /// Initial angle of FE against the crank.
+    /// Initial angle of FE relative to the crank.
     theta0: Param(0.0_rad),
     /// Initial angle of BDE.
     gamma0: Param(0.4552798191630704_rad),
-    /// Initial angle of GE against AG.
+    /// Initial angle of GE relative to AG.
     phi0: Param(0.22266839016588588_rad),
     /// Initial angle of AG.
     delta0: Param(0.48736497954384255_rad),
-    /// Initial angle of HE against AH.
+    /// Initial angle of HE relative to AH.
     omega0: Param(-0.22266839016588588_rad),
     /// Initial angle of AH.
     epsilon0: Param(1.2305474445498212_rad),

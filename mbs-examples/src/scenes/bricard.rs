@@ -1,13 +1,13 @@
-//! Bricard's mechanism: five rods and six revolutes of which one is superfluous, and which moves all the same.
+//! Bricard's mechanism: five rods and six revolutes with one redundant row; it has one degree of freedom.
 //!
-//! IFToMM benchmark A04. By Grübler's count it has no mobility: 30 velocities and 30 rows. One row follows from the others,
-//! so that one degree of freedom is left. The rods start at rest and swing through to the opposite pose in 2.5 s.
-//!
-//! The benchmark leaves open whether the rods are slender. Here they have a square section of 0.1 m; the scene
+//! IFToMM benchmark A04. By Grübler's count it has no mobility: 30 velocities and 30 rows. But one row follows from the
+//! others, so that there is one degree of freedom. The rods start at rest and swing to the opposite pose in 2.5 s. The
+//! benchmark does not say whether the rods are slender. Here they have a square section of 0.1 m; the scene
 //! `bricard-slender` takes 3 mm instead of the limit. The motion differs from that of the limit with the square of the
 //! width: in ten seconds by 2.1e-2 m at 0.1 m and by 1.9e-5 m at 3 mm, where the step of 0.01 s is wrong by 1.0e-3 m.
-//! Thinner rods spoil the condition of the equations with all rows: one of 1 mm turns about itself half a million times
-//! as readily as across, and `j6.rotation_y` keeps 6e-8 of its length beside the rows before it.
+//! With thinner rods the equations with all rows are ill-conditioned: the moment of inertia of a rod of 1 mm about its
+//! axis is half a million times smaller than across, and only 6e-8 of the length of row `j6.rotation_y` is independent
+//! of the rows before it.
 //!
 //! Reference: closed form of the closure, integrated in one coordinate with high precision.
 

@@ -1,8 +1,7 @@
-//! A cardan shaft: two universal joints between parallel shafts, their yokes in phase, so that the output turns exactly as
-//! the input does while the shaft between them runs ahead and behind.
-//!
-//! Closed form: with the input at θ the middle shaft turns by tan θ₂ = cos β tan θ, and with the kinetic energy kept,
-//! ω² (J₁ + J₃ + J₂ (dθ₂/dθ)²) is constant.
+//! A cardan shaft: two universal joints between parallel shafts, with their yokes in phase. So the angle of the output
+//! equals that of the input, while the angle of the shaft between them oscillates about it. Closed form: with the input
+//! at θ the middle shaft is at tan θ₂ = cos β tan θ. As the kinetic energy is constant, so is ω² (J₁ + J₃ + J₂
+//! (dθ₂/dθ)²).
 
 use crate::scene::Scene;
 use mbs_runtime::{Mechanism, mechanism};
@@ -11,7 +10,7 @@ mechanism!(CardanShaft {
     doc: "Two universal joints between parallel shafts, in phase: the second cancels what the first does.",
     world: Spatial(),
 
-    /// Angle of the middle shaft against the others.
+    /// Angle between the middle shaft and the others.
     bend: Param(35.0_deg),
     /// Length of the middle shaft.
     length: Param(0.6_m),

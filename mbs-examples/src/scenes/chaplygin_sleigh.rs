@@ -1,4 +1,5 @@
-//! The Chaplygin sleigh: a body on a knife edge behind its centre of mass. No force acts, and yet it turns round.
+//! The Chaplygin sleigh: a body on a knife edge behind its centre of mass. It turns round, although no applied force
+//! acts.
 //!
 //! Reference: closed form with hyperbolic functions.
 

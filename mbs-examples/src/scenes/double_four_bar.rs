@@ -1,7 +1,6 @@
-//! The double four-bar (IFToMM A02 with N = 2): three cranks, two couplers, all of 1 m and 1 kg.
-//!
-//! When all bars are horizontal the constraint Jacobian loses two ranks: the mechanism could leave the parallelogram
-//! branch there. Reference: closed form of the parallelogram branch.
+//! The double four-bar (IFToMM A02 with N = 2): three cranks, two couplers, all of 1 m and 1 kg. When all bars are
+//! horizontal the rank of the constraint Jacobian is lower by two, and the motion could continue on another branch than
+//! the parallelogram branch. Reference: closed form of the parallelogram branch.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

@@ -1,4 +1,4 @@
-//! Two uniform bars in a row: the simplest mechanism whose motion is chaotic. Its energy is the check.
+//! Two uniform bars in a row: the simplest mechanism with a chaotic motion. It is checked by its energy.
 
 use crate::scene::Scene;
 use mbs_runtime::{Mechanism, mechanism};

@@ -1,6 +1,5 @@
-//! A slider-crank whose crank is driven at constant speed: a rheonomic row.
-//!
-//! Reference: pure kinematics and Newton–Euler, so that every joint force and the driving torque are known.
+//! A slider-crank whose crank is driven at constant speed: a rheonomic row. Reference: kinematics, and the equations of
+//! Newton and Euler, which give every joint force and the driving torque.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

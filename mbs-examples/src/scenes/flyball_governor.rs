@@ -1,10 +1,8 @@
-//! A flyball governor whose springs are so stiff (8·10⁵ N/m) that explicit methods creep.
-//!
-//! IFToMM benchmark A05. A shaft turns freely; a slider on it is carried by two spring-dampers from two arms with balls,
-//! which hang from the shaft. Each arm with its ball is one body.
-//!
-//! The slider on one spring would swing with √(K/m) = 516 rad/s, and its dampers take 38 µs to stop it. The implicit flow is
-//! stable with steps of 20 ms; with 1 ms the height is within 2.4e-5 m over ten seconds.
+//! A flyball governor whose springs are so stiff (8·10⁵ N/m) that explicit methods need very short steps. IFToMM
+//! benchmark A05. A shaft turns freely. Two arms with balls hang from it, and two spring-dampers connect them with a
+//! slider on the shaft. Each arm with its ball is one body. The slider on one spring would oscillate at √(K/m) = 516
+//! rad/s; its dampers stop it in 38 µs. The implicit flow is stable with steps of 20 ms; with 1 ms the height is within
+//! 2.4e-5 m over ten seconds.
 //!
 //! Reference: three coordinates, integrated with high precision.
 
@@ -31,7 +29,7 @@ mechanism!(FlyballGovernor {
     stiffness: Param(8.0e5_N_per_m),
     /// Damping of each spring.
     damping: Param(4.0e4_N_s_per_m),
-    /// Length of each spring without force.
+    /// Free length of each spring.
     free_length: Param(0.5_m),
     /// Angle of the arms below the horizontal at the start.
     angle: Param(30.0_deg),

@@ -1,5 +1,5 @@
-//! The four-bar with ten loops (LIM A02, N = 10): between the double four-bar and the one with forty, to show how the cost
-//! of a step grows. Singular, with ten ranks lost, when all bars are horizontal.
+//! The four-bar with ten loops (LIM A02, N = 10), between those with two and forty loops, to show the growth of the
+//! cost of a step. It is singular when all bars are horizontal: the rank is lower by ten.
 
 use crate::scene::Scene;
 use mbs_runtime::{Mechanism, mechanism};

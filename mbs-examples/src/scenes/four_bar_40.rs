@@ -1,8 +1,6 @@
-//! The four-bar with 40 loops (LIM A02, N = 40): 41 cranks and 40 couplers, one degree of freedom, 40 ranks lost when all
-//! bars are horizontal. Reference: closed form of the parallelogram branch.
-//!
-//! The declaration is long because it is regular: crank i stands on the ground at i metres, coupler i joins the tips of
-//! cranks i − 1 and i.
+//! The four-bar with 40 loops (LIM A02, N = 40): 41 cranks and 40 couplers, one degree of freedom. When all bars are
+//! horizontal the rank is lower by 40. Reference: closed form of the parallelogram branch. The declaration is long, but
+//! regular: crank i is on the ground at i metres, coupler i joins the tips of cranks i − 1 and i.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

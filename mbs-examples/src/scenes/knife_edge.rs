@@ -1,4 +1,4 @@
-//! A skate on an inclined plane. It does not slide down on average: the knife edge turns its weight sideways.
+//! A skate on an inclined plane. On average it moves across the slope, not down, because the knife edge turns.
 //!
 //! Reference: closed form.
 

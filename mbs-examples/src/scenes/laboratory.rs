@@ -1,5 +1,5 @@
-//! Mechanisms of the method laboratory: what methods are said to fail at, one thing each, and one mechanism modelled in four
-//! ways. `mbs chart` runs them; they are not among the listed scenes.
+//! Mechanisms of the method laboratory: each has one difficulty at which methods are said to fail; one mechanism is
+//! modelled in four ways. `mbs chart` runs them; they are not in the list of scenes.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};
@@ -10,7 +10,8 @@ mechanism!(NearParallelogram {
 
     /// Length of each bar.
     length: Param(1.0_m),
-    /// How much shorter the base is. The cranks turn right round, so that one motion alone is right.
+    /// Difference between the length of the bars and that of the base. The cranks make full turns, so that only one
+    /// motion is right.
     shortfall: Param(1e-6_m),
     /// Mass of each bar.
     mass: Param(1.0_kg),
@@ -49,7 +50,7 @@ mechanism!(UnequalMasses {
     crank_mass: Param(1.0_kg),
     /// Mass of the rod.
     rod_mass: Param(1.0_kg),
-    /// Initial angular velocity of the crank: it turns right round.
+    /// Initial angular velocity of the crank: it makes full turns.
     turning: Param(8.0_rad_per_s),
 
     crank: Bar(
@@ -214,7 +215,7 @@ mechanism!(SliderCrankInSpace {
 
 const FAILURES: &str = "made for the method laboratory";
 
-/// A parallelogram that is not quite one.
+/// A near-parallelogram.
 pub static NEAR_PARALLELOGRAM: Scene = Scene {
     name: "near-parallelogram",
     title: "Parallelogram with a base 1e-6 m short",

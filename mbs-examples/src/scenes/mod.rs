@@ -28,7 +28,7 @@ pub fn scenes() -> &'static [Scene] {
     SCENES
 }
 
-// A static: programs that ask for the scenes must not compile all of them again.
+// A static: programs that use the list must not compile all scenes again.
 static SCENES: &[Scene] = &[
     pendulum::SCENE,
     pendulum::BY_ANGLE,

@@ -1,5 +1,6 @@
-//! The mechanisms of the paper's figures (Potosakis, Paraskevopoulos, Natsiavas 2020, section 7) with as many coordinates
-//! and rows as the paper's models have: the ground is a body too, fixed by six rows, and every joint is rows in space.
+//! The mechanisms of the paper's figures (Potosakis, Paraskevopoulos, Natsiavas 2020, section 7) with as many
+//! coordinates and rows as in the paper's models: the ground, too, is a body, which six rows fix, and every joint is
+//! rows in space.
 //!
 //! | | paper | here |
 //! |---|---|---|
@@ -7,9 +8,9 @@
 //! | slider-crank | 24 + 26, 3 redundant | 24 + 26, 3 redundant: ground, two rods, slider; three revolute joints, one prismatic |
 //! | double four-bar | 36 + 36, 1 redundant | 36 + 36, 1 redundant: ground, five rods; four revolute joints, one cylindrical, two spherical (seven revolute joints would be 35 rows beside those of the ground; the paper does not say which joints it has) |
 //! | Bricard | 36 + 36, 1 redundant | 36 + 36, 1 redundant: ground, five rods; six revolute joints |
-//!
-//! The centre of the ground's body is beside its joint: rows that only gave its coordinates would leave with them.
-//! What the paper gives no mass (the pendulum's rod, the slider) has little: bodies in space need some.
+//! The centre of the ground's body is beside its joint: otherwise its rows would give its coordinates, and both would
+//! be eliminated. Parts without mass in the paper (the pendulum's rod, the slider) have a small mass, which bodies in
+//! space need.
 
 use mbs_runtime::mechanism;
 
@@ -24,7 +25,7 @@ mechanism!(Pendulum {
     length: Param(1.0_m),
     /// The point mass.
     mass: Param(1.0_kg),
-    /// What a point has not: a moment of inertia about itself.
+    /// Moment of inertia of the bob about its centre, which a point does not have.
     inertia: Param(1e-4_kg_m2),
 
     base: Body(

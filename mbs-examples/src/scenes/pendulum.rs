@@ -1,7 +1,6 @@
-//! The planar pendulum (IFToMM A01): a point mass on a massless bar, released from the horizontal.
-//!
-//! As a bar it takes the two coordinates of its tip and the row that keeps its length; by an angle it takes one
-//! coordinate and no row. Reference: closed form with elliptic functions.
+//! The planar pendulum (IFToMM A01): a point mass on a massless bar, released from the horizontal. As a bar it has the
+//! two coordinates of its tip and a row for its length; in its angle it has one coordinate and no row. Reference:
+//! closed form with elliptic functions.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

@@ -1,5 +1,6 @@
-//! The rattleback: half an ellipsoid whose principal axes of inertia are askew to those of its surface. Spun the wrong way
-//! it begins to rattle, stops, and turns round; no work is done on it, and its energy stays.
+//! The rattleback: half an ellipsoid whose principal axes of inertia are not parallel to those of its surface. If it
+//! spins in the wrong direction, it begins to rattle, stops, and then spins in the other direction; no work is done on
+//! it, and its energy is constant.
 
 use crate::scene::Scene;
 use mbs_runtime::{Mechanism, mechanism};

@@ -1,6 +1,5 @@
-//! A disk that rolls without slip on a plane: one holonomic and two nonholonomic rows.
-//!
-//! Two starts: upright and fast enough to be steady, and a coin that lies almost flat and wobbles.
+//! A disk that rolls without slip on a plane: one holonomic and two nonholonomic rows. Two starts: upright and fast
+//! enough for a steady motion, and a coin that is almost flat and wobbles.
 //!
 //! The energy error is of second order and does not grow: the kicks of gravity and of the contact act at the ends of a
 //! step, between which the height changes. (1.5e-6 J with steps of 1 ms, 3.7e-7 J with half of that.)

@@ -1,11 +1,9 @@
-//! The slider-crank with two equal rods (paper, section 7.2): each half turn it passes a pose where both rods coincide
-//! and the constraint Jacobian loses a rank.
+//! The slider-crank with two equal rods (paper, section 7.2): each half turn it passes a singular pose, where both rods
+//! coincide and the rank of the constraint Jacobian is lower by one.
 //!
-//! Reference: the smooth branch, on which the rods stay mirror images, as an ordinary differential equation in the crank
-//! angle.
-//!
-//! `--method alf3f-paper` runs Algorithm 1 of the paper on it; Figures 3 to 5 of the book show that on the model of the
-//! paper's size.
+//! Reference: the smooth branch, on which the rods stay mirror images, as an ordinary differential equation in the
+//! crank angle. `--method alf3f-paper` runs Algorithm 1 of the paper on it; figures 3 to 5 of the book show Algorithm 1
+//! on a model of the same size as in the paper.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

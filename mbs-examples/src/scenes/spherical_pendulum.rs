@@ -1,5 +1,5 @@
-//! A spherical pendulum: a point on a massless rod, three coordinates and one row. The angular momentum about the vertical
-//! and the energy stay, and the height runs between two roots of a cubic.
+//! A spherical pendulum: a point on a massless rod, three coordinates and one row. The angular momentum about the
+//! vertical and the energy are constant, and the height oscillates between two roots of a cubic.
 
 use crate::scene::Scene;
 use mbs_runtime::{Mechanism, mechanism};

@@ -1,5 +1,6 @@
-//! Mechanisms on which the parameters of the baselines were searched: they hold what is hard, singular poses and redundant
-//! rows, and are none of those that the maps and the paper's figures show. They are not among the listed scenes.
+//! Mechanisms for the search of the parameters of the baselines. They have the same difficulties as those of the maps
+//! and of the paper's figures, singular poses and redundant rows, but are other mechanisms. They are not in the list of
+//! scenes.
 
 use crate::scene::Scene;
 use mbs_runtime::{Mechanism, mechanism};

@@ -1,4 +1,4 @@
-//! The animation in a real browser, where one is installed.
+//! The animation in a real browser, if one is installed.
 
 use std::collections::HashMap;
 use std::fs;
@@ -23,7 +23,7 @@ pub struct Page {
 }
 
 impl Page {
-    /// `probe` uses the page; it stands before the page's first script.
+    /// `probe` uses the page; it is inserted before the page's first script.
     pub fn new(name: &str, text: &str, width: u32, probe: &str) -> Self {
         let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("browser");
         fs::create_dir_all(&directory).expect("a directory");
@@ -59,7 +59,7 @@ impl Page {
         Some(String::from_utf8(output.stdout).expect("UTF-8"))
     }
 
-    /// What the probe reported.
+    /// The report of the probe.
     pub fn report(&self) -> Option<HashMap<String, String>> {
         let document = self.open("", "--dump-dom")?;
         let (_, root) = document.split_once("<html").expect("a document");

@@ -8,7 +8,7 @@ use crate::browser::{Page, skipped};
 /// Uses every figure of a page.
 const PROBE: &str = include_str!("live.js");
 
-/// What the page of the book says to the browser, without the book around it.
+/// The part of the page of the book with the figures, without the rest of the book.
 fn figures() -> String {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../book/src");
     let source = source.canonicalize().expect("the book is there");

@@ -1,5 +1,5 @@
-//! Diagrams and the animation of runs that are not as they should be: empty, still, with values that are not finite. And
-//! the live figures of the book.
+//! Diagrams and the animation of unusual runs: empty, without motion, with values that are not finite. And the live
+//! figures of the book.
 
 mod browser;
 mod live;
@@ -91,7 +91,7 @@ fn frame(time: f64, x: f64, kinetic: f64, error: f64) -> Frame {
     }
 }
 
-/// Runs that a drawing must survive.
+/// Unusual runs; drawing them must not fail.
 fn runs() -> Vec<Vec<Frame>> {
     vec![
         vec![],
@@ -145,7 +145,7 @@ fn animations_hold_all_frames_or_a_selection_with_both_ends() {
     for frames in runs() {
         let data = data(&motion(&frames));
         let time = data["time"].as_array().expect("an array");
-        // What never changes is one number.
+        // A constant series is one number.
         let columns = [&data["tracks"][1][0], &data["outputs"][0][2]];
         for column in columns.into_iter().filter_map(Value::as_array) {
             assert_eq!(column.len(), time.len());

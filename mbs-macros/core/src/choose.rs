@@ -1,230 +1,292 @@
 //! The choice of coordinates: each description that applies is derived and its step counted, and the cheapest is taken.
+//!
+//! The stages are run by `compile`; what stands here is asked between them: which description is next, and whether one is
+//! worth going on with.
 
-use crate::compile::Analysis;
-use crate::dag::{self, Program};
-use crate::derivatives;
-use crate::diagnostics::Errors;
-use crate::equations;
-use crate::mobility::{self, Open};
-use crate::model::{self, Description, Formulation, Model, Part, Representation};
+use crate::analysis::{Analysis, Candidate};
+use crate::dag::Program;
+use crate::diagnostics::{Errors, Failure};
+use crate::equations::System;
+use crate::mobility::{Mobility, Open};
+use crate::model::{self, Description, Formulation, Model, Outline, Part, Representation, Stored};
 use crate::refusals;
 use crate::syntax::Declaration;
 use std::collections::VecDeque;
 
-/// A description that was considered.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Candidate {
-    /// Which.
-    pub formulation: Formulation,
-    /// Q.
-    pub coordinates: usize,
-    /// N.
-    pub velocities: usize,
-    /// R.
-    pub rows: usize,
-    /// Rank of the rows near the guess, where a pose could be assembled there.
-    pub rank: Option<usize>,
-    /// Operations of a step; `None` where the linear algebra alone costs more than a whole step of another.
-    pub operations: Option<usize>,
-    /// Joints that could carry a part, and close a loop instead.
-    pub cut: Vec<String>,
-    /// Whether it is the one in use.
-    pub taken: bool,
-}
-
 /// Mechanisms with more velocities are derived with one cut only.
 const MOST_FOR_OTHER_CUTS: usize = 12;
 
-/// Derives what is asked for, or the cheapest.
-pub(crate) fn choose(
-    declaration: &Declaration,
+/// A description to be tried, and why.
+#[derive(Debug, Clone)]
+struct Trial {
+    description: Description,
+    purpose: Purpose,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Purpose {
+    /// It may be the cheapest.
+    Candidate,
+    /// As before, with rows of joints taken back that redundancy had left open.
+    RowsTakenBack,
+    /// With all rows at hand, to tell what cannot be closed.
+    Closing,
+    /// It is known that nothing is left to try with it.
+    Settled,
+}
+
+/// The search for the cheapest description.
+pub(crate) struct Search<'d> {
+    declaration: &'d Declaration,
     requested: Option<Formulation>,
-    errors: &mut Errors,
-) -> Option<Analysis> {
-    let first = Description::from(requested.unwrap_or(Formulation::Natural));
-    let model = model::resolve(declaration, &first, errors);
-    if !errors.is_empty() {
-        return None;
+    waiting: VecDeque<Trial>,
+    /// The one that the stages are working on.
+    current: Option<Trial>,
+    /// What the user has to know.
+    errors: Errors,
+    /// What is wrong with other descriptions than the first: they do not apply, and are passed over.
+    passed_over: Errors,
+    best: Option<Analysis>,
+    candidates: Vec<Candidate>,
+    taken: usize,
+}
+
+impl<'d> Search<'d> {
+    /// Begins with the description that is asked for, or with natural coordinates.
+    pub(crate) fn new(declaration: &'d Declaration) -> Self {
+        let mut errors = Errors::new();
+        let requested = model::requested(declaration, &mut errors);
+        let first = Description::from(requested.unwrap_or(Formulation::Natural));
+        let mut search = Search {
+            declaration,
+            requested,
+            waiting: VecDeque::new(),
+            current: None,
+            errors,
+            passed_over: Errors::new(),
+            best: None,
+            candidates: Vec::new(),
+            taken: 0,
+        };
+        search.queue(first, Purpose::Candidate);
+        search
     }
-    let mut waiting = other_cuts(&first, model.as_ref()?);
-    let mut best = match derive(declaration, &first, model?) {
-        Ok(best) => best,
-        Err(open) => {
-            refusals::refuse_open(declaration, &open, errors);
+
+    /// The next description to be derived.
+    pub(crate) fn next(&mut self) -> Option<Description> {
+        if !self.errors.is_empty() {
             return None;
         }
-    };
-    if let (true, Some(mobility)) = (declaration.deny_redundant, &best.mobility) {
-        refusals::refuse_redundant(declaration, mobility, &best.derived, errors);
+        self.passed_over = Errors::new();
+        self.current = self.waiting.pop_front();
+        Some(self.current.as_ref()?.description.clone())
     }
-    if requested.is_none() {
-        waiting.extend([Formulation::Reference, Formulation::Joint].map(Description::from));
-    } else if waiting.is_empty() {
-        return Some(best);
+
+    /// Where the errors of the current description belong.
+    pub(crate) fn errors(&mut self) -> &mut Errors {
+        match self.is_first() && self.purpose() == Purpose::Candidate {
+            true => &mut self.errors,
+            false => &mut self.passed_over,
+        }
     }
-    let mut candidates = vec![candidate(&mut best)];
-    let mut taken = 0;
-    while let Some(description) = waiting.pop_front() {
-        let formulation = description.formulation;
-        // What is wrong with a declaration was found already; a description that does not apply is passed over.
-        let mut passed_over = Errors::new();
-        let model = model::resolve(declaration, &description, &mut passed_over);
-        let (Some(mut model), true) = (model, passed_over.is_empty()) else {
-            continue;
-        };
-        if same(&model, &best.model) {
-            // Where no bar is its end points, natural coordinates are reference coordinates.
-            let parts = &best.model.parts;
-            let natural = |part: &Part| part.representation == Representation::Natural;
-            if formulation == Formulation::Reference && !parts.iter().any(natural) {
-                best.model.formulation = formulation;
-                candidates[0].formulation = formulation;
+
+    /// Whether a description is worth its equations, after stage 2.
+    pub(crate) fn admit(&mut self, model: Option<Model>) -> Option<Model> {
+        let trial = self.current.clone()?;
+        let model = model?;
+        match trial.purpose {
+            Purpose::Candidate => {}
+            Purpose::RowsTakenBack => {
+                // It takes the place of the description with these rows solved, which waits behind it.
+                self.waiting.pop_front();
+                return Some(model);
             }
-            continue;
+            Purpose::Closing | Purpose::Settled => return Some(model),
         }
-        let cheapest = candidates.iter().filter_map(|other| other.operations).min();
-        let size = model.layout.velocities.len();
-        let rows = count_rows(&mut model);
-        if cheapest.is_some_and(|cheapest| least(size, rows) > cheapest) {
-            candidates.push(Candidate {
-                formulation,
-                coordinates: model.layout.coordinates.len(),
-                velocities: size,
-                rows,
-                rank: None,
-                operations: None,
-                cut: model.tree.cut,
-                taken: false,
-            });
-            continue;
+        let description = trial.description;
+        if let Some(best) = &mut self.best {
+            if same(&model.outline, &model.layout.coordinates, best) {
+                // Where no bar is its end points, natural coordinates are reference coordinates.
+                let natural = |part: &Part| part.representation == Representation::Natural;
+                let formulation = description.formulation;
+                if formulation == Formulation::Reference && !best.outline.parts.iter().any(natural)
+                {
+                    best.outline.formulation = formulation;
+                    self.candidates[0].formulation = formulation;
+                }
+                return None;
+            }
+            let (size, rows) = (model.layout.velocities.len(), model.count_rows());
+            let cheapest = cheapest(&self.candidates);
+            if cheapest.is_some_and(|cheapest| least(size, rows) > cheapest) {
+                self.candidates.push(Candidate {
+                    formulation: description.formulation,
+                    coordinates: model.layout.coordinates.len(),
+                    velocities: size,
+                    rows,
+                    rank: None,
+                    operations: None,
+                    cut: model.outline.tree.cut,
+                    taken: false,
+                });
+                return None;
+            }
         }
-        waiting.extend(other_cuts(&description, &model));
-        let Ok(mut other) = derive(declaration, &description, model) else {
-            continue;
-        };
-        let own = candidate(&mut other);
-        // Of two that cost the same the one tried first stays.
-        if own.operations < cheapest {
-            best = other;
-            taken = candidates.len();
-        }
-        candidates.push(own);
+        self.queue_other_cuts(&description, &model);
+        Some(model)
     }
-    if candidates.len() > 1 || requested.is_none() {
-        candidates[taken].taken = true;
-        best.candidates = candidates;
-    }
-    Some(best)
-}
 
-/// The same description with its loops cut elsewhere.
-fn other_cuts(description: &Description, model: &Model) -> VecDeque<Description> {
-    if model.layout.velocities.len() > MOST_FOR_OTHER_CUTS {
-        return VecDeque::new();
-    }
-    let alternatives = model.tree.alternatives.iter();
-    alternatives
-        .map(|cut| Description {
-            cut: Some(cut.clone()),
-            ..description.clone()
-        })
-        .collect()
-}
-
-/// A description with its equations. Where redundancy leaves the reaction of a solved row open, the row is taken back: so
-/// those who share a load are named, and share it by least norm.
-fn derive(
-    declaration: &Declaration,
-    description: &Description,
-    model: Model,
-) -> Result<Analysis, Open> {
-    let mut description = description.clone();
-    let mut analysis = derived(model)?;
-    let rows = analysis.model.solved.rows.iter();
-    let joints: Vec<String> = rows.map(|(joint, _)| joint.clone()).collect();
-    if analysis.mobility.is_none() && !joints.is_empty() {
-        // What cannot be closed is told best with all rows at hand.
-        let mut none = Errors::new();
-        let all_rows = Description {
-            keep: joints,
-            ..description.clone()
+    /// Whether it is worth going on, after its mobility is known.
+    ///
+    /// Where redundancy leaves the reaction of a solved row open, the row is taken back: so those who share a load are
+    /// named, and share it by least norm.
+    pub(crate) fn settle(
+        &mut self,
+        outline: &Outline,
+        system: &System,
+        mobility: Result<Option<Mobility>, Open>,
+    ) -> Option<Option<Mobility>> {
+        let Trial {
+            mut description,
+            purpose,
+        } = self.current.clone()?;
+        let mobility = match mobility {
+            Ok(mobility) => mobility,
+            Err(open) => {
+                if purpose == Purpose::Closing {
+                    self.waiting.pop_front();
+                }
+                if self.is_first() {
+                    refusals::refuse_open(self.declaration, &open, &mut self.errors);
+                }
+                return None;
+            }
         };
-        let model = model::resolve(declaration, &all_rows, &mut none);
-        if let (Some(model), true) = (model, none.is_empty()) {
-            derived(model)?;
+        if purpose == Purpose::Closing {
+            return None;
         }
-    }
-    loop {
-        let open = analysis.mobility.iter().flat_map(|m| &m.undetermined);
-        let solved = &analysis.model.solved;
+        if purpose == Purpose::Candidate && mobility.is_none() && !outline.solved.is_empty() {
+            // What cannot be closed is told best with all rows at hand.
+            self.try_again(description.clone(), Purpose::Settled);
+            description.keep.clone_from(&outline.solved);
+            self.try_again(description, Purpose::Closing);
+            return None;
+        }
+        let open = mobility.iter().flat_map(|found| &found.undetermined);
         let shared: Vec<String> = open
-            .filter(|joint| solved.touches(joint))
+            .filter(|joint| outline.solved.contains(joint))
             .cloned()
             .collect();
-        if shared.is_empty() {
-            return Ok(analysis);
+        if purpose != Purpose::Settled && !shared.is_empty() {
+            self.try_again(description.clone(), Purpose::Settled);
+            description.keep.extend(shared);
+            self.try_again(description, Purpose::RowsTakenBack);
+            return None;
         }
-        description.keep.extend(shared);
-        let mut none = Errors::new();
-        match model::resolve(declaration, &description, &mut none) {
-            Some(model) if none.is_empty() => analysis = derived(model)?,
-            _ => return Ok(analysis),
+        if let (true, true, Some(mobility)) =
+            (self.declaration.deny_redundant, self.is_first(), &mobility)
+        {
+            refusals::refuse_redundant(self.declaration, mobility, &system.rows, &mut self.errors);
+        }
+        Some(mobility)
+    }
+
+    /// Counts the operations of a description, and keeps it if it is the cheapest so far.
+    pub(crate) fn consider(&mut self, analysis: Analysis) {
+        let own = candidate(&analysis);
+        // Of two that cost the same the one tried first stays.
+        if self.is_first() {
+            self.best = Some(analysis);
+            if self.requested.is_none() {
+                for formulation in [Formulation::Reference, Formulation::Joint] {
+                    self.queue(Description::from(formulation), Purpose::Candidate);
+                }
+            }
+        } else if own.operations < cheapest(&self.candidates) {
+            self.best = Some(analysis);
+            self.taken = self.candidates.len();
+        }
+        self.candidates.push(own);
+    }
+
+    /// The cheapest.
+    pub(crate) fn finish(mut self) -> Result<Analysis, Failure> {
+        self.errors.stop_if_any()?;
+        let mut best = self.best.ok_or_else(Failure::unexplained)?;
+        if self.candidates.len() > 1 || self.requested.is_none() {
+            self.candidates[self.taken].taken = true;
+            best.candidates = self.candidates;
+        }
+        Ok(best)
+    }
+
+    fn is_first(&self) -> bool {
+        self.best.is_none()
+    }
+
+    fn purpose(&self) -> Purpose {
+        let current = self.current.as_ref();
+        current.map_or(Purpose::Candidate, |trial| trial.purpose)
+    }
+
+    fn queue(&mut self, description: Description, purpose: Purpose) {
+        self.waiting.push_back(Trial {
+            description,
+            purpose,
+        });
+    }
+
+    fn try_again(&mut self, description: Description, purpose: Purpose) {
+        self.waiting.push_front(Trial {
+            description,
+            purpose,
+        });
+    }
+
+    /// The same description with its loops cut elsewhere.
+    fn queue_other_cuts(&mut self, description: &Description, model: &Model) {
+        if model.layout.velocities.len() > MOST_FOR_OTHER_CUTS {
+            return;
+        }
+        for cut in &model.outline.tree.alternatives {
+            let description = Description {
+                cut: Some(cut.clone()),
+                ..description.clone()
+            };
+            self.queue(description, Purpose::Candidate);
         }
     }
 }
 
-fn derived(mut model: Model) -> Result<Analysis, Open> {
-    let system = equations::derive(&mut model);
-    let mut derived = derivatives::derive(system);
-    let mobility = mobility::analyse(&model, &derived)?;
-    if let Some(mobility) = &mobility {
-        derived.redundant = mobility.dependent.clone();
-    }
-    Ok(Analysis {
-        model,
-        derived,
-        mobility,
-        candidates: Vec::new(),
-        program: None,
-    })
+/// The fewest operations so far.
+fn cheapest(candidates: &[Candidate]) -> Option<usize> {
+    candidates.iter().filter_map(|other| other.operations).min()
 }
 
-/// Whether two descriptions have the same coordinates and the same joints left as rows.
-fn same(a: &Model, b: &Model) -> bool {
-    let names = |model: &Model| -> Vec<String> {
-        let coordinates = model.layout.coordinates.iter();
-        let joints = model.joints.iter().map(|(name, _)| name.clone());
+/// Whether a description has the same coordinates as the best, and the same joints left as rows.
+fn same(outline: &Outline, coordinates: &[Stored], best: &Analysis) -> bool {
+    let names = |coordinates: &[Stored]| -> Vec<String> {
         coordinates
+            .iter()
             .map(|stored| stored.name.clone())
-            .chain(joints)
             .collect()
     };
-    names(a) == names(b)
+    let of_best = &best.derived.system.layout.coordinates;
+    names(coordinates) == names(of_best) && outline.joints == best.outline.joints
 }
 
-fn count_rows(model: &mut Model) -> usize {
-    let graph = &mut model.graph;
-    let joints = model.joints.iter();
-    let rows: usize = joints
-        .map(|(_, joint)| joint.equations(graph).rows.len())
-        .sum();
-    rows - model.vacuous.len() - model.solved.rows.len()
-}
-
-fn candidate(analysis: &mut Analysis) -> Candidate {
-    let program = dag::lower(&analysis.derived);
-    let candidate = Candidate {
-        formulation: analysis.model.formulation,
+fn candidate(analysis: &Analysis) -> Candidate {
+    let (outline, program) = (&analysis.outline, &analysis.program);
+    Candidate {
+        formulation: outline.formulation,
         coordinates: program.coordinates,
         velocities: program.size,
         rows: program.rows.len(),
         rank: analysis.mobility.as_ref().map(|mobility| mobility.rank),
-        operations: Some(step(&program)),
-        cut: analysis.model.tree.cut.clone(),
+        operations: Some(step(program)),
+        cut: outline.tree.cut.clone(),
         taken: false,
-    };
-    analysis.program = Some(program);
-    candidate
+    }
 }
 
 /// Passes of the iteration on the multipliers in a step that begins with those of the last.

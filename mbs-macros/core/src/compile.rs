@@ -1,13 +1,10 @@
 //! The pipeline, one line per stage.
 
-use crate::choose::{Candidate, choose};
-use crate::dag::{self, Program};
-use crate::derivatives::Derived;
+use crate::analysis::Analysis;
+use crate::choose::Search;
 use crate::diagnostics::{Errors, Failure};
-use crate::emit;
-use crate::mobility::Mobility;
-use crate::model::{self, Model};
 use crate::syntax::{self, Declaration};
+use crate::{dag, derivatives, emit, equations, mobility, model};
 use proc_macro2::TokenStream;
 
 /// Compiles a declaration to Rust. Where it is wrong, what could be understood is emitted all the same (so that editors
@@ -21,12 +18,9 @@ pub fn compile(tokens: TokenStream) -> TokenStream {
 }
 
 fn compile_checked(tokens: TokenStream) -> TokenStream {
-    let (declaration, outcome) = analyse(tokens);
-    match (declaration, outcome) {
-        (Some(declaration), Ok(mut analysis)) => {
-            let counted = analysis.program.take();
-            let program = counted.unwrap_or_else(|| dag::lower(&analysis.derived));
-            emit::mechanism(&declaration, &analysis, &program)
+    match analyse(tokens) {
+        (Some(declaration), Ok(analysis)) => {
+            emit::mechanism(&declaration, &analysis, &analysis.program) // 6
         }
         (Some(declaration), Err(failure)) => {
             let errors = failure.to_compile_errors();
@@ -38,38 +32,42 @@ fn compile_checked(tokens: TokenStream) -> TokenStream {
     }
 }
 
-/// A declaration after stages 2 to 4.
-#[derive(Debug)]
-pub struct Analysis {
-    /// Names, parts, reductions.
-    pub model: Model,
-    /// Everything that is computed.
-    pub derived: Derived,
-    /// Rank and redundant rows near the guess, where a pose could be assembled there.
-    pub mobility: Option<Mobility>,
-    /// The descriptions that were considered; empty where one was asked for.
-    pub candidates: Vec<Candidate>,
-    /// Its program, where the choice has made it to count its operations.
-    pub program: Option<Program>,
-}
-
-/// Stages 1 to 4.
+/// Stages 1 to 5.
 pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Failure>) {
     let mut errors = Errors::new();
-    let declaration = syntax::parse(tokens, &mut errors);
+    let declaration = syntax::parse(tokens, &mut errors); // 1
     if let Err(failure) = errors.stop_if_any() {
         return (declaration, Err(failure));
     }
     let Some(declaration) = declaration else {
         return (None, Err(Failure::unexplained()));
     };
-
-    let mut errors = Errors::new();
-    let requested = model::requested(&declaration, &mut errors);
-    let analysis = choose(&declaration, requested, &mut errors);
-    if let Err(failure) = errors.stop_if_any() {
-        return (Some(declaration), Err(failure));
-    }
-    let outcome = analysis.ok_or_else(Failure::unexplained);
+    let outcome = analyse_cheapest(&declaration);
     (Some(declaration), outcome)
+}
+
+/// Stages 2 to 5 of the descriptions that the search asks for.
+fn analyse_cheapest(declaration: &Declaration) -> Result<Analysis, Failure> {
+    let mut search = Search::new(declaration);
+    while let Some(description) = search.next() {
+        let model = model::resolve(declaration, &description, search.errors()); // 2
+        let Some(model) = search.admit(model) else {
+            continue;
+        };
+        let (outline, system) = equations::derive(model); // 3
+        let mobility = mobility::analyse(&outline, &system);
+        let Some(mobility) = search.settle(&outline, &system, mobility) else {
+            continue;
+        };
+        let derived = derivatives::derive(system, mobility::dependent(mobility.as_ref())); // 4
+        let program = dag::lower(&derived); // 5
+        search.consider(Analysis {
+            outline,
+            derived,
+            mobility,
+            program,
+            candidates: Vec::new(),
+        });
+    }
+    search.finish()
 }

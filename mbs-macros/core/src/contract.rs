@@ -121,7 +121,7 @@ pub enum Origin {
         constant_mass: &'static str,
         /// The call where M varies.
         varying_mass: &'static str,
-        /// Operations of the loops.
+        /// Operations of the loops; 0 for what no step calls.
         operations: fn(usize, usize) -> usize,
     },
     /// Stage 6 writes it by itself.

@@ -1,6 +1,7 @@
 //! The equations of a mechanism as LaTeX, from its declaration.
 
-use crate::compile::{Analysis, analyse};
+use crate::analysis::Analysis;
+use crate::compile::analyse;
 use crate::equations::RowKind;
 use std::fmt::Write;
 
@@ -35,7 +36,7 @@ fn write(analysis: &Analysis) -> String {
     let coordinates: Vec<String> = (0..system.size as u32)
         .map(|i| symbol(graph, crate::symbolic::Symbol::Coordinate(i)))
         .collect();
-    line(format!("% {}", analysis.model.name));
+    line(format!("% {}", analysis.outline.name));
     line("\\begin{align*}".to_owned());
     line(format!(
         "q &= \\left({}\\right)^T, \\qquad \\dot q = v \\\\",

@@ -7,10 +7,12 @@
 //! User errors occur in stages 1 and 2 only; they are collected within a stage and stop the compiler between stages.
 //! Stages 3 to 5 see no tokens, and nothing outside stage 6 writes Rust.
 
-pub mod choose;
+pub mod analysis;
+mod choose;
 pub mod compile;
 pub mod contract;
 pub mod diagnostics;
+pub mod dimension;
 pub mod explain;
 pub mod mobility;
 pub mod reference;
@@ -26,4 +28,5 @@ pub mod equations;
 pub mod model;
 pub mod syntax;
 
-pub use compile::{Analysis, analyse, compile};
+pub use analysis::{Analysis, Candidate};
+pub use compile::{analyse, compile};

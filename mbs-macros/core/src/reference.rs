@@ -1,6 +1,6 @@
 //! The reference page of the language, from the schema and the table of units.
 
-use crate::model::{Dimension, UNITS};
+use crate::dimension::{Dimension, UNITS};
 use crate::schema::{self, Absent, Expects, Field, Group, Kind, World};
 use std::fmt::Write;
 

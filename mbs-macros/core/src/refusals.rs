@@ -1,7 +1,7 @@
 //! Errors that only numbers tell: loops that cannot close, redundancy where it is denied.
 
-use crate::derivatives::Derived;
 use crate::diagnostics::Errors;
+use crate::equations::Row;
 use crate::mobility::{self, Mobility, Open};
 use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
@@ -25,10 +25,10 @@ pub(crate) fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut E
 pub(crate) fn refuse_redundant(
     declaration: &Declaration,
     mobility: &Mobility,
-    derived: &Derived,
+    rows: &[Row],
     errors: &mut Errors,
 ) {
-    let redundancies = mobility::redundancies(mobility, &derived.system.rows);
+    let redundancies = mobility::redundancies(mobility, rows);
     for (entry, sentence) in &redundancies {
         errors.at(
             place_of(declaration, entry),

@@ -133,7 +133,7 @@ where
     let factored = kick.by != Factor::None;
     let mut rows = Rows {
         t1: context.state.time + h,
-        h,
+        rate: -1.0 / h,
         context: &mut *context,
         flow,
         kick,
@@ -157,7 +157,8 @@ where
     flow: &'a mut F,
     kick: &'a mut Kick<Q, N, R>,
     t1: f64,
-    h: f64,
+    /// −1/h.
+    rate: f64,
     enough: f64,
 }
 
@@ -209,9 +210,8 @@ where
         } else {
             work.projection.solve(&mut change);
         }
-        let rate = 1.0 / self.h;
         for i in 0..R {
-            change[i] *= -rate;
+            change[i] *= self.rate;
             self.kick.kappa[i] += change[i];
         }
         accumulate(&mut self.kick.va, &start.w, &change);

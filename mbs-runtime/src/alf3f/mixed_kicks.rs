@@ -121,7 +121,7 @@ where
         }
         if std::mem::take(&mut self.is_first) {
             // Kicks that cancel leave their round-off.
-            let speeds = vector(|i| self.va[i].abs().max(v[i].abs()));
+            let speeds = vector(|i| self.va[i].abs() + v[i].abs());
             let speed = yardstick.measure(&speeds).max(AT_REST);
             for i in holonomic..R {
                 self.weights[i] /= speed * speed;
@@ -197,8 +197,11 @@ where
             .round_off_of(self.context.work.projection.regularised)
     }
 
+    // With copies: unknowns whose address is known to others do not stay in registers.
+    #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
-        not_converged(&self.defect, &self.weights, iterations)
+        let (defect, weights) = (self.defect, self.weights);
+        not_converged(&defect, &weights, iterations)
     }
 }
 

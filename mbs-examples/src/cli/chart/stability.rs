@@ -14,7 +14,7 @@ use super::super::progress::Points;
 use super::{Chart, write};
 
 const SETTINGS: &str = "outcomes by the criteria of the book";
-/// A run is given up after this processor time, s.
+/// A run is stopped after this processor time, s.
 const PATIENCE: f64 = 6.0;
 const PATIENCE_QUICK: f64 = 0.2;
 

@@ -1,4 +1,4 @@
-//! What is kept of a run at an instant.
+//! The numbers that are kept of a run at an instant.
 
 use mbs_runtime::Model;
 
@@ -15,12 +15,12 @@ pub enum Column {
     Output(&'static str),
     /// A reaction at the instant, from the equations at acceleration level.
     Reaction(&'static str, &'static str),
-    /// The largest of the reactions since the instant before, each the mean over a step: those that the change of momentum
-    /// calls for.
+    /// The largest reaction since the last instant. Each is the mean over a step and follows from the change of
+    /// momentum.
     StepReaction(&'static str, &'static str),
-    /// The same of the reactions with which the method itself acted, from its multipliers.
+    /// The same for the reactions that the method applied, from its multipliers.
     OwnPeak(&'static str, &'static str),
-    /// A reaction with which the method itself acted in the last step.
+    /// A reaction that the method applied in the last step.
     Own(&'static str, &'static str),
     /// φ of a row.
     Row(&'static str),
@@ -35,7 +35,7 @@ pub enum Column {
 }
 
 impl Column {
-    /// In the head of a file.
+    /// Name in the heading of a file.
     pub fn name(&self) -> String {
         match self {
             Column::Energy => "energy_J".to_owned(),
@@ -53,7 +53,7 @@ impl Column {
         }
     }
 
-    /// Whether each step has to be looked at.
+    /// Whether it needs the state after each step.
     pub fn is_of_steps(&self) -> bool {
         matches!(
             self,
@@ -70,15 +70,15 @@ impl Column {
     }
 }
 
-/// The numbers of a run, as it comes along.
+/// Collects the numbers during a run.
 pub struct Numbers<'a> {
     columns: &'a [Column],
-    /// Of the columns that are of steps: what the steps since the last instant amount to.
+    /// For columns that depend on steps: the value for the steps since the last instant.
     steps: Vec<Option<f64>>,
 }
 
 impl<'a> Numbers<'a> {
-    /// Of nothing yet.
+    /// Before the first step.
     pub fn new(columns: &'a [Column]) -> Self {
         Numbers {
             columns,
@@ -86,7 +86,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// Takes note of a step.
+    /// Records a step.
     pub fn step(&mut self, probe: &dyn Probe, before: Option<&Instant>) {
         let model = probe.model();
         let (shortest, penalties) = probe.algorithm();
@@ -118,7 +118,7 @@ impl<'a> Numbers<'a> {
         }
     }
 
-    /// The numbers at this instant; `None` for what the method has not. Steps are forgotten.
+    /// The numbers at this instant; `None` if the method does not have a number. Then the record of steps is cleared.
     pub fn look(&mut self, probe: &dyn Probe) -> Vec<Option<f64>> {
         let model = probe.model();
         let wants = |kind: fn(&Column) -> bool| self.columns.iter().any(kind);

@@ -17,7 +17,7 @@ const LEGEND_TOP: f64 = 46.0;
 const LEGEND_LINE: f64 = 19.0;
 /// An entry's line and what surrounds its text, and the width of a letter, px.
 const ENTRY: [f64; 2] = [46.0, 7.4];
-/// What stands above the panels: the title, and the mechanism.
+/// Height of the part above the panels: the title, and the mechanism.
 const TITLE: f64 = 210.0;
 /// The frame of the mechanism: its upper left corner, width and height, px.
 const SKETCH: [f64; 4] = [700.0, 8.0, 350.0, 190.0];
@@ -90,13 +90,13 @@ fn curves(figure: &Figure, panel: &Panel, stores: &Stores) -> Vec<Drawn> {
     panel.curves.iter().enumerate().map(read).collect()
 }
 
-/// When a run ended that did not reach its end.
+/// The time at which a run stopped early.
 fn end_of(runs: &Store, run: &str) -> Option<f64> {
     let row = runs.find(&[run])?;
     (row[2] != Outcome::Ok.name()).then(|| row[3].parse().unwrap_or(0.0))
 }
 
-/// Where values are in a panel.
+/// Positions of values in a panel.
 struct Axes {
     x: [f64; 2],
     y: [f64; 2],
@@ -136,9 +136,9 @@ impl Axes {
         ]
     }
 
-    /// The parts of a curve that are seen, each with the points at which it leaves.
+    /// The visible parts of a curve, each with the points at which it leaves the panel.
     fn lines(&self, points: &[[f64; 2]]) -> Vec<Vec<[f64; 2]>> {
-        // What is below the least decade is drawn there.
+        // Values below the least decade are drawn at it.
         let seen = |&[_, y]: &[f64; 2]| self.decades || (self.y[0]..=self.y[1]).contains(&y);
         let mut lines = vec![Vec::new()];
         for (i, point) in points.iter().enumerate() {
@@ -170,7 +170,7 @@ fn draw_panel(svg: &mut Svg, corner: [f64; 2], i: usize, panel: &Panel, curves: 
         let text = at([place[0] + 36.0, place[1] + 4.5]);
         svg.text(text, TEXT - 0.5, Anchor::Start, INK, &curve.label);
     }
-    // The first come on top.
+    // The first curves are drawn last, on top.
     for curve in curves.iter().rev() {
         let (colour, width, dash) = curve.look;
         for line in axes.lines(&curve.points) {

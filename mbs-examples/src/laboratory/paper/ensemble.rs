@@ -1,4 +1,4 @@
-//! A run from many starts: an outcome that differs between starts 1e-13 apart hangs on round-off.
+//! A run from many starts: an outcome that differs between starts 1e-13 apart depends on round-off.
 
 use std::io;
 
@@ -21,16 +21,16 @@ pub const ENSEMBLE_COLUMNS: [&str; 7] = [
 ];
 /// How many of them identify a row.
 pub const ENSEMBLE_KEYS: usize = 2;
-/// Lengths of the mechanism differ by this part from one start to the next.
+/// The relative difference of the lengths of the mechanism between one start and the next.
 const APART: f64 = 1e-13;
-/// How far each of them goes, s.
+/// Duration of each run, s.
 const END: f64 = 20.0;
-/// Instants at which a run is looked at.
+/// Number of instants at which a run is tested.
 const LOOKS: u32 = 200;
-/// A run that gains more than this, J, is given up.
+/// A run is stopped if it gains more energy than this, J.
 const MOST: f64 = 1e3;
 
-/// Takes the runs that the store does not hold yet.
+/// Makes the runs that the store does not have yet.
 ///
 /// # Errors
 /// A file that cannot be written.
@@ -62,7 +62,7 @@ pub fn measure_ensemble(
     store.compact()
 }
 
-/// How one of them ends.
+/// The end of one run.
 fn follow(subject: &Subject, settings: Settings, size: f64, end: f64, extent: Extent) -> Row {
     let mut probe = match (subject.build)(settings, size) {
         Ok(probe) => probe,

@@ -7,11 +7,11 @@
 use super::column::Column;
 
 const GRAVITY: f64 = 9.81;
-/// As the scene has it, kg m²; mass and length are 1.
+/// Moment of inertia of the scene, kg m²; mass and length are 1.
 const INERTIA: f64 = 1e-4;
 const LANDEN: usize = 8;
 
-/// What the exact motion tells at time t, s.
+/// The numbers of the exact motion at time t, s.
 pub fn pendulum(t: f64, column: &Column) -> Option<f64> {
     let square = GRAVITY / (1.0 + INERTIA);
     let k = 0.5_f64.sqrt();

@@ -1,4 +1,4 @@
-//! The pendulum with other effective masses of the rows, and with penalties that stay as they are.
+//! The pendulum with other effective masses of the rows, and with constant penalties.
 
 use mbs_runtime::{Method, PaperSettings};
 
@@ -6,9 +6,9 @@ use super::column::Column;
 use super::run::{Extent, HEAVY_BOB, PENDULUM, Run, STEP, TWO_LEVEL, algorithm};
 use super::{Figure, Panel, Scale};
 
-/// Where penalties are free they may grow to this.
+/// The largest penalty, if penalties may grow.
 const MOST: f64 = 1e9;
-/// In place of m̄ = 0, which leaves a row no way to act.
+/// Used instead of m̄ = 0, for which a row has no force.
 const NOTHING: f64 = 1e-12;
 const PENALTIES: [(Column, &str); 6] = [
     (Column::Penalty("pivot.x"), "pivot.x"),

@@ -1,4 +1,4 @@
-//! The slider-crank: effective masses of its rows, and what becomes of a tenth of them.
+//! The slider-crank: effective masses of its rows, and runs with a tenth of them.
 
 use mbs_runtime::{Method, PaperSettings};
 
@@ -6,12 +6,12 @@ use super::column::Column;
 use super::run::{Extent, Run, SLIDER_CRANK, STEP, TWO_LEVEL, algorithm};
 use super::{Curve, Figure, Panel, Scale};
 
-/// Penalties begin and end here (section 7.2).
+/// The first and the largest penalty (section 7.2).
 pub const PENALTIES: [f64; 2] = [1e3, 1e5];
 /// s
 pub const SPAN: f64 = 45.0;
 const MASSES: [(&str, f64); 3] = [("m̄", 1.0), ("m̄/10", 0.1), ("m̄/100", 0.01)];
-/// Rows whose masses are drawn: the others have one of these values.
+/// Rows whose effective masses are drawn; each of the other rows has one of these values.
 const SHOWN: [&str; 9] = [
     "ground_joint.y",
     "ground_joint.rotation_z",

@@ -1,4 +1,4 @@
-//! The slider-crank with penalties that stay as they are, and with M-ALF.
+//! The slider-crank with constant penalties, and with M-ALF.
 
 use mbs_runtime::{Method, MultiplierStart, PaperSettings, RowDirection};
 
@@ -10,7 +10,7 @@ use super::run::{
 };
 use super::{Figure, Panel, Scale};
 
-/// With k̄ = m̄ω² and c̄ = 2m̄ω, ω = 100 /s: (20) leaves both zero here, and nothing brings φ back.
+/// With k̄ = m̄ω² and c̄ = 2m̄ω, ω = 100 /s: (20) gives zero for both here, so that no term reduces φ.
 const STABILISED: &str = "alf3f-paper with k̄ c̄";
 /// With penalties from [`PENALTY`].
 const HEAVIER: &str = "alf3f-paper from 1e4";
@@ -18,7 +18,7 @@ const HEAVIER: &str = "alf3f-paper from 1e4";
 const EUCLIDEAN: &str = "alf3f-paper c_R = a";
 /// λ begins with λ₀ + h μ₀, where μ₀ is the rate of λ at the end of the step before.
 const M_ALF_COLD: &str = "m-alf from λ₀ + h μ₀";
-/// Tolerances of ψ̇ and of the residual ℜ, for which the paper has one number: what becomes of the run with others.
+/// Other tolerances of ψ̇ and of the residual ℜ, for which the paper has one number.
 const TOLERANCES: [(&str, f64, f64); 8] = [
     ("ψ̇ 1e-1; ℜ 1e-2", 1e-1, 1e-2),
     ("ψ̇ 1e-1; ℜ 1e-3", 1e-1, 1e-3),

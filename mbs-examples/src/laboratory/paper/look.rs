@@ -1,11 +1,11 @@
-//! The looks of curves: dash and lightness tell them apart in grey.
+//! The styles of curves: dash and lightness differ also in grey.
 
 use super::run::{BDF, COLD, M_ALF, PAPER, STRICT, TWO_LEVEL};
 
 /// Colour, width and dash.
 pub type Look = (&'static str, f64, &'static str);
 
-/// Of anything but methods, in the order in which they come.
+/// The styles of curves that are not methods, in their order.
 const OTHERS: [Look; 9] = [
     ("#14507d", 2.4, ""),
     ("#c2410c", 2.0, "7 3"),
@@ -18,7 +18,7 @@ const OTHERS: [Look; 9] = [
     ("#6f7680", 1.4, "1 2"),
 ];
 
-/// The looks of the curve with this label, the i-th of its panel.
+/// The style of the curve with this label, the i-th of its panel.
 pub fn look(label: &str, i: usize) -> Look {
     match label {
         "exact" => ("#b9bdc2", 5.0, ""),

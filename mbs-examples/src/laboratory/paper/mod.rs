@@ -1,8 +1,8 @@
-//! The figures of the paper (Potosakis, Paraskevopoulos, Natsiavas 2020, section 7) as ours: the same mechanisms with as
-//! many coordinates and rows, the same axes, and other methods beside the paper's.
+//! The figures of the paper (Potosakis, Paraskevopoulos, Natsiavas 2020, section 7) with our code: the same mechanisms
+//! with as many coordinates and rows, the same axes, and other methods beside that of the paper.
 //!
-//! A [`Figure`] is a plan of [`Run`]s and [`Panel`]s; [`measure`] takes the runs that are not known yet, and [`draw`]
-//! makes the picture of what is known.
+//! A [`Figure`] is a plan of [`Run`]s and [`Panel`]s; [`measure`] makes the runs that the files do not have yet, and
+//! [`draw`] makes the picture from the files.
 
 mod column;
 mod draw;
@@ -38,15 +38,15 @@ pub struct Figure {
     pub number: u8,
     /// For people.
     pub title: &'static str,
-    /// Beside the mechanism: what the runs have in common.
+    /// Text beside the mechanism: settings of all runs.
     pub caption: &'static [&'static str],
     /// The mechanism.
     pub subject: &'static Subject,
-    /// What is kept of each run, the time apart.
+    /// The columns of each run, without the time.
     pub columns: Vec<Column>,
     /// The runs.
     pub runs: Vec<Run>,
-    /// Labels of the runs that are taken from many starts, too.
+    /// Labels of the runs that are also made from many starts.
     pub ensemble: &'static [&'static str],
     /// The pictures.
     pub panels: Vec<Panel>,
@@ -158,7 +158,7 @@ pub fn figures(extent: Extent) -> Vec<Figure> {
     ]
 }
 
-/// A time as it stands in the files, s: to a tenth of a microsecond.
+/// A time in the form of the files, s: to a tenth of a microsecond.
 fn stamp(time: f64) -> String {
     format!("{}", (1e7 * time).round() / 1e7)
 }

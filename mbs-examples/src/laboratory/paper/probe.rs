@@ -1,15 +1,15 @@
-//! What the figures show and summaries do not: rows one by one, the step and the penalties of Algorithm 1, and the force
-//! that a step has applied.
+//! Numbers of the figures that summaries do not have: single rows, the step and the penalties of Algorithm 1, and the
+//! force that a step has applied.
 
 use mbs_runtime::nalgebra::{Cholesky, DMatrix, DVector, SMatrix, SVector};
 use mbs_runtime::{AnySimulation, Simulation, System};
 
-/// Rows that follow from others are told apart from round-off by this, in rows of unit length.
+/// Added to the diagonal, for rows of unit length: it distinguishes redundant rows from round-off.
 const PROXIMAL: f64 = 1e-10;
 /// Corrections that remove its influence where rows are independent.
 const REFINEMENTS: usize = 3;
 
-/// A simulation whose rows can be looked at. Arrays of rows are in the order of [`Model::rows`](mbs_runtime::Model::rows).
+/// A simulation with access to its rows. Arrays of rows are in the order of [`Model::rows`](mbs_runtime::Model::rows).
 pub trait Probe: AnySimulation {
     /// φ of the rows, and ψ̇ = A v + b.
     fn rows(&self) -> [Vec<f64>; 2];
@@ -17,18 +17,18 @@ pub trait Probe: AnySimulation {
     fn effective_masses(&self) -> Vec<f64>;
     /// The shortest step within the last nominal one, s, and the penalties at its end: of Algorithm 1 alone, zero elsewhere.
     fn algorithm(&self) -> (f64, Vec<f64>);
-    /// What [`Probe::mean_reactions`] compares with.
+    /// The instant for [`Probe::mean_reactions`].
     fn instant(&self) -> Instant;
-    /// The reactions that lead from an earlier instant to this one, on average: those that the change of momentum calls
-    /// for, whatever the method. N and N m, in the order of [`Model::reactions`](mbs_runtime::Model::reactions). Of those
-    /// that redundant rows allow, the least. Their error is of the order of the square of the time between.
+    /// The mean reactions between an earlier instant and this one, from the change of momentum, for every method. N and
+    /// N m, in the order of [`Model::reactions`](mbs_runtime::Model::reactions); with redundant rows, those of least
+    /// norm. Their error is of second order in the time between the instants.
     fn mean_reactions(&self, before: &Instant) -> Vec<f64>;
-    /// The reactions with which the method itself acted in its last step, which began at or after an earlier instant, from
+    /// The reactions that the method applied in its last step, which began at or after an earlier instant, from
     /// [`Simulation::step_multipliers`]; `None` for methods without multipliers of their own.
     fn own_reactions(&self, before: &Instant) -> Option<Vec<f64>>;
 }
 
-/// Where a simulation stands.
+/// The state of a simulation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instant {
     time: f64,

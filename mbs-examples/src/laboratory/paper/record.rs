@@ -1,4 +1,4 @@
-//! Takes the runs of a figure and keeps what they show.
+//! Makes the runs of a figure and stores their results.
 
 use std::io;
 
@@ -33,9 +33,10 @@ pub const RUN_COLUMNS: [&str; 14] = [
 pub const RUN_KEYS: usize = 1;
 /// The run and the time identify a sample.
 pub const SAMPLE_KEYS: usize = 2;
-/// A run is given up when a row is violated by this, m or rad: the mechanisms have rods of 1 m.
+/// A run is stopped when a row is violated by this, m or rad: the mechanisms have rods of 1 m.
 const APART: f64 = 0.1;
-/// In steps: a remainder that is no step, and the longest that is taken as one. A step that is placed has up to 1.15.
+/// As fractions of a step: a remainder that counts as no step, and the longest length that counts as one step.
+/// Placement lengthens a step up to 1.15.
 const LEAST: f64 = 1e-6;
 const MOST: f64 = 1.2;
 
@@ -57,13 +58,13 @@ impl Figure {
             .collect()
     }
 
-    /// How many instants there are to look at.
+    /// Number of instants to record.
     pub fn points(&self) -> usize {
         self.runs.iter().map(|run| run.instants.len()).sum()
     }
 }
 
-/// Takes the runs that the stores do not hold yet; `tick` is told of each instant, with the run.
+/// Makes the runs that the stores do not have yet; `tick` is called for each instant, with the run.
 ///
 /// # Errors
 /// A file that cannot be written.
@@ -100,7 +101,7 @@ pub fn measure(
             let row = [run.label.to_owned(), stamp(time)];
             stores.samples.put(row.into_iter().chain(cells).collect())?;
         }
-        // Last, so that a run that was interrupted is taken again.
+        // Written last, so that an interrupted run is repeated.
         stores.runs.put(row)?;
     }
     stores.samples.compact()?;
@@ -151,7 +152,7 @@ fn simulate(
                 numbers.step(probe.as_ref(), Some(&before));
                 return Ok(());
             }
-            // Whole steps, each looked at, and what is left to the instant.
+            // Whole steps, each recorded, and then the remainder up to the instant.
             while instant - probe.time() > LEAST * settings.step {
                 let before = compares.then(|| probe.instant());
                 match instant - probe.time() > MOST * settings.step {
@@ -212,7 +213,7 @@ fn row(
     ]
 }
 
-/// Of a run that did not begin.
+/// The row of a run that did not begin.
 fn plain_row(run: &Run, outcome: Outcome, detail: &str) -> Row {
     let mut row = vec![String::new(); RUN_COLUMNS.len()];
     row[0] = run.label.to_owned();

@@ -1,4 +1,4 @@
-//! The tables beside the figures: how runs ended, with their settings, and how far the starts of an ensemble agree.
+//! The tables beside the figures: the ends of the runs with their settings, and the spread of an ensemble of starts.
 
 use std::fmt::Write as _;
 
@@ -6,7 +6,7 @@ use super::figure1::EXACT;
 use crate::laboratory::outcome::Outcome;
 use crate::laboratory::store::Row;
 
-/// The instant at which runs are compared, s, as it stands in the files.
+/// The instant at which runs are compared, s, in the form of the files.
 pub const COMPARED: &str = "20";
 /// Places in a row of [`RUN_COLUMNS`](super::RUN_COLUMNS).
 const SETTINGS: usize = 1;
@@ -19,7 +19,7 @@ const PHI: usize = 9;
 const RATE: usize = 10;
 const BRANCH: usize = 11;
 
-/// How the runs of a figure ended; `compared` tells the energy error of a run after [`COMPARED`].
+/// The ends of the runs of a figure; `compared` gives the energy error of a run after [`COMPARED`].
 pub fn run_table(runs: &[Row], compared: &dyn Fn(&str) -> Option<String>) -> String {
     let mut out = String::from(
         "| run | settings | reached, s | energy error at 20 s, J | at the end | largest | \\|φ\\| | \\|ψ̇\\| | rejected |\n\
@@ -49,7 +49,7 @@ pub fn run_table(runs: &[Row], compared: &dyn Fn(&str) -> Option<String>) -> Str
     out
 }
 
-/// How the starts of each ensemble ended.
+/// The ends of the runs of each ensemble.
 pub fn ensemble_table(rows: &[Row]) -> String {
     let mut out = String::from(
         "| run | starts that reach the end | the first that stops, s | energy errors, J | on another branch |\n\

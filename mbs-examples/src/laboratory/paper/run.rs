@@ -1,4 +1,4 @@
-//! What is run, how, and for how long.
+//! The runs: mechanism, method, duration.
 
 use mbs_runtime::{
     BdfSettings, Mechanism, Method, Model, MultiplierStart, PaperSettings, ProjectionSettings,
@@ -14,11 +14,11 @@ use crate::scenes::paper::{Bricard, DoubleFourBar, Pendulum, SliderCrank};
 pub struct Subject {
     /// In files.
     pub name: &'static str,
-    /// What was modelled.
+    /// The model.
     pub model: &'static Model,
     /// Makes the simulation, with all lengths times a factor.
     pub build: fn(Settings, f64) -> Result<Box<dyn Probe>, SimulationError>,
-    /// How it starts.
+    /// Its start.
     pub sketch: Sketch,
 }
 
@@ -134,12 +134,12 @@ pub static BRICARD: Subject = subject!(
     }
 );
 
-/// How far runs go.
+/// Durations of the runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
     /// Part of the full duration.
     pub part: f64,
-    /// A run is given up after this processor time, s.
+    /// A run is stopped after this processor time, s.
     pub patience: f64,
     /// Starts of an ensemble.
     pub members: u32,
@@ -152,7 +152,8 @@ impl Extent {
         patience: 90.0,
         members: 20,
     };
-    /// For a look, and for tests: a twentieth of the time, which takes the slider-crank through its first singular pose.
+    /// For a quick view, and for tests: a twentieth of the time, in which the slider-crank passes its first singular
+    /// pose.
     pub const QUICK: Extent = Extent {
         part: 0.05,
         patience: 5.0,
@@ -171,12 +172,12 @@ impl Extent {
     }
 }
 
-/// Where the numbers of a run come from.
+/// The source of the numbers of a run.
 #[derive(Clone, Copy)]
 pub enum Source {
     /// A simulation.
     Simulated(Settings),
-    /// The exact motion; `None` for what it does not tell.
+    /// The exact motion; `None` for numbers that it does not have.
     Exact(fn(f64, &Column) -> Option<f64>),
 }
 
@@ -185,11 +186,11 @@ pub enum Source {
 pub struct Run {
     /// In legends and files, without commas; unique in a figure.
     pub label: &'static str,
-    /// What is run, if it is another mechanism than the figure's.
+    /// The mechanism, if it is not that of the figure.
     pub subject: Option<&'static Subject>,
     /// How.
     pub source: Source,
-    /// When it is looked at, s, ascending; the start apart.
+    /// The instants that are recorded, s, ascending, without the start.
     pub instants: Vec<f64>,
 }
 
@@ -262,8 +263,8 @@ fn algorithm_in_words(paper: &PaperSettings, unit: &str) -> String {
 const ACCURACY: f64 = 1e-2;
 /// Penalties may grow by this factor: "two orders of magnitude, which was the maximum allowable value" (section 7.2).
 const GROWTH: f64 = 1e2;
-/// The penalty of Algorithm 1 where the paper names none: of the powers of ten that with which all four mechanisms keep
-/// their energy best over 20 s.
+/// The penalty of Algorithm 1 if the paper names none: the power of ten with the least energy errors of all four
+/// mechanisms over 20 s.
 pub const PENALTY: f64 = 1e4;
 
 /// Algorithm 1 with the accuracy of 0.01: rows of velocities to 0.01, the residual to 0.01 of the momentum. Penalties are

@@ -1,4 +1,4 @@
-//! The maps: what methods are said to fail at, one thing each.
+//! The maps, each for one difficulty at which methods are said to fail.
 
 use mbs_runtime::{Method, PaperSettings, PenaltySettings, ProjectionSettings, Settings};
 
@@ -13,7 +13,7 @@ fn listed(name: &str) -> &'static Scene {
     scene.expect("the scenes of the maps are listed")
 }
 
-/// All maps; fewer columns and phases if they have to be quick.
+/// All maps; the quick form has fewer columns and phases.
 pub fn maps(quick: bool) -> Vec<Map> {
     let phases = if quick { 2 } else { 8 };
     let mut maps = vec![
@@ -81,7 +81,7 @@ fn thin(map: &mut Map) {
     map.trials = Box::new(move |row, column| trials(row, 3 * column));
 }
 
-/// Methods of constant steps over steps; those that choose their steps take tolerances of the same number.
+/// A map over steps. Methods that choose their steps have tolerances in the same columns.
 fn by_step(name: &'static str, title: &'static str, steps: &[f64], problems: Vec<Problem>) -> Map {
     let columns = steps.to_vec();
     let entries = entries();
@@ -110,7 +110,7 @@ fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
         Control::Step => step,
         Control::Tolerance => step * step,
     };
-    // What has the unit of a frequency is that of ten seconds, however long the run.
+    // Settings with the unit of a frequency are those of ten seconds, for runs of any duration.
     let mut settings = entry.settings(problem.scene.model, problem.duration.min(10.0), control);
     if entry.control() == Control::Tolerance {
         settings.step = settings.step.min(0.1);
@@ -118,7 +118,8 @@ fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
     settings
 }
 
-/// Within 10 % of the step: singular poses fall anywhere between two instants. The first is the step itself.
+/// Steps within 10 % of the given one, so that singular poses are at different positions within a step. The first is
+/// the step itself.
 fn uneven(step: f64, phase: usize) -> f64 {
     step * (0.9 + 0.2 * random(phase, 0.5))
 }

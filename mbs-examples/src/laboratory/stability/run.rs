@@ -1,4 +1,4 @@
-//! Runs the cells of a map and says how they ended, by the criteria of [`super::super::outcome`].
+//! Runs the cells of a map and finds their outcomes, by the criteria of [`super::super::outcome`].
 
 use std::collections::HashMap;
 use std::io;
@@ -11,24 +11,24 @@ use super::super::outcome::{ASTRAY, DRIFT, ENERGY, Outcome};
 use super::super::store::{Row, Store};
 use super::{Map, Problem, Trial};
 
-/// A run is looked at so many times.
+/// Number of instants at which a run is tested.
 const LOOKS: u32 = 200;
 /// Instants of the right motion.
 const POSES: u32 = 2000;
-/// It is followed for so long, s: every mechanism here has come round by then.
+/// Its duration, s: in this time every mechanism here returns to its first poses.
 const FOLLOWED: f64 = 10.0;
-/// With a step of order 8 that is this part of that time,
+/// The step, of order 8, as a fraction of that time,
 const FINE: f64 = 1.0 / 8000.0;
-/// divided by four so many times at most, until two runs differ by no more than this part of the size.
+/// how often it is divided by four at most, and the difference of two runs, relative to the size, at which this ends.
 const REFINEMENTS: i32 = 3;
 const AGREED: f64 = 1e-2;
 
 /// Named points of a pose.
 type Pose = Vec<[f64; 3]>;
 
-/// The right motion, as far as it can be known beforehand.
+/// The right motion, as far as fine runs determine it.
 struct Motion {
-    /// Empty where poses are no curve.
+    /// Empty if the poses do not form a curve.
     poses: Vec<Pose>,
     /// The largest extent of the mechanism's points, m.
     size: f64,
@@ -37,7 +37,7 @@ struct Motion {
 }
 
 impl Motion {
-    /// From runs with ever finer steps, until two agree.
+    /// From runs with finer and finer steps, until two agree.
     fn new(problem: &Problem) -> Result<Self, String> {
         let mut motion = Self::follow(problem, FINE)?;
         if !problem.one_degree_of_freedom {
@@ -77,7 +77,7 @@ impl Motion {
         Ok(motion)
     }
 
-    /// How far a pose is from all of the motion's, m.
+    /// The distance of a pose from the nearest pose of the motion, m.
     fn distance(&self, pose: &Pose) -> f64 {
         let distances = self.poses.iter().map(|other| apart(pose, other));
         let nearest = distances.fold(f64::INFINITY, f64::min);
@@ -104,7 +104,7 @@ fn extent(poses: &[Pose]) -> f64 {
     (0..3).map(edge).fold(1e-3, f64::max)
 }
 
-/// Measures the cells of a map that the store does not hold yet; a run is given up after `patience` seconds of processor
+/// Measures the cells of a map that the store does not have yet; a run is stopped after `patience` seconds of processor
 /// time.
 ///
 /// # Errors
@@ -163,7 +163,7 @@ fn cell(
     row
 }
 
-/// How one run ends, and in words if not well.
+/// The outcome of one run, with a message if it failed.
 fn run(trial: &Trial, patience: f64, motions: &mut HashMap<String, Motion>) -> (Outcome, String) {
     let failed = |error: SimulationError| (Outcome::of_error(&error), error.to_string());
     let problem = &trial.problem;
@@ -195,7 +195,7 @@ fn run(trial: &Trial, patience: f64, motions: &mut HashMap<String, Motion>) -> (
     (Outcome::Ok, String::new())
 }
 
-/// What is wrong with a run at this instant.
+/// The failure of a run at this instant, if any.
 fn judge(simulation: &dyn AnySimulation, motion: &Motion) -> Option<(Outcome, String)> {
     let time = simulation.time();
     let balance = simulation.energy().error / motion.energy;

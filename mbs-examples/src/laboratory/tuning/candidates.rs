@@ -1,4 +1,4 @@
-//! What is searched over.
+//! The grids of the search.
 
 use mbs_runtime::{
     BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,
@@ -8,9 +8,10 @@ use mbs_runtime::{
 /// A method with the grids of its parameters.
 #[derive(Debug)]
 pub struct Subject {
-    /// In files.
+    /// Label in files.
     pub label: &'static str,
-    /// Names and values, the first value of each where the search begins. What has a unit of time is in natural units.
+    /// Names and values; the search begins with the first value of each. Values with a unit of time are in natural
+    /// units.
     pub parameters: &'static [(&'static str, &'static [f64])],
     /// Steps in natural units, or tolerances.
     pub controls: &'static [f64],
@@ -24,11 +25,11 @@ const STEPS: &[f64] = &[1e-2, 5e-3, 2e-3, 1e-3];
 const TOLERANCES: &[f64] = &[1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 
 type Grid = (&'static str, &'static [f64]);
-/// Not looser: what Newton leaves adds up over a long run, and these are short.
+/// Not looser: these runs are short, and in a long run the residuals of Newton's method add up.
 const NEWTON: Grid = ("newton_tolerance", &[1e-10, 1e-8]);
 const GROWTH: Grid = ("penalty_growth", &[10.0, 2.0]);
 const RATIO: Grid = ("augmentation_ratio", &[0.25, 0.5]);
-/// No looser than the accuracy of 0.01 that the paper asks of all its runs.
+/// Not looser than the accuracy of 0.01, which the paper uses for all runs.
 const PLAIN: &[f64] = &[1e-3, 1e-2, 1e-4, 1e-5, 1e-6];
 /// Tolerances over (step / natural unit)².
 const TIED: &[f64] = &[1e2, 1e3, 1e1, 1.0, 0.1];
@@ -180,7 +181,7 @@ fn paper(base: PaperSettings, x: &[f64], scale: f64, h: f64, unit: f64) -> Paper
         newton_tolerance: x[3],
         penalty_growth: x[4],
         augmentation_ratio: x[5],
-        // A step that comes to no end otherwise.
+        // Otherwise a step may not end.
         smallest_step: h / 1024.0,
         ..base
     }
@@ -212,7 +213,7 @@ impl PartialEq for Candidate {
 }
 
 impl Candidate {
-    /// Where the search begins.
+    /// The start of the search.
     pub fn start(subject: &'static Subject) -> Self {
         let first = |(_, grid): &Grid| grid.first().copied().unwrap_or(1.0);
         Candidate {

@@ -10,7 +10,8 @@ use crate::scenes::{
 
 /// Instants at which runs are compared.
 pub(super) const INSTANTS: u32 = 40;
-/// Steps of the fine run in a natural unit of time, and what two of them may differ by, as a part of the size.
+/// Steps of the fine run in a natural unit of time, and the largest difference between two fine runs, relative to the
+/// size.
 const FINE: [f64; 2] = [1.0 / 2000.0, 1.0 / 6000.0];
 const AGREED: f64 = 1e-4;
 
@@ -30,12 +31,12 @@ pub struct Problem {
     pub size: f64,
     /// The largest kinetic energy, J.
     pub energy: f64,
-    /// How far two fine runs are apart, as a part of the size.
+    /// The difference between two fine runs, relative to the size.
     pub agreement: f64,
 }
 
 impl Problem {
-    /// Follows the right motion: `two-level` of order 8, or `projected` of order 8 where forces depend on velocities.
+    /// Computes the right motion: `two-level` of order 8, or `projected` of order 8 if forces depend on velocities.
     ///
     /// # Errors
     /// No such run comes to its end, or two of them do not agree.
@@ -118,7 +119,7 @@ impl Problem {
     }
 }
 
-/// The largest distance between the same points of two poses, m; infinite where it is no number.
+/// The largest distance between the same points of two poses, m; infinite if it is not a number.
 pub(super) fn apart(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
     let square = |(a, b): (&[f64; 3], &[f64; 3])| -> f64 {
         a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum()

@@ -1,4 +1,4 @@
-//! How good a candidate is. Counts of iterations stand for work: they are the same on every machine.
+//! The score of a candidate. The number of iterations measures the work, because it is the same on every machine.
 
 use mbs_runtime::SimulationError;
 
@@ -7,7 +7,7 @@ use super::super::store::Row;
 use super::candidates::Candidate;
 use super::problems::{INSTANTS, Problem, apart};
 
-/// Iterations of a run in a nominal step after which it is given up.
+/// A run is stopped after this number of iterations per nominal step.
 const MOST: u64 = 100;
 
 /// The sum of all runs of a candidate.
@@ -15,9 +15,10 @@ const MOST: u64 = 100;
 pub struct Score {
     /// Runs of mechanisms that the method does not refuse.
     pub runs: u32,
-    /// To their end, on the right branch.
+    /// Runs that reached their end on the right branch.
     pub completed: u32,
-    /// Farther than a tenth of the size from the right motion, or with an energy error as large.
+    /// Runs with a position error above a tenth of the size, or an energy error above a tenth of the largest kinetic
+    /// energy.
     pub wrong: u32,
     /// Ended by an error.
     pub stopped: u32,
@@ -31,12 +32,13 @@ pub struct Score {
 }
 
 impl Score {
-    /// error · work²: what steps of another length leave as it is in a method of second order.
+    /// error · work², which does not depend on the step for a method of second order.
     pub fn merit(&self) -> f64 {
         self.error * self.work * self.work
     }
 
-    /// More runs completed; of as many, less [`Score::merit`] by more than the round-off of a file.
+    /// Whether it has more completed runs, or equally many and a smaller [`Score::merit`], by more than the round-off
+    /// of a file.
     pub fn is_better(&self, other: &Score) -> bool {
         self.completed > other.completed
             || (self.completed == other.completed && self.merit() < 0.999 * other.merit())
@@ -56,7 +58,7 @@ impl Score {
         [a, b, c, d, e, f, g]
     }
 
-    /// From a row; `None` if it is no such row.
+    /// The score in a row; `None` if the row has another form.
     pub fn read(row: &Row) -> Option<Self> {
         let count = |i: usize| row.get(i)?.parse().ok();
         let number = |i: usize| row.get(i)?.parse().ok();

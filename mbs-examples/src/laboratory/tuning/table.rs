@@ -8,7 +8,7 @@ use super::score::Score;
 /// Candidates of each method that are shown, the best first.
 const SHOWN: usize = 4;
 
-/// Winner and runners-up of each method, from the rows of `tuning.csv`.
+/// The best candidates of each method, from the rows of `tuning.csv`.
 pub fn table(rows: &[Row]) -> String {
     let mut out = String::from(
         "| method | settings | completed | error | iterations in a unit | error · iterations², of the best |\n|---|---|---|---|---|---|\n",

@@ -16,7 +16,8 @@ use super::elimination::{Factor, Rank, Sparse, Upper};
 use super::kernels::{Rows, delassus, rows};
 use super::lower::{Hoisted, Lowering};
 use super::{Function, Operand, Place};
-use crate::derivatives::{Derived, InverseMass};
+use crate::derivatives::Derived;
+use crate::equations::InverseMass;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Code longer than this costs more to compile than it gains.

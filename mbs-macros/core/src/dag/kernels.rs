@@ -3,7 +3,8 @@
 use super::factor;
 use super::lower::{Hoisted, Lowering};
 use super::{Function, Place};
-use crate::derivatives::{Derived, InverseMass};
+use crate::derivatives::Derived;
+use crate::equations::InverseMass;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Kernels longer than this are left to loops: straight-line code of such length costs more to compile than it gains.

@@ -1,6 +1,6 @@
 //! Momentum, kinetic energy, and the affinities of the connection that M defines (paper, section 2).
 
-use super::Matrix;
+use super::matrix::Matrix;
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Length, Symbol};
 use std::collections::BTreeMap;

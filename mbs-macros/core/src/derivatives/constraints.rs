@@ -1,18 +1,26 @@
 //! The rows at velocity and acceleration level.
 
-use super::{Matrix, tangents};
+use super::matrix::Matrix;
+use super::tangents;
 use crate::equations::Row;
 use crate::symbolic::{Expr, Graph, Symbol};
 
-pub(super) struct DerivedRows {
+/// A, b, Ȧ and γ.
+#[derive(Debug)]
+pub(crate) struct RowDerivatives {
+    /// A.
     pub jacobian: Matrix,
+    /// b of φ̇ = A v + b.
     pub rheonomic: Vec<Expr>,
+    /// Ȧ.
     pub jacobian_rate: Matrix,
+    /// γ of A v̇ + γ = 0.
     pub convective: Vec<Expr>,
 }
 
-pub(super) fn derive(graph: &mut Graph, rows: &[Row]) -> DerivedRows {
-    let mut derived = DerivedRows {
+/// Derives those of all rows.
+pub(crate) fn derive(graph: &mut Graph, rows: &[Row]) -> RowDerivatives {
+    let mut derived = RowDerivatives {
         jacobian: Matrix::new(),
         rheonomic: Vec::new(),
         jacobian_rate: Matrix::new(),

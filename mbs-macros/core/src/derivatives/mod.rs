@@ -14,18 +14,15 @@
 
 mod affinities;
 mod constraints;
-mod inverse_mass;
+mod matrix;
 mod tangents;
 
-use crate::equations::System;
+use crate::equations::{InverseMass, System};
 use crate::symbolic::{Expr, Graph, Symbol};
-use std::collections::BTreeMap;
 
 pub use affinities::Affinities;
-pub use inverse_mass::InverseMass;
-
-/// A sparse matrix of expressions, in row order.
-pub type Matrix = BTreeMap<(usize, usize), Expr>;
+pub(crate) use constraints::{RowDerivatives, derive as rows};
+pub use matrix::Matrix;
 
 /// All that is computed from the system.
 #[derive(Debug)]
@@ -63,39 +60,14 @@ pub struct Derived {
     pub momentum_by_position: Matrix,
     /// M⁻¹ f, where M is constant and forces do not depend on velocities.
     pub acceleration: Option<Vec<Expr>>,
-    /// Rows that follow from others at generic poses: [`crate::mobility`] finds them.
+    /// Rows that follow from others at generic poses: mobility finds them.
     pub redundant: Vec<usize>,
 }
 
-/// Derives everything, once.
-pub fn derive(mut system: System) -> Derived {
+/// Derives everything, once. `redundant` are rows that follow from others.
+pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
     let graph = &mut system.graph;
     let size = system.size;
-    let is_state = Symbol::is_configuration;
-    let turns = |i: usize| {
-        let rotations = system.layout.rotations.iter();
-        let mut firsts = rotations.map(|rotation| rotation.velocity);
-        firsts.find(|&first| (first..first + 3).contains(&i))
-    };
-    // A rotation whose momentum depends on other velocities, too, has no free flight of its own: for the integrator its M
-    // is like one that varies.
-    let coupled = system.mass.keys().any(|&(i, j)| turns(i) != turns(j));
-    let constant_mass = !coupled
-        && !system
-            .mass
-            .values()
-            .any(|&entry| graph.depends_on(entry, is_state));
-    if let (true, Some(pull)) = (constant_mass, system.pull.take()) {
-        let inverse = InverseMass::new(size, &system.mass);
-        let [positions, velocities] = pull.map(|pull| inverse.apply(graph, &pull));
-        for (i, (position, velocity)) in positions.into_iter().zip(velocities).enumerate() {
-            let layout = &mut system.layout;
-            let guess = &mut layout.coordinates[layout.slots[i]].guess;
-            *guess = graph.add(*guess, position);
-            let guess = &mut layout.velocities[i].guess;
-            *guess = graph.add(*guess, velocity);
-        }
-    }
     let (momentum, kinetic) = match &system.kinetic {
         Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),
         None => {
@@ -128,11 +100,11 @@ pub fn derive(mut system: System) -> Derived {
     let total_by_position = positions(graph, &total_forces);
     let total_by_velocity = velocities(graph, &total_forces);
     let momentum_by_position = positions(graph, &momentum);
-    let explicit = constant_mass && applied_by_velocity.is_empty();
+    let explicit = system.constant_mass && applied_by_velocity.is_empty();
     let acceleration =
         explicit.then(|| InverseMass::new(size, &system.mass).apply(graph, &system.forces));
     Derived {
-        constant_mass,
+        constant_mass: system.constant_mass,
         momentum,
         kinetic,
         affinities,
@@ -147,7 +119,7 @@ pub fn derive(mut system: System) -> Derived {
         total_by_velocity,
         momentum_by_position,
         acceleration,
-        redundant: Vec::new(),
+        redundant,
         system,
     }
 }

@@ -1,6 +1,6 @@
 //! Jacobians of vectors of expressions, without their structural zeros.
 
-use super::Matrix;
+use super::matrix::Matrix;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// ∂values/∂(symbols made by `by`).

@@ -1,8 +1,7 @@
 //! The constant `MODEL`.
 
 use super::body::number;
-use crate::choose::Candidate;
-use crate::compile::Analysis;
+use crate::analysis::{Analysis, Candidate};
 use crate::contract;
 use crate::dag::Program;
 use crate::equations::RowKind;
@@ -13,7 +12,8 @@ use std::fmt::Write;
 
 /// The initialiser of `MODEL`, as text.
 pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
-    let (model, mobility) = (&analysis.model, analysis.mobility.as_ref());
+    let (outline, mobility) = (&analysis.outline, analysis.mobility.as_ref());
+    let layout = &analysis.derived.system.layout;
     let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
     let stored = |items: &[Stored]| {
         let texts = items.iter().map(|item| {
@@ -39,13 +39,13 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
             )
         })
         .collect();
-    let parts = model
+    let parts = outline
         .parts
         .iter()
         .enumerate()
         .filter(|(_, part)| part.representation != Representation::Coordinate)
         .map(|(index, part)| {
-            let modelled_as = match model.tree.carrier(index) {
+            let modelled_as = match outline.tree.carrier(index) {
                 Some(joint) => joint.describe(part.representation),
                 None => part.representation.describe().to_owned(),
             };
@@ -55,7 +55,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
             )
         })
         .collect();
-    let segments = model
+    let segments = outline
         .drawing
         .segments
         .iter()
@@ -67,7 +67,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
         .reactions
         .iter()
         .map(|(joint, component, unit)| {
-            let site = match model.drawing.site(joint) {
+            let site = match outline.drawing.site(joint) {
                 Some(point) => format!("::core::option::Option::Some({point})"),
                 None => "::core::option::Option::None".to_owned(),
             };
@@ -85,51 +85,47 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
             )
         })
         .collect();
-    let outputs = model
-        .outputs
-        .iter()
-        .map(|(quantity, _)| quantity_text(quantity))
-        .collect();
+    let outputs = outline.outputs.iter().map(quantity_text).collect();
     let mut out = String::from("&::mbs_runtime::Model {\n");
     let mut field = |name: &str, value: String| {
         let _ = writeln!(out, "{name}: {value},");
     };
-    field("name", format!("{:?}", model.name));
-    field("doc", format!("{:?}", model.doc));
-    field("declaration", format!("{:?}", model.text));
-    let world = match model.world {
+    field("name", format!("{:?}", outline.name));
+    field("doc", format!("{:?}", outline.doc));
+    field("declaration", format!("{:?}", outline.text));
+    let world = match outline.world {
         World::Planar => "Planar",
         World::Spatial => "Spatial",
     };
     field("world", format!("::mbs_runtime::World::{world}"));
-    field("up", format!("[{}]", model.up.map(number).join(", ")));
-    field("coordinates", stored(&model.layout.coordinates));
-    field("velocities", stored(&model.layout.velocities));
+    field("up", format!("[{}]", outline.up.map(number).join(", ")));
+    field("coordinates", stored(&layout.coordinates));
+    field("velocities", stored(&layout.velocities));
     field("rows", list(rows));
     field("parts", list(parts));
     field(
         "parameters",
-        list(model.parameters.iter().map(quantity_text).collect()),
+        list(outline.parameters.iter().map(quantity_text).collect()),
     );
     field(
         "inputs",
-        list(model.inputs.iter().map(quantity_text).collect()),
+        list(outline.inputs.iter().map(quantity_text).collect()),
     );
     field("outputs", list(outputs));
     field(
         "events",
         list(
-            model
+            outline
                 .events
                 .iter()
-                .map(|(name, _)| format!("{name:?}"))
+                .map(|name| format!("{name:?}"))
                 .collect(),
         ),
     );
     field(
         "points",
         list(
-            model
+            outline
                 .drawing
                 .points
                 .iter()
@@ -142,7 +138,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     field(
         "reductions",
         list(
-            model
+            outline
                 .reductions
                 .iter()
                 .map(|sentence| format!("{sentence:?}"))
@@ -153,7 +149,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     field("structure", structure(program));
     field("mobility", mobility_text(mobility, program));
     let candidates = analysis.candidates.iter();
-    let chosen = model.formulation;
+    let chosen = outline.formulation;
     field("formulation", format!("{:?}", chosen.name()));
     field("candidates", list(candidates.map(candidate_text).collect()));
     out.push('}');

@@ -1,11 +1,12 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::{doc, motion, system, tokens};
+use super::text::{doc, tokens};
+use super::{motion, system};
+use crate::analysis::Analysis;
 use crate::dag::{Operand, Program};
-use crate::mobility::{self, Mobility};
-use crate::model::{Model, Quantity};
-use crate::symbolic::Graph;
+use crate::mobility;
+use crate::model::{Outline, Quantity};
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -14,22 +15,21 @@ use std::fmt::Write;
 /// The struct and its default.
 pub(super) fn emit(
     declaration: &Declaration,
-    model: &Model,
-    mobility: Option<&Mobility>,
+    analysis: &Analysis,
     program: &Program,
 ) -> TokenStream {
     let visibility = declaration
         .visibility
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
-    let name = &declaration.name;
-    let documentation = doc(&documentation(model, mobility, program));
-    let fields: Vec<Ident> = model
+    let (outline, name) = (&analysis.outline, &declaration.name);
+    let documentation = doc(&documentation(analysis, program));
+    let fields: Vec<Ident> = outline
         .parameters
         .iter()
         .map(|parameter| field(declaration, &parameter.name))
         .collect();
-    let docs = model.parameters.iter().map(|parameter| {
+    let docs = outline.parameters.iter().map(|parameter| {
         let unit = if parameter.unit.is_empty() {
             "dimensionless".to_owned()
         } else {
@@ -42,7 +42,7 @@ pub(super) fn emit(
         };
         doc(&format!("{text}({unit}; {} by default)", parameter.default))
     });
-    let defaults = model
+    let defaults = outline
         .parameters
         .iter()
         .map(|parameter| tokens(&number(parameter.default)));
@@ -69,13 +69,13 @@ fn field(declaration: &Declaration, name: &str) -> Ident {
     entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
 }
 
-fn documentation(model: &Model, mobility: Option<&Mobility>, program: &Program) -> String {
+fn documentation(analysis: &Analysis, program: &Program) -> String {
+    let (outline, layout) = (&analysis.outline, &analysis.derived.system.layout);
     let mut out = String::new();
-    if !model.doc.is_empty() {
-        let _ = writeln!(out, "{}\n", model.doc);
+    if !outline.doc.is_empty() {
+        let _ = writeln!(out, "{}\n", outline.doc);
     }
-    let coordinates = model
-        .layout
+    let coordinates = layout
         .coordinates
         .iter()
         .map(|coordinate| format!("`{}`", coordinate.name))
@@ -86,21 +86,21 @@ fn documentation(model: &Model, mobility: Option<&Mobility>, program: &Program) 
         coordinates.len(),
         coordinates.join(", ")
     );
-    if let Some(mobility) = mobility {
+    if let Some(mobility) = &analysis.mobility {
         let _ = writeln!(
             out,
             "\n{}.",
-            mobility::summary(mobility, &program.rows, model.layout.velocities.len())
+            mobility::summary(mobility, &program.rows, program.size)
         );
     }
-    for sentence in &model.reductions {
+    for sentence in &outline.reductions {
         let _ = writeln!(out, "* {sentence}");
     }
-    out + &names(model, &program.reactions)
+    out + &names(outline, &program.reactions)
 }
 
 /// What a simulation is asked for, and told, by name.
-fn names(model: &Model, reactions: &[(String, String, String)]) -> String {
+fn names(outline: &Outline, reactions: &[(String, String, String)]) -> String {
     let with_unit = |name: &str, unit: &str| match unit {
         "" => format!("`{name}`"),
         _ => format!("`{name}` ({unit})"),
@@ -117,22 +117,22 @@ fn names(model: &Model, reactions: &[(String, String, String)]) -> String {
         }
     }
     let lists = [
-        ("Inputs", model.inputs.iter().map(quantity).collect(), ", "),
+        (
+            "Inputs",
+            outline.inputs.iter().map(quantity).collect(),
+            ", ",
+        ),
         (
             "Outputs",
-            model
-                .outputs
-                .iter()
-                .map(|(output, _)| quantity(output))
-                .collect(),
+            outline.outputs.iter().map(quantity).collect(),
             ", ",
         ),
         (
             "Events",
-            model
+            outline
                 .events
                 .iter()
-                .map(|(name, _)| format!("`{name}`"))
+                .map(|name| format!("`{name}`"))
                 .collect(),
             ", ",
         ),
@@ -150,24 +150,23 @@ fn names(model: &Model, reactions: &[(String, String, String)]) -> String {
 /// `impl Mechanism`.
 pub(super) fn emit_mechanism(
     declaration: &Declaration,
-    model: &Model,
-    graph: &Graph,
+    analysis: &Analysis,
     program: &Program,
 ) -> TokenStream {
-    let name = &declaration.name;
+    let (outline, name) = (&analysis.outline, &declaration.name);
     let system = system::name(declaration);
     let (coordinates, size, rows) = (program.coordinates, program.size, program.rows.len());
-    let fields: Vec<Ident> = model
+    let fields: Vec<Ident> = outline
         .parameters
         .iter()
         .map(|parameter| field(declaration, &parameter.name))
         .collect();
-    let names: Vec<&str> = model
+    let names: Vec<&str> = outline
         .parameters
         .iter()
         .map(|parameter| parameter.name.as_str())
         .collect();
-    let body = tokens(&preparation(model, graph, program, &system.to_string()));
+    let body = tokens(&preparation(analysis, program, &system.to_string()));
     quote! {
         #[allow(clippy::all, unused_variables, unused_mut)]
         impl ::mbs_runtime::Mechanism for #name {
@@ -197,7 +196,9 @@ pub(super) fn emit_mechanism(
 }
 
 /// Constants before M⁻¹, M⁻¹, constants after it, and the system that holds them.
-fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) -> String {
+fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
+    let (outline, equations) = (&analysis.outline, &analysis.derived.system);
+    let (layout, graph) = (&equations.layout, &equations.graph);
     let [before, after] = &program.preparation;
     let mut out = String::new();
     let write = |out: &mut String, function| {
@@ -225,13 +226,12 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
                 let _ = writeln!(out, "mass[({j}, {i})] = {value};");
             }
         }
-        let coordinates: Vec<String> = model
-            .layout
+        let coordinates: Vec<String> = layout
             .slots
             .iter()
-            .zip(&model.layout.velocities)
+            .zip(&layout.velocities)
             .map(|(&slot, velocity)| {
-                let coordinate = &model.layout.coordinates[slot].name;
+                let coordinate = &layout.coordinates[slot].name;
                 match velocity.name.strip_suffix('\'') {
                     Some(_) => format!("{coordinate:?}"),
                     None => format!("{:?}", velocity.name),
@@ -245,7 +245,7 @@ fn preparation(model: &Model, graph: &Graph, program: &Program, system: &str) ->
         );
     }
     write(&mut out, after);
-    let inputs: Vec<String> = model
+    let inputs: Vec<String> = outline
         .inputs
         .iter()
         .map(|input| number(input.default))

@@ -1,9 +1,10 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
-use super::{doc, metadata, methods, sparse, tokens};
+use super::text::{doc, tokens};
+use super::{metadata, methods, sparse};
 use crate::contract::Capability;
 use crate::dag::Program;
-use crate::model::Model;
+use crate::model::Outline;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
@@ -17,7 +18,7 @@ pub(super) fn name(declaration: &Declaration) -> Ident {
 /// The struct and `impl System`.
 pub(super) fn emit(
     declaration: &Declaration,
-    model: &Model,
+    outline: &Outline,
     graph: &Graph,
     program: &Program,
     metadata: &str,
@@ -28,7 +29,7 @@ pub(super) fn emit(
         .as_ref()
         .map_or_else(|| quote! { pub }, |visibility| quote! { #visibility });
     let size = program.size;
-    let inputs = model.inputs.len();
+    let inputs = outline.inputs.len();
     let rotations: Vec<usize> = program.rotations.iter().map(|r| r.velocity).collect();
     let count = rotations.len();
     let spins = (count > 0).then(|| quote! { spins: [::mbs_runtime::generated::Spin; #count], });
@@ -44,7 +45,7 @@ pub(super) fn emit(
             let (field, doc) = (format_ident!("k{slot}"), doc(&start(&constant.text)));
             quote! { #doc #field: f64, }
         });
-    let laws = model.laws.iter().enumerate().map(|(index, law)| {
+    let laws = outline.laws.iter().enumerate().map(|(index, law)| {
         let (function, path, count) = (format_ident!("law_{index}"), &law.path, law.arguments);
         quote! {
             #[inline]

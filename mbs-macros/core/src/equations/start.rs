@@ -5,8 +5,10 @@
 //! this projection is q' = g' + M'⁻¹ Tᵀ M (g − T g' − c): nothing changes where the guess fulfils these rows.
 
 use super::inertia::{LocalMass, slopes};
-use crate::model::Model;
+use super::inverse_mass::InverseMass;
+use crate::model::{Layout, Model};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+use std::collections::BTreeMap;
 
 /// Tᵀ M δ of positions and of velocities, δ = g − T g' − c; `None` where the guess fulfils all solved rows. For a constant M.
 pub(super) fn pull(
@@ -40,4 +42,21 @@ pub(super) fn pull(
         }
     }
     Some(terms.map(|list| list.into_iter().map(|terms| graph.sum(terms)).collect()))
+}
+
+/// Moves the guesses by M'⁻¹ times what pulls them.
+pub(super) fn move_guesses(
+    graph: &mut Graph,
+    mass: &BTreeMap<(usize, usize), Expr>,
+    layout: &mut Layout,
+    pull: [Vec<Expr>; 2],
+) {
+    let inverse = InverseMass::new(layout.velocities.len(), mass);
+    let [positions, velocities] = pull.map(|pull| inverse.apply(graph, &pull));
+    for (i, (position, velocity)) in positions.into_iter().zip(velocities).enumerate() {
+        let guess = &mut layout.coordinates[layout.slots[i]].guess;
+        *guess = graph.add(*guess, position);
+        let guess = &mut layout.velocities[i].guess;
+        *guess = graph.add(*guess, velocity);
+    }
 }

@@ -1,20 +1,15 @@
 //! Rows that are left out, with the joints that hold what they say.
 
-use super::VacuousRow;
-use super::joints::JointEquations;
+use super::system::VacuousRow;
 use crate::model::Model;
 use crate::symbolic::{Graph, Symbol};
 use std::collections::BTreeSet;
 
 /// The vacuous rows of all joints.
-pub(super) fn rows(
-    graph: &Graph,
-    model: &Model,
-    joints: &[(String, JointEquations)],
-) -> Vec<VacuousRow> {
+pub(super) fn rows(graph: &Graph, model: &Model) -> Vec<VacuousRow> {
     let mut vacuous = Vec::new();
-    for (entry, equations) in joints {
-        for (slot, row) in equations.rows.iter().enumerate() {
+    for (entry, joint) in &model.joints {
+        for (slot, row) in joint.conditions.iter().enumerate() {
             if model.vacuous.contains(&(entry.clone(), slot)) {
                 vacuous.push(VacuousRow {
                     name: row.name(entry),
@@ -29,6 +24,7 @@ pub(super) fn rows(
 
 /// The joints of the tree between the parts that an expression in local coordinates is about.
 fn between(model: &Model, symbols: Vec<Symbol>) -> Vec<String> {
+    let outline = &model.outline;
     let mut parts: BTreeSet<Option<usize>> = BTreeSet::new();
     for symbol in symbols {
         let local = match symbol {
@@ -38,8 +34,8 @@ fn between(model: &Model, symbols: Vec<Symbol>) -> Vec<String> {
             _ => continue,
         };
         parts.extend(
-            (0..model.parts.len())
-                .filter(|&part| model.parts[part].locals.contains(&local))
+            (0..outline.parts.len())
+                .filter(|&part| outline.parts[part].locals.contains(&local))
                 .map(Some),
         );
     }
@@ -47,14 +43,14 @@ fn between(model: &Model, symbols: Vec<Symbol>) -> Vec<String> {
     if parts.len() == 1 {
         parts.insert(None);
     }
-    let chains = parts.into_iter().map(|part| model.tree.chain(part));
+    let chains = parts.into_iter().map(|part| outline.tree.chain(part));
     let chains: Vec<BTreeSet<usize>> = chains.collect();
     let shared = |joint: &usize| chains.iter().all(|chain| chain.contains(joint));
     let all: BTreeSet<usize> = chains.iter().flatten().copied().collect();
     let mut names: Vec<String> = all
         .iter()
         .filter(|joint| !shared(joint))
-        .map(|&joint| model.tree.joints[joint].joint.clone())
+        .map(|&joint| outline.tree.joints[joint].joint.clone())
         .collect();
     names.sort();
     names

@@ -68,7 +68,7 @@ pub(super) fn close(numbers: &Numbers, guess: Vec<f64>) -> Result<Option<Vec<f64
 
 /// A pose that has nothing to do with the guess but its size.
 fn anywhere(numbers: &Numbers, guess: &[f64], seed: u64) -> Vec<f64> {
-    let layout = &numbers.derived.system.layout;
+    let layout = &numbers.system.layout;
     let mut random = Random(seed + 101);
     let mut change = vec![0.0; layout.velocities.len()];
     for (change, velocity) in change.iter_mut().zip(&layout.velocities) {
@@ -82,14 +82,14 @@ fn anywhere(numbers: &Numbers, guess: &[f64], seed: u64) -> Vec<f64> {
 }
 
 fn descend(numbers: &Numbers, mut q: Vec<f64>) -> End {
-    let system = &numbers.derived.system;
+    let system = numbers.system;
     let mut phi = numbers.residual(&q);
     let mut damping = 1e-3;
     for _ in 0..STEPS {
         if numbers.assembled(&phi) {
             return End::Closed(q);
         }
-        let mut a = numbers.matrix(&numbers.derived.jacobian, &q, &[]);
+        let mut a = numbers.matrix(&numbers.rows.jacobian, &q, &[]);
         a.truncate(phi.len());
         let gradient = transposed(&a, &phi, system.size);
         let scale = norm(&a.concat()) * norm(&phi);
@@ -170,8 +170,8 @@ fn damped_step(a: &[Vec<f64>], gradient: &[f64], damping: f64) -> Option<Vec<f64
 }
 
 fn describe(numbers: &Numbers, pose: &[f64]) -> Open {
-    let rows = &numbers.derived.system.rows;
-    let a = numbers.matrix(&numbers.derived.jacobian, pose, &[]);
+    let rows = &numbers.system.rows;
+    let a = numbers.matrix(&numbers.rows.jacobian, pose, &[]);
     let phi = numbers.residual(pose);
     let mut gaps: Vec<(f64, usize, &str)> = phi
         .iter()
@@ -186,7 +186,7 @@ fn describe(numbers: &Numbers, pose: &[f64]) -> Open {
     gaps.retain(|(gap, ..)| *gap > NAMED * worst);
     gaps.truncate(NAMES);
     // The later of two that contradict each other is to blame, and a joint rather than a bar.
-    let parts = &numbers.model.parts;
+    let parts = &numbers.outline.parts;
     let is_joint = |row: usize| parts.iter().all(|part| part.name != rows[row].entry);
     let named = gaps.iter().map(|&(_, row, _)| row);
     let blamed = named.clone().filter(|&row| is_joint(row)).max();
@@ -204,8 +204,8 @@ fn describe(numbers: &Numbers, pose: &[f64]) -> Open {
 
 /// What a length lacks whose row is half the difference of squares, φ = ½ (d² − L²): d − L for a bar, else φ over its slope.
 fn length_gap(numbers: &Numbers, row: usize, phi: f64, slope: f64) -> f64 {
-    let entry = &numbers.derived.system.rows[row].entry;
-    let parts = &numbers.model.parts;
+    let entry = &numbers.system.rows[row].entry;
+    let parts = &numbers.outline.parts;
     let bar = parts.iter().find(|part| part.name == *entry);
     let length = bar.and_then(|part| numbers.values(&[], part.length.into_iter()).pop());
     match length {

@@ -11,16 +11,15 @@
 //! last the rest is tried as a whole. Tested at several poses, on the branch of the guess, at different times where time
 //! appears.
 
-use super::DEPENDENT;
 use super::numbers::Numbers;
-use super::rows::{Rows, norm};
+use super::rows::{DEPENDENT, Rows, norm};
 
 /// dθ below this fraction of its terms is zero.
 const CLOSED: f64 = 1e-9;
 
 /// The nonholonomic rows that are integrable together with the holonomic ones.
 pub(super) fn integrable(numbers: &Numbers, poses: &[Vec<f64>]) -> Vec<usize> {
-    let system = &numbers.derived.system;
+    let system = numbers.system;
     let (holonomic, count) = (system.holonomic_rows(), system.rows.len());
     if holonomic == count {
         return Vec::new();
@@ -74,7 +73,7 @@ struct Forms<'a> {
 
 impl<'a> Forms<'a> {
     fn new(numbers: &Numbers<'a>, pose: Vec<f64>) -> Self {
-        let derived = numbers.derived;
+        let derived = numbers.rows;
         let mut rows = numbers.matrix(&derived.jacobian, &pose, &[]);
         let rheonomic = numbers.values(&pose, derived.rheonomic.iter().copied());
         for (row, n) in rows.iter_mut().zip(rheonomic) {
@@ -90,7 +89,7 @@ impl<'a> Forms<'a> {
     /// Whether dθ of the rows `added` vanishes along all that the rows `set` leave free.
     fn are_closed(&self, set: &[usize], added: &[usize]) -> bool {
         let rows = set.iter().map(|&row| (row, &self.rows[row]));
-        let size = self.numbers.derived.system.size;
+        let size = self.numbers.system.size;
         let free = Rows::new(rows, DEPENDENT).kernel(size + 1);
         // The derivatives of (N, n) along each free motion.
         let slopes: Vec<Vec<Vec<f64>>> = free.iter().map(|u| self.slopes(u)).collect();
@@ -115,7 +114,7 @@ impl<'a> Forms<'a> {
 
     /// ∂_u (N, n) of all rows, from rates, of which the part that time alone causes counts as much as u_t says.
     fn slopes(&self, u: &[f64]) -> Vec<Vec<f64>> {
-        let size = self.numbers.derived.system.size;
+        let size = self.numbers.system.size;
         let (moving, resting) = (self.rates(&u[..size]), self.rates(&vec![0.0; size]));
         let by_time = u[size] - 1.0;
         let mut slopes = moving;
@@ -129,7 +128,7 @@ impl<'a> Forms<'a> {
 
     /// d/dt of (N, n) with velocities v; ṅ is γ without Ȧ v.
     fn rates(&self, v: &[f64]) -> Vec<Vec<f64>> {
-        let derived = self.numbers.derived;
+        let derived = self.numbers.rows;
         let mut rates = self.numbers.matrix(&derived.jacobian_rate, &self.pose, v);
         let convective = derived.convective.iter().copied();
         let convective = self.numbers.values_moving(&self.pose, v, convective);
@@ -142,7 +141,7 @@ impl<'a> Forms<'a> {
     /// [u, w] of fields with these constant components: the structure constants of rotations.
     fn bracket(&self, u: &[f64], w: &[f64]) -> Vec<f64> {
         let mut bracket = vec![0.0; u.len()];
-        for rotation in &self.numbers.derived.system.layout.rotations {
+        for rotation in &self.numbers.system.layout.rotations {
             let first = rotation.velocity;
             for k in 0..3 {
                 let (i, j) = (first + (k + 1) % 3, first + (k + 2) % 3);

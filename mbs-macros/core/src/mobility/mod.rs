@@ -1,6 +1,6 @@
 //! Rank, mobility, and the redundant rows by name: what only numbers can tell, told at compile time.
 //!
-//! Between stages 4 and 5 the constraint Jacobian A is evaluated by the interpreter at a few poses near the declared
+//! Between stages 3 and 4 the constraint Jacobian A is evaluated by the interpreter at a few poses near the declared
 //! guess, with default parameters. The guess is assembled, then moved at random along what its rows leave free, and
 //! assembled again: so the poses stay on the branch of the guess, and a guess that happens to be singular does not count
 //! for the mechanism. Rows are orthogonalised in their order: one that adds nothing to those
@@ -15,19 +15,18 @@ mod numbers;
 mod rows;
 mod words;
 
-use crate::derivatives::Derived;
+use crate::derivatives::{self, RowDerivatives};
 use crate::equations::{Row, System, VacuousRow};
-use crate::model::Model;
+use crate::model::Outline;
 use crate::symbolic::Symbol;
 use numbers::Numbers;
+use rows::DEPENDENT;
 
 pub use closing::Open;
 pub use words::{redundancies, summary};
 
 /// Poses to look at.
 const POSES: u64 = 3;
-/// A row whose remainder is below this fraction of its length adds nothing.
-const DEPENDENT: f64 = 1e-9;
 /// A row depends on those before it whose coefficient exceeds this.
 const INVOLVED: f64 = 1e-7;
 
@@ -69,8 +68,7 @@ pub struct Redundancy {
 ///
 /// # Errors
 /// The rows cannot be fulfilled together, whatever the pose.
-pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Open> {
-    let system = &derived.system;
+pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, Open> {
     let mut redundant: Vec<Redundancy> =
         system.vacuous.iter().map(Redundancy::of_vacuous).collect();
     if system.rows.is_empty() {
@@ -83,7 +81,10 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
             integrable: Vec::new(),
         }));
     }
-    let (numbers, guess) = Numbers::new(model, derived);
+    // In a graph of their own: stage 4 makes its expressions in its own order.
+    let mut graph = system.graph.clone();
+    let derived = derivatives::rows(&mut graph, &system.rows);
+    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived);
     let home = match numbers.assemble(guess.clone()) {
         Some(home) => home,
         None => match closing::close(&numbers, guess)? {
@@ -96,7 +97,9 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
     // Along a branch rank is lost by accident only: the pose of the highest rank is the generic one. (A mechanism that
     // cannot move has no other pose than its home.)
     poses.push(home);
-    let rows = poses.iter().map(|pose| numbers.rows(pose, DEPENDENT));
+    let rows = poses
+        .iter()
+        .map(|pose| numbers.independent_rows(pose, DEPENDENT));
     let Some(rows) = rows.max_by_key(|rows| rows.basis.len()) else {
         return Ok(None);
     };
@@ -109,7 +112,7 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
             entry: system.rows[*row].entry.clone(),
             vacuous: false,
             follows_from: entries(&system.rows, &involved[..involved.len() - 1]),
-            along: along(model, derived, &involved),
+            along: along(outline, system, &derived, &involved),
         });
         open.extend(involved);
     }
@@ -121,6 +124,11 @@ pub fn analyse(model: &Model, derived: &Derived) -> Result<Option<Mobility>, Ope
         undetermined: undetermined(system, &open),
         integrable: integrability::integrable(&numbers, &poses),
     }))
+}
+
+/// The rows that follow from others and are not left out.
+pub fn dependent(mobility: Option<&Mobility>) -> Vec<usize> {
+    mobility.map_or_else(Vec::new, |found| found.dependent.clone())
 }
 
 impl Redundancy {
@@ -160,13 +168,18 @@ fn combined(row: usize, independent: &[usize], coefficients: &[f64]) -> Vec<usiz
 }
 
 /// The joints on whose coordinates rows depend.
-fn along(model: &Model, derived: &Derived, rows: &[usize]) -> Vec<String> {
+fn along(
+    outline: &Outline,
+    system: &System,
+    derived: &RowDerivatives,
+    rows: &[usize],
+) -> Vec<String> {
     let mut joints: Vec<String> = Vec::new();
     let columns = derived.jacobian.keys().filter(|(i, _)| rows.contains(i));
     for &(_, column) in columns {
-        let name = &derived.system.layout.velocities[column].name;
+        let name = &system.layout.velocities[column].name;
         let owner = name.split('.').next().unwrap_or_default();
-        let is_part = model.parts.iter().any(|part| part.name == owner);
+        let is_part = outline.parts.iter().any(|part| part.name == owner);
         if !is_part && !joints.iter().any(|joint| joint == owner) {
             joints.push(owner.to_owned());
         }

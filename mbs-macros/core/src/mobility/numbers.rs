@@ -1,9 +1,10 @@
 //! The equations as numbers, and poses that fulfil them.
 
 use super::rows::{Rows, norm};
-use crate::derivatives::{Derived, Matrix};
-use crate::model::Model;
-use crate::symbolic::{Evaluator, Expr, Symbol};
+use crate::derivatives::{Matrix, RowDerivatives};
+use crate::equations::System;
+use crate::model::Outline;
+use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
 
 /// How far poses are moved, in units of the largest coordinate, from bold to timid: the first that arrives counts.
 const MOVES: [f64; 3] = [0.1, 0.02, 0.002];
@@ -17,8 +18,11 @@ const ITERATIONS: usize = 40;
 /// The equations as numbers, with default parameters and inputs.
 #[derive(Clone, Copy)]
 pub(super) struct Numbers<'a> {
-    pub model: &'a Model,
-    pub derived: &'a Derived,
+    pub outline: &'a Outline,
+    pub system: &'a System,
+    /// All expressions, with those of the rows' derivatives.
+    pub graph: &'a Graph,
+    pub rows: &'a RowDerivatives,
     pub time: f64,
     /// The largest coordinate of the guess, or 1.
     pub size: f64,
@@ -26,14 +30,21 @@ pub(super) struct Numbers<'a> {
 
 impl<'a> Numbers<'a> {
     /// Those at t = 0, and the guess.
-    pub fn new(model: &'a Model, derived: &'a Derived) -> (Self, Vec<f64>) {
+    pub fn new(
+        outline: &'a Outline,
+        system: &'a System,
+        graph: &'a Graph,
+        rows: &'a RowDerivatives,
+    ) -> (Self, Vec<f64>) {
         let mut numbers = Numbers {
-            model,
-            derived,
+            outline,
+            system,
+            graph,
+            rows,
             time: 0.0,
             size: 1.0,
         };
-        let coordinates = &derived.system.layout.coordinates;
+        let coordinates = &system.layout.coordinates;
         let guess = numbers.values(&[], coordinates.iter().map(|stored| stored.guess));
         let size = guess.iter().fold(0.0f64, |size, q| size.max(q.abs()));
         if size > 0.0 {
@@ -54,27 +65,27 @@ impl<'a> Numbers<'a> {
         v: &[f64],
         exprs: impl Iterator<Item = Expr>,
     ) -> Vec<f64> {
-        let layout = &self.derived.system.layout;
+        let layout = &self.system.layout;
         let symbols = |symbol: Symbol| match symbol {
-            Symbol::Parameter(i) => self.model.parameters[i as usize].default,
-            Symbol::Input(i) => self.model.inputs[i as usize].default,
+            Symbol::Parameter(i) => self.outline.parameters[i as usize].default,
+            Symbol::Input(i) => self.outline.inputs[i as usize].default,
             Symbol::Time => self.time,
             Symbol::Velocity(i) => v.get(i as usize).copied().unwrap_or(0.0),
             other => layout.value(other, q).unwrap_or(0.0),
         };
         // Laws are refused in rows.
         let laws = |_: u32, _: &[f64]| (0.0, Vec::new());
-        let mut evaluator = Evaluator::new(&self.derived.system.graph, &symbols, &laws);
+        let mut evaluator = Evaluator::new(self.graph, &symbols, &laws);
         exprs.map(|expr| evaluator.value(expr)).collect()
     }
 
     /// The rows of A at q, orthogonalised: those of parts first (a bar keeps its length by itself), then those of joints
     /// and conditions as declared, so that the later of two that say the same is the one called redundant.
-    pub fn rows(&self, q: &[f64], dependent: f64) -> Rows {
-        let list = &self.derived.system.rows;
-        let matrix = self.matrix(&self.derived.jacobian, q, &[]);
+    pub fn independent_rows(&self, q: &[f64], dependent: f64) -> Rows {
+        let list = &self.system.rows;
+        let matrix = self.matrix(&self.rows.jacobian, q, &[]);
         let is_part = |row: &usize| {
-            self.model
+            self.outline
                 .parts
                 .iter()
                 .any(|part| part.name == list[*row].entry)
@@ -86,7 +97,7 @@ impl<'a> Numbers<'a> {
 
     /// A matrix of as many rows as A.
     pub fn matrix(&self, matrix: &Matrix, q: &[f64], v: &[f64]) -> Vec<Vec<f64>> {
-        let system = &self.derived.system;
+        let system = self.system;
         let mut dense = vec![vec![0.0; system.size]; system.rows.len()];
         let values = self.values_moving(q, v, matrix.values().copied());
         for (&(i, j), value) in matrix.keys().zip(values) {
@@ -97,7 +108,7 @@ impl<'a> Numbers<'a> {
 
     /// φ of the holonomic rows.
     pub fn residual(&self, q: &[f64]) -> Vec<f64> {
-        let rows = &self.derived.system.rows[..self.derived.system.holonomic_rows()];
+        let rows = &self.system.rows[..self.system.holonomic_rows()];
         self.values(q, rows.iter().map(|row| row.expr))
     }
 
@@ -109,9 +120,9 @@ impl<'a> Numbers<'a> {
     /// A pose on the branch of `home`: moved at random along what the rows leave free, and assembled again.
     pub fn generic_pose(&self, home: &[f64], seed: u64) -> Option<Vec<f64>> {
         let mut random = Random(seed + 1);
-        let count = self.derived.system.size;
+        let count = self.system.size;
         let mut direction: Vec<f64> = (0..count).map(|_| random.next()).collect();
-        self.rows(home, NEARLY_DEPENDENT)
+        self.independent_rows(home, NEARLY_DEPENDENT)
             .remove_from(&mut direction);
         let length = norm(&direction);
         if length < 1e-6 {
@@ -119,7 +130,7 @@ impl<'a> Numbers<'a> {
         }
         MOVES.iter().find_map(|distance| {
             let step = distance * self.size / length;
-            let layout = &self.derived.system.layout;
+            let layout = &self.system.layout;
             let moved = layout.moved(home, &direction, step);
             let arrived = self.assemble(moved.clone())?;
             let strayed: Vec<f64> = arrived.iter().zip(&moved).map(|(a, b)| a - b).collect();
@@ -129,7 +140,7 @@ impl<'a> Numbers<'a> {
 
     /// Gauss–Newton steps of least change onto φ = 0.
     pub fn assemble(&self, mut q: Vec<f64>) -> Option<Vec<f64>> {
-        let system = &self.derived.system;
+        let system = self.system;
         for _ in 0..ITERATIONS {
             let phi = self.residual(&q);
             if !largest(&phi).is_finite() || self.is_far(&q) {
@@ -139,7 +150,7 @@ impl<'a> Numbers<'a> {
                 return Some(q);
             }
             let change = self
-                .rows(&q, NEARLY_DEPENDENT)
+                .independent_rows(&q, NEARLY_DEPENDENT)
                 .correction(system.size, &phi);
             q = system.layout.moved(&q, &change, 1.0);
         }

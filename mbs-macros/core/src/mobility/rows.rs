@@ -2,6 +2,9 @@
 
 use std::ops::Range;
 
+/// A row whose remainder is below this fraction of its length adds nothing.
+pub(super) const DEPENDENT: f64 = 1e-9;
+
 /// Rows of a matrix, orthogonalised in order: a_i = Σ_k l_ik e_k over an orthonormal basis e.
 pub(super) struct Rows {
     pub basis: Vec<Direction>,

@@ -4,10 +4,10 @@ use super::counted;
 use super::geometry::Vector;
 use super::kinematics::Walk;
 use super::parts::Part;
-use super::reduce::Reduction;
-use super::resolve::Resolver;
+use super::reduction::Reduction;
+use super::resolver::Resolver;
 use super::solved;
-use super::tree::{Motion, Tree};
+use super::tree::{BodyTwist, Tree};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
@@ -118,10 +118,10 @@ impl Merged<'_> {
         let substitution = &mut reduction.substitution;
         reduction.unwrapped_angles = counted::replace(resolver, self.tree, substitution);
         counted::renumber(resolver, &reduction.unwrapped_angles, substitution);
-        reduction.motions = self.walk(resolver, substitution);
+        reduction.twists = self.walk(resolver, substitution);
     }
 
-    fn walk(&self, resolver: &mut Resolver, substitution: &mut Substitution) -> Vec<Motion> {
+    fn walk(&self, resolver: &mut Resolver, substitution: &mut Substitution) -> Vec<BodyTwist> {
         let walk = Walk {
             graph: &mut resolver.graph,
             world: resolver.world,

@@ -1,7 +1,7 @@
 //! Counted joint angles after the reduction: the angle of a joint of the tree is its coordinate, which counts full turns
 //! by itself; only the others need a memory.
 
-use super::resolve::Resolver;
+use super::resolver::Resolver;
 use super::tree::Tree;
 use crate::symbolic::{Substitution, Symbol};
 
@@ -14,11 +14,14 @@ pub(super) fn replace(
 ) -> Vec<usize> {
     let graph = &mut resolver.graph;
     let mut others = Vec::new();
-    for (index, winding) in resolver.unwrapped_angles.iter().enumerate() {
+    for (index, unwrapped) in resolver.unwrapped_angles.iter().enumerate() {
         let mut joints = tree.joints.iter();
         let own = joints.find_map(|joint| {
-            let local = joint.angle.filter(|_| joint.joint == winding.joint)?;
-            let sign = if joint.link.forwards { 1.0 } else { -1.0 };
+            if joint.joint != unwrapped.joint {
+                return None;
+            }
+            let local = *joint.angles().first()?;
+            let sign = if joint.mobilizer.forwards { 1.0 } else { -1.0 };
             Some((Symbol::LocalPosition(local), sign))
         });
         let Some((local, sign)) = own else {
@@ -32,7 +35,7 @@ pub(super) fn replace(
         let angle = graph.scale(sign, angle);
         // What was counted last is the same, so that no turns are added.
         substitution.insert(Symbol::UnwrappedAngle(index as u32), angle);
-        substitution.equate(winding.within, angle);
+        substitution.equate(unwrapped.within, angle);
     }
     others
 }

@@ -1,9 +1,9 @@
 //! What an animation draws.
 
-use super::elements::{ForceElement, JointElement};
+use super::elements::{ForceEntry, JointEntry};
 use super::geometry::{Owner, Point, Vector};
 use super::parts::Representation;
-use super::resolve::Resolver;
+use super::resolver::Resolver;
 
 /// Points and lines, and where reactions act.
 #[derive(Debug, Clone, Default)]
@@ -40,7 +40,7 @@ impl Drawing {
 
 impl Resolver<'_> {
     /// Bars from end to end, bodies from their origin to their joints and points that have a name, springs between their points.
-    pub(super) fn drawing(&mut self, joints: &[JointElement], forces: &[ForceElement]) -> Drawing {
+    pub(super) fn drawing(&mut self, joints: &[JointEntry], forces: &[ForceEntry]) -> Drawing {
         let mut drawing = Drawing::default();
         for index in 0..self.parts.len() {
             let owner = Owner::Part(index);
@@ -65,8 +65,8 @@ impl Resolver<'_> {
             }
             let attached = joints
                 .iter()
-                .flat_map(|joint| joint.joint.points())
-                .chain(forces.iter().flat_map(|f| f.force.points()));
+                .flat_map(|joint| &joint.joint.points)
+                .chain(forces.iter().flat_map(|f| &f.force.points));
             let mut attached: Vec<Point> = attached
                 .filter(|point| point.owner == owner)
                 .cloned()
@@ -88,7 +88,7 @@ impl Resolver<'_> {
             self.outline(index, &mut drawing);
         }
         for element in forces {
-            if let [from, to] = element.force.points()[..] {
+            if let [from, to] = &element.force.points[..] {
                 let ends = (drawing.point(0, from), drawing.point(0, to));
                 drawing
                     .segments
@@ -96,7 +96,7 @@ impl Resolver<'_> {
             }
         }
         for element in joints {
-            let points = element.joint.points();
+            let points = &element.joint.points;
             let moving = points.iter().rev().find(|p| p.owner != Owner::Ground);
             if let Some(point) = moving {
                 let site = drawing.point(0, point);

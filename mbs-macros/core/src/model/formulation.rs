@@ -1,12 +1,11 @@
 //! Which coordinates a mechanism is described by.
 
-use super::resolve::Resolver;
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::syntax::{Declaration, Entry};
 use syn::Expr as Syntax;
 
 /// The name of the argument.
-const COORDINATES: &str = "coordinates";
+pub(super) const COORDINATES: &str = "coordinates";
 
 /// A choice of coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,7 +66,11 @@ pub fn requested(declaration: &Declaration, errors: &mut Errors) -> Option<Formu
 }
 
 /// What an entry asks for, of what is possible; `None` is `Auto`.
-fn asked(entry: &Entry, possible: &[Formulation], errors: &mut Errors) -> Option<Formulation> {
+pub(super) fn asked(
+    entry: &Entry,
+    possible: &[Formulation],
+    errors: &mut Errors,
+) -> Option<Formulation> {
     let syntax = &entry.named(COORDINATES)?.value;
     let name = match syntax {
         Syntax::Path(path) => path.path.get_ident().map(ToString::to_string),
@@ -100,19 +103,4 @@ fn asked(entry: &Entry, possible: &[Formulation], errors: &mut Errors) -> Option
         errors.at(Place::of(syntax), message);
     }
     found.copied()
-}
-
-impl Resolver<'_> {
-    /// What a part asks for by `coordinates =`, of what is possible for it; `None` is what the mechanism takes.
-    pub(super) fn wish(&mut self, entry: &Entry, possible: &[Formulation]) -> Option<Formulation> {
-        entry.named(COORDINATES)?;
-        if let Some(frame) = entry.named("frame") {
-            let place = Place::of(&frame.value);
-            return self.fail(
-                place,
-                "the frame says what describes this part: remove `coordinates =` or `frame =`",
-            );
-        }
-        asked(entry, possible, self.errors)
-    }
 }

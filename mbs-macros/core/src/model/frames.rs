@@ -3,7 +3,7 @@
 use super::Local;
 use super::geometry::{Frame, Owner, Point};
 use super::parts::Representation;
-use super::resolve::Resolver;
+use super::resolver::Resolver;
 use crate::symbolic::{Expr, Symbol};
 
 impl Resolver<'_> {

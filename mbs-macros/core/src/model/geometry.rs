@@ -8,6 +8,9 @@ pub type Vector = [Expr; 3];
 /// Directions of the three axes of a frame, in the ground's axes.
 pub type Axes = [Vector; 3];
 
+/// A symmetric tensor, both triangles.
+pub type Tensor = [[Expr; 3]; 3];
+
 /// What a point or frame is fixed to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Owner {
@@ -40,6 +43,11 @@ pub struct Point {
     pub free: Option<u32>,
     /// Its name, for example `crank.b`.
     pub label: String,
+}
+
+/// A point that is a pair of coordinates, or a place of the ground.
+pub(super) fn mergeable(point: &Point) -> bool {
+    point.free.is_some() || point.owner == Owner::Ground
 }
 
 /// The frame of a part.

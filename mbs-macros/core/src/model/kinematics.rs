@@ -1,8 +1,9 @@
 //! Poses and velocities along the tree, from each part to those that it carries.
 
 use super::geometry::{Axes, Owner, Vector};
+use super::mobilizer::Freedom;
 use super::parts::{Part, Representation};
-use super::tree::{Motion, Tree, TreeJoint};
+use super::tree::{BodyTwist, Tree, TreeJoint};
 use crate::schema::World;
 use crate::symbolic::{Expr, Function, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
@@ -39,9 +40,9 @@ pub(super) struct Walk<'a> {
 impl Walk<'_> {
     /// Replaces the locals of all parts that the tree carries, and answers their velocities. What the tree leaves to parts
     /// themselves (roots, own rotations, joint coordinates) has to be replaced already.
-    pub(super) fn run(&mut self, tree: &Tree) -> Vec<Motion> {
+    pub(super) fn run(&mut self, tree: &Tree) -> Vec<BodyTwist> {
         let mut states: BTreeMap<usize, State> = BTreeMap::new();
-        let mut motions = Vec::new();
+        let mut twists = Vec::new();
         for joint in &tree.joints {
             let parent = match joint.parent {
                 None => self.ground(),
@@ -59,14 +60,14 @@ impl Walk<'_> {
                 World::Spatial => self.spatial(joint, &parent),
             };
             self.store(joint.child, &state);
-            motions.push(Motion {
+            twists.push(BodyTwist {
                 part: joint.child,
                 velocity: state.velocity,
                 omega: state.omega,
             });
             states.insert(joint.child, state);
         }
-        motions
+        twists
     }
 
     fn ground(&mut self) -> State {
@@ -161,31 +162,37 @@ impl Walk<'_> {
     }
 
     fn spatial(&mut self, joint: &TreeJoint, parent: &State) -> State {
-        let link = &joint.link;
+        let mobilizer = &joint.mobilizer;
         let part = &self.parts[joint.child];
-        let (p, c) = (&link.parent, &link.child);
+        let (p, c) = (&mobilizer.parent, &mobilizer.child);
         let mut arm = self.off_center(p.point.owner, p.point.local);
         let back = self.off_center(c.point.owner, c.point.local);
         // The joint's place, velocity and acceleration on the parent, in the parent's axes.
         let mut slide = [self.graph.zero_vector(); 2];
-        for (&axis, &local) in link.slides.iter().zip(&joint.strokes) {
+        let mut slides = false;
+        for (freedom, local) in joint.freedoms() {
+            let (axis, per_unit) = match *freedom {
+                Freedom::Slide(axis) => (axis, None),
+                Freedom::Helix(lead) => (2, Some(lead)),
+                Freedom::Turn(_) | Freedom::Rotation => continue,
+            };
+            slides = true;
             let direction = p.local[axis];
-            let stroke = self.symbol(Symbol::LocalPosition(local));
-            let along = self.graph.vector_scale(stroke, direction);
-            arm = self.graph.vector_add(arm, along);
-            let rates = [
-                Symbol::LocalVelocity(local),
-                Symbol::LocalAcceleration(local),
-            ];
-            for (slide, symbol) in slide.iter_mut().zip(rates) {
-                let rate = self.symbol(symbol);
-                let along = self.graph.vector_scale(rate, direction);
-                *slide = self.graph.vector_add(*slide, along);
-            }
+            let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
+                let mut stroke = walk.symbol(symbol);
+                if let Some(per_unit) = per_unit {
+                    stroke = walk.graph.mul(per_unit, stroke);
+                }
+                let along = walk.graph.vector_scale(stroke, direction);
+                walk.graph.vector_add(before, along)
+            };
+            arm = along(self, Symbol::LocalPosition(local), arm);
+            slide[0] = along(self, Symbol::LocalVelocity(local), slide[0]);
+            slide[1] = along(self, Symbol::LocalAcceleration(local), slide[1]);
         }
         let turn = [parent.omega, parent.alpha];
         let mut rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
-        if !link.slides.is_empty() {
+        if slides {
             // … with the acceleration of Coriolis, 2 ω × ṡ.
             let twice = slide[0].map(|x| self.graph.scale(2.0, x));
             let deflection = self.graph.cross(parent.omega, twice);
@@ -202,7 +209,7 @@ impl Walk<'_> {
                 ..*parent
             };
         }
-        let (axes, turn, rates) = if link.free_rotation {
+        let (axes, turn, rates) = if mobilizer.frees_rotation() {
             let (axes, turn) = self.own_rotation(part);
             let rates = rates.map(|rate| {
                 let outside = self.graph.turn(&parent.axes, rate);
@@ -230,17 +237,20 @@ impl Walk<'_> {
     /// The axes of the child, which turns about axes of the joint at most, its angular velocity and acceleration, and the
     /// joint's velocity and acceleration in its axes.
     fn carried(&mut self, joint: &TreeJoint, parent: &State, rates: Rates) -> (Axes, Rates, Rates) {
-        let (outer, inner) = (joint.link.parent.local, joint.link.child.local);
+        let (outer, inner) = (joint.mobilizer.parent.local, joint.mobilizer.child.local);
         let mut axes = self.graph.compose(&parent.axes, &outer);
         let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
         let mut vectors = vectors.map(|v| self.graph.components(&outer, v));
-        if let Some(local) = joint.angle {
-            (axes, vectors) = self.turned(&joint.joint, local, axes, vectors);
-        }
-        if let (Some(between), Some(local)) = (joint.link.second, joint.second_angle) {
-            axes = self.graph.compose(&axes, &between);
-            vectors = vectors.map(|v| self.graph.components(&between, v));
-            let name = format!("{}_second", joint.joint);
+        let turns = joint.freedoms().filter(|(freedom, _)| freedom.turns());
+        for (place, (freedom, local)) in turns.enumerate() {
+            if let Freedom::Turn(Some(between)) = freedom {
+                axes = self.graph.compose(&axes, between);
+                vectors = vectors.map(|v| self.graph.components(between, v));
+            }
+            let name = match place {
+                0 => joint.joint.clone(),
+                _ => format!("{}_second", joint.joint),
+            };
             (axes, vectors) = self.turned(&name, local, axes, vectors);
         }
         // The child's axes are those whose composition with its attachment gives the joint's.
@@ -297,13 +307,18 @@ impl Walk<'_> {
     }
 
     fn planar(&mut self, joint: &TreeJoint, parent: &State) -> State {
-        let link = &joint.link;
+        let mobilizer = &joint.mobilizer;
         let part = &self.parts[joint.child];
-        let mut arm = self.off_center(link.parent.point.owner, link.parent.point.local);
+        let mut arm = self.off_center(mobilizer.parent.point.owner, mobilizer.parent.point.local);
         // The sliding against the parent, in the parent's axes.
         let mut slide = [self.graph.zero_vector(); 2];
-        for (&axis, &local) in link.slides.iter().zip(&joint.strokes) {
-            let direction = link.parent.local[axis];
+        let mut slides = false;
+        for (freedom, local) in joint.freedoms() {
+            let Freedom::Slide(axis) = *freedom else {
+                continue;
+            };
+            slides = true;
+            let direction = mobilizer.parent.local[axis];
             let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
                 let stroke = walk.symbol(symbol);
                 let along = walk.graph.vector_scale(stroke, direction);
@@ -316,7 +331,7 @@ impl Walk<'_> {
         let arm = self.graph.turn(&parent.axes, arm);
         let turn = [parent.omega, parent.alpha];
         let mut rates = self.carry([parent.velocity, parent.acceleration], turn, arm);
-        if !link.slides.is_empty() {
+        if slides {
             // … with the acceleration of Coriolis, 2 ω × ṡ.
             let [speed, push] = slide.map(|v| self.graph.turn(&parent.axes, v));
             let twice = speed.map(|x| self.graph.scale(2.0, x));
@@ -337,8 +352,8 @@ impl Walk<'_> {
             };
         }
         let angle = part.locals[2];
-        if let (false, Some(offset)) = (link.free_rotation, link.offset) {
-            let offset = match link.forwards {
+        if let (false, Some(offset)) = (mobilizer.frees_rotation(), mobilizer.offset) {
+            let offset = match mobilizer.forwards {
                 true => offset,
                 false => self.graph.neg(offset),
             };
@@ -353,7 +368,7 @@ impl Walk<'_> {
             }
         }
         let (axes, turn) = self.own_rotation(part);
-        let back = self.off_center(link.child.point.owner, link.child.point.local);
+        let back = self.off_center(mobilizer.child.point.owner, mobilizer.child.point.local);
         let back = self.graph.turn(&axes, back);
         let place = self.graph.vector_sub(place, back);
         let back = back.map(|x| self.graph.neg(x));

@@ -1,10 +1,10 @@
 //! The generalized coordinates as they are stored, and the velocities: where a rotation occurs, four of the former stand
 //! against three of the latter.
 
-use super::parts::Tensor;
-use super::placement::Guesses;
-use super::reduce::Reduction;
-use super::resolve::Resolver;
+use super::geometry::Tensor;
+use super::initial_pose::Guesses;
+use super::reduction::Reduction;
+use super::resolver::Resolver;
 use crate::symbolic::{Expr, Symbol, rotation_entry};
 
 /// Coordinates q and velocities v, with their guesses.
@@ -156,13 +156,13 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
         layout.slots.push(slot);
     }
     for &index in &reduction.unwrapped_angles {
-        let winding = &resolver.unwrapped_angles[index];
+        let unwrapped = &resolver.unwrapped_angles[index];
         let guess = resolver.graph.zero();
         layout
             .unwrapped_angles
-            .push((layout.coordinates.len(), winding.angle));
+            .push((layout.coordinates.len(), unwrapped.angle));
         layout.coordinates.push(Stored {
-            name: format!("{}.angle", winding.joint),
+            name: format!("{}.angle", unwrapped.joint),
             unit: "rad".to_owned(),
             guess,
         });

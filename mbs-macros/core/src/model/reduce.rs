@@ -1,45 +1,17 @@
 //! The reduction: points that a revolute joins become one, and points joined to the ground become constants.
 
 use super::coordinates::Merged;
-use super::elements::JointElement;
-use super::geometry::{Owner, Point, Vector};
+use super::elements::JointEntry;
+use super::geometry::{Owner, Point, Vector, mergeable};
+use super::initial_pose::Guesses;
 use super::parts::Representation;
-use super::placement::Guesses;
-use super::resolve::Resolver;
+use super::reduction::{MergedJoint, Reduction};
+use super::resolver::Resolver;
 use super::solve::{self, Conditions};
 use super::solved::Solved;
-use super::tree::{Motion, Tree};
-use crate::symbolic::{Graph, Substitution, Symbol};
+use super::tree::Tree;
+use crate::symbolic::Substitution;
 use std::collections::BTreeMap;
-
-/// A joint that left no row: its points were merged.
-#[derive(Debug, Clone)]
-pub struct MergedJoint {
-    /// The joint's name.
-    pub joint: String,
-    /// The force on the child is what these points need from their surroundings: the first local coordinates of the
-    /// ends of parts on the child's side. Empty where the child is the ground; then `parent` is taken with the opposite sign.
-    pub child: Vec<u32>,
-    /// The same for the parent's side.
-    pub parent: Vec<u32>,
-}
-
-/// The outcome of the reduction.
-pub(super) struct Reduction {
-    pub substitution: Substitution,
-    pub merged: Vec<MergedJoint>,
-    pub sentences: Vec<String>,
-    /// Velocities of the parts that the tree carries.
-    pub motions: Vec<Motion>,
-    /// Rows that were solved, and the coordinates that followed from them.
-    pub solved: Solved,
-    /// Counted joint angles that need a memory.
-    pub unwrapped_angles: Vec<usize>,
-    /// Joints of the tree: they left no rows.
-    carried: Vec<String>,
-    /// Local coordinates that stay, in order: (local, name).
-    pub kept: Vec<(u32, String)>,
-}
 
 /// A set of joined points: ends of parts, and at most one place of the ground.
 #[derive(Default)]
@@ -52,14 +24,14 @@ struct Cluster {
 /// Merges what revolutes between free points join, and solves rows but those of the joints in `keep`.
 pub(super) fn reduce(
     resolver: &mut Resolver,
-    joints: &[JointElement],
+    joints: &[JointEntry],
     tree: &Tree,
     keep: &[String],
     guesses: &Guesses,
 ) -> Option<Reduction> {
     let mut clusters = Clusters::default();
     for (index, element) in joints.iter().enumerate() {
-        let Some((parent, child)) = element.joint.merges() else {
+        let Some([parent, child]) = &element.joint.merges else {
             continue;
         };
         if !mergeable(parent) || !mergeable(child) {
@@ -83,7 +55,7 @@ pub(super) fn reduce(
         substitution: Substitution::default(),
         merged: Vec::new(),
         sentences: Vec::new(),
-        motions: Vec::new(),
+        twists: Vec::new(),
         solved: Solved::default(),
         unwrapped_angles: Vec::new(),
         carried: tree
@@ -117,7 +89,7 @@ pub(super) fn reduce(
         tree,
     };
     let (mut by_leaders, free) = merged.by_leaders(resolver);
-    resolver.name_motions(tree, &mut by_leaders);
+    resolver.name_variables(tree, &mut by_leaders);
     let mut parts = resolver.parts.iter();
     let follows = parts.any(|part| part.representation == Representation::Prescribed);
     let conditions = Conditions {
@@ -128,13 +100,8 @@ pub(super) fn reduce(
     };
     reduction.solved = solve::solve(resolver, joints, &mut reduction, by_leaders, conditions);
     merged.by_coordinates(resolver, &mut reduction);
-    resolver.name_motions(tree, &mut reduction.substitution);
+    resolver.name_variables(tree, &mut reduction.substitution);
     Some(reduction)
-}
-
-/// A point that is a pair of coordinates, or a place of the ground.
-pub(super) fn mergeable(point: &Point) -> bool {
-    point.free.is_some() || point.owner == Owner::Ground
 }
 
 #[derive(Default)]
@@ -170,7 +137,7 @@ impl Clusters {
         parent: &Point,
         child: &Point,
         joint: usize,
-        joints: &[JointElement],
+        joints: &[JointEntry],
     ) -> Result<(), String> {
         let (a, b) = (self.find(parent), self.find(child));
         if a == b {
@@ -206,7 +173,7 @@ fn describe(
     resolver: &Resolver,
     cluster: &Cluster,
     leader: u32,
-    joints: &[JointElement],
+    joints: &[JointEntry],
     sentences: &mut Vec<String>,
 ) {
     if cluster.joints.is_empty() {
@@ -240,12 +207,13 @@ fn describe(
 }
 
 /// Which ends are on the child's side of a joint: the joints of a cluster form a tree over its members.
-fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoint {
+fn sides(cluster: &Cluster, joint: usize, joints: &[JointEntry]) -> MergedJoint {
     let pair = |index: usize| {
         joints[index]
             .joint
-            .merges()
-            .map(|(parent, child)| (parent.free, child.free))
+            .merges
+            .as_ref()
+            .map(|[parent, child]| (parent.free, child.free))
     };
     let reach = |start: Option<u32>| -> Vec<u32> {
         let mut members = vec![start];
@@ -273,29 +241,5 @@ fn sides(cluster: &Cluster, joint: usize, joints: &[JointElement]) -> MergedJoin
         joint: joints[joint].name.clone(),
         child: reach(child),
         parent: reach(parent),
-    }
-}
-
-impl Reduction {
-    /// Whether a joint left no row.
-    pub(super) fn dissolved(&self, joint: &str) -> bool {
-        self.merged.iter().any(|merged| merged.joint == joint)
-            || self.carried.iter().any(|carried| carried == joint)
-    }
-
-    /// The generalized coordinate with which a local one moves; `None` if it is held, or moves with several.
-    pub(super) fn coordinate_of(&self, graph: &Graph, local: u32) -> Option<u32> {
-        let value = self.substitution.get(Symbol::LocalPosition(local));
-        let symbols = graph.symbols(value).into_iter();
-        let mut indices = symbols.filter_map(|symbol| match symbol {
-            Symbol::Coordinate(index) => Some(index),
-            _ => None,
-        });
-        indices.next().filter(|_| indices.next().is_none())
-    }
-
-    /// The local coordinates that stay, with their names.
-    pub(super) fn kept(&self) -> &[(u32, String)] {
-        &self.kept
     }
 }

@@ -4,14 +4,14 @@
 //! time or inputs stay, and so do rows in which something is redundant or contradictory: those are reported, and share
 //! their load by least norm.
 
-use super::Quantity;
-use super::elements::JointElement;
-use super::home;
-use super::placement::Guesses;
-use super::reduce::Reduction;
-use super::resolve::Resolver;
+use super::defaults;
+use super::elements::JointEntry;
+use super::elements::joint::Level;
+use super::initial_pose::Guesses;
+use super::quantities::Quantity;
+use super::reduction::Reduction;
+use super::resolver::Resolver;
 use super::solved::{Solved, SolvedCoordinate, combination, describe, local_symbols};
-use crate::equations::joints::Level;
 use crate::symbolic::{
     Affine, AffineReader, Elimination, Expr, Graph, Substitution, Symbol, eliminate,
 };
@@ -46,7 +46,7 @@ type Rows = Vec<(usize, Affine)>;
 /// Solves the rows of `joints`; `merged` says which local coordinates stand for others.
 pub(super) fn solve(
     resolver: &mut Resolver,
-    joints: &[JointElement],
+    joints: &[JointEntry],
     reduction: &mut Reduction,
     mut merged: Substitution,
     conditions: Conditions,
@@ -95,7 +95,7 @@ pub(super) fn solve(
 /// The rows of all joints that have any left.
 fn rows<'a>(
     graph: &mut Graph,
-    joints: &'a [JointElement],
+    joints: &'a [JointEntry],
     reduction: &Reduction,
     merged: &mut Substitution,
 ) -> Vec<Row<'a>> {
@@ -104,7 +104,7 @@ fn rows<'a>(
         if reduction.dissolved(&element.name) {
             continue;
         }
-        for (slot, row) in element.joint.equations(graph).rows.iter().enumerate() {
+        for (slot, row) in element.joint.conditions.iter().enumerate() {
             rows.push(Row {
                 joint: &element.name,
                 slot,
@@ -142,7 +142,7 @@ fn eliminated(
         let parameters = &resolver.parameters;
         let rounding = ROUNDING * size(&resolver.graph, parameters, &systems);
         elimination = eliminate(&mut resolver.graph, &systems, |graph, expr| {
-            home::vanishes(graph, parameters, expr, rounding)
+            defaults::vanishes(graph, parameters, expr, rounding)
         });
         let stay = refused(resolver, rows, &elimination, conditions);
         if !stay.is_empty() {
@@ -205,7 +205,7 @@ fn size(graph: &Graph, parameters: &[Quantity], rows: &[(usize, Affine)]) -> f64
     let terms = rows.iter().flat_map(|(_, row)| &row.terms);
     let unknowns = terms.filter(|(symbol, _)| symbol.is_local_position());
     unknowns.fold(1.0, |size: f64, (_, &coefficient)| {
-        size.max(home::by_default(graph, parameters, coefficient).abs())
+        size.max(defaults::by_default(graph, parameters, coefficient).abs())
     })
 }
 
@@ -278,7 +278,7 @@ fn gap(
     let follows = [position, velocity].map(|expr| graph.substitute(expr, &mut guesses));
     let gaps = [0, 1].map(|k| graph.sub(own[k], follows[k]));
     gaps.map(
-        |gap| match home::vanishes(graph, &resolver.parameters, gap, ROUNDING) {
+        |gap| match defaults::vanishes(graph, &resolver.parameters, gap, ROUNDING) {
             true => zero,
             false => gap,
         },

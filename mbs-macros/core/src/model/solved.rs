@@ -4,8 +4,8 @@
 //!
 //! How they are found: see `solve`.
 
-use super::elements::JointElement;
-use super::resolve::Resolver;
+use super::elements::JointEntry;
+use super::resolver::Resolver;
 use crate::symbolic::{Affine, Expr, Graph, Substitution, Symbol};
 
 /// The rows that were solved, with the coordinates that followed from them.
@@ -39,9 +39,9 @@ impl Solved {
         rows.position(|(name, index)| name == joint && *index == slot)
     }
 
-    /// Whether a joint has a row that was solved.
-    pub fn touches(&self, joint: &str) -> bool {
-        self.rows.iter().any(|(name, _)| name == joint)
+    /// The joint of each row.
+    pub fn joints(&self) -> Vec<String> {
+        self.rows.iter().map(|(joint, _)| joint.clone()).collect()
     }
 
     /// The value of a local coordinate that follows from others.
@@ -83,7 +83,7 @@ pub(super) fn combination(
 /// A sentence for each joint whose rows were solved.
 pub(super) fn describe(
     resolver: &mut Resolver,
-    joints: &[JointElement],
+    joints: &[JointEntry],
     solved: &Solved,
     sentences: &mut Vec<String>,
 ) {
@@ -93,7 +93,7 @@ pub(super) fn describe(
         let names: Vec<String> = own
             .map(|(_, coordinate)| resolver.locals[coordinate.local as usize].name.clone())
             .collect();
-        let all = element.joint.equations(&mut resolver.graph).rows.len();
+        let all = element.joint.conditions.len();
         let joint = &element.name;
         sentences.push(match (names.as_slice(), all) {
             ([], _) => continue,

@@ -5,61 +5,54 @@
 //! begins with the tree that reaches each part as early as possible, and exchanges joints along the loops while that is
 //! of use. Cuts that look equally good are left to the count of operations.
 
-use super::Formulation;
-use super::elements::JointElement;
-use super::geometry::Owner;
+use super::elements::JointEntry;
+use super::formulation::Formulation;
+use super::geometry::{Owner, mergeable};
+use super::mobilizer::{Freedom, Mobilizer};
 use super::parts::{Part, Representation};
-use super::reduce::mergeable;
-use super::resolve::Resolver;
-use super::tree::{Link, Tree, TreeJoint, chain};
-use crate::schema::World;
+use super::resolver::Resolver;
+use super::tree::{Tree, TreeJoint, chain};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Other cuts that are worth a count of operations.
 const ALTERNATIVES: usize = 2;
 
-impl Tree {
-    /// The tree without these joints, or the best there is.
-    pub(super) fn grow(
-        resolver: &mut Resolver,
-        joints: &[JointElement],
-        cut: Option<&[String]>,
-    ) -> Tree {
-        let spanning = Spanning::new(resolver, joints);
-        let all: BTreeSet<usize> = (0..spanning.links.len()).collect();
-        let name = |link: &usize| spanning.links[*link].name.clone();
-        let (found, alternatives) = match cut {
-            Some(cut) => {
-                let kept = all.iter().filter(|link| !cut.contains(&name(link)));
-                (spanning.reach(&kept.copied().collect()), Vec::new())
-            }
-            None => spanning.best(&all),
-        };
-        let beside =
-            |found: &Found| -> Vec<String> { all.difference(&found.links).map(name).collect() };
-        let mut tree = Tree {
-            cut: beside(&found),
-            alternatives: alternatives.iter().map(beside).collect(),
-            joints: found.joints,
-        };
-        for joint in &mut tree.joints {
-            resolver.name_coordinates(joint);
+/// The tree without these joints, or the best there is.
+pub(super) fn grow(resolver: &mut Resolver, joints: &[JointEntry], cut: Option<&[String]>) -> Tree {
+    let spanning = Spanning::new(resolver, joints);
+    let all: BTreeSet<usize> = (0..spanning.carriers.len()).collect();
+    let name = |index: &usize| spanning.carriers[*index].name.clone();
+    let (found, alternatives) = match cut {
+        Some(cut) => {
+            let kept = all.iter().filter(|index| !cut.contains(&name(index)));
+            (spanning.reach(&kept.copied().collect()), Vec::new())
         }
-        tree
+        None => spanning.best(&all),
+    };
+    let beside =
+        |found: &Found| -> Vec<String> { all.difference(&found.carriers).map(name).collect() };
+    let mut tree = Tree {
+        cut: beside(&found),
+        alternatives: alternatives.iter().map(beside).collect(),
+        joints: found.joints,
+    };
+    for joint in &mut tree.joints {
+        resolver.name_coordinates(joint);
     }
+    tree
 }
 
 /// A joint that can carry a part.
 struct Carrier {
     name: String,
-    link: Link,
+    mobilizer: Mobilizer,
     /// Rows that it would leave.
     rows: usize,
 }
 
 /// The joints that can carry, and what they find.
 struct Spanning {
-    links: Vec<Carrier>,
+    carriers: Vec<Carrier>,
     parts: Vec<Carried>,
 }
 
@@ -79,19 +72,19 @@ struct Carried {
 struct Found {
     joints: Vec<TreeJoint>,
     /// Indices of its joints.
-    links: BTreeSet<usize>,
+    carriers: BTreeSet<usize>,
     /// Its rows, which it saves, negated; then the lengths of its chains.
     weight: (isize, usize),
 }
 
 impl Spanning {
-    fn new(resolver: &mut Resolver, joints: &[JointElement]) -> Spanning {
+    fn new(resolver: &mut Resolver, joints: &[JointEntry]) -> Spanning {
         // Points that joints merge are reached already.
         let merged: Vec<Owner> = joints
             .iter()
-            .filter_map(|element| element.joint.merges())
-            .filter(|(parent, child)| mergeable(parent) && mergeable(child))
-            .flat_map(|(parent, child)| [parent.owner, child.owner])
+            .filter_map(|element| element.joint.merges.as_ref())
+            .filter(|points| points.iter().all(mergeable))
+            .flat_map(|[parent, child]| [parent.owner, child.owner])
             .collect();
         let parts = resolver.parts.iter().enumerate().map(|(index, part)| {
             let joint = part.formulation.unwrap_or(resolver.formulation) == Formulation::Joint;
@@ -104,19 +97,19 @@ impl Spanning {
             }
         });
         let parts: Vec<Carried> = parts.collect();
-        let mut links = Vec::new();
+        let mut carriers = Vec::new();
         if parts.iter().any(|part| part.by_any || part.by_points) {
             for element in joints {
-                if let Some(link) = element.joint.link() {
-                    links.push(Carrier {
+                if let Some(mobilizer) = &element.joint.mobilizer {
+                    carriers.push(Carrier {
                         name: element.name.clone(),
-                        rows: element.joint.equations(&mut resolver.graph).rows.len(),
-                        link,
+                        rows: element.joint.conditions.len(),
+                        mobilizer: mobilizer.clone(),
                     });
                 }
             }
         }
-        Spanning { links, parts }
+        Spanning { carriers, parts }
     }
 
     /// The tree whose cut joints leave the fewest rows, with the shortest chains; and others that are as good.
@@ -136,7 +129,7 @@ impl Spanning {
                 _ => {
                     let mut equal: Vec<Found> = Vec::new();
                     for other in others {
-                        let known = equal.iter().any(|known| known.links == other.links);
+                        let known = equal.iter().any(|known| known.carriers == other.carriers);
                         if other.weight == best.weight && !known && equal.len() < ALTERNATIVES {
                             equal.push(other);
                         }
@@ -150,15 +143,15 @@ impl Spanning {
     /// The trees that differ by one joint: where a joint closes a loop, another of the loop can.
     fn exchanges(&self, tree: &Found, all: &BTreeSet<usize>) -> Vec<Found> {
         let mut trees = Vec::new();
-        for &closing in all.difference(&tree.links) {
-            let link = &self.links[closing].link;
-            let [near, far] =
-                [&link.parent, &link.child].map(|end| chain(&tree.joints, end.point.owner.part()));
+        for &closing in all.difference(&tree.carriers) {
+            let mobilizer = &self.carriers[closing].mobilizer;
+            let [near, far] = [&mobilizer.parent, &mobilizer.child]
+                .map(|end| chain(&tree.joints, end.point.owner.part()));
             for &place in near.symmetric_difference(&far) {
-                let mut links = tree.links.clone();
-                links.remove(&self.index(&tree.joints[place].joint));
-                links.insert(closing);
-                let found = self.reach(&links);
+                let mut carriers = tree.carriers.clone();
+                carriers.remove(&self.index(&tree.joints[place].joint));
+                carriers.insert(closing);
+                let found = self.reach(&carriers);
                 if found.joints.len() == tree.joints.len() {
                     trees.push(found);
                 }
@@ -171,7 +164,7 @@ impl Spanning {
     fn reach(&self, allowed: &BTreeSet<usize>) -> Found {
         let mut found = Found {
             joints: Vec::new(),
-            links: BTreeSet::new(),
+            carriers: BTreeSet::new(),
             weight: (0, 0),
         };
         let mut reached: Vec<bool> = self.parts.iter().map(|part| part.settled).collect();
@@ -181,15 +174,17 @@ impl Spanning {
             depth += 1;
             let mut next: BTreeMap<usize, (usize, bool)> = BTreeMap::new();
             for &index in allowed {
-                let Carrier { link, rows, .. } = &self.links[index];
+                let Carrier {
+                    mobilizer, rows, ..
+                } = &self.carriers[index];
                 for forwards in [true, false] {
-                    let (parent, child) = ends(link, forwards);
+                    let (parent, child) = ends(mobilizer, forwards);
                     let Owner::Part(child) = child else { continue };
                     let applies = front.contains(&parent) && !reached[child];
                     let known = next.get(&child);
                     if applies
-                        && self.carries(parent, child, link)
-                        && known.is_none_or(|&(best, _)| self.links[best].rows < *rows)
+                        && self.carries(parent, child, mobilizer)
+                        && known.is_none_or(|&(best, _)| self.carriers[best].rows < *rows)
                     {
                         next.insert(child, (index, forwards));
                     }
@@ -209,50 +204,52 @@ impl Spanning {
             front = next.keys().map(|&child| Owner::Part(child)).collect();
             for (child, (index, forwards)) in next {
                 reached[child] = true;
-                found.weight.0 -= self.links[index].rows as isize;
+                found.weight.0 -= self.carriers[index].rows as isize;
                 found.weight.1 += depth;
-                found.links.insert(index);
-                found.joints.push(self.links[index].joint(forwards, child));
+                found.carriers.insert(index);
+                found
+                    .joints
+                    .push(self.carriers[index].joint(forwards, child));
             }
         }
     }
 
     /// Whether a joint can carry a part: a body that it holds, or a particle whose place is all there is to it.
-    fn carries(&self, parent: Owner, child: usize, link: &Link) -> bool {
+    fn carries(&self, parent: Owner, child: usize, mobilizer: &Mobilizer) -> bool {
         let from = match parent {
             Owner::Ground => true,
             Owner::Part(part) => self.parts[part].has_frame,
         };
         let child = &self.parts[child];
-        from && (child.by_any || (child.by_points && link.free_rotation))
+        from && (child.by_any || (child.by_points && mobilizer.frees_rotation()))
     }
 
     fn index(&self, name: &str) -> usize {
-        let mut links = self.links.iter();
-        links.position(|link| link.name == name).unwrap_or(0)
+        let mut carriers = self.carriers.iter();
+        carriers
+            .position(|carrier| carrier.name == name)
+            .unwrap_or(0)
     }
 }
 
 impl Carrier {
     fn joint(&self, forwards: bool, child: usize) -> TreeJoint {
-        let (parent, _) = ends(&self.link, forwards);
+        let (parent, _) = ends(&self.mobilizer, forwards);
         TreeJoint {
             joint: self.name.clone(),
             parent: parent.part(),
             child,
-            link: match forwards {
-                true => self.link.clone(),
-                false => self.link.reversed(),
+            mobilizer: match forwards {
+                true => self.mobilizer.clone(),
+                false => self.mobilizer.reversed(),
             },
-            angle: None,
-            second_angle: None,
-            strokes: Vec::new(),
+            coordinates: Vec::new(),
         }
     }
 }
 
-fn ends(link: &Link, forwards: bool) -> (Owner, Owner) {
-    let (parent, child) = (link.parent.point.owner, link.child.point.owner);
+fn ends(mobilizer: &Mobilizer, forwards: bool) -> (Owner, Owner) {
+    let (parent, child) = (mobilizer.parent.point.owner, mobilizer.child.point.owner);
     match forwards {
         true => (parent, child),
         false => (child, parent),
@@ -267,21 +264,27 @@ fn has_frame(part: &Part) -> bool {
 }
 
 impl Resolver<'_> {
-    /// Makes the coordinates that a joint of the tree brings.
+    /// Makes the coordinates that a joint of the tree brings: angles first.
     fn name_coordinates(&mut self, joint: &mut TreeJoint) {
-        let name = joint.joint.clone();
-        let planar = self.world == World::Planar;
-        joint.angle =
-            (joint.link.turns && !planar).then(|| self.local(format!("{name}.angle"), "rad"));
-        joint.second_angle = (joint.link.second.is_some())
-            .then(|| self.local(format!("{name}.second_angle"), "rad"));
-        let suffix = |axis: usize| match joint.link.slides.len() {
-            1 => "stroke".to_owned(),
-            _ => format!("stroke_{}", ["x", "y", "z"][axis]),
-        };
-        let strokes = joint.link.slides.iter();
-        joint.strokes = strokes
-            .map(|&axis| self.local(format!("{name}.{}", suffix(axis)), "m"))
-            .collect();
+        let freedoms = joint.mobilizer.freedoms.clone();
+        joint.coordinates = vec![None; freedoms.len()];
+        let slides = freedoms.iter().filter(|freedom| !freedom.turns()).count();
+        for turns in [true, false] {
+            let mut angles = ["angle", "second_angle", "third_angle"].into_iter();
+            for (freedom, coordinate) in freedoms.iter().zip(&mut joint.coordinates) {
+                if freedom.turns() != turns {
+                    continue;
+                }
+                let (suffix, unit) = match freedom {
+                    Freedom::Rotation => continue,
+                    Freedom::Turn(_) | Freedom::Helix(_) => {
+                        (angles.next().unwrap_or_default(), "rad")
+                    }
+                    Freedom::Slide(_) if slides == 1 => ("stroke", "m"),
+                    Freedom::Slide(axis) => (["stroke_x", "stroke_y", "stroke_z"][*axis], "m"),
+                };
+                *coordinate = Some(self.local(format!("{}.{suffix}", joint.joint), unit));
+            }
+        }
     }
 }

@@ -3,7 +3,7 @@
 //!
 //! | joint | coordinates of the child | kept of its own |
 //! |---|---|---|
-//! | revolute, prismatic, fixed | angle; stroke; none | nothing |
+//! | revolute, screw, prismatic, fixed | angle; angle; stroke; none | nothing |
 //! | cylindrical, planar | angle and stroke; angle and two strokes | nothing |
 //! | universal | two angles | nothing |
 //! | spherical | none | its rotation |
@@ -11,31 +11,11 @@
 //!
 //! A joint that closes a loop stays a set of rows.
 
-use super::geometry::{Attachment, Axes, Point, Vector};
+use super::geometry::Vector;
+use super::mobilizer::{Freedom, Mobilizer};
 use super::parts::{Part, Representation};
 use crate::symbolic::Expr;
 use std::collections::BTreeSet;
-
-/// What a joint leaves free between two frames.
-#[derive(Debug, Clone)]
-pub struct Link {
-    /// On the parent.
-    pub parent: Attachment,
-    /// On the child.
-    pub child: Attachment,
-    /// Rotation about z.
-    pub turns: bool,
-    /// A second rotation after it, about the third of these axes, which are given in those that the first has turned.
-    pub second: Option<Axes>,
-    /// In the plane, the angle of the child against the parent, in the order of the declaration.
-    pub offset: Option<Expr>,
-    /// Sliding along these axes of the parent's frame.
-    pub slides: Vec<usize>,
-    /// The child keeps its own orientation.
-    pub free_rotation: bool,
-    /// Whether the partners stand in the order of the declaration.
-    pub forwards: bool,
-}
 
 /// A joint of the tree.
 #[derive(Debug, Clone)]
@@ -47,13 +27,9 @@ pub struct TreeJoint {
     /// The part that it carries.
     pub child: usize,
     /// The joint, seen from the parent to the child.
-    pub link: Link,
-    /// Local coordinate of the angle.
-    pub angle: Option<u32>,
-    /// Local coordinate of the second angle.
-    pub second_angle: Option<u32>,
-    /// Local coordinates of the strokes.
-    pub strokes: Vec<u32>,
+    pub mobilizer: Mobilizer,
+    /// The local coordinate of each of its freedoms; none of a rotation, which is the child's own.
+    pub coordinates: Vec<Option<u32>>,
 }
 
 /// A spanning tree of the mechanism.
@@ -69,7 +45,7 @@ pub struct Tree {
 
 /// The velocity of a part, for its kinetic energy.
 #[derive(Debug, Clone, Copy)]
-pub struct Motion {
+pub struct BodyTwist {
     /// The part.
     pub part: usize,
     /// Velocity of the centre of mass, in axes of the part's own choice.
@@ -90,18 +66,21 @@ impl Tree {
             return Vec::new();
         };
         let count = match part.representation {
-            Representation::Reference if joint.link.free_rotation => 2,
-            Representation::Rigid if joint.link.free_rotation => 3,
+            Representation::Reference if joint.mobilizer.frees_rotation() => 2,
+            Representation::Rigid if joint.mobilizer.frees_rotation() => 3,
             _ => part.locals.len(),
         };
         part.locals[..count].to_vec()
     }
 
-    /// The locals that joints bring.
+    /// The locals that joints bring: of each the angles first.
     pub(super) fn locals(&self) -> impl Iterator<Item = u32> {
         self.joints.iter().flat_map(|joint| {
-            let angles = joint.angle.iter().chain(&joint.second_angle);
-            angles.chain(&joint.strokes).copied()
+            let [turns, slides] = [true, false].map(|turns| {
+                let own = joint.freedoms();
+                own.filter(move |(freedom, _)| freedom.turns() == turns)
+            });
+            turns.chain(slides).map(|(_, local)| local)
         })
     }
 
@@ -119,6 +98,15 @@ impl Tree {
             }
         }
         found
+    }
+
+    /// Whether every part is carried by a joint that stands after that of the part before it.
+    pub(super) fn parents_come_first(&self) -> bool {
+        let carries = |part: usize| self.joints.iter().position(|joint| joint.child == part);
+        self.joints.iter().enumerate().all(|(place, joint)| {
+            let before = joint.parent.and_then(carries);
+            before.is_none_or(|before| before < place)
+        })
     }
 
     /// Whether a joint belongs to the tree.
@@ -140,66 +128,47 @@ pub(super) fn chain(joints: &[TreeJoint], part: Option<usize>) -> BTreeSet<usize
 }
 
 impl TreeJoint {
-    /// The local coordinate of the stroke along an axis of the parent's frame.
-    pub fn stroke_along(&self, axis: usize) -> Option<u32> {
-        let mut slides = self.link.slides.iter().zip(&self.strokes);
-        slides
-            .find(|(own, _)| **own == axis)
-            .map(|(_, &local)| local)
+    /// Its freedoms that are coordinates, in order, each with its local one.
+    pub fn freedoms(&self) -> impl Iterator<Item = (&Freedom, u32)> {
+        let pairs = self.mobilizer.freedoms.iter().zip(&self.coordinates);
+        pairs.filter_map(|(freedom, local)| Some((freedom, (*local)?)))
+    }
+
+    /// The local coordinates of its angles, in order.
+    pub fn angles(&self) -> Vec<u32> {
+        let turns = self.freedoms().filter(|(freedom, _)| freedom.turns());
+        turns.map(|(_, local)| local).collect()
+    }
+
+    /// The local coordinate by which the child slides along z of the frames, and the stroke per unit of it, where that is not
+    /// one.
+    pub fn stroke(&self) -> Option<(u32, Option<Expr>)> {
+        self.freedoms().find_map(|(freedom, local)| match freedom {
+            Freedom::Slide(2) => Some((local, None)),
+            Freedom::Helix(lead) => Some((local, Some(*lead))),
+            _ => None,
+        })
     }
 
     /// How the part that it carries is modelled, in words.
     pub fn describe(&self, carried: Representation) -> String {
         let name = &self.joint;
-        let own = match (self.link.free_rotation, carried) {
+        let frees_rotation = self.mobilizer.frees_rotation();
+        let own = match (frees_rotation, carried) {
             (true, Representation::Reference) => "its angle",
             (true, Representation::Rigid) => "its unit quaternion; angular velocity in body axes",
-            _ => match (self.angle.is_some(), self.strokes.len()) {
-                (false, 0) => return format!("joint coordinates (none; `{name}` carries it)"),
-                (true, 0) if self.second_angle.is_some() => "two angles",
-                (true, 0) => "angle",
-                (false, _) => "stroke",
-                (true, 1) => "angle and stroke",
-                (true, _) => "angle and strokes",
+            _ => match (self.angles().len(), self.freedoms().count()) {
+                (0, 0) => return format!("joint coordinates (none; `{name}` carries it)"),
+                (0, _) => "stroke",
+                (1, 1) => "angle",
+                (1, 2) => "angle and stroke",
+                (1, _) => "angle and strokes",
+                _ => "two angles",
             },
         };
-        match self.link.free_rotation {
+        match frees_rotation {
             true => format!("joint coordinates ({own}; `{name}` carries it)"),
             false => format!("joint coordinates ({own} of `{name}`)"),
-        }
-    }
-}
-
-impl Link {
-    /// Two points of the plane that coincide, while the child keeps its own angle.
-    pub fn of_points(parent: &Point, child: &Point) -> Link {
-        let attached = |point: &Point| Attachment {
-            axes: [point.position; 3],
-            local: [point.local; 3],
-            point: point.clone(),
-        };
-        Link {
-            parent: attached(parent),
-            child: attached(child),
-            turns: false,
-            second: None,
-            offset: None,
-            slides: Vec::new(),
-            free_rotation: true,
-            forwards: true,
-        }
-    }
-
-    /// The same joint with the partners exchanged: its coordinates change sign.
-    pub(super) fn reversed(&self) -> Link {
-        Link {
-            parent: self.child.clone(),
-            child: self.parent.clone(),
-            forwards: !self.forwards,
-            second: self
-                .second
-                .map(|axes| std::array::from_fn(|i| std::array::from_fn(|k| axes[k][i]))),
-            ..self.clone()
         }
     }
 }

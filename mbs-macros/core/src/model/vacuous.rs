@@ -5,11 +5,11 @@
 //! It is told by numbers, because rounding in the axes can leave 1e-17 where an exact zero should be. A row that no motion
 //! changes and that is not zero, or only for some values of the parameters, is an error.
 
-use super::dimension::Dimension;
-use super::elements::JointElement;
-use super::reduce::Reduction;
-use super::resolve::Resolver;
+use super::elements::JointEntry;
+use super::reduction::Reduction;
+use super::resolver::Resolver;
 use super::tree::Tree;
+use crate::dimension::Dimension;
 use crate::symbolic::{Evaluator, Expr, Symbol, rotation_entry};
 use std::collections::BTreeSet;
 
@@ -32,7 +32,7 @@ struct Candidate {
 /// The rows to leave out; a row that is stuck otherwise is an error.
 pub(super) fn rows(
     resolver: &mut Resolver,
-    joints: &[JointElement],
+    joints: &[JointEntry],
     tree: &Tree,
     reduction: &mut Reduction,
 ) -> BTreeSet<VacuousPlace> {
@@ -41,8 +41,7 @@ pub(super) fn rows(
         if reduction.dissolved(&joint.name) {
             continue;
         }
-        let rows = joint.joint.equations(&mut resolver.graph).rows;
-        for (slot, row) in rows.iter().enumerate() {
+        for (slot, row) in joint.joint.conditions.iter().enumerate() {
             if reduction.solved.position(&joint.name, slot).is_some() {
                 continue;
             }
@@ -87,7 +86,7 @@ pub(super) fn rows(
 /// Which rows vanish in a few poses that have nothing to do with each other, with default or varied parameters.
 fn vanishing(
     resolver: &mut Resolver,
-    joints: &[JointElement],
+    joints: &[JointEntry],
     reduction: &mut Reduction,
     candidates: &[Candidate],
     varied: bool,
@@ -95,7 +94,7 @@ fn vanishing(
     // The places of a joint say how large its rows could be.
     let mut places = vec![Vec::new(); joints.len()];
     for candidate in candidates {
-        let points = joints[candidate.element].joint.points();
+        let points = &joints[candidate.element].joint.points;
         let positions = points.iter().flat_map(|point| point.position);
         places[candidate.element] = positions
             .map(|x| resolver.graph.substitute(x, &mut reduction.substitution))

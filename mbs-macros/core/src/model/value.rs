@@ -1,9 +1,8 @@
 //! What an expression of the declaration can be.
 
-use super::dimension::Dimension;
-use super::geometry::{Attachment, Owner, Point, Vector};
+use super::geometry::{Attachment, Owner, Point, Tensor, Vector};
 use super::joint_frames::JointFrames;
-use super::parts::Tensor;
+use crate::dimension::Dimension;
 use crate::symbolic::{Expr, Graph, Symbol};
 
 /// The value of an expression. A dimension of `None` is that of a bare number: it fits anywhere.

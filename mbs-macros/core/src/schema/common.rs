@@ -1,12 +1,12 @@
 //! Kinds that the plane and space share.
 
-use super::Absent::{Assumed, Required};
-use super::Expects::{
+use super::kind::Absent::{Assumed, Required};
+use super::kind::Expects::{
     Anything, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector, Part,
     Point, Unit,
 };
-use super::{Field, Group, Kind, field, positional};
-use crate::model::Dimension;
+use super::kind::{Field, Group, Kind, field, positional};
+use crate::dimension::Dimension;
 
 pub(super) const PARENT: Field =
     positional("parent", Point, Required, "point of the first partner");

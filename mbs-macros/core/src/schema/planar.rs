@@ -1,10 +1,12 @@
 //! The kinds of the plane.
 
-use super::Absent::{Assumed, Required};
-use super::Expects::{Axis, Frame, Known, KnownVector, Law, Moving, MovingVector, Part, Point};
 use super::common::{CHILD, COORDINATES, FREE, OWN_COORDINATES, PARENT};
-use super::{Field, Group, Kind, field, positional};
-use crate::model::Dimension;
+use super::kind::Absent::{Assumed, Required};
+use super::kind::Expects::{
+    Axis, Frame, Known, KnownVector, Law, Moving, MovingVector, Part, Point,
+};
+use super::kind::{Field, Group, Kind, field, positional};
+use crate::dimension::Dimension;
 
 const AT_GUESS: Field = field(
     "at",

@@ -1,13 +1,13 @@
 //! The kinds of space.
 
-use super::Absent::{Assumed, Required};
-use super::Expects::{
+use super::common::{COORDINATES, FREE, OWN_COORDINATES};
+use super::kind::Absent::{Assumed, Required};
+use super::kind::Expects::{
     Attachment, Axis, Gains, Inertia, Joint, Known, KnownVector, Law, MovingVector, Orientation,
     Part, Point, Shape,
 };
-use super::common::{COORDINATES, FREE, OWN_COORDINATES};
-use super::{Field, Group, Kind, field, positional};
-use crate::model::Dimension;
+use super::kind::{Field, Group, Kind, field, positional};
+use crate::dimension::Dimension;
 
 const PARENT: Field = positional("parent", Attachment, Required, "the first partner");
 const CHILD: Field = positional(

@@ -2,7 +2,7 @@
 
 use super::Arguments;
 use crate::diagnostics::Place;
-use crate::model::Dimension;
+use crate::dimension::Dimension;
 use crate::symbolic::{Expr, Symbol};
 use syn::Expr as Syntax;
 

@@ -1,13 +1,14 @@
 //! The arguments of an entry, read as what the schema says they are.
 
+mod attachments;
 mod checks;
 mod numbers;
 mod places;
 
-use super::Dimension;
-use super::resolve::Resolver;
+use super::resolver::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;
+use crate::dimension::Dimension;
 use crate::schema::{self, Expects, Kind, World};
 use crate::symbolic::{Expr, Graph};
 use crate::syntax::Entry;

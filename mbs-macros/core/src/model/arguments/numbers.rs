@@ -2,7 +2,7 @@
 
 use super::Arguments;
 use crate::diagnostics::Place;
-use crate::model::Dimension;
+use crate::dimension::Dimension;
 use crate::schema::Expects;
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
@@ -128,7 +128,7 @@ impl Arguments<'_, '_> {
             Syntax::Path(path) => path.path.get_ident().map(ToString::to_string),
             _ => None,
         };
-        match name.as_deref().and_then(crate::model::unit) {
+        match name.as_deref().and_then(crate::dimension::unit) {
             Some((1.0, dimension)) => Some(Some(dimension)),
             Some(_) => self.resolver.fail(
                 Place::of(syntax),

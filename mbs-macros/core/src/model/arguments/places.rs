@@ -2,8 +2,9 @@
 
 use super::Arguments;
 use crate::diagnostics::Place;
+use crate::dimension::Dimension;
 use crate::model::value::Value;
-use crate::model::{Axes, Dimension, Frame, Owner, Point, Representation, Tensor, Vector};
+use crate::model::{Axes, Frame, Owner, Point, Representation, Tensor, Vector};
 use crate::schema::{Expects, World};
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
@@ -81,11 +82,6 @@ impl Arguments<'_, '_> {
     /// The name of a part.
     pub fn owner_name(&self, owner: Owner) -> String {
         self.resolver.owner_name(owner).to_owned()
-    }
-
-    /// The length of a bar.
-    pub fn bar_length(&self, owner: Owner) -> Option<Expr> {
-        self.resolver.bar_length(owner)
     }
 
     /// Whether a part is a slender bar of space, which has a direction but no orientation.

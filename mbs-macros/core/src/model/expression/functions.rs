@@ -1,8 +1,8 @@
 //! Functions by name.
 
 use crate::diagnostics::{Place, did_you_mean};
-use crate::model::Dimension;
-use crate::model::resolve::Resolver;
+use crate::dimension::Dimension;
+use crate::model::resolver::Resolver;
 use crate::model::value::{Value, unify};
 use crate::schema::World;
 use crate::symbolic::{Expr, Function, Symbol};

@@ -1,9 +1,9 @@
 //! Numbers with their units.
 
 use crate::diagnostics::{Place, did_you_mean};
-use crate::model::resolve::Resolver;
+use crate::dimension::{UNITS, unit};
+use crate::model::resolver::Resolver;
 use crate::model::value::Value;
-use crate::model::{UNITS, unit};
 use syn::Lit;
 
 impl Resolver<'_> {

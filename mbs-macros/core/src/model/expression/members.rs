@@ -1,9 +1,10 @@
 //! What follows a dot: points and directions of parts, components of vectors.
 
 use crate::diagnostics::{Place, did_you_mean};
-use crate::model::resolve::Resolver;
+use crate::dimension::Dimension;
+use crate::model::resolver::Resolver;
 use crate::model::value::Value;
-use crate::model::{Dimension, Owner, Point, Representation, Vector};
+use crate::model::{Owner, Point, Representation, Vector};
 use crate::schema::World;
 use crate::symbolic::{Node, Symbol};
 use proc_macro2::Span;

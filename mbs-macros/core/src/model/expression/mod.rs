@@ -5,10 +5,11 @@ mod literals;
 mod members;
 mod operators;
 
-use super::resolve::Resolver;
+use super::Vector;
+use super::resolver::Resolver;
 use super::value::Value;
-use super::{Dimension, Vector};
 use crate::diagnostics::Place;
+use crate::dimension::Dimension;
 use crate::schema::World;
 use crate::symbolic::{Expr, Node, Symbol};
 use crate::syntax::{MAX_DEPTH, TOO_DEEP};

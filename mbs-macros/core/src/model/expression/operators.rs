@@ -1,8 +1,8 @@
 //! Signs, lists, and + − * /.
 
 use crate::diagnostics::Place;
-use crate::model::Dimension;
-use crate::model::resolve::Resolver;
+use crate::dimension::Dimension;
+use crate::model::resolver::Resolver;
 use crate::model::value::{Value, unify};
 use crate::symbolic::Expr;
 use proc_macro2::Span;

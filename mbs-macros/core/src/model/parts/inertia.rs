@@ -1,13 +1,12 @@
 //! Moments of inertia: numbers, tensors, shapes.
 
-use super::Shape;
+use super::shape::Shape;
 use crate::diagnostics::Place;
+use crate::dimension::Dimension;
+use crate::model::arguments::Arguments;
+use crate::model::geometry::Tensor;
 use crate::model::value::Value;
-use crate::model::{Arguments, Dimension};
 use crate::symbolic::Expr;
-
-/// A symmetric tensor, both triangles.
-pub type Tensor = [[Expr; 3]; 3];
 
 impl Arguments<'_, '_> {
     /// An inertia: a number, `diag(a, b, c)`, three rows, or a shape of the part's mass.

@@ -10,130 +10,13 @@
 //! | any, with `frame =` or `position =` | none: it follows `Coordinate`s (*prescribed*) | depends on q | none |
 
 mod inertia;
+mod part;
 mod planar;
 mod point;
 mod shape;
+mod shape_arguments;
 mod spatial;
+mod wish;
 
-use super::Formulation;
-use super::geometry::{Axes, Frame, Owner, Vector};
-use super::resolve::Resolver;
-use super::value::Value;
-use crate::symbolic::Expr;
-use proc_macro2::Span;
-
-pub use inertia::Tensor;
+pub use part::{Home, Part, Representation};
 pub use shape::Shape;
-
-/// How a part is modelled.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Representation {
-    /// Two end points as coordinates.
-    Natural,
-    /// Centre of mass and angle.
-    Reference,
-    /// Centre of mass and unit quaternion.
-    Rigid,
-    /// A point.
-    FreePoint,
-    /// Follows `Coordinate`s.
-    Prescribed,
-    /// A declared coordinate; parts follow it.
-    Coordinate,
-}
-
-impl Representation {
-    /// In words.
-    pub fn describe(self) -> &'static str {
-        match self {
-            Representation::Natural => "natural coordinates (its end points)",
-            Representation::Reference => "reference coordinates (centre of mass and angle)",
-            Representation::Rigid => {
-                "reference coordinates (centre of mass and unit quaternion; angular velocity in body axes)"
-            }
-            Representation::FreePoint => "its point",
-            Representation::Prescribed => "follows declared coordinates",
-            Representation::Coordinate => "a declared coordinate",
-        }
-    }
-
-    /// Whether its coordinates are components of points, which joints may merge.
-    pub fn is_points(self) -> bool {
-        matches!(self, Representation::Natural | Representation::FreePoint)
-    }
-}
-
-/// A bar, body or particle.
-#[derive(Debug, Clone)]
-pub struct Part {
-    /// Its name.
-    pub name: String,
-    /// Its kind.
-    pub kind: &'static str,
-    /// Where it is declared.
-    pub span: Span,
-    /// How it is modelled.
-    pub representation: Representation,
-    /// `coordinates =` of its own.
-    pub formulation: Option<Formulation>,
-    /// Its coordinates; a rotation counts as three.
-    pub locals: Vec<u32>,
-    /// Mass.
-    pub mass: Expr,
-    /// Inertia about the centre of mass, in the part's axes; a planar part has the last entry only.
-    pub inertia: Tensor,
-    /// Length of a bar.
-    pub length: Option<Expr>,
-    /// Centre of mass in the part's axes, from its origin.
-    pub center: Vector,
-    /// Its frame.
-    pub frame: Frame,
-    /// Declared guesses.
-    pub guess: Guess,
-    /// Where it is in the home pose, in parameters; for spatial parts.
-    pub home: Option<Home>,
-    /// What it looks like.
-    pub shape: Option<Shape>,
-    /// `free = true`.
-    pub free: bool,
-}
-
-/// Declared guesses of a part's start; all in parameters.
-#[derive(Debug, Clone, Default)]
-pub struct Guess {
-    /// Position of the origin.
-    pub origin: Option<Vector>,
-    /// Position of the far end of a bar.
-    pub end: Option<Vector>,
-    /// Velocity of the origin.
-    pub velocity: Option<Vector>,
-    /// Angle.
-    pub angle: Option<Expr>,
-    /// Angular velocity.
-    pub rate: Option<Expr>,
-    /// Angular velocity of a spatial part.
-    pub spin: Option<Vector>,
-}
-
-/// A pose in parameters.
-#[derive(Debug, Clone, Copy)]
-pub struct Home {
-    /// Position of the origin.
-    pub origin: Vector,
-    /// Axes.
-    pub axes: Axes,
-}
-
-impl Part {
-    /// The first local of its rotation, for a rigid part.
-    pub fn rotation(&self) -> Option<u32> {
-        (self.representation == Representation::Rigid).then(|| self.locals[3])
-    }
-}
-
-impl Resolver<'_> {
-    fn add_part(&mut self, part: Part) -> Option<Value> {
-        self.parts.push(part);
-        Some(Value::Frame(Owner::Part(self.parts.len() - 1)))
-    }
-}

@@ -1,16 +1,17 @@
 //! Bars and bodies of the plane.
 
-use super::{Guess, Part, Representation, Tensor};
-use crate::model::geometry::{Frame, Vector};
-use crate::model::resolve::Resolver;
+use super::part::{Guess, Part, Representation};
+use crate::model::arguments::Arguments;
+use crate::model::formulation::{self, Formulation};
+use crate::model::geometry::{Frame, Tensor, Vector};
+use crate::model::resolver::Resolver;
 use crate::model::value::Value;
-use crate::model::{Arguments, Formulation, formulation};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 
 impl Resolver<'_> {
     pub(in crate::model) fn planar_bar(&mut self, entry: &Entry) -> Option<Value> {
-        let needs_angle = self.turning.contains(&entry.name.to_string());
+        let needs_angle = self.needs_angle.contains(&entry.name.to_string());
         let formulation = self.planar_bar_wish(entry, needs_angle);
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");

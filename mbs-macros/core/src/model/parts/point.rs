@@ -1,10 +1,11 @@
 //! Particles, and coordinates declared by hand.
 
-use super::{Guess, Home, Part, Representation};
+use super::part::{Guess, Home, Part, Representation};
+use crate::dimension::Dimension;
+use crate::model::arguments::Arguments;
 use crate::model::geometry::{Frame, Vector};
-use crate::model::resolve::Resolver;
+use crate::model::resolver::Resolver;
 use crate::model::value::Value;
-use crate::model::{Arguments, Dimension};
 use crate::schema::World;
 use crate::symbolic::Symbol;
 use crate::syntax::Entry;

@@ -1,11 +1,13 @@
 //! Bars and bodies of space.
 
-use super::{Guess, Home, Part, Representation, Shape, Tensor};
-use crate::model::check::NEARLY_TOGETHER;
-use crate::model::geometry::{Axes, Frame, Vector};
-use crate::model::resolve::Resolver;
+use super::part::{Guess, Home, Part, Representation};
+use super::shape::Shape;
+use crate::model::arguments::Arguments;
+use crate::model::formulation::{self, Formulation};
+use crate::model::geometry::{Axes, Frame, Tensor, Vector};
+use crate::model::home::NEARLY_TOGETHER;
+use crate::model::resolver::Resolver;
 use crate::model::value::Value;
-use crate::model::{Arguments, Formulation, formulation};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 

@@ -1,0 +1,111 @@
+//! The passes of stage 3.
+
+use super::balance::Balance;
+use super::constant_mass::constant_mass;
+use super::kinetic::{self, Kinetic};
+use super::system::System;
+use super::{forces, generalized_forces, inertia, reactions, rows, start, vacuous};
+use crate::model::elements::force::Load;
+use crate::model::{Model, Outline};
+use crate::symbolic::{Expr, Graph};
+
+/// Builds the equations; beside them stays what later stages need to name things.
+pub fn derive(mut model: Model) -> (Outline, System) {
+    let mut graph = std::mem::take(&mut model.graph);
+    let mut reduction = std::mem::take(&mut model.reduction);
+    let inertia = inertia::local_mass(&mut graph, &model.outline.parts);
+
+    let mut potential = generalized_forces::gravity_potential(&mut graph, &model);
+    let mut loads: Vec<Load> = Vec::new();
+    for force in &model.forces {
+        let action = forces::action(&mut graph, &force.element);
+        potential = match action.potential {
+            Some(energy) => graph.add(potential, energy),
+            None => potential,
+        };
+        loads.extend(action.loads);
+    }
+    let vacuous = vacuous::rows(&graph, &model);
+    let rows = rows::rows(&mut graph, &mut reduction, &model);
+    let solved = rows::solved_rows(&model.joints, &model.solved);
+    let balance = Balance {
+        inertia: &inertia,
+        potential,
+        loads: &loads,
+        rows: &rows,
+        solved: &solved,
+        model: &model,
+    };
+    let reactions = reactions::derive(&mut graph, &mut reduction, &balance);
+
+    let mut global = |graph: &mut Graph, expr: Expr| graph.substitute(expr, &mut reduction);
+    let potential = global(&mut graph, potential);
+    let loads: Vec<Load> = loads
+        .iter()
+        .map(|load| Load {
+            rate: global(&mut graph, load.rate),
+            force: global(&mut graph, load.force),
+        })
+        .collect();
+    let size = model.layout.velocities.len();
+    let outputs = model
+        .outputs
+        .iter()
+        .map(|&expr| global(&mut graph, expr))
+        .collect();
+    let events = model
+        .events
+        .iter()
+        .map(|&expr| global(&mut graph, expr))
+        .collect();
+    let points = model
+        .outline
+        .drawing
+        .points
+        .iter()
+        .map(|(_, position)| position.map(|x| global(&mut graph, x)))
+        .collect();
+    let unwrapped_angles = model
+        .layout
+        .unwrapped_angles
+        .iter()
+        .map(|(_, angle)| global(&mut graph, *angle))
+        .collect();
+    let pull = start::pull(&mut graph, &mut reduction, &model, &inertia);
+    let kinetic = kinetic::energy(&mut graph, &mut reduction, &model, &inertia)
+        .map(|energy| Kinetic::new(&mut graph, size, energy));
+    let mass = match &kinetic {
+        Some(kinetic) => kinetic.mass(&mut graph),
+        None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
+    };
+    let forces = match kinetic {
+        Some(_) => generalized_forces::backward_forces(&mut graph, size, potential, &loads),
+        None => generalized_forces::applied_forces(&mut graph, size, potential, &loads),
+    };
+    let power = generalized_forces::power(&mut graph, &loads);
+    let constant_mass = constant_mass(&graph, &model.layout, &mass);
+    let mut layout = model.layout.clone();
+    if let (true, Some(pull)) = (constant_mass, pull) {
+        start::move_guesses(&mut graph, &mass, &mut layout, pull);
+    }
+    let system = System {
+        graph,
+        size,
+        kinetic,
+        mass,
+        potential,
+        forces,
+        power,
+        rows,
+        vacuous,
+        reactions,
+        outputs,
+        events,
+        points,
+        layout,
+        constant_mass,
+        reduction,
+        unwrapped_angles,
+    };
+    (model.outline, system)
+}

@@ -1,0 +1,45 @@
+//! Springs with dampers.
+
+use super::action::Action;
+use crate::model::elements::force::{Characteristic, Load};
+use crate::symbolic::{Expr, Graph};
+
+/// The action against a growing deflection.
+pub(super) fn action(
+    graph: &mut Graph,
+    characteristic: &Characteristic,
+    deflection: Expr,
+    rate: Expr,
+) -> Action {
+    match *characteristic {
+        Characteristic::Linear {
+            stiffness,
+            damping,
+            free,
+        } => {
+            let stretch = graph.sub(deflection, free);
+            let square = graph.square(stretch);
+            let energy = graph.mul(stiffness, square);
+            let energy = graph.scale(0.5, energy);
+            let drag = graph.mul(damping, rate);
+            let force = graph.neg(drag);
+            let loads = if graph.is_zero(force) {
+                Vec::new()
+            } else {
+                vec![Load { rate, force }]
+            };
+            Action {
+                potential: (!graph.is_zero(energy)).then_some(energy),
+                loads,
+            }
+        }
+        Characteristic::Law(law) => {
+            let tension = graph.law(law, &[deflection, rate]);
+            let force = graph.neg(tension);
+            Action {
+                potential: None,
+                loads: vec![Load { rate, force }],
+            }
+        }
+    }
+}

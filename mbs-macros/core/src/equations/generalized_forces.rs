@@ -1,0 +1,71 @@
+//! Generalized forces: of gravity, springs and loads.
+
+use super::inertia::center_of;
+use crate::model::Model;
+use crate::model::elements::force::Load;
+use crate::symbolic::{Expr, Graph, Symbol};
+
+/// V = −Σ m g · c.
+pub(super) fn gravity_potential(graph: &mut Graph, model: &Model) -> Expr {
+    let mut terms = Vec::new();
+    for part in &model.outline.parts {
+        let offset = graph.turn(&part.frame.axes, part.center);
+        let center = center_of(graph, part, offset);
+        let along = graph.dot(model.gravity, center);
+        let energy = graph.mul(part.mass, along);
+        terms.push(graph.neg(energy));
+    }
+    graph.sum(terms)
+}
+
+/// f_j = −∂V/∂q_j + Σ force · ∂rate/∂v_j.
+pub(super) fn applied_forces(
+    graph: &mut Graph,
+    size: usize,
+    potential: Expr,
+    loads: &[Load],
+) -> Vec<Expr> {
+    (0..size as u32)
+        .map(|j| {
+            let slope = graph.derivative(potential, Symbol::Coordinate(j));
+            let mut terms = vec![graph.neg(slope)];
+            for load in loads {
+                let lever = graph.derivative(load.rate, Symbol::Velocity(j));
+                terms.push(graph.mul(load.force, lever));
+            }
+            graph.sum(terms)
+        })
+        .collect()
+}
+
+/// The same by gradients, whose cost does not grow with the number of coordinates.
+pub(super) fn backward_forces(
+    graph: &mut Graph,
+    size: usize,
+    potential: Expr,
+    loads: &[Load],
+) -> Vec<Expr> {
+    let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); size];
+    for (symbol, slope) in graph.gradient(potential) {
+        if let Symbol::Coordinate(j) = symbol {
+            terms[j as usize].push(graph.neg(slope));
+        }
+    }
+    for load in loads {
+        for (symbol, lever) in graph.gradient(load.rate) {
+            if let Symbol::Velocity(j) = symbol {
+                terms[j as usize].push(graph.mul(load.force, lever));
+            }
+        }
+    }
+    terms.into_iter().map(|terms| graph.sum(terms)).collect()
+}
+
+/// Σ force · rate.
+pub(super) fn power(graph: &mut Graph, loads: &[Load]) -> Expr {
+    let terms: Vec<Expr> = loads
+        .iter()
+        .map(|load| graph.mul(load.force, load.rate))
+        .collect();
+    graph.sum(terms)
+}

@@ -1,0 +1,86 @@
+//! The kinetic energy of joint coordinates, body by body.
+
+use super::inertia::LocalMass;
+use crate::model::Model;
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// T, where a tree carries parts: ½ (m v·v + ω·Jω) of each, and ½ ṡ·M ṡ of the parts beside it.
+pub(super) fn energy(
+    graph: &mut Graph,
+    reduction: &mut Substitution,
+    model: &Model,
+    local: &LocalMass,
+) -> Option<Expr> {
+    if model.twists.is_empty() {
+        return None;
+    }
+    let mut terms = Vec::new();
+    let mut carried: BTreeSet<u32> = BTreeSet::new();
+    for twist in &model.twists {
+        let part = &model.outline.parts[twist.part];
+        carried.extend(&part.locals);
+        let square = graph.dot(twist.velocity, twist.velocity);
+        terms.push(graph.mul(part.mass, square));
+        let spin = part.inertia.map(|row| graph.dot(row, twist.omega));
+        terms.push(graph.dot(twist.omega, spin));
+    }
+    for (&(i, k), &mass) in local {
+        if carried.contains(&i) {
+            continue;
+        }
+        let rates = [i, k].map(|local| {
+            let rate = graph.symbol(Symbol::LocalVelocity(local));
+            graph.substitute(rate, reduction)
+        });
+        let mass = graph.substitute(mass, reduction);
+        let rates = graph.mul(rates[0], rates[1]);
+        terms.push(graph.mul(mass, rates));
+    }
+    let sum = graph.sum(terms);
+    Some(graph.scale(0.5, sum))
+}
+
+/// T with its slopes, from one pass backwards through it.
+#[derive(Debug)]
+pub struct Kinetic {
+    /// T.
+    pub energy: Expr,
+    /// p = ∂T/∂v.
+    pub momentum: Vec<Expr>,
+    /// ∂T/∂q.
+    pub slopes: Vec<Expr>,
+}
+
+impl Kinetic {
+    pub(super) fn new(graph: &mut Graph, size: usize, energy: Expr) -> Kinetic {
+        let zero = graph.zero();
+        let mut kinetic = Kinetic {
+            energy,
+            momentum: vec![zero; size],
+            slopes: vec![zero; size],
+        };
+        for (symbol, slope) in graph.gradient(energy) {
+            match symbol {
+                Symbol::Velocity(i) => kinetic.momentum[i as usize] = slope,
+                Symbol::Coordinate(i) => kinetic.slopes[i as usize] = slope,
+                _ => {}
+            }
+        }
+        kinetic
+    }
+
+    /// The upper triangle of M = ∂p/∂v.
+    pub(super) fn mass(&self, graph: &mut Graph) -> BTreeMap<(usize, usize), Expr> {
+        let mut mass = BTreeMap::new();
+        for (i, &p) in self.momentum.iter().enumerate() {
+            for j in i..self.momentum.len() {
+                let entry = graph.derivative(p, Symbol::Velocity(j as u32));
+                if !graph.is_zero(entry) {
+                    mass.insert((i, j), entry);
+                }
+            }
+        }
+        mass
+    }
+}

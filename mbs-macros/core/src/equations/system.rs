@@ -1,0 +1,114 @@
+//! The equations of a mechanism, as data.
+
+use super::kinetic::Kinetic;
+use crate::model::{Layout, Vector};
+use crate::symbolic::{Expr, Graph, Substitution};
+use std::collections::BTreeMap;
+
+/// The equations of a mechanism.
+#[derive(Debug)]
+pub struct System {
+    /// All expressions.
+    pub graph: Graph,
+    /// Number of velocities N.
+    pub size: usize,
+    /// T of joint coordinates, body by body; elsewhere M says it all.
+    pub kinetic: Option<Kinetic>,
+    /// Upper triangle of M, structurally nonzero entries only.
+    pub mass: BTreeMap<(usize, usize), Expr>,
+    /// Potential energy V.
+    pub potential: Expr,
+    /// Applied generalized forces f.
+    pub forces: Vec<Expr>,
+    /// Power of the forces without potential.
+    pub power: Expr,
+    /// Rows, holonomic ones first.
+    pub rows: Vec<Row>,
+    /// Rows that are zero in every pose, and are left out.
+    pub vacuous: Vec<VacuousRow>,
+    /// Reactions in terms of v̇ and λ.
+    pub reactions: Vec<Reaction>,
+    /// Output expressions.
+    pub outputs: Vec<Expr>,
+    /// Event expressions.
+    pub events: Vec<Expr>,
+    /// Points to draw.
+    pub points: Vec<Vector>,
+    /// Coordinates and velocities with their guesses, rotations.
+    pub layout: Layout,
+    /// Whether M does not depend on q.
+    pub constant_mass: bool,
+    /// Local coordinates of the parts in terms of the generalized ones.
+    pub reduction: Substitution,
+    /// Counted joint angles, in the order of their memories.
+    pub unwrapped_angles: Vec<Expr>,
+}
+
+/// A constraint row.
+#[derive(Debug, Clone)]
+pub struct Row {
+    /// Its name: joint and component.
+    pub name: String,
+    /// The entry it comes from.
+    pub entry: String,
+    /// Its kind.
+    pub kind: RowKind,
+    /// SI unit of the expression.
+    pub unit: String,
+    /// φ or ψ̇.
+    pub expr: Expr,
+    /// The same in local coordinates, for reactions.
+    pub(super) local: Expr,
+}
+
+/// A row that is left out, because joints that have become coordinates hold what it says.
+#[derive(Debug, Clone)]
+pub struct VacuousRow {
+    /// Its name: joint and component.
+    pub name: String,
+    /// The entry it comes from.
+    pub entry: String,
+    /// The joints that hold what it says.
+    pub follows_from: Vec<String>,
+}
+
+/// The kinds of rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RowKind {
+    /// φ(q) = 0
+    Holonomic,
+    /// φ(q, t) = 0
+    Rheonomic,
+    /// N(q) v + n(q, t) = 0
+    Nonholonomic,
+}
+
+impl RowKind {
+    /// Whether the row is a condition on positions.
+    pub fn is_holonomic(self) -> bool {
+        self != RowKind::Nonholonomic
+    }
+}
+
+/// A component of a joint reaction.
+#[derive(Debug, Clone)]
+pub struct Reaction {
+    /// The joint.
+    pub joint: String,
+    /// `fx`, `fy`, `torque`, `lambda[1]`, ….
+    pub component: String,
+    /// SI unit.
+    pub unit: String,
+    /// In terms of q, v, v̇ and λ.
+    pub expr: Expr,
+}
+
+impl System {
+    /// The number of holonomic rows.
+    pub fn holonomic_rows(&self) -> usize {
+        self.rows
+            .iter()
+            .filter(|row| row.kind.is_holonomic())
+            .count()
+    }
+}

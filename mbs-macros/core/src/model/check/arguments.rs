@@ -1,0 +1,105 @@
+//! Arguments that a kind does not have, and those that it needs.
+
+use crate::diagnostics::{Place, did_you_mean};
+use crate::model::advice;
+use crate::model::resolver::Resolver;
+use crate::schema::{self, Absent, Kind, World};
+use crate::syntax::Entry;
+
+/// Every argument is one that its kind has, and no required one is missing.
+pub(in crate::model) fn arguments(resolver: &mut Resolver) {
+    let declaration = resolver.declaration;
+    for entry in declaration.world.iter().chain(&declaration.entries) {
+        let name = entry.kind.to_string();
+        let kind = if entry.name == "world" {
+            schema::world(&name).map(World::kind)
+        } else {
+            schema::kind(resolver.world, &name)
+        };
+        if let Some(kind) = kind {
+            entry_arguments(resolver, entry, kind);
+        } else if let Some(kind) = schema::any_kind(&name) {
+            let (world, kind) = (resolver.world.describe(), kind.name);
+            let advice = advice::kind(resolver.world, kind);
+            resolver.fail::<()>(
+                entry.kind.span(),
+                format!("there is no `{kind}` in {world}; {advice}"),
+            );
+        }
+    }
+}
+
+fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
+    let positional: Vec<&str> = kind
+        .fields
+        .iter()
+        .filter(|field| field.positional)
+        .map(|field| field.name)
+        .collect();
+    let mut misplaced = false;
+    if let Some(surplus) = entry.positional.get(positional.len()) {
+        let takes = match positional.as_slice() {
+            [] => "no positional arguments".to_owned(),
+            [one] => format!("one positional argument (`{one}`)"),
+            many => format!(
+                "{} positional arguments (`{}`)",
+                many.len(),
+                many.join("`, `")
+            ),
+        };
+        resolver.fail::<()>(
+            Place::of(surplus),
+            format!("`{}` takes {takes}; name the others", kind.name),
+        );
+        misplaced = true;
+    }
+    for argument in &entry.named {
+        let name = argument.name.to_string();
+        if !kind.fields.iter().any(|field| field.name == name) {
+            let known = kind.fields.iter().map(|field| field.name);
+            let hint = match advice::argument(resolver.world, kind.name, &name) {
+                Some(advice) => format!("; {advice}"),
+                None => did_you_mean(&name, known.clone()),
+            };
+            let known: Vec<_> = known.collect();
+            resolver.fail::<()>(
+                argument.name.span(),
+                format!(
+                    "`{}` has no argument `{name}`{hint} (arguments: {})",
+                    kind.name,
+                    known.join(", ")
+                ),
+            );
+            misplaced = true;
+        } else if positional
+            .iter()
+            .position(|known| *known == name)
+            .is_some_and(|slot| slot < entry.positional.len())
+        {
+            resolver.fail::<()>(
+                argument.name.span(),
+                format!("`{name}` is given by position already"),
+            );
+        }
+    }
+    if misplaced {
+        // What seems to be missing may be what stands in the wrong place, and what is wrong besides may follow from it.
+        resolver.misplaced.insert(entry.name.to_string());
+        return;
+    }
+    for (slot, field) in kind
+        .fields
+        .iter()
+        .enumerate()
+        .filter(|(_, field)| field.default == Absent::Required)
+    {
+        let by_position = field.positional && slot < entry.positional.len();
+        if !by_position && entry.named(field.name).is_none() {
+            resolver.misplaced.insert(entry.name.to_string());
+            resolver.fail::<()>(
+                entry.kind.span(),
+                format!("`{}` needs `{}`: {}", kind.name, field.name, field.doc),
+            );
+        }
+    }
+}

@@ -1,0 +1,98 @@
+//! Home poses that joints contradict.
+
+use crate::dimension::Dimension;
+use crate::model::elements::JointEntry;
+use crate::model::geometry::Point;
+use crate::model::home::NEARLY_TOGETHER;
+use crate::model::initial_pose::Guesses;
+use crate::model::resolver::{Resolver, has_frames};
+use proc_macro2::Span;
+
+/// In space, the frames that a joint holds together are together in the home pose, with the defaults of all parameters.
+/// (Differences within the rounding of a written number are left to assembly.)
+pub(in crate::model) fn home_poses(
+    resolver: &mut Resolver,
+    joints: &[JointEntry],
+    guesses: &Guesses,
+) {
+    let mut found: Vec<Disagreement> = Vec::new();
+    let mut size = 0.0f64;
+    for element in joints {
+        let entry = resolver.declaration.entries.iter();
+        let mut entry = entry.filter(|entry| entry.name == element.name);
+        let Some(kind) = entry.next().map(|entry| entry.kind.to_string()) else {
+            continue;
+        };
+        let points = &element.joint.points;
+        if let (true, [parent, child]) = (has_frames(resolver.world, &kind), points.as_slice()) {
+            let disagreement = Disagreement::new(resolver, element, kind, [parent, child], guesses);
+            let homes = disagreement.homes.as_flattened().iter();
+            size = homes.fold(size, |size, x| size.max(x.abs()));
+            found.push(disagreement);
+        }
+    }
+    for disagreement in found {
+        if let Some(message) = disagreement.message(size) {
+            resolver.fail::<()>(disagreement.span, message);
+        }
+    }
+}
+
+/// How far the partners of a joint are from where it holds them.
+struct Disagreement {
+    span: Span,
+    kind: String,
+    labels: [String; 2],
+    homes: [[f64; 3]; 2],
+    /// In the directions that the joint holds.
+    gap: f64,
+    /// Radians; about the directions that the joint holds.
+    angle: f64,
+    /// Whether it holds all directions.
+    coincident: bool,
+}
+
+impl Disagreement {
+    fn new(
+        resolver: &mut Resolver,
+        element: &JointEntry,
+        kind: String,
+        points: [&Point; 2],
+        guesses: &Guesses,
+    ) -> Self {
+        let homes = points.map(|point| {
+            let home = resolver.home_of(point);
+            home.map(|x| resolver.by_default(x))
+        });
+        let rows = &element.joint.conditions;
+        let size_of = |resolver: &mut Resolver, dimension: Dimension| {
+            let rows = rows.iter().filter(|row| row.dimension == Some(dimension));
+            let squares = rows.map(|row| resolver.at_home(row.expr, guesses).powi(2));
+            squares.sum::<f64>().sqrt()
+        };
+        Disagreement {
+            span: element.span,
+            kind,
+            labels: points.map(|point| point.label.clone()),
+            homes,
+            gap: size_of(resolver, Dimension::LENGTH),
+            angle: size_of(resolver, Dimension::NONE).min(1.0).asin(),
+            coincident: element.joint.coincident.is_some(),
+        }
+    }
+
+    fn message(&self, size: f64) -> Option<String> {
+        let ([first, second], [parent, child]) = (&self.labels, &self.homes);
+        let (kind, gap, angle) = (&self.kind, self.gap, self.angle.to_degrees());
+        let held = match self.coincident {
+            true => format!("{gap:.3} m apart, but this joint holds them together"),
+            false => format!("{gap:.3} m apart in directions that this `{kind}` holds"),
+        };
+        if gap > NEARLY_TOGETHER * size {
+            return Some(format!(
+                "in the home pose `{first}` is at {parent:?} m and `{second}` at {child:?} m, {held}; move one of the parts by its `at`, `from` or `orientation`"
+            ));
+        }
+        (self.angle > NEARLY_TOGETHER).then(|| format!("in the home pose the axes at `{first}` and at `{second}` are {angle:.1}° off those that this `{kind}` holds together; turn one of the frames or parts, or give the axis once by `axis =`"))
+    }
+}

@@ -1,0 +1,103 @@
+//! Coordinates without mass.
+
+use crate::model::parts::{Part, Representation};
+use crate::model::reduction::Reduction;
+use crate::model::resolver::Resolver;
+use crate::symbolic::{Graph, Symbol};
+use proc_macro2::Span;
+use std::collections::BTreeSet;
+
+/// Something moves, and with every coordinate moves some mass.
+pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) {
+    if !resolver.errors.is_empty() {
+        return;
+    }
+    let graph = &resolver.graph;
+    let coordinate = |local: &u32| reduction.coordinate_of(graph, *local);
+    let heavy: BTreeSet<u32> = resolver
+        .parts
+        .iter()
+        .flat_map(|part| heavy_locals(graph, part))
+        .filter_map(|local| coordinate(&local))
+        .collect();
+    // Of the parts that share a massless coordinate the first answers for it.
+    let mut known = heavy.clone();
+    let mut massless: Vec<(Span, String)> = Vec::new();
+    for part in &resolver.parts {
+        let light: Vec<u32> = part
+            .locals
+            .iter()
+            .filter(|local| coordinate(local).is_some_and(|index| known.insert(index)))
+            .copied()
+            .collect();
+        if !light.is_empty() {
+            let turns_only = part.representation == Representation::Reference && light.len() == 1;
+            massless.push((part.span, massless_message(part, turns_only)));
+        }
+    }
+    if known.is_empty() {
+        let message = "nothing in this mechanism moves: declare a `Bar`, `Body` or `Particle` that the ground does not hold";
+        resolver.fail::<()>(resolver.declaration.name.span(), message);
+    }
+    for (span, message) in massless {
+        resolver.fail::<()>(span, message);
+    }
+}
+
+/// The coordinates of a part, or those that it follows, with which it moves mass.
+fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
+    let (mass, inertia) = (
+        !graph.is_zero(part.mass),
+        !graph.is_zero(part.inertia[2][2]),
+    );
+    match part.representation {
+        Representation::Coordinate => Vec::new(),
+        Representation::Natural | Representation::FreePoint if mass => part.locals.clone(),
+        Representation::Natural | Representation::FreePoint => Vec::new(),
+        Representation::Reference => {
+            let carried = [mass, mass, inertia];
+            let locals = part.locals.iter().zip(carried);
+            locals
+                .filter(|(_, carried)| *carried)
+                .map(|(&local, _)| local)
+                .collect()
+        }
+        // An inertia that vanishes about an axis was refused where it was declared.
+        Representation::Rigid if mass => part.locals.clone(),
+        Representation::Rigid => part.locals[3..].to_vec(),
+        Representation::Prescribed => {
+            let turn = part.frame.angle.filter(|_| inertia);
+            let place = part.frame.origin.into_iter().filter(|_| mass);
+            let swing = part.frame.axes[0]
+                .into_iter()
+                .filter(|_| mass && part.center.iter().any(|&x| !graph.is_zero(x)));
+            let symbols = graph.directions(turn.into_iter().chain(place).chain(swing));
+            symbols
+                .into_iter()
+                .filter_map(|symbol| match symbol {
+                    Symbol::LocalPosition(local) => Some(local),
+                    _ => None,
+                })
+                .collect()
+        }
+    }
+}
+
+fn massless_message(part: &Part, turns_only: bool) -> String {
+    let name = &part.name;
+    match part.kind {
+        "Coordinate" => format!(
+            "nothing with mass follows `{name}`: let a part follow it by `frame =` or `position =`, or remove it"
+        ),
+        "Body" if turns_only => format!(
+            "`{name}` turns without inertia: give it a positive `inertia =`, or use a `Particle`"
+        ),
+        "Bar" if part.representation == Representation::Natural => format!(
+            "`{name}` moves without mass: give it `mass =`, or join its moving ends to parts that have mass"
+        ),
+        "Particle" => format!(
+            "`{name}` moves without mass: give it `mass =`, or join it to a part that has mass"
+        ),
+        _ => format!("`{name}` moves without mass: give it a positive `mass =`"),
+    }
+}

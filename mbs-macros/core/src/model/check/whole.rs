@@ -1,0 +1,81 @@
+//! Connected parts, used names, carried parts.
+
+use crate::model::elements::{ForceEntry, JointEntry};
+use crate::model::formulation::Formulation;
+use crate::model::geometry::Owner;
+use crate::model::parts::Representation;
+use crate::model::resolver::Resolver;
+use crate::model::tree::Tree;
+use proc_macro2::Span;
+use std::collections::BTreeSet;
+
+/// Every part is connected to something.
+pub(in crate::model) fn connected(
+    resolver: &mut Resolver,
+    joints: &[JointEntry],
+    forces: &[ForceEntry],
+) {
+    let mut connected: BTreeSet<Owner> = BTreeSet::new();
+    for joint in joints {
+        connected.extend(joint.joint.points.iter().map(|point| point.owner));
+        connected.extend(&joint.joint.owners);
+    }
+    for force in forces {
+        connected.extend(force.force.points.iter().map(|point| point.owner));
+        connected.extend(&force.force.owners);
+    }
+    let lonely: Vec<(String, Span)> = resolver
+        .parts
+        .iter()
+        .enumerate()
+        .filter(|(index, part)| {
+            let follows = matches!(
+                part.representation,
+                Representation::Prescribed | Representation::Coordinate
+            );
+            let named = resolver.used.contains(&part.name);
+            !follows && !part.free && !named && !connected.contains(&Owner::Part(*index))
+        })
+        .map(|(_, part)| (part.name.clone(), part.span))
+        .collect();
+    for (name, span) in lonely {
+        resolver.fail::<()>(
+            span,
+            format!("`{name}` is connected to nothing: join it, or write `free = true` if it is meant to move freely"),
+        );
+    }
+}
+
+/// Every parameter, input, point and named expression is used: nothing is silently ignored.
+pub(in crate::model) fn used(resolver: &mut Resolver) {
+    let declaration = resolver.declaration;
+    for entry in &declaration.entries {
+        let name = entry.name.to_string();
+        let kind = entry.kind.to_string();
+        if matches!(
+            kind.as_str(),
+            "Param" | "Input" | "Let" | "Point" | "Coordinate"
+        ) && !resolver.used.contains(&name)
+        {
+            resolver.fail::<()>(
+                entry.span(),
+                format!("`{name}` is declared but never used; use it or remove it"),
+            );
+        }
+    }
+}
+
+/// Parts that ask for joint coordinates are carried by a joint.
+pub(in crate::model) fn carried(resolver: &mut Resolver, tree: &Tree) {
+    for index in 0..resolver.parts.len() {
+        let part = &resolver.parts[index];
+        if part.formulation != Some(Formulation::Joint) || tree.carrier(index).is_some() {
+            continue;
+        }
+        let (span, name) = (part.span, part.name.clone());
+        resolver.fail::<()>(
+            span,
+            format!("`{name}` asks for joint coordinates, but no joint carries it: that takes a `Revolute`, `Prismatic` or `Fixed`, in space also a `Cylindrical`, `Spherical`, `Universal` or `Planar`, to the ground or to a part with axes; ask for `Reference`, or leave `coordinates =` out"),
+        );
+    }
+}

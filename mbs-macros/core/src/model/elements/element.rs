@@ -1,0 +1,25 @@
+//! Joints and force elements with their names.
+
+use super::force::Force;
+use super::joint::Joint;
+use proc_macro2::Span;
+
+/// A joint or constraint, or the length of a bar.
+#[derive(Debug)]
+pub struct JointEntry {
+    /// The name of its entry.
+    pub name: String,
+    /// Where it is declared.
+    pub span: Span,
+    /// What it says.
+    pub joint: Joint,
+}
+
+/// A force element.
+#[derive(Debug)]
+pub struct ForceEntry {
+    /// The name of its entry.
+    pub name: String,
+    /// What it does.
+    pub force: Force,
+}

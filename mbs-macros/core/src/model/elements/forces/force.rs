@@ -1,0 +1,28 @@
+//! A force on a point.
+
+use super::axes::force_in;
+use crate::model::arguments::Arguments;
+use crate::model::elements::force::{Force, ForceElement};
+use crate::model::geometry::Owner;
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
+    let (on, value) = (arguments.point("on"), arguments.vector("value"));
+    let (on, value) = (on?, value?);
+    if on.owner == Owner::Ground {
+        return arguments.fail(
+            "on",
+            "a force on the ground does nothing; apply it to a moving point",
+        );
+    }
+    let axes = force_in(arguments)?;
+    Some(Force {
+        element: ForceElement::Wrench {
+            at: on.position,
+            force: value,
+            torque: None,
+            axes,
+        },
+        points: vec![on],
+        owners: Vec::new(),
+    })
+}

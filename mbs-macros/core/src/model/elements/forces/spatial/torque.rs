@@ -1,0 +1,78 @@
+//! A torque on a part, with its reaction on another, or in a joint.
+
+use crate::model::arguments::Arguments;
+use crate::model::elements::force::{Force, ForceElement, Load};
+use crate::model::geometry::Owner;
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
+    if arguments.names_joint("on") {
+        return in_joint(arguments);
+    }
+    let on = arguments.part("on")?;
+    let value = arguments.vector("value")?;
+    let mut other = |field: &str| match arguments.has(field) {
+        true => arguments.part(field),
+        false => Some(Owner::Ground),
+    };
+    let (from, axes) = (other("from")?, other("axes")?);
+    if on == from {
+        return arguments.fail("on", match on {
+            Owner::Ground => "a torque on the ground does nothing; apply it to a part",
+            Owner::Part(_) => "a torque of a part on itself does nothing; name another part in `from`, or leave it out",
+        });
+    }
+    for (field, owner) in [("on", on), ("from", from), ("axes", axes)] {
+        let name = arguments.owner_name(owner);
+        if arguments.is_particle(owner) {
+            return arguments.fail(
+                field,
+                format!("`{name}` is a particle: a torque cannot turn it"),
+            );
+        }
+        if field == "axes" && arguments.is_slender(owner) {
+            return arguments.fail(
+                field,
+                format!("`{name}` is a slender bar, which has no axes; use a `Body`, or a `Bar` with `radius =`"),
+            );
+        }
+    }
+    let spins = [on, from].map(|owner| arguments.frame(owner).spin);
+    let axes = arguments.frame(axes).axes;
+    let graph = arguments.graph();
+    let relative = graph.vector_sub(spins[0], spins[1]);
+    let rates = graph.components(&axes, relative);
+    let loads = rates.into_iter().zip(value);
+    let loads = loads.map(|(rate, force)| Load { rate, force }).collect();
+    Some(Force {
+        points: Vec::new(),
+        owners: vec![on, from],
+        element: ForceElement::Loads(loads),
+    })
+}
+
+fn in_joint(arguments: &mut Arguments) -> Option<Force> {
+    let joint = arguments.joint("on")?;
+    if let Some(field) = ["from", "axes"]
+        .into_iter()
+        .find(|field| arguments.has(field))
+    {
+        return arguments.fail(
+            field,
+            "a torque in a joint acts on its child, about its axis, and back on its parent; leave this out",
+        );
+    }
+    if !joint.turns() {
+        let (kind, name) = (&joint.kind, &joint.name);
+        return arguments.fail(
+            "on",
+            format!("`{name}` is a `{kind}`, which does not turn about one axis; name a `Revolute` or `Cylindrical`, or a part"),
+        );
+    }
+    let force = arguments.torque_value("value")?;
+    let rate = arguments.joint_rate(&joint);
+    Some(Force {
+        points: Vec::new(),
+        owners: vec![joint.parent.point.owner, joint.child.point.owner],
+        element: ForceElement::Loads(vec![Load { rate, force }]),
+    })
+}

@@ -1,0 +1,59 @@
+//! Two scalars keep a linear relation.
+
+use super::{conditions, relation};
+use crate::model::arguments::Arguments;
+use crate::model::elements::joint::{Condition, Joint, Level, ReactionComponent};
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+    conditions::check(arguments, "first")?;
+    conditions::check(arguments, "second")?;
+    let (first, from) = arguments.quantity("first")?;
+    let (second, to) = arguments.quantity("second")?;
+    for (field, expr) in [("first", first), ("second", second)] {
+        if !conditions::moves(arguments, expr) {
+            return arguments.fail(
+                field,
+                "this does not depend on any position: a coupling takes two expressions that move",
+            );
+        }
+    }
+    let (ratio, offset) = (
+        arguments.scalar_or("ratio", 1.0)?,
+        arguments.scalar_or("offset", 0.0)?,
+    );
+    if let (Some(from), Some(to), false) = (from, to, arguments.has("ratio"))
+        && from != to
+    {
+        return arguments.fail(
+            "second",
+            format!("this is {to}, but the first is {from}; give a `ratio =` with its unit"),
+        );
+    }
+    if arguments.has("ratio")
+        && let (Some((_, Some(unit))), Some(from), Some(to)) =
+            (arguments.quantity("ratio"), from, to)
+        && unit.times(from) != to
+    {
+        return arguments.fail(
+            "ratio",
+            format!("the ratio takes {from} to {to}: it is {}", to.over(from)),
+        );
+    }
+    let graph = arguments.graph();
+    let condition = Condition {
+        suffix: String::new(),
+        level: Level::Position,
+        expr: relation::affine(graph, first, second, ratio, offset),
+        dimension: to,
+    };
+    let reaction = ReactionComponent {
+        name: "lambda",
+        dimension: condition.multiplier_dimension(),
+        terms: vec![(0, graph.one())],
+    };
+    Some(Joint {
+        conditions: vec![condition],
+        reactions: vec![reaction],
+        ..Joint::default()
+    })
+}

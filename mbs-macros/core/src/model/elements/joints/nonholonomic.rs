@@ -1,0 +1,31 @@
+//! N(q) v + n(q, t) = 0, written as an expression.
+
+use super::conditions;
+use crate::model::arguments::Arguments;
+use crate::model::elements::joint::{Joint, Level};
+use crate::symbolic::Symbol;
+
+pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+    arguments.refuse_laws("value")?;
+    let found = arguments.conditions("value")?;
+    for &(span, expr, _) in &found {
+        let graph = arguments.graph();
+        let velocities: Vec<Symbol> = graph
+            .symbols([expr])
+            .into_iter()
+            .filter(|symbol| symbol.is_velocity())
+            .collect();
+        if velocities.is_empty() {
+            return arguments.fail_at(span, "a nonholonomic condition needs velocities; a condition on positions is `Holonomic`");
+        }
+        for velocity in velocities {
+            let coefficient = graph.derivative(expr, velocity);
+            if graph.depends_on(coefficient, Symbol::is_velocity) {
+                return arguments.fail_at(span, "a nonholonomic condition must be affine in the velocities: N(q) v + n(q, t) = 0");
+            }
+        }
+    }
+    let list = found.into_iter();
+    let list = list.map(|(_, expr, dimension)| (expr, dimension)).collect();
+    Some(conditions::joint(arguments.graph(), Level::Velocity, list))
+}

@@ -1,0 +1,247 @@
+//! Names and the values of their entries: evaluated when first asked for, so that entries may stand in any order.
+
+use super::arguments::Arguments;
+use super::geometry::{Owner, Point, Vector};
+use super::quantities::{Law, quantity};
+use super::resolver::{Resolver, State, has_frames};
+use super::value::Value;
+use crate::diagnostics::{Place, did_you_mean};
+use crate::dimension::Dimension;
+use crate::schema::World;
+use crate::symbolic::{Graph, Symbol};
+use crate::syntax::Entry;
+use proc_macro2::Span;
+
+impl<'d> Resolver<'d> {
+    /// Notes the names of all entries.
+    pub(super) fn declare(&mut self) {
+        for (index, entry) in self.declaration.entries.iter().enumerate() {
+            self.states.push(State::Waiting);
+            if let Some(earlier) = self.names.insert(entry.name.to_string(), index) {
+                self.names.insert(entry.name.to_string(), earlier);
+                self.fail::<()>(
+                    entry.span(),
+                    format!("`{}` is declared twice; rename one of them", entry.name),
+                );
+            }
+        }
+    }
+
+    pub(super) fn gravity(&mut self) -> Vector {
+        let zero = self.graph.zero();
+        let Some(world) = &self.declaration.world else {
+            return [zero; 3];
+        };
+        Arguments::new(self, world)
+            .vector("gravity")
+            .unwrap_or([zero; 3])
+    }
+
+    /// The unit vector against gravity.
+    pub(super) fn up(&self, gravity: Vector) -> [f64; 3] {
+        let down = gravity.map(|x| self.by_default(x));
+        let length = down.iter().map(|x| x * x).sum::<f64>().sqrt();
+        match self.world {
+            _ if length > 0.0 => down.map(|x| if x == 0.0 { 0.0 } else { -x / length }),
+            World::Planar => [0.0, 1.0, 0.0],
+            World::Spatial => [0.0, 0.0, 1.0],
+        }
+    }
+
+    /// The value of a name.
+    pub(super) fn lookup(&mut self, name: &str, span: Span) -> Option<Value> {
+        let number = |value: f64, graph: &mut Graph| graph.constant(value);
+        match name {
+            "ground" => return Some(Value::Frame(Owner::Ground)),
+            "t" => {
+                return Some(Value::Scalar(
+                    self.graph.symbol(Symbol::Time),
+                    Some(Dimension::TIME),
+                ));
+            }
+            "pi" => {
+                return Some(Value::Scalar(
+                    number(std::f64::consts::PI, &mut self.graph),
+                    None,
+                ));
+            }
+            "Z" if self.world == World::Planar => {
+                return self.fail(span, "a planar world has no axis Z");
+            }
+            "X" | "Y" | "Z" => {
+                let axes = self.graph.ground_axes();
+                let axis = axes[usize::from(name.as_bytes()[0] - b'X')];
+                return Some(Value::Vector(axis, Some(Dimension::NONE)));
+            }
+            _ => {}
+        }
+        let Some(&index) = self.names.get(name) else {
+            let known: Vec<&str> = self.names.keys().map(String::as_str).collect();
+            let mut known: Vec<&str> = known
+                .into_iter()
+                .chain(["ground", "t", "X", "Y", "Z", "pi"])
+                .filter(|name| *name != "Z" || self.world == World::Spatial)
+                .collect();
+            known.sort_unstable();
+            let hint = did_you_mean(name, known);
+            return self.fail(span, format!("nothing here is named `{name}`{hint}"));
+        };
+        if !self.silent {
+            self.used.insert(name.to_owned());
+        }
+        if matches!(self.states[index], State::Working) {
+            return self.fail(span, format!("`{name}` depends on itself"));
+        }
+        self.force(index);
+        match &self.states[index] {
+            State::Done(Some(value)) => Some(value.clone()),
+            State::Done(None) => {
+                let entry = self.entry(index);
+                if is_value(self.world, entry) {
+                    // Its own error is recorded already.
+                    return None;
+                }
+                let advice = match self.is_planar_hinge(entry) {
+                    true => "; in the plane parts have angles, joints have not",
+                    false => "",
+                };
+                self.fail(
+                    span,
+                    format!(
+                        "`{name}` is declared as `{}`, which has no value that an expression could use{advice}",
+                        entry.kind
+                    ),
+                )
+            }
+            State::Waiting | State::Working => None,
+        }
+    }
+
+    fn is_planar_hinge(&self, entry: &Entry) -> bool {
+        self.world == World::Planar && (entry.kind == "Revolute" || entry.kind == "Prismatic")
+    }
+
+    /// Whether every entry that has a value has been asked for it.
+    pub(super) fn is_evaluated(&self) -> bool {
+        let states = self.states.iter();
+        states
+            .into_iter()
+            .all(|state| matches!(state, State::Done(_)))
+    }
+
+    /// The value of an entry.
+    pub(super) fn value_of(&mut self, entry: &Entry) -> Option<Value> {
+        let index = *self.names.get(&entry.name.to_string())?;
+        self.force(index);
+        match &self.states[index] {
+            State::Done(value) => value.clone(),
+            State::Waiting | State::Working => None,
+        }
+    }
+
+    /// Evaluates an entry that has a value, once.
+    pub(super) fn force(&mut self, index: usize) {
+        if !matches!(self.states[index], State::Waiting) {
+            return;
+        }
+        let hinged = has_frames(self.world, &self.entry(index).kind.to_string());
+        if hinged && self.misplaced.contains(&self.entry(index).name.to_string()) {
+            self.states[index] = State::Done(None);
+            return;
+        }
+        self.states[index] = State::Working;
+        let silent = std::mem::replace(&mut self.silent, false);
+        let entry = self.entry(index);
+        let value = match entry.kind.to_string().as_str() {
+            "Param" => self.parameter(entry),
+            "Input" => self.input(entry),
+            "Let" => entry
+                .positional
+                .first()
+                .and_then(|syntax| self.evaluate(syntax)),
+            "Point" => self.ground_point(entry),
+            "Coordinate" => self.coordinate(entry),
+            "Bar" if self.world == World::Planar => self.planar_bar(entry),
+            "Bar" => self.spatial_bar(entry),
+            "Body" if self.world == World::Planar => self.planar_body(entry),
+            "Body" => self.spatial_body(entry),
+            "Particle" => self.particle(entry),
+            kind if has_frames(self.world, kind) => self.joint_frames(entry),
+            _ => None,
+        };
+        self.silent = silent;
+        self.states[index] = State::Done(value);
+    }
+
+    /// The points that have a name of their own and belong to this owner.
+    pub(super) fn declared_points(&self, owner: Owner) -> Vec<Point> {
+        let entries = self.declaration.entries.iter().zip(&self.states);
+        let points = entries.filter_map(|(entry, state)| match state {
+            State::Done(Some(Value::Point(point))) if point.owner == owner => Some(Point {
+                label: entry.name.to_string(),
+                ..point.clone()
+            }),
+            _ => None,
+        });
+        points.collect()
+    }
+
+    fn parameter(&mut self, entry: &Entry) -> Option<Value> {
+        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let symbol = Symbol::Parameter(self.parameters.len() as u32);
+        self.graph.set_name(symbol, entry.name.to_string());
+        self.parameters.push(quantity(entry, default, dimension));
+        Some(Value::Scalar(self.graph.symbol(symbol), dimension))
+    }
+
+    fn input(&mut self, entry: &Entry) -> Option<Value> {
+        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let symbol = Symbol::Input(self.inputs.len() as u32);
+        self.graph.set_name(symbol, entry.name.to_string());
+        self.inputs.push(quantity(entry, default, dimension));
+        Some(Value::Scalar(self.graph.symbol(symbol), dimension))
+    }
+
+    fn ground_point(&mut self, entry: &Entry) -> Option<Value> {
+        let position = Arguments::new(self, entry).vector("position")?;
+        let label = entry.name.to_string();
+        Some(Value::Point(Point {
+            position,
+            owner: Owner::Ground,
+            local: position,
+            free: None,
+            label,
+        }))
+    }
+
+    /// A user's law.
+    pub(super) fn law(&mut self, path: &syn::Expr, arguments: usize) -> Option<u32> {
+        if !matches!(path, syn::Expr::Path(_)) {
+            return self.fail(
+                Place::of(path),
+                "expected the path of a function `fn([f64; K]) -> (f64, [f64; K])`",
+            );
+        }
+        let same = |law: &Law| law.arguments == arguments && tokens(&law.path) == tokens(path);
+        if let Some(known) = self.laws.iter().position(same) {
+            return Some(known as u32);
+        }
+        self.laws.push(Law {
+            path: path.clone(),
+            arguments,
+        });
+        Some(self.laws.len() as u32 - 1)
+    }
+}
+
+fn is_value(world: World, entry: &Entry) -> bool {
+    let kind = entry.kind.to_string();
+    matches!(
+        kind.as_str(),
+        "Param" | "Input" | "Let" | "Point" | "Coordinate" | "Bar" | "Body" | "Particle"
+    ) || has_frames(world, &kind)
+}
+
+fn tokens(syntax: &syn::Expr) -> String {
+    quote::ToTokens::to_token_stream(syntax).to_string()
+}

@@ -1,0 +1,52 @@
+//! Initial guesses of local coordinates and their rates.
+
+use crate::symbolic::{Expr, Graph};
+use std::collections::HashMap;
+
+/// Guesses of local coordinates and their rates, in parameters.
+#[derive(Debug, Default)]
+pub(in crate::model) struct Guesses {
+    values: HashMap<u32, (Expr, Expr)>,
+    quaternions: HashMap<u32, [Expr; 4]>,
+}
+
+impl Guesses {
+    pub(in crate::model) fn position(&self, local: u32, graph: &mut Graph) -> Expr {
+        self.values
+            .get(&local)
+            .map_or_else(|| graph.zero(), |value| value.0)
+    }
+
+    pub(in crate::model) fn set(&mut self, local: u32, position: Expr, velocity: Expr) {
+        self.values.insert(local, (position, velocity));
+    }
+
+    pub(in crate::model) fn set_quaternion(&mut self, first: u32, quaternion: [Expr; 4]) {
+        self.quaternions.insert(first, quaternion);
+    }
+
+    /// The quaternion of the rotation whose first local is this.
+    pub(in crate::model) fn quaternion(&self, first: u32, graph: &mut Graph) -> [Expr; 4] {
+        let (zero, one) = (graph.zero(), graph.one());
+        let identity = [one, zero, zero, zero];
+        self.quaternions.get(&first).copied().unwrap_or(identity)
+    }
+
+    pub(in crate::model) fn velocity(&self, local: u32, graph: &mut Graph) -> Expr {
+        self.values
+            .get(&local)
+            .map_or_else(|| graph.zero(), |value| value.1)
+    }
+
+    /// Whether all are known once the parameters are.
+    pub(in crate::model) fn are_known(&self, graph: &Graph) -> bool {
+        let values = self
+            .values
+            .values()
+            .flat_map(|&(position, rate)| [position, rate]);
+        let quaternions = self.quaternions.values().flatten().copied();
+        values
+            .chain(quaternions)
+            .all(|x| !graph.depends_on(x, |symbol| !symbol.is_parameter_like()))
+    }
+}

@@ -1,0 +1,254 @@
+//! Initial poses in the plane: what was declared, carried along the joints from the ground outwards.
+//!
+//! A part is placed when its angle and one of its points are known, or two of its points; then all its points are known
+//! and place its neighbours. What stays unknown starts at angle 0 and position 0; assembly has the last word.
+
+use super::guesses::Guesses;
+use crate::model::elements::JointEntry;
+use crate::model::geometry::{Axes, Owner, Point, Vector};
+use crate::model::mobilizer::Freedom;
+use crate::model::parts::{Part, Representation};
+use crate::model::resolver::Resolver;
+use crate::model::tree::Tree;
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+
+/// A placed frame: origin, axis, and their rates.
+#[derive(Clone, Copy)]
+struct Pose {
+    origin: Vector,
+    velocity: Vector,
+    angle: Expr,
+    axes: Axes,
+    rate: Expr,
+}
+
+/// Where a point is and how fast it moves.
+#[derive(Clone, Copy)]
+struct Known {
+    position: Vector,
+    velocity: Vector,
+}
+
+/// Places all parts.
+pub(super) fn place(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses {
+    let parts = resolver.parts.clone();
+    let pairs: Vec<&[Point; 2]> = joints
+        .iter()
+        .filter_map(|element| element.joint.coincident.as_ref())
+        .collect();
+    let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
+    let mut desperate = false;
+    loop {
+        let mut progress = false;
+        for (index, part) in parts.iter().enumerate() {
+            if poses[index].is_some()
+                || matches!(
+                    part.representation,
+                    Representation::Prescribed | Representation::Coordinate
+                )
+            {
+                continue;
+            }
+            let known = known_points(&mut resolver.graph, index, &pairs, &poses);
+            if let Some(pose) = pose(&mut resolver.graph, part, &known, desperate) {
+                poses[index] = Some(pose);
+                progress = true;
+                if desperate {
+                    break;
+                }
+            }
+        }
+        match (progress, desperate) {
+            (true, _) => desperate = false,
+            (false, false) => desperate = true,
+            (false, true) => break,
+        }
+    }
+    let mut guesses = Guesses::default();
+    for (part, pose) in parts.iter().zip(poses) {
+        if part.representation == Representation::Coordinate {
+            let zero = resolver.graph.zero();
+            let value = (
+                part.guess.angle.unwrap_or(zero),
+                part.guess.rate.unwrap_or(zero),
+            );
+            guesses.set(part.locals[0], value.0, value.1);
+        } else if let Some(pose) = pose {
+            store(&mut resolver.graph, part, &pose, &mut guesses);
+        }
+    }
+    guesses
+}
+
+/// The strokes of the tree's joints in the plane, from the places of their partners.
+pub(super) fn strokes(resolver: &mut Resolver, tree: &Tree, guesses: &mut Guesses) {
+    for joint in &tree.joints {
+        for (freedom, local) in joint.freedoms() {
+            let Freedom::Slide(axis) = *freedom else {
+                continue;
+            };
+            let graph = &mut resolver.graph;
+            let (parent, child) = (&joint.mobilizer.parent, &joint.mobilizer.child);
+            let gap = graph.vector_sub(child.point.position, parent.point.position);
+            let stroke = graph.dot(parent.axes[axis], gap);
+            let speed = graph.rate(stroke);
+            let mut known = Substitution::default();
+            for symbol in graph.symbols([stroke, speed]) {
+                let value = match symbol {
+                    Symbol::LocalPosition(local) => guesses.position(local, graph),
+                    Symbol::LocalVelocity(local) => guesses.velocity(local, graph),
+                    _ => continue,
+                };
+                known.insert(symbol, value);
+            }
+            let [stroke, speed] = [stroke, speed].map(|x| graph.substitute(x, &mut known));
+            guesses.set(local, stroke, speed);
+        }
+    }
+}
+
+/// The points of a part that its joints place: (local coordinates in the part, position and velocity).
+fn known_points(
+    graph: &mut Graph,
+    part: usize,
+    pairs: &[&[Point; 2]],
+    poses: &[Option<Pose>],
+) -> Vec<(Vector, Known)> {
+    let mut known = Vec::new();
+    for [a, b] in pairs {
+        for (own, other) in [(a, b), (b, a)] {
+            if own.owner != Owner::Part(part) {
+                continue;
+            }
+            let place = match other.owner {
+                Owner::Ground => {
+                    let zero = graph.zero();
+                    Some(Known {
+                        position: other.position,
+                        velocity: [zero; 3],
+                    })
+                }
+                Owner::Part(index) => poses[index].map(|pose| point_of(graph, &pose, other.local)),
+            };
+            known.extend(place.map(|place| (own.local, place)));
+        }
+    }
+    known
+}
+
+fn point_of(graph: &mut Graph, pose: &Pose, local: Vector) -> Known {
+    let arm = graph.turn(&pose.axes, local);
+    let turned = graph.perpendicular(arm);
+    let swing = graph.vector_scale(pose.rate, turned);
+    Known {
+        position: graph.vector_add(pose.origin, arm),
+        velocity: graph.vector_add(pose.velocity, swing),
+    }
+}
+
+fn pose(
+    graph: &mut Graph,
+    part: &Part,
+    known: &[(Vector, Known)],
+    desperate: bool,
+) -> Option<Pose> {
+    let zero = graph.zero();
+    let guess = &part.guess;
+    let mut known = known.to_vec();
+    if let Some(origin) = guess.origin {
+        known.push((
+            [zero; 3],
+            Known {
+                position: origin,
+                velocity: guess.velocity.unwrap_or([zero; 3]),
+            },
+        ));
+    }
+    if let (Some(end), Some(length)) = (guess.end, part.length) {
+        known.push((
+            [length, zero, zero],
+            Known {
+                position: end,
+                velocity: [zero; 3],
+            },
+        ));
+    }
+    let is_point = part.kind == "Particle";
+    let (angle, rate) = match (guess.angle, two_points(graph, &known)) {
+        (Some(angle), _) => (angle, guess.rate.unwrap_or(zero)),
+        _ if is_point => (zero, zero),
+        (None, Some((angle, rate))) => (angle, guess.rate.unwrap_or(rate)),
+        (None, None) if desperate => (zero, guess.rate.unwrap_or(zero)),
+        (None, None) => return None,
+    };
+    let x = graph.direction(angle);
+    let axes = graph.planar_axes(x);
+    let (local, place) = match known.first() {
+        Some(known) => *known,
+        None if desperate => (
+            [zero; 3],
+            Known {
+                position: [zero; 3],
+                velocity: guess.velocity.unwrap_or([zero; 3]),
+            },
+        ),
+        None => return None,
+    };
+    // origin = known point − its arm, and the same for velocities
+    let mut pose = Pose {
+        origin: [zero; 3],
+        velocity: [zero; 3],
+        angle,
+        axes,
+        rate,
+    };
+    let arm = point_of(graph, &pose, local);
+    pose.origin = graph.vector_sub(place.position, arm.position);
+    pose.velocity = graph.vector_sub(place.velocity, arm.velocity);
+    Some(pose)
+}
+
+/// Angle and rate from two known points at different places of the part.
+fn two_points(graph: &mut Graph, known: &[(Vector, Known)]) -> Option<(Expr, Expr)> {
+    let (first, second) = known
+        .iter()
+        .enumerate()
+        .find_map(|(i, a)| known[i + 1..].iter().find(|b| b.0 != a.0).map(|b| (a, b)))?;
+    let inside = graph.vector_sub(second.0, first.0);
+    let outside = graph.vector_sub(second.1.position, first.1.position);
+    let spread = graph.vector_sub(second.1.velocity, first.1.velocity);
+    let (to, from) = (
+        graph.atan2(outside[1], outside[0]),
+        graph.atan2(inside[1], inside[0]),
+    );
+    let angle = graph.sub(to, from);
+    let cross = graph.planar_cross(outside, spread);
+    let square = graph.dot(outside, outside);
+    let rate = graph.div(cross, square);
+    Some((angle, rate))
+}
+
+fn store(graph: &mut Graph, part: &Part, pose: &Pose, guesses: &mut Guesses) {
+    let zero = graph.zero();
+    let points: Vec<Vector> = match part.representation {
+        Representation::Natural => vec![[zero; 3], [part.length.unwrap_or(zero), zero, zero]],
+        Representation::FreePoint => vec![[zero; 3]],
+        Representation::Reference => vec![part.center],
+        Representation::Prescribed | Representation::Coordinate | Representation::Rigid => {
+            Vec::new()
+        }
+    };
+    for (slot, local) in points.into_iter().enumerate() {
+        let place = point_of(graph, pose, local);
+        for axis in 0..2 {
+            guesses.set(
+                part.locals[2 * slot + axis],
+                place.position[axis],
+                place.velocity[axis],
+            );
+        }
+    }
+    if part.representation == Representation::Reference {
+        guesses.set(part.locals[2], pose.angle, pose.rate);
+    }
+}

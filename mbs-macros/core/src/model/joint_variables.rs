@@ -1,0 +1,33 @@
+//! `angle`, `rate`, `stroke` and `speed` of a joint of space, as data.
+
+use crate::symbolic::Expr;
+
+/// A variable of a joint that has a name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum JointVariable {
+    Angle,
+    Rate,
+    Stroke,
+    Speed,
+}
+
+/// A variable that some expression has asked for.
+#[derive(Debug)]
+pub(super) struct AskedVariable {
+    pub joint: String,
+    pub variable: JointVariable,
+    /// In local coordinates, marked (see [`Function::Same`]).
+    pub expr: Expr,
+}
+
+/// A joint angle that is counted over full turns: `atan2` answers within one turn, and the coordinate that remembers the
+/// last angle says which.
+#[derive(Debug, Clone)]
+pub struct UnwrappedAngle {
+    /// The joint.
+    pub joint: String,
+    /// The counted angle, in local coordinates.
+    pub angle: Expr,
+    /// The same within one turn.
+    pub within: Expr,
+}

@@ -1,0 +1,57 @@
+//! Which bars need an angle.
+
+use crate::syntax::{Declaration, Entry};
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use std::collections::HashSet;
+use syn::Expr as Syntax;
+
+/// The names whose angle a joint, force or condition uses. Natural coordinates have no angle that counts full turns, so
+/// that such a bar takes reference coordinates. (Outputs, events and drives make do with the direction.)
+pub(super) fn needs_angle(declaration: &Declaration) -> HashSet<String> {
+    let mut names = HashSet::new();
+    for entry in &declaration.entries {
+        note_entry(entry, &mut names);
+    }
+    names
+}
+
+fn note_entry(entry: &Entry, names: &mut HashSet<String>) {
+    let kind = entry.kind.to_string();
+    if kind == "Output" || kind == "Event" {
+        return;
+    }
+    let named = entry.named.iter().map(|argument| &argument.value);
+    let arguments = entry.positional.iter().chain(named);
+    for argument in arguments.skip(usize::from(kind == "Drive")) {
+        if (kind == "Gear" || kind == "TorsionSpring")
+            && let Syntax::Path(path) = argument
+            && let Some(name) = path.path.get_ident()
+        {
+            names.insert(name.to_string());
+        }
+        note_angles(argument.to_token_stream(), names);
+    }
+}
+
+/// Notes `name` of each `name.angle`.
+fn note_angles(tokens: TokenStream, names: &mut HashSet<String>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for window in tokens.windows(3) {
+        if let [
+            TokenTree::Ident(name),
+            TokenTree::Punct(dot),
+            TokenTree::Ident(member),
+        ] = window
+            && dot.as_char() == '.'
+            && member == "angle"
+        {
+            names.insert(name.to_string());
+        }
+    }
+    for token in tokens {
+        if let TokenTree::Group(group) = token {
+            note_angles(group.stream(), names);
+        }
+    }
+}

@@ -1,0 +1,21 @@
+//! What a part asks for by `coordinates =`.
+
+use crate::diagnostics::Place;
+use crate::model::formulation::{COORDINATES, Formulation, asked};
+use crate::model::resolver::Resolver;
+use crate::syntax::Entry;
+
+impl Resolver<'_> {
+    /// What a part asks for by `coordinates =`, of what is possible for it; `None` is what the mechanism takes.
+    pub(super) fn wish(&mut self, entry: &Entry, possible: &[Formulation]) -> Option<Formulation> {
+        entry.named(COORDINATES)?;
+        if let Some(frame) = entry.named("frame") {
+            let place = Place::of(&frame.value);
+            return self.fail(
+                place,
+                "the frame says what describes this part: remove `coordinates =` or `frame =`",
+            );
+        }
+        asked(entry, possible, self.errors)
+    }
+}

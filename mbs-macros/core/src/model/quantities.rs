@@ -1,0 +1,46 @@
+//! Parameters, inputs, outputs, local coordinates and laws.
+
+use crate::dimension::Dimension;
+use crate::syntax::Entry;
+
+/// A parameter, input or output.
+#[derive(Debug, Clone)]
+pub struct Quantity {
+    /// Its name.
+    pub name: String,
+    /// SI unit, empty where dimensionless or not stated.
+    pub unit: String,
+    /// Default value.
+    pub default: f64,
+    /// Documentation comment.
+    pub doc: String,
+}
+
+/// A coordinate of a part on its own.
+#[derive(Debug, Clone)]
+pub struct Local {
+    /// For example `crank.b.x`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+}
+
+/// A user's law.
+#[derive(Debug, Clone)]
+pub struct Law {
+    /// Where the function is.
+    pub path: syn::Expr,
+    /// The number of its arguments.
+    pub arguments: usize,
+}
+
+/// The quantity that an entry declares.
+pub(super) fn quantity(entry: &Entry, default: f64, dimension: Option<Dimension>) -> Quantity {
+    let unit = dimension.map_or_else(String::new, Dimension::unit);
+    Quantity {
+        name: entry.name.to_string(),
+        unit,
+        default,
+        doc: entry.doc.clone(),
+    }
+}

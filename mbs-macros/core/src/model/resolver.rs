@@ -1,0 +1,119 @@
+//! What stage 2 knows while it resolves names: the state that its files share.
+
+use super::formulation::Formulation;
+use super::geometry::Owner;
+use super::joint_variables::{AskedVariable, UnwrappedAngle};
+use super::needs_angle::needs_angle;
+use super::parts::Part;
+use super::quantities::{Law, Local, Quantity};
+use super::value::Value;
+use crate::diagnostics::{Errors, Place};
+use crate::schema::{Group, World};
+use crate::symbolic::Graph;
+use crate::syntax::{Declaration, Entry};
+use std::collections::{HashMap, HashSet};
+
+/// The value of an entry: it is evaluated when it is first asked for.
+pub(super) enum State {
+    Waiting,
+    Working,
+    Done(Option<Value>),
+}
+
+/// The state of stage 2.
+pub struct Resolver<'d> {
+    pub(super) declaration: &'d Declaration,
+    pub(super) errors: &'d mut Errors,
+    pub(super) world: World,
+    pub(super) formulation: Formulation,
+    pub(super) graph: Graph,
+    pub(super) parameters: Vec<Quantity>,
+    pub(super) inputs: Vec<Quantity>,
+    pub(super) locals: Vec<Local>,
+    pub(super) parts: Vec<Part>,
+    pub(super) laws: Vec<Law>,
+    /// Joint angles that are counted over full turns, by the name of their joint.
+    pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
+    /// Variables of joints that some expression has asked for.
+    pub(super) joint_variables: Vec<AskedVariable>,
+    /// Names that some expression has asked for.
+    pub(super) used: HashSet<String>,
+    /// Entries whose arguments are not those of their kind, which is an error already.
+    pub(super) misplaced: HashSet<String>,
+    /// Bars that need an angle.
+    pub(super) needs_angle: HashSet<String>,
+    pub(super) names: HashMap<String, usize>,
+    pub(super) states: Vec<State>,
+    pub(super) silent: bool,
+    /// How many evaluations are under way, each for the sake of the one before.
+    pub(super) depth: usize,
+}
+
+impl<'d> Resolver<'d> {
+    pub(super) fn new(
+        declaration: &'d Declaration,
+        formulation: Formulation,
+        errors: &'d mut Errors,
+    ) -> Self {
+        Resolver {
+            declaration,
+            errors,
+            world: declaration.world_kind(),
+            formulation,
+            graph: Graph::default(),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
+            locals: Vec::new(),
+            parts: Vec::new(),
+            laws: Vec::new(),
+            unwrapped_angles: Vec::new(),
+            joint_variables: Vec::new(),
+            used: HashSet::new(),
+            misplaced: HashSet::new(),
+            needs_angle: needs_angle(declaration),
+            names: HashMap::new(),
+            states: Vec::new(),
+            silent: false,
+            depth: 0,
+        }
+    }
+
+    /// Records an error, and answers with nothing.
+    pub(super) fn fail<T>(
+        &mut self,
+        place: impl Into<Place>,
+        message: impl std::fmt::Display,
+    ) -> Option<T> {
+        if !self.silent {
+            self.errors.at(place, message);
+        }
+        None
+    }
+
+    /// Runs something without recording its errors.
+    pub(super) fn silently<T>(&mut self, run: impl FnOnce(&mut Self) -> T) -> T {
+        let before = std::mem::replace(&mut self.silent, true);
+        let result = run(self);
+        self.silent = before;
+        result
+    }
+
+    pub(super) fn entry(&self, index: usize) -> &'d Entry {
+        &self.declaration.entries[index]
+    }
+
+    /// Adds a part.
+    pub(super) fn add_part(&mut self, part: Part) -> Option<Value> {
+        self.parts.push(part);
+        Some(Value::Frame(Owner::Part(self.parts.len() - 1)))
+    }
+}
+
+/// Whether a kind takes hold of its two partners by frames: joints, and elastic ones.
+pub(super) fn has_frames(world: World, kind: &str) -> bool {
+    world == World::Spatial
+        && crate::schema::kind(world, kind).is_some_and(|kind| {
+            matches!(kind.group, Group::Joint | Group::Force)
+                && kind.fields.iter().any(|field| field.name == "at")
+        })
+}

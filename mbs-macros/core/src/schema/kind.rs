@@ -1,0 +1,164 @@
+//! Kinds of entries and their fields: the columns of the table.
+
+use crate::dimension::Dimension;
+
+/// The worlds, by which kinds differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum World {
+    /// Motion in the x–y plane.
+    Planar,
+    /// Motion in space.
+    Spatial,
+}
+
+impl World {
+    /// Both.
+    pub const ALL: [World; 2] = [World::Planar, World::Spatial];
+
+    /// The number of coordinates of a point.
+    pub fn dimension(self) -> usize {
+        match self {
+            World::Planar => 2,
+            World::Spatial => 3,
+        }
+    }
+
+    /// In words.
+    pub fn describe(self) -> &'static str {
+        match self {
+            World::Planar => "the plane",
+            World::Spatial => "space",
+        }
+    }
+}
+
+/// A kind of entry.
+#[derive(Debug, Clone, Copy)]
+pub struct Kind {
+    /// Its name, as written.
+    pub name: &'static str,
+    /// What it declares.
+    pub group: Group,
+    /// Its fields; those that may be positional come first, in order.
+    pub fields: &'static [Field],
+    /// One sentence.
+    pub doc: &'static str,
+}
+
+/// What an entry declares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Group {
+    /// A number or expression.
+    Value,
+    /// Something with mass, or a coordinate.
+    Part,
+    /// A condition between two parts.
+    Joint,
+    /// A condition written as an expression.
+    Constraint,
+    /// A force element.
+    Force,
+}
+
+/// A field of a kind.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// Its name; a positional field may be given by name, too.
+    pub name: &'static str,
+    /// Whether it may be given by position.
+    pub positional: bool,
+    /// What it takes.
+    pub expects: Expects,
+    /// What happens when it is left out.
+    pub default: Absent,
+    /// One line.
+    pub doc: &'static str,
+}
+
+/// What a field takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Expects {
+    /// A scalar that is known once the parameters are.
+    Known(Dimension),
+    /// A scalar of any dimension that is known once the parameters are.
+    KnownAny,
+    /// A vector known once the parameters are.
+    KnownVector(Dimension),
+    /// A scalar that may change with time, state and inputs.
+    Moving(Dimension),
+    /// A scalar of any dimension that may change with time, state and inputs.
+    MovingAny,
+    /// A vector that may change with time, state and inputs.
+    MovingVector(Dimension),
+    /// A scalar, a vector, a point, or a list of scalars.
+    Anything,
+    /// A point.
+    Point,
+    /// A bar, body, or the ground.
+    Part,
+    /// A direction: `X`, `Y`, `Z`, or components.
+    Axis,
+    /// A part together with `at =`, a point, or a frame: where a spatial joint takes hold.
+    Attachment,
+    /// A joint.
+    Joint,
+    /// `turn(axis, angle)`, or a list of them, each in the axes that the one before has turned.
+    Orientation,
+    /// `Auto`, `Natural`, `Reference` or `Joint`.
+    Formulation,
+    /// `Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`.
+    Shape,
+    /// A moment of inertia, `diag(…)`, three rows, or a shape.
+    Inertia,
+    /// A stiffness or damping in six directions: a number of the first dimension (or three, or a matrix of 3 × 3).
+    Gains(Dimension),
+    /// `Frame([x, y], angle)`.
+    Frame,
+    /// The path of a function `fn([f64; K]) -> (f64, [f64; K])`: value and partials.
+    Law,
+    /// A unit, as in `N_per_m`.
+    Unit,
+    /// `true` or `false`.
+    Flag,
+}
+
+/// What happens when a field is left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Absent {
+    /// It may not be.
+    Required,
+    /// This text describes what is assumed.
+    Assumed(&'static str),
+}
+
+/// A field that is given by its name.
+pub(super) const fn field(
+    name: &'static str,
+    expects: Expects,
+    default: Absent,
+    doc: &'static str,
+) -> Field {
+    Field {
+        name,
+        positional: false,
+        expects,
+        default,
+        doc,
+    }
+}
+
+/// A field that may be given by position.
+pub(super) const fn positional(
+    name: &'static str,
+    expects: Expects,
+    default: Absent,
+    doc: &'static str,
+) -> Field {
+    Field {
+        name,
+        positional: true,
+        expects,
+        default,
+        doc,
+    }
+}
