@@ -179,12 +179,15 @@ mod tests {
     fn lengths_count_in_sizes_and_angles_in_radians() {
         let length = extent(&[[1.0, -1.0, 0.0], [2.0, 3.0, 0.0]]);
         let yardstick = Yardstick::<2, 2>::of(&COORDINATES, &VELOCITIES, length, 3.0);
-        assert_eq!(yardstick.measure(&[2.0, 0.25]), 0.5);
-        assert_eq!(yardstick.worst(&[2.0, 0.25]), 0);
-        assert_eq!(yardstick.measure(&[0.5, -0.25]), 0.25);
-        assert_eq!(yardstick.worst(&[0.5, -0.25]), 1);
-        assert!(yardstick.measure(&[f64::NAN, 0.0]).is_nan());
-        assert_eq!(yardstick.row_length_squared(&[0.5, 2.0]), 8.0);
-        assert_eq!(yardstick.farthest(&[-12.0, 2.0]), 3.0);
+        assert_eq!(yardstick.measure(&SVector::from([2.0, 0.25])), 0.5);
+        assert_eq!(yardstick.worst(&SVector::from([2.0, 0.25])), 0);
+        assert_eq!(yardstick.measure(&SVector::from([0.5, -0.25])), 0.25);
+        assert_eq!(yardstick.worst(&SVector::from([0.5, -0.25])), 1);
+        assert!(yardstick.measure(&SVector::from([f64::NAN, 0.0])).is_nan());
+        assert_eq!(
+            yardstick.row_length_squared(&SVector::from([0.5, 2.0])),
+            8.0
+        );
+        assert_eq!(yardstick.farthest(&SVector::from([-12.0, 2.0])), 3.0);
     }
 }

@@ -31,7 +31,8 @@ pub(crate) trait Closing {
     fn is_stale(&self) -> bool {
         false
     }
-    /// The failure to report.
+    /// The failure to report. (Inline, and with copies of unknowns: those whose address is known elsewhere do not stay in
+    /// registers.)
     fn fault(&self, iterations: usize) -> Fault;
 }
 

@@ -344,10 +344,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.step.solver.is_stale()
     }
 
+    #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
-        let residual = residual_of(&self.defect, &self.weights);
-        if R > 0 && !(residual <= 1.0) {
-            not_converged(&self.defect, &self.weights, iterations)
+        let (defect, weights) = (self.defect, self.weights);
+        if R > 0 && !(residual_of(&defect, &weights) <= 1.0) {
+            not_converged(&defect, &weights, iterations)
         } else {
             Fault::Flow {
                 residual: self.size,

@@ -231,6 +231,7 @@ where
             .round_off_of(self.context.work.projection.regularised)
     }
 
+    #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
         let StepContext { work, scale, .. } = &*self.context;
         not_converged(&work.phi, &scale.weights, iterations)

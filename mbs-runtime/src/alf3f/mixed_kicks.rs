@@ -197,7 +197,6 @@ where
             .round_off_of(self.context.work.projection.regularised)
     }
 
-    // With copies: unknowns whose address is known to others do not stay in registers.
     #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
         let (defect, weights) = (self.defect, self.weights);

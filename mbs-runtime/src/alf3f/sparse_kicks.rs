@@ -362,6 +362,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
     }
 
     /// The dense step says what is wrong.
+    #[inline(always)]
     fn fault(&self, _: usize) -> Fault {
         Fault::NonFinite("constraint rows")
     }

@@ -259,6 +259,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.scale.lost
     }
 
+    #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
         not_converged(&self.bench.phi, &self.scale.weights, iterations)
     }

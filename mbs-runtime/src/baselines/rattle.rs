@@ -197,6 +197,7 @@ where
         false
     }
 
+    #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
         not_converged(&self.bench.phi, &self.rows.scale.weights, iterations)
     }

@@ -94,15 +94,15 @@ pub(crate) fn finite<const N: usize>(x: &SVector<f64, N>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::largest;
+    use super::largest_of;
 
     #[test]
     fn the_largest_is_nan_wherever_one_is() {
-        assert_eq!(largest(&[1.0, -3.0, 2.0]), 3.0);
+        assert_eq!(largest_of(&[1.0, -3.0, 2.0]), 3.0);
         for i in 0..3 {
             let mut x = [1.0, 2.0, 3.0];
             x[i] = f64::NAN;
-            assert!(largest(&x).is_nan());
+            assert!(largest_of(&x).is_nan());
         }
     }
 }
