@@ -19,6 +19,9 @@
 pub(crate) const PROXIMAL: f64 = 1e-14;
 /// Most proximal steps of a solve: time against digits of weak directions. Bounds the known cost of a step.
 pub(crate) const PASSES: usize = 16;
+/// A proximal step that leaves more than this part of what the one before left has come to the lost directions: weak ones,
+/// such as the axis of a slender rod, against time. (With 1/2, as elsewhere, such a rod stays open.)
+pub(crate) const SHRINKS: f64 = 0.7;
 /// What is left below this part of the whole is left to the iteration around: passes against refinements.
 pub(crate) const PASSED: f64 = 1e-6;
 

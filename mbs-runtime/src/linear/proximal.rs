@@ -4,7 +4,7 @@
 //! receive the minimum-norm multiplier, and a row that has lost its direction receives none.
 
 use super::dot_of as dot;
-use crate::singular::{PASSED, PASSES, PROXIMAL, STALLED};
+use crate::singular::{PASSED, PASSES, PROXIMAL, SHRINKS};
 
 /// Kept on the heap, because it is seldom used and large systems are built on small stacks.
 pub(crate) struct Proximal<const K: usize> {
@@ -77,8 +77,7 @@ impl<const K: usize> Proximal<K> {
                 rest[i] -= dot(&self.scaled[i], &change);
             }
             let size = super::largest_of(&rest);
-            // Lost directions leave what they are given.
-            if !(size * size < STALLED * last * last) {
+            if !(size < SHRINKS * last) {
                 break;
             }
             for i in 0..K {
