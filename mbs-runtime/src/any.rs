@@ -2,12 +2,59 @@
 
 use crate::{
     AssemblyVerdict, Energy, Flow, Model, RankLoss, Reactions, Report, Sample, Settings,
-    Simulation, SimulationError, System, UnknownName,
+    SimulationError, UnknownName,
 };
 
-macro_rules! any_simulation {
+/// Hands the methods of [`AnySimulation`] that every simulation has under the same name to a macro.
+macro_rules! methods_of_any_simulation {
+    ($macro:ident) => {
+        $macro! {
+            /// What was modelled.
+            fn model(&) -> &'static Model;
+            /// The settings.
+            fn settings(&) -> &Settings;
+            /// The flow in use.
+            fn flow(&) -> Flow;
+            /// Time, s.
+            fn time(&) -> f64;
+            /// Runs to `time`.
+            fn run_until(&mut, time: f64) -> Result<(), SimulationError>;
+            /// Takes whole steps until `time` is reached or passed, none of them beyond `latest`.
+            fn run_past(&mut, time: f64, latest: f64) -> Result<(), SimulationError>;
+            /// Shows the simulation at an instant of its last step, and leaves it where it is.
+            fn look_at(&mut, time: f64, look: &mut dyn FnMut(&dyn AnySimulation)) -> Result<(), SimulationError>;
+            /// Runs to a sign change of `event`.
+            fn run_to_event(&mut, event: &str, latest: f64) -> Result<Option<f64>, SimulationError>;
+            /// One step.
+            fn step(&mut) -> Result<(), SimulationError>;
+            /// The value of an `Input`.
+            fn input(&, name: &str) -> Result<f64, UnknownName>;
+            /// Sets an `Input`.
+            fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
+            /// All `Output`s.
+            fn outputs(&) -> Vec<f64>;
+            /// Named points, m.
+            fn points(&) -> Vec<[f64; 3]>;
+            /// The energy balance.
+            fn energy(&) -> Energy;
+            /// Joint reactions.
+            fn reactions(&) -> Result<Reactions, SimulationError>;
+            /// The current instant as a row of results.
+            fn sample(&) -> Sample;
+            /// Work done and errors met so far.
+            fn report(&) -> Report;
+            /// The singular poses passed so far.
+            fn rank_losses(&) -> &[RankLoss];
+            /// What assembly found.
+            fn assembly(&) -> &AssemblyVerdict;
+        }
+    };
+}
+pub(crate) use methods_of_any_simulation;
+
+macro_rules! declare {
     ($($(#[doc = $doc:literal])* fn $name:ident(&$($mutable:ident)? $(, $argument:ident: $kind:ty)*) -> $result:ty;)*) => {
-        /// The object-safe face of every [`Simulation`]; each method is described there.
+        /// The object-safe face of every [`Simulation`](crate::Simulation); each method is described there.
         pub trait AnySimulation {
             $($(#[doc = $doc])* fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result;)*
             /// q.
@@ -15,58 +62,7 @@ macro_rules! any_simulation {
             /// v.
             fn velocities(&self) -> Vec<f64>;
         }
-
-        impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> AnySimulation for Simulation<S, Q, N, R> {
-            $(fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result {
-                Simulation::$name(self $(, $argument)*)
-            })*
-            fn coordinates(&self) -> Vec<f64> {
-                self.positions().as_slice().to_vec()
-            }
-            fn velocities(&self) -> Vec<f64> {
-                Simulation::velocities(self).as_slice().to_vec()
-            }
-        }
     };
 }
 
-any_simulation! {
-    /// What was modelled.
-    fn model(&) -> &'static Model;
-    /// The settings.
-    fn settings(&) -> &Settings;
-    /// The flow in use.
-    fn flow(&) -> Flow;
-    /// Time, s.
-    fn time(&) -> f64;
-    /// Runs to `time`.
-    fn run_until(&mut, time: f64) -> Result<(), SimulationError>;
-    /// Takes whole steps until `time` is reached or passed, none of them beyond `latest`.
-    fn run_past(&mut, time: f64, latest: f64) -> Result<(), SimulationError>;
-    /// Shows the simulation at an instant of its last step, and leaves it where it is.
-    fn look_at(&mut, time: f64, look: &mut dyn FnMut(&dyn AnySimulation)) -> Result<(), SimulationError>;
-    /// Runs to a sign change of `event`.
-    fn run_to_event(&mut, event: &str, latest: f64) -> Result<Option<f64>, SimulationError>;
-    /// One step.
-    fn step(&mut) -> Result<(), SimulationError>;
-    /// The value of an `Input`.
-    fn input(&, name: &str) -> Result<f64, UnknownName>;
-    /// Sets an `Input`.
-    fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
-    /// All `Output`s.
-    fn outputs(&) -> Vec<f64>;
-    /// Named points, m.
-    fn points(&) -> Vec<[f64; 3]>;
-    /// The energy balance.
-    fn energy(&) -> Energy;
-    /// Joint reactions.
-    fn reactions(&) -> Result<Reactions, SimulationError>;
-    /// The current instant as a row of results.
-    fn sample(&) -> Sample;
-    /// Work done and errors met so far.
-    fn report(&) -> Report;
-    /// The singular poses passed so far.
-    fn rank_losses(&) -> &[RankLoss];
-    /// What assembly found.
-    fn assembly(&) -> &AssemblyVerdict;
-}
+methods_of_any_simulation!(declare);

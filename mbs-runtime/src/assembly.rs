@@ -2,7 +2,8 @@
 
 use crate::alf3f::RowScale;
 use crate::alf3f::residual_of;
-use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::Dependence;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
 use crate::singular::NOTHING;

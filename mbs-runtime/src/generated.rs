@@ -5,14 +5,13 @@ pub use crate::affinities::by_tangents as affinities;
 use crate::linear::vector;
 use nalgebra::{SMatrix, SVector};
 
+pub use crate::contract::{DEPENDENT, Elimination, Rates};
 pub use cholesky::{Cholesky, positive};
-pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 pub use unfinished::{UNFINISHED, Unfinished};
 
 mod cholesky;
-mod elimination;
 mod principal;
 mod rotation;
 mod spin;
@@ -55,7 +54,7 @@ pub fn check_finite(name: &'static str, value: f64) -> Result<(), ParameterError
     }
 }
 
-/// q + h v: [`Configuration::advance`] where no coordinate is a rotation.
+/// q + h v: [`advance`](crate::Configuration::advance) where no coordinate is a rotation.
 #[inline]
 pub fn translated<const N: usize>(
     q: &SVector<f64, N>,
@@ -65,7 +64,7 @@ pub fn translated<const N: usize>(
     vector(|i| q[i] + h * v[i])
 }
 
-/// to − from: [`Configuration::difference`] where no coordinate is a rotation.
+/// to − from: [`difference`](crate::Configuration::difference) where no coordinate is a rotation.
 #[inline]
 pub fn displacement<const N: usize>(
     from: &SVector<f64, N>,

@@ -63,10 +63,13 @@ pub mod alf3f;
 mod any;
 mod assembly;
 mod baselines;
+mod check;
+mod constraint_geometry;
 mod contract;
 mod energy;
 mod ensemble;
 mod error;
+mod fault;
 mod flow;
 mod free;
 #[doc(hidden)]
@@ -88,12 +91,9 @@ mod sink;
 mod state;
 mod yardstick;
 
-pub use alf3f::{MultiplierStart, PaperSettings, PaperStepper, RowDirection, TwoLevelStepper};
+pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;
-pub use baselines::{
-    BaselineStepper, BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, PenaltySettings,
-    ProjectionSettings,
-};
+pub use baselines::BaselineStepper;
 pub use contract::{Configuration, Constraints, Inertia, Loads, Observables, System};
 pub use ensemble::simulate_ensemble;
 pub use error::{ParameterError, UnknownName};
@@ -106,7 +106,10 @@ pub use model::{
 pub use nalgebra;
 pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;
-pub use settings::{Flow, Method, Settings};
+pub use settings::{
+    BaumgarteSettings, BdfSettings, Flow, GeneralizedAlphaSettings, Method, MultiplierStart,
+    PaperSettings, PenaltySettings, ProjectionSettings, RowDirection, Settings,
+};
 pub use simulation::Simulation;
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};

@@ -1,7 +1,8 @@
 //! Multipliers and joint reactions at an instant, from the equations at acceleration level.
 
-use crate::alf3f::{ConstraintGeometry, Fault};
 use crate::assembly::independent_rows;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, accumulate, dot, finite, vector};
 use crate::sink::Discard;

@@ -1,5 +1,6 @@
 //! A mechanism in motion.
 
+mod any;
 mod dense;
 mod hermite;
 mod placement;
@@ -8,8 +9,9 @@ mod singularity_detector;
 mod tolerance;
 
 use self::singularity_detector::SingularityDetector;
-use crate::alf3f::{Fault, RowScale, StepMonitor};
+use crate::alf3f::{RowScale, StepMonitor};
 use crate::assembly::{RESUMABLE, assemble};
+use crate::fault::Fault;
 use crate::integrator::Integrator;
 use crate::linear::largest;
 use crate::singular::RankMargin;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::{AssemblyVerdict, Flow, Model, ParameterError, UnknownName};
 
 /// Why a simulation could not be set up or continued.

@@ -3,7 +3,7 @@
 //! It is the same for kicks with dense and with sparse factors, with nonholonomic rows, for the implicit step and for the
 //! baselines that close rows; they differ in what a residual, a factor and a correction are.
 
-use super::Fault;
+use crate::fault::Fault;
 use crate::singular::{STAGNATED, STALLED};
 
 /// Equations of rows that corrections through a factor satisfy.

@@ -15,9 +15,6 @@
 //! times those of seventeen, but 1.2 times on the slider-crank, and their steps are longer, with more landings beside
 //! singular poses: seventeen stay.
 
-/// The orders there are.
-pub(crate) const ORDERS: [u8; 4] = [2, 4, 6, 8];
-
 const FOURTH: [f64; 7] = symmetric([
     0.239_069_765_742_321_26,
     0.239_069_765_742_321_26,
@@ -47,7 +44,7 @@ const EIGHTH: [f64; 17] = symmetric([
     0.0,
 ]);
 
-/// The stages of a step of this order, as fractions of it; one of [`ORDERS`].
+/// The stages of a step of this order, as fractions of it; one of [`ORDERS`](crate::settings::ORDERS).
 pub(crate) fn stages(order: u8) -> &'static [f64] {
     match order {
         4 => &FOURTH,
@@ -75,6 +72,7 @@ const fn symmetric<const HALF: usize, const ALL: usize>(half: [f64; HALF]) -> [f
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::settings::ORDERS;
 
     fn power_sum(order: u8, power: i32) -> f64 {
         stages(order).iter().map(|c| c.powi(power)).sum()

@@ -7,10 +7,10 @@
 //! φ(q₁, t₁) = 0 → κ₁           A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 
-use super::Fault;
 use super::closing::{self, Closed, Closing, Limits};
 use super::step_context::StepContext;
 use crate::System;
+use crate::fault::Fault;
 use crate::flow::KickFlow;
 use crate::linear::accumulate;
 use crate::singular::EXACT;

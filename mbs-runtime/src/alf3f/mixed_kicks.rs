@@ -12,8 +12,9 @@
 use super::closing::{self, Closing, Limits, Refining, refine};
 use super::kicks::{not_converged, residual_of};
 use super::step_context::{REFINEMENTS, StepContext, Workspace};
-use super::{ConstraintGeometry, Fault};
 use crate::System;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::flow::KickFlow;
 use crate::linear::{accumulate, dot, vector};
 use crate::singular::EXACT;

@@ -2,13 +2,12 @@
 
 pub(crate) mod closing;
 mod composition;
-mod constraint_geometry;
-mod fault;
 mod implicit_step;
 mod kicks;
 mod mixed_kicks;
 mod paper;
 mod row_scale;
+mod sparse;
 mod sparse_kicks;
 mod stage_placement;
 mod step_context;
@@ -16,11 +15,9 @@ mod step_monitor;
 mod two_level;
 
 pub(crate) use self::step_context::{Counters, FIXED_REFINEMENTS};
-pub(crate) use composition::{ORDERS, stages};
-pub(crate) use constraint_geometry::ConstraintGeometry;
-pub(crate) use fault::Fault;
+pub(crate) use composition::stages;
 pub(crate) use kicks::{not_converged, residual_of};
-pub use paper::{MultiplierStart, PaperSettings, PaperStepper, RowDirection};
+pub use paper::PaperStepper;
 pub(crate) use row_scale::RowScale;
 pub(crate) use stage_placement::{CLEAR, StagePlacement};
 pub(crate) use step_monitor::StepMonitor;

@@ -1,6 +1,7 @@
 //! What a violation of a row amounts to.
 
-use super::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{dot, vector};
 use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
 use crate::yardstick::Yardstick;

@@ -11,13 +11,14 @@
 //! chain. A step that begins or ends where a row is about to lose its direction needs the proximal solve, which is dense:
 //! that step is taken by [`kicks`].
 
-use super::Fault;
 use super::closing::{self, Closed, Closing, Limits, Refining, refine};
 use super::kicks::{self, residual_of};
+use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 use super::step_context::{REFINEMENTS, StepContext};
+use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{Bordered, Pair, Rows, Slots, SparseMass, vector};
+use crate::linear::vector;
 use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
 use nalgebra::SVector;
@@ -67,7 +68,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
-        let mass = crate::linear::constant_mass(&context.system, &context.state.positions);
+        let mass = constant_mass(&context.system, &context.state.positions);
         let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,

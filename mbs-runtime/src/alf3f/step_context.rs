@@ -3,7 +3,8 @@
 use super::RowScale;
 use super::closing::{Refining, refine};
 use super::kicks::residual_of;
-use super::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix};
 use crate::singular::Thresholds;
 use crate::yardstick::Yardstick;

@@ -3,7 +3,8 @@
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
-use super::{Fault, StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
+use super::{StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
+use crate::fault::Fault;
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
 use crate::linear::vector;
 use crate::singular::RankMargin;

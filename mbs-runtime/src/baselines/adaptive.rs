@@ -9,7 +9,7 @@ use super::index1::Index1;
 use super::runge_kutta::RungeKutta;
 use super::tableau::DORMAND_PRINCE5;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use nalgebra::SVector;
 
 const SAFETY: f64 = 0.9;

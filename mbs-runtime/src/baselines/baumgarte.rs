@@ -13,32 +13,15 @@ use super::bench::Bench;
 use super::index1::Index1;
 use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
+use crate::BaumgarteSettings;
 use crate::alf3f::closing::{self, Closing, Limits};
-use crate::alf3f::{Fault, RowScale, not_converged, residual_of};
+use crate::alf3f::{RowScale, not_converged, residual_of};
+use crate::fault::Fault;
 use crate::linear::accumulate;
 use crate::singular::{EXACT, RankMargin};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
-
-/// Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BaumgarteSettings {
-    /// α = β, 1/s.
-    pub gain: f64,
-    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (no
-    /// slower than what accelerates it leads to in its own length); `None` for steps of the length that is asked for.
-    pub adaptive: Option<f64>,
-}
-
-impl Default for BaumgarteSettings {
-    fn default() -> Self {
-        BaumgarteSettings {
-            gain: 30.0,
-            adaptive: None,
-        }
-    }
-}
 
 /// How violations of the rows are met.
 enum Remedy<const R: usize> {

@@ -20,30 +20,13 @@ use super::bench::Bench;
 use super::index1::Index1;
 use super::motion::{Motion, consistent};
 use super::saddle::Saddle;
+use crate::BdfSettings;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::flow::unroll;
 use crate::linear::{dot, finite, vector};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
-
-/// Settings of [`Method::Bdf`](crate::Method::Bdf).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BdfSettings {
-    /// Tolerance of the positions in a step, relative to the size of the mechanism .
-    pub tolerance: f64,
-    /// Highest order, 1 to 5.
-    pub max_order: u8,
-}
-
-impl Default for BdfSettings {
-    fn default() -> Self {
-        BdfSettings {
-            tolerance: 1e-6,
-            max_order: MOST_ORDER as u8,
-        }
-    }
-}
 
 /// Newton's corrections of positions end below this fraction of the tolerance of a step.
 const NEWTON: f64 = 1e-2;

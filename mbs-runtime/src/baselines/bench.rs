@@ -1,6 +1,8 @@
 //! What all baselines work on.
 
-use crate::alf3f::{ConstraintGeometry, Counters, Fault};
+use crate::alf3f::Counters;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::finite;
 use crate::yardstick::Yardstick;
 use crate::{State, System};

@@ -16,29 +16,12 @@ use super::bench::Bench;
 use super::index1::Index1;
 use super::motion::{Motion, Progress, carry, consistent, move_rows};
 use super::saddle::Saddle;
+use crate::GeneralizedAlphaSettings;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::flow::pull_back;
 use crate::linear::{RowMatrix, accumulate, dot, vector};
 use nalgebra::SVector;
-
-/// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GeneralizedAlphaSettings {
-    /// ρ, the factor by which motion of infinite frequency shrinks in a step; from 0 to 1.
-    pub spectral_radius: f64,
-    /// Whether velocities satisfy the rows as well: the stabilised form of index 2.
-    pub stabilised: bool,
-}
-
-impl Default for GeneralizedAlphaSettings {
-    fn default() -> Self {
-        GeneralizedAlphaSettings {
-            spectral_radius: 0.8,
-            stabilised: false,
-        }
-    }
-}
 
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     alpha_m: f64,

@@ -2,7 +2,7 @@
 
 use super::bench::Bench;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, accumulate, vector};
 use crate::singular::RankMargin;

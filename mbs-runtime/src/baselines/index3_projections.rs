@@ -15,25 +15,13 @@
 use super::bench::Bench;
 use super::index1::Index1;
 use super::motion::{Motion, Progress, consistent, move_rows};
+use crate::ProjectionSettings;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::flow::pull_back;
 use crate::linear::{Pivoted, RowMatrix, accumulate, dot, vector};
 use crate::sink::Discard;
 use nalgebra::SVector;
-
-/// Settings of [`Method::Index3Projections`](crate::Method::Index3Projections).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ProjectionSettings {
-    /// ξ.
-    pub penalty: f64,
-}
-
-impl Default for ProjectionSettings {
-    fn default() -> Self {
-        ProjectionSettings { penalty: 1e9 }
-    }
-}
 
 pub(crate) struct Index3<const N: usize, const R: usize> {
     penalty: f64,

@@ -19,10 +19,5 @@ mod saddle;
 mod stepper;
 mod tableau;
 
-pub use baumgarte::BaumgarteSettings;
-pub use bdf::BdfSettings;
 pub(crate) use bench::Works;
-pub use generalized_alpha::GeneralizedAlphaSettings;
-pub use index3_projections::ProjectionSettings;
-pub use penalty::PenaltySettings;
 pub use stepper::BaselineStepper;

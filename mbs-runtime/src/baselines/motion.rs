@@ -3,7 +3,7 @@
 use super::bench::Bench;
 use super::index1::Index1;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::flow::transport;
 use crate::linear::{RowMatrix, dot, vector};
 use nalgebra::SVector;

@@ -12,30 +12,13 @@
 
 use super::bench::Bench;
 use super::motion::{Motion, Progress, move_rows};
+use crate::PenaltySettings;
 use crate::System;
-use crate::alf3f::Fault;
 use crate::alf3f::RowScale;
+use crate::fault::Fault;
 use crate::flow::{pull_back, trapezoid};
 use crate::linear::{Pivoted, RowMatrix, largest, vector};
 use nalgebra::SVector;
-
-/// Settings of [`Method::Penalty`](crate::Method::Penalty).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PenaltySettings {
-    /// ξ, 1/s².
-    pub penalty: f64,
-    /// ζ.
-    pub damping_ratio: f64,
-}
-
-impl Default for PenaltySettings {
-    fn default() -> Self {
-        PenaltySettings {
-            penalty: 1e7,
-            damping_ratio: 3.0,
-        }
-    }
-}
 
 pub(crate) struct Penalty<const N: usize, const R: usize> {
     settings: PenaltySettings,

@@ -7,7 +7,7 @@ use super::bench::Bench;
 use super::index1::Index1;
 use super::tableau::Tableau;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::flow::unroll;
 use crate::linear::vector;
 use nalgebra::SVector;

@@ -1,8 +1,7 @@
 //! Constraint rows, and the products with them of which each step consists.
 
-use super::Inertia;
+use super::{Elimination, Inertia};
 use crate::MatrixSink;
-use crate::generated::Elimination;
 use nalgebra::{SMatrix, SVector};
 
 /// The R constraint rows of a mechanism with Q coordinates and N velocities.

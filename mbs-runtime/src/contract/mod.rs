@@ -26,6 +26,7 @@
 
 mod configuration;
 mod constraints;
+mod elimination;
 mod inertia;
 mod loads;
 mod observables;
@@ -33,6 +34,7 @@ mod system;
 
 pub use configuration::Configuration;
 pub use constraints::Constraints;
+pub use elimination::{DEPENDENT, Elimination, Rates};
 pub use inertia::Inertia;
 pub use loads::Loads;
 pub use observables::Observables;

@@ -1,6 +1,6 @@
 //! Which flow suits a mechanism.
 
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};

@@ -2,7 +2,7 @@
 
 use super::group::pull_back;
 use crate::System;
-use crate::alf3f::Fault;
+use crate::fault::Fault;
 use crate::linear::{Pivoted, RowMatrix, vector};
 use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::sink::Discard;

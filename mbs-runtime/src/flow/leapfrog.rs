@@ -6,7 +6,8 @@
 use super::KickFlow;
 use super::drift::Drift;
 use crate::System;
-use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{RowMatrix, vector};
 use nalgebra::SVector;
 

@@ -18,7 +18,8 @@ use nalgebra::SVector;
 pub(crate) use trapezoid::Trapezoid;
 
 use crate::System;
-use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {

@@ -6,7 +6,6 @@ mod projection_lu;
 mod proximal;
 mod rank;
 mod row_matrix;
-mod sparse;
 mod vector;
 
 pub(crate) use delassus_factor::DelassusFactor;
@@ -14,7 +13,6 @@ pub(crate) use pivoted::Pivoted;
 pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
-pub(crate) use sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 pub(crate) use vector::{accumulate, dot, dot_of, finite, largest, largest_of, vector};
 
 /// The entries of a matrix inside a solver, row by row.

@@ -19,16 +19,16 @@
 
 mod residual;
 mod rows;
-mod settings;
 mod start;
 
 use nalgebra::SVector;
-pub use settings::{MultiplierStart, PaperSettings, RowDirection};
 
 use self::rows::{Instant, Jacobian, RowMotion, Unknowns};
 use self::start::Origin;
+use super::kicks;
 use super::step_context::Counters;
-use super::{Fault, kicks};
+use crate::PaperSettings;
+use crate::fault::Fault;
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest, vector};
 use crate::yardstick::Yardstick;

@@ -1,10 +1,11 @@
 //! The constraints as the paper sees them: rows with mass, damping and stiffness of their own, (18)–(20).
 
-use super::{PaperSettings, RowDirection};
 use crate::System;
-use crate::alf3f::{ConstraintGeometry, Fault};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{RowMatrix, dot};
 use crate::sink::Discard;
+use crate::{PaperSettings, RowDirection};
 use nalgebra::SVector;
 
 /// The equation of motion that each row has, (16).

@@ -1,8 +1,8 @@
 //! Line 3 of Algorithm 1: what a step begins from, and its first estimates.
 
 use super::rows::{Instant, RowMotion, Unknowns};
-use super::{MultiplierStart, PaperSettings};
-use crate::alf3f::Fault;
+use crate::fault::Fault;
+use crate::{MultiplierStart, PaperSettings};
 use crate::{State, System};
 use nalgebra::SVector;
 

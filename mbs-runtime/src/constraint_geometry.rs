@@ -1,7 +1,7 @@
 //! The constraint geometry and the acceleration at one instant: the end of a step is the start of the next one.
 
-use super::Fault;
 use crate::System;
+use crate::fault::Fault;
 use crate::linear::{RowMatrix, vector};
 use nalgebra::SVector;
 

@@ -1,8 +1,5 @@
 //! What Algorithm 1 leaves open, as settings.
 
-use crate::SimulationError;
-use crate::settings::{positive, require};
-
 /// Where line 3 of Algorithm 1 begins the multipliers μ of a step; the paper leaves it open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MultiplierStart {
@@ -105,32 +102,5 @@ impl PaperSettings {
             carried_fields: true,
             ..PaperSettings::default()
         }
-    }
-
-    pub(crate) fn check(&self) -> Result<(), SimulationError> {
-        positive("newton_tolerance", self.newton_tolerance)?;
-        positive("velocity_tolerance", self.velocity_tolerance)?;
-        positive("residual_tolerance", self.residual_tolerance)?;
-        positive("penalty", self.penalty)?;
-        positive("max_penalty", self.max_penalty)?;
-        positive("augmentation_ratio", self.augmentation_ratio)?;
-        positive("max_newton_iterations", self.max_newton_iterations as f64)?;
-        positive("max_augmentations", self.max_augmentations as f64)?;
-        positive("max_updates", self.max_updates as f64)?;
-        positive("smallest_step", self.smallest_step)?;
-        require(
-            "penalty_growth",
-            self.penalty_growth,
-            self.penalty_growth > 1.0,
-            "a finite value above 1",
-        )?;
-        positive("mass_scale", self.mass_scale)?;
-        let frequency = self.stabilisation_frequency;
-        require(
-            "stabilisation_frequency",
-            frequency,
-            frequency >= 0.0,
-            "zero or a positive finite value",
-        )
     }
 }

@@ -1,13 +1,22 @@
 //! What a user may choose about the integration.
 
-use crate::alf3f::ORDERS;
-use crate::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Model, PaperSettings,
-    PenaltySettings, ProjectionSettings, SimulationError,
-};
+mod baumgarte;
+mod bdf;
+mod generalized_alpha;
+mod paper;
+mod penalty;
+mod projections;
 
-/// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
-const TOLERANCES: [f64; 2] = [1e-12, 0.1];
+use crate::Model;
+pub use baumgarte::BaumgarteSettings;
+pub use bdf::BdfSettings;
+pub use generalized_alpha::GeneralizedAlphaSettings;
+pub use paper::{MultiplierStart, PaperSettings, RowDirection};
+pub use penalty::PenaltySettings;
+pub use projections::ProjectionSettings;
+
+/// The orders of the two-level method.
+pub(crate) const ORDERS: [u8; 4] = [2, 4, 6, 8];
 
 /// Which integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -233,121 +242,5 @@ impl Settings {
             tolerance: Some(tolerance),
             ..Settings::default()
         }
-    }
-
-    /// Refuses values that no integration can be done with.
-    pub(crate) fn check(&self) -> Result<(), SimulationError> {
-        positive("step", self.step)?;
-        positive("constraint_tolerance", self.constraint_tolerance)?;
-        positive("max_iterations", self.max_iterations as f64)?;
-        let known = ORDERS.contains(&self.order);
-        require("order", self.order.into(), known, "2, 4, 6 or 8")?;
-        if let Some(count) = self.fixed_iterations {
-            let free = self.tolerance.is_none() && matches!(self.method, Method::TwoLevel);
-            let wanted = "`None` with a tolerance or another method than the two-level one";
-            require("fixed_iterations", count as f64, free, wanted)?;
-            require("fixed_iterations", count as f64, count > 0, "1 or more")?;
-        }
-        if let Some(tolerance) = self.tolerance {
-            let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&tolerance);
-            require(
-                "tolerance",
-                tolerance,
-                possible,
-                "a value from 1e-12 to 0.1",
-            )?;
-            let paced = matches!(self.method, Method::TwoLevel);
-            let wanted = "`None` with this method: only the two-level one chooses its steps";
-            require("tolerance", tolerance, paced, wanted)?;
-        }
-        match &self.method {
-            Method::TwoLevel | Method::Projected => Ok(()),
-            Method::Baumgarte(baumgarte) => baumgarte.check(),
-            Method::Rattle
-            | Method::Penalty(_)
-            | Method::Index3Projections(_)
-            | Method::GeneralizedAlpha(_)
-            | Method::Bdf(_)
-                if self.order > 2 =>
-            {
-                Err(SimulationError::Order {
-                    order: self.order,
-                    because: "the method has an order of its own",
-                })
-            }
-            Method::Rattle => Ok(()),
-            Method::Penalty(penalty) => penalty.check(),
-            Method::Index3Projections(projections) => positive("penalty", projections.penalty),
-            Method::GeneralizedAlpha(alpha) => require(
-                "spectral_radius",
-                alpha.spectral_radius,
-                (0.0..=1.0).contains(&alpha.spectral_radius),
-                "from 0 to 1",
-            ),
-            Method::Bdf(bdf) => bdf.check(),
-            Method::Paper(_) | Method::MAlf(_) if self.order > 2 => Err(SimulationError::Order {
-                order: self.order,
-                because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
-            }),
-            Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
-        }
-    }
-}
-
-impl PenaltySettings {
-    fn check(&self) -> Result<(), SimulationError> {
-        positive("penalty", self.penalty)?;
-        require(
-            "damping_ratio",
-            self.damping_ratio,
-            self.damping_ratio >= 0.0,
-            "zero or a positive finite value",
-        )
-    }
-}
-
-impl BdfSettings {
-    fn check(&self) -> Result<(), SimulationError> {
-        positive("tolerance", self.tolerance)?;
-        require(
-            "max_order",
-            self.max_order.into(),
-            (1..=5).contains(&self.max_order),
-            "1 to 5",
-        )
-    }
-}
-
-impl BaumgarteSettings {
-    fn check(&self) -> Result<(), SimulationError> {
-        require(
-            "gain",
-            self.gain,
-            self.gain >= 0.0,
-            "zero or a positive finite value",
-        )?;
-        self.adaptive
-            .map_or(Ok(()), |tolerance| positive("adaptive", tolerance))
-    }
-}
-
-pub(crate) fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
-    require(name, value, value > 0.0, "a positive finite value")
-}
-
-pub(crate) fn require(
-    name: &'static str,
-    value: f64,
-    holds: bool,
-    wanted: &'static str,
-) -> Result<(), SimulationError> {
-    if holds && value.is_finite() {
-        Ok(())
-    } else {
-        Err(SimulationError::Setting {
-            name,
-            value,
-            wanted,
-        })
     }
 }

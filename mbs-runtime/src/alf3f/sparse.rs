@@ -1,8 +1,8 @@
 //! K of a large mechanism at one instant, and its factor.
 
-use super::RowMatrix;
 use crate::System;
 use crate::generated::Elimination;
+use crate::linear::RowMatrix;
 use crate::singular::{RankMargin, Thresholds, WEAK_PIVOT};
 use nalgebra::SVector;
 

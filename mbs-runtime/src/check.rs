@@ -1,0 +1,157 @@
+//! Whether settings can be used.
+
+use crate::settings::ORDERS;
+use crate::{
+    BaumgarteSettings, BdfSettings, Method, PaperSettings, PenaltySettings, Settings,
+    SimulationError,
+};
+
+/// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
+const TOLERANCES: [f64; 2] = [1e-12, 0.1];
+
+impl Settings {
+    /// Refuses values that no integration can be done with.
+    pub(crate) fn check(&self) -> Result<(), SimulationError> {
+        positive("step", self.step)?;
+        positive("constraint_tolerance", self.constraint_tolerance)?;
+        positive("max_iterations", self.max_iterations as f64)?;
+        let known = ORDERS.contains(&self.order);
+        require("order", self.order.into(), known, "2, 4, 6 or 8")?;
+        if let Some(count) = self.fixed_iterations {
+            let free = self.tolerance.is_none() && matches!(self.method, Method::TwoLevel);
+            let wanted = "`None` with a tolerance or another method than the two-level one";
+            require("fixed_iterations", count as f64, free, wanted)?;
+            require("fixed_iterations", count as f64, count > 0, "1 or more")?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&tolerance);
+            require(
+                "tolerance",
+                tolerance,
+                possible,
+                "a value from 1e-12 to 0.1",
+            )?;
+            let paced = matches!(self.method, Method::TwoLevel);
+            let wanted = "`None` with this method: only the two-level one chooses its steps";
+            require("tolerance", tolerance, paced, wanted)?;
+        }
+        match &self.method {
+            Method::TwoLevel | Method::Projected => Ok(()),
+            Method::Baumgarte(baumgarte) => baumgarte.check(),
+            Method::Rattle
+            | Method::Penalty(_)
+            | Method::Index3Projections(_)
+            | Method::GeneralizedAlpha(_)
+            | Method::Bdf(_)
+                if self.order > 2 =>
+            {
+                Err(SimulationError::Order {
+                    order: self.order,
+                    because: "the method has an order of its own",
+                })
+            }
+            Method::Rattle => Ok(()),
+            Method::Penalty(penalty) => penalty.check(),
+            Method::Index3Projections(projections) => positive("penalty", projections.penalty),
+            Method::GeneralizedAlpha(alpha) => require(
+                "spectral_radius",
+                alpha.spectral_radius,
+                (0.0..=1.0).contains(&alpha.spectral_radius),
+                "from 0 to 1",
+            ),
+            Method::Bdf(bdf) => bdf.check(),
+            Method::Paper(_) | Method::MAlf(_) if self.order > 2 => Err(SimulationError::Order {
+                order: self.order,
+                because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
+            }),
+            Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
+        }
+    }
+}
+
+impl PaperSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("newton_tolerance", self.newton_tolerance)?;
+        positive("velocity_tolerance", self.velocity_tolerance)?;
+        positive("residual_tolerance", self.residual_tolerance)?;
+        positive("penalty", self.penalty)?;
+        positive("max_penalty", self.max_penalty)?;
+        positive("augmentation_ratio", self.augmentation_ratio)?;
+        positive("max_newton_iterations", self.max_newton_iterations as f64)?;
+        positive("max_augmentations", self.max_augmentations as f64)?;
+        positive("max_updates", self.max_updates as f64)?;
+        positive("smallest_step", self.smallest_step)?;
+        require(
+            "penalty_growth",
+            self.penalty_growth,
+            self.penalty_growth > 1.0,
+            "a finite value above 1",
+        )?;
+        positive("mass_scale", self.mass_scale)?;
+        let frequency = self.stabilisation_frequency;
+        require(
+            "stabilisation_frequency",
+            frequency,
+            frequency >= 0.0,
+            "zero or a positive finite value",
+        )
+    }
+}
+
+impl PenaltySettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("penalty", self.penalty)?;
+        require(
+            "damping_ratio",
+            self.damping_ratio,
+            self.damping_ratio >= 0.0,
+            "zero or a positive finite value",
+        )
+    }
+}
+
+impl BdfSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        positive("tolerance", self.tolerance)?;
+        require(
+            "max_order",
+            self.max_order.into(),
+            (1..=5).contains(&self.max_order),
+            "1 to 5",
+        )
+    }
+}
+
+impl BaumgarteSettings {
+    fn check(&self) -> Result<(), SimulationError> {
+        require(
+            "gain",
+            self.gain,
+            self.gain >= 0.0,
+            "zero or a positive finite value",
+        )?;
+        self.adaptive
+            .map_or(Ok(()), |tolerance| positive("adaptive", tolerance))
+    }
+}
+
+fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
+    require(name, value, value > 0.0, "a positive finite value")
+}
+
+fn require(
+    name: &'static str,
+    value: f64,
+    holds: bool,
+    wanted: &'static str,
+) -> Result<(), SimulationError> {
+    if holds && value.is_finite() {
+        Ok(())
+    } else {
+        Err(SimulationError::Setting {
+            name,
+            value,
+            wanted,
+        })
+    }
+}

@@ -1,0 +1,20 @@
+//! Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
+
+/// Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BaumgarteSettings {
+    /// α = β, 1/s.
+    pub gain: f64,
+    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or to
+    /// 1, if they are smaller); `None` for steps of the length that is asked for.
+    pub adaptive: Option<f64>,
+}
+
+impl Default for BaumgarteSettings {
+    fn default() -> Self {
+        BaumgarteSettings {
+            gain: 30.0,
+            adaptive: None,
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! Settings of [`Method::Bdf`](crate::Method::Bdf).
+
+/// Settings of [`Method::Bdf`](crate::Method::Bdf).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BdfSettings {
+    /// Tolerance of the positions in a step, relative to the size of the mechanism (or to 1 m).
+    pub tolerance: f64,
+    /// Highest order, 1 to 5.
+    pub max_order: u8,
+}
+
+impl Default for BdfSettings {
+    fn default() -> Self {
+        BdfSettings {
+            tolerance: 1e-6,
+            max_order: 5,
+        }
+    }
+}

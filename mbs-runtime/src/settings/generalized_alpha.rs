@@ -1,0 +1,19 @@
+//! Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
+
+/// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GeneralizedAlphaSettings {
+    /// ρ, the factor by which motion of infinite frequency shrinks in a step; from 0 to 1.
+    pub spectral_radius: f64,
+    /// Whether velocities satisfy the rows as well: the stabilised form of index 2.
+    pub stabilised: bool,
+}
+
+impl Default for GeneralizedAlphaSettings {
+    fn default() -> Self {
+        GeneralizedAlphaSettings {
+            spectral_radius: 0.8,
+            stabilised: false,
+        }
+    }
+}

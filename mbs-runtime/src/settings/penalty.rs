@@ -1,0 +1,19 @@
+//! Settings of [`Method::Penalty`](crate::Method::Penalty).
+
+/// Settings of [`Method::Penalty`](crate::Method::Penalty).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PenaltySettings {
+    /// ξ, 1/s².
+    pub penalty: f64,
+    /// ζ.
+    pub damping_ratio: f64,
+}
+
+impl Default for PenaltySettings {
+    fn default() -> Self {
+        PenaltySettings {
+            penalty: 1e7,
+            damping_ratio: 3.0,
+        }
+    }
+}
