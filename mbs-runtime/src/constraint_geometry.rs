@@ -85,7 +85,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// A v + b.
     #[inline(always)]
     pub(crate) fn velocity_rows(&self, system: &S, v: &SVector<f64, N>) -> SVector<f64, R> {
-        let mut rates = SVector::zeros();
+        let mut rates = crate::linear::zeros();
         system.row_rates(&self.a, v, &mut rates);
         vector(|i| rates[i] + self.b[i])
     }

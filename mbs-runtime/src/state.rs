@@ -93,7 +93,9 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         self.velocities = other.velocities;
         self.multipliers = other.multipliers;
         self.multiplier_changes = other.multiplier_changes;
-        self.stage_multipliers.clone_from(&other.stage_multipliers);
+        if !(self.stage_multipliers.is_empty() && other.stage_multipliers.is_empty()) {
+            self.stage_multipliers.clone_from(&other.stage_multipliers);
+        }
         self.ledger = other.ledger;
         self.step_controller = other.step_controller;
         self.fields = other.fields;

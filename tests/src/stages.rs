@@ -11,7 +11,11 @@ use std::fmt::Write;
 /// The stages as text, in order: tree, model, system, derived quantities, program.
 pub fn texts(declaration: &str) -> [(&'static str, String); 5] {
     let mut errors = Errors::new();
-    let tree = mbs_macros_core::syntax::parse(tokens(declaration), &mut errors);
+    let tree = mbs_macros_core::syntax::parse(
+        tokens(declaration),
+        mbs_macros_core::model::kinds(),
+        &mut errors,
+    );
     errors.stop_if_any().expect("the fixture is right");
     let tree = tree.expect("the fixture is right");
     let analysis = crate::interpreted::analysis(declaration);

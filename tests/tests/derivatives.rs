@@ -2,7 +2,8 @@
 //! with the interpreter of programs.
 
 use mbs_examples::scenes;
-use mbs_macros_core::schema::{self, World};
+use mbs_macros_core::model;
+use mbs_macros_core::schema::World;
 use mbs_runtime::{Mechanism, System};
 use mbs_tests::fixtures;
 use mbs_tests::interpreted::{Interpreted, analysis};
@@ -157,7 +158,11 @@ fn every_kind_of_the_schema_is_used() {
     let mut used = BTreeSet::new();
     for declaration in declarations() {
         let mut errors = mbs_macros_core::diagnostics::Errors::new();
-        let tree = mbs_macros_core::syntax::parse(declaration.parse().unwrap(), &mut errors);
+        let tree = mbs_macros_core::syntax::parse(
+            declaration.parse().unwrap(),
+            model::kinds(),
+            &mut errors,
+        );
         errors.stop_if_any().expect("it compiled");
         let tree = tree.expect("it compiled");
         let world = tree.world_kind().describe();
@@ -170,7 +175,7 @@ fn every_kind_of_the_schema_is_used() {
     let mut missing: Vec<(&str, &str)> = Vec::new();
     for world in World::ALL.map(World::describe) {
         let own = World::ALL.into_iter().filter(|w| w.describe() == world);
-        let kinds = own.flat_map(World::own_kinds);
+        let kinds = own.flat_map(|world| model::kinds().own(world));
         missing.extend(
             kinds
                 .map(|kind| (world, kind.name))
@@ -178,7 +183,8 @@ fn every_kind_of_the_schema_is_used() {
         );
     }
     let commonly_used = |name: &str| used.iter().any(|(_, kind)| kind == name);
-    let common = schema::common_kinds()
+    let common = model::kinds()
+        .common()
         .iter()
         .map(|kind| ("both", kind.name));
     missing.extend(common.filter(|(_, name)| !commonly_used(name)));

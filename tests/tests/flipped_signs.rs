@@ -3,7 +3,7 @@
 
 use mbs_macros_core::derivatives::Derived;
 use mbs_macros_core::symbolic::Expr;
-use mbs_macros_core::{Analysis, dag, emit, syntax};
+use mbs_macros_core::{Analysis, dag, emit, model, syntax};
 use mbs_tests::interpreted::analysis;
 use mbs_tests::{small, stages, values};
 use std::collections::BTreeSet;
@@ -75,7 +75,8 @@ fn flip_each(analysis: &mut Analysis, mut examine: impl FnMut(&'static str, usiz
 fn texts(declaration: &str, analysis: &Analysis) -> [String; 3] {
     let derived = &analysis.derived;
     let mut errors = mbs_macros_core::diagnostics::Errors::new();
-    let tree = syntax::parse(stages::tokens(declaration), &mut errors).expect("it compiles");
+    let tree = syntax::parse(stages::tokens(declaration), model::kinds(), &mut errors)
+        .expect("it compiles");
     let formulas = stages::system(&derived.system) + &stages::derived(derived);
     let program = dag::lower(derived);
     let rust = emit::mechanism(&tree, analysis, &program).to_string();

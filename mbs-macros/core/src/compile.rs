@@ -35,7 +35,7 @@ fn compile_checked(tokens: TokenStream) -> TokenStream {
 /// Stages 1 to 5.
 pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Failure>) {
     let mut errors = Errors::new();
-    let declaration = syntax::parse(tokens, &mut errors); // 1
+    let declaration = syntax::parse(tokens, model::kinds(), &mut errors); // 1
     if let Err(failure) = errors.stop_if_any() {
         return (declaration, Err(failure));
     }

@@ -1,7 +1,8 @@
 //! The reference page of the language, from the schema and the table of units.
 
 use crate::dimension::{Dimension, UNITS};
-use crate::schema::{self, Absent, Expects, Field, Group, Kind, World};
+use crate::model;
+use crate::schema::{Absent, Expects, Field, Group, Kind, World};
 use std::fmt::Write;
 
 const HEADINGS: [(Group, &str); 5] = [
@@ -20,10 +21,10 @@ pub fn page() -> String {
         entry(&mut out, world.kind());
     }
     let _ = writeln!(out, "\n# Kinds of both worlds");
-    kinds(&mut out, schema::common_kinds());
+    kinds(&mut out, model::kinds().common());
     for world in World::ALL {
         let _ = writeln!(out, "\n# Kinds of {}", world.describe());
-        kinds(&mut out, world.own_kinds());
+        kinds(&mut out, model::kinds().own(world));
     }
     units(&mut out);
     out
@@ -97,11 +98,11 @@ fn takes(expects: Expects) -> String {
         Expects::KnownAny => "a number".to_owned(),
         Expects::KnownVector(dimension) => format!("vector of {dimension}"),
         Expects::Moving(dimension) => format!("{dimension}{moving}"),
-        Expects::MovingAny => format!("a number{moving}"),
+        Expects::MovingAny | Expects::Driven => format!("a number{moving}"),
         Expects::MovingVector(dimension) => format!("vector of {dimension}{moving}"),
         Expects::Anything => "an expression or a list".to_owned(),
         Expects::Point => "a point".to_owned(),
-        Expects::Part => "a part or `ground`".to_owned(),
+        Expects::Part | Expects::PartAngle => "a part or `ground`".to_owned(),
         Expects::Axis => "`X`, `Y`, `Z` or components".to_owned(),
         Expects::Attachment => "a part with `at =`, a point, or a frame".to_owned(),
         Expects::Joint => "a joint".to_owned(),

@@ -16,7 +16,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{Implicit, transport, trapezoid};
-use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, vector};
+use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, negative, vector};
 use crate::singular::{MEAN_LOST, ROUND_OFF, STILL, has_stalled};
 use nalgebra::SVector;
 
@@ -268,7 +268,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             &self.vb,
             self.h,
         );
-        system.constraints(self.t1, &self.q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(
+            self.t1,
+            &self.q,
+            &mut work.phi,
+            end.a.entries_mut(),
+            &mut end.b,
+        );
         self.defect = work.phi;
         for i in S::STRUCTURE.holonomic_rows..R {
             self.defect[i] = dot(&end.a[i], &self.vb) + end.b[i];
@@ -382,7 +388,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refinin
 
     #[inline(always)]
     fn correct(&mut self) {
-        let mut multiplier = -self.rates;
+        let mut multiplier = negative(&self.rates);
         self.step.end_projection.solve(&mut multiplier);
         accumulate(self.v, &self.step.along_end, &multiplier);
         self.total += multiplier;

@@ -178,7 +178,7 @@ where
         } = &mut *self.context;
         let Kick { va, q, .. } = &mut *self.kick;
         self.flow.positions(system, va, q)?;
-        system.constraints(self.t1, q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(self.t1, q, &mut work.phi, end.a.entries_mut(), &mut end.b);
         Ok(residual_of(&work.phi, &scale.weights))
     }
 

@@ -16,7 +16,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::KickFlow;
-use crate::linear::{accumulate, dot, vector};
+use crate::linear::{accumulate, dot, negative, vector};
 use crate::singular::EXACT;
 use nalgebra::SVector;
 
@@ -105,7 +105,13 @@ where
             ..
         } = &mut *self.context;
         self.flow.positions(system, &self.va, &mut self.q)?;
-        system.constraints(self.t1, &self.q, &mut work.phi, &mut end.a, &mut end.b);
+        system.constraints(
+            self.t1,
+            &self.q,
+            &mut work.phi,
+            end.a.entries_mut(),
+            &mut end.b,
+        );
         end.metric(system, self.t1, &self.q)?;
         let mut v = self.flow.velocities(system, &self.va, &self.q, end);
         factor_holonomic(end, work);
@@ -276,7 +282,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refinin
 
     #[inline(always)]
     fn correct(&mut self) {
-        let mut multiplier = -self.rates;
+        let mut multiplier = negative(&self.rates);
         self.work.delassus.solve(&mut multiplier);
         accumulate(self.v, &self.end.w, &multiplier);
         for i in 0..S::STRUCTURE.holonomic_rows {

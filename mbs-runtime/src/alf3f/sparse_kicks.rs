@@ -18,7 +18,7 @@ use super::step_context::{REFINEMENTS, StepContext};
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::vector;
+use crate::linear::{vector, zeros};
 use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
 use nalgebra::SVector;
@@ -243,7 +243,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         } = self;
         let state = &context.state;
         let kappa = state.expected_impulse(h);
-        let mut va = SVector::zeros();
+        let mut va = zeros();
         (plan.impulse)(&start.entries, &kappa, &mut va);
         mass.solve(plan, x, &mut va);
         for i in 0..N {
@@ -403,7 +403,7 @@ fn rates<const N: usize, const R: usize>(
     b: &SVector<f64, R>,
     v: &SVector<f64, N>,
 ) -> SVector<f64, R> {
-    let mut rates = SVector::zeros();
+    let mut rates = zeros();
     (plan.rates)(&matrix.entries, v, &mut rates);
     vector(|i| rates[i] + b[i])
 }

@@ -5,7 +5,7 @@ use super::closing::{Refining, refine};
 use super::kicks::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix};
+use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative};
 use crate::singular::Thresholds;
 use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
@@ -159,7 +159,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             ..
         } = self;
         work.delassus.factor(&end.delassus);
-        let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
+        let mut multiplier = negative(&end.velocity_rows(system, v));
         work.delassus.solve(&mut multiplier);
         crate::linear::accumulate(v, &end.w, &multiplier);
         work.impulse[1] = multiplier;
@@ -212,7 +212,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refinin
     }
 
     fn correct(&mut self) {
-        let mut multiplier = -self.rates;
+        let mut multiplier = negative(&self.rates);
         self.work.delassus.solve(&mut multiplier);
         crate::linear::accumulate(self.v, &self.end.w, &multiplier);
         self.work.impulse[1] += multiplier;

@@ -207,7 +207,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             ..
         } = &mut *self.bench;
         if !std::mem::take(&mut self.is_evaluated) {
-            system.constraints(self.t, self.q, phi, &mut geometry.a, &mut geometry.b);
+            system.constraints(
+                self.t,
+                self.q,
+                phi,
+                geometry.a.entries_mut(),
+                &mut geometry.b,
+            );
         }
         Ok(residual_of(phi, &self.scale.weights))
     }

@@ -205,7 +205,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut geometry.a, &mut geometry.b);
+            system.constraints(t1, &q, phi, geometry.a.entries_mut(), &mut geometry.b);
             let motion = &mut self.motion;
             motion.balance(system, t1, &q, &v);
             motion.tangents(system, t1, &q, &v);

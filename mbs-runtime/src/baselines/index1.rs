@@ -127,7 +127,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             phi,
             ..
         } = bench;
-        system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
+        system.constraints(t, q, phi, geometry.a.entries_mut(), &mut geometry.b);
         let rates = geometry.velocity_rows(system, v);
         vector(|i| self.damping * rates[i] + self.stiffness * phi[i])
     }
@@ -146,7 +146,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             phi,
             ..
         } = bench;
-        system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
+        system.constraints(t, q, phi, geometry.a.entries_mut(), &mut geometry.b);
         geometry.metric(system, t, q)?;
         self.delassus.factor(&geometry.delassus);
         bench.counters.regularised += u64::from(self.delassus.regularised);

@@ -98,7 +98,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 phi,
                 ..
             } = &mut *bench;
-            system.constraints(t1, &q, phi, &mut geometry.a, &mut geometry.b);
+            system.constraints(t1, &q, phi, geometry.a.entries_mut(), &mut geometry.b);
             self.motion.balance(system, t1, &q, &v);
             self.motion.tangents(system, t1, &q, &v);
             let mut change = self.motion.defect(&v, &after);

@@ -172,7 +172,7 @@ where
         let Bench { system, phi, .. } = &mut *self.bench;
         let Rows { end, scale, .. } = &mut *self.rows;
         self.flow.positions(system, &self.va, &mut self.q)?;
-        system.constraints(self.t1, &self.q, phi, &mut end.a, &mut end.b);
+        system.constraints(self.t1, &self.q, phi, end.a.entries_mut(), &mut end.b);
         Ok(residual_of(phi, &scale.weights))
     }
 

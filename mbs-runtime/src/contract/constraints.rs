@@ -75,6 +75,7 @@ pub trait Constraints<const Q: usize, const N: usize, const R: usize>: Inertia<Q
     /// A v, where `a` has the zero pattern of A.
     #[inline(always)]
     fn row_rates(&self, a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>) {
+        let [rates] = &mut rates.data.0;
         for (rate, row) in rates.iter_mut().zip(crate::linear::rows(a)) {
             *rate = crate::linear::dot(row, v);
         }

@@ -13,7 +13,9 @@ pub(crate) use pivoted::Pivoted;
 pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
-pub(crate) use vector::{accumulate, dot, dot_of, finite, largest, largest_of, vector};
+pub(crate) use vector::{
+    accumulate, dot, dot_of, finite, largest, largest_of, negative, vector, zeros,
+};
 
 /// The entries of a matrix inside a solver, row by row.
 type Square<const K: usize> = Box<[[f64; K]; K]>;

@@ -17,6 +17,12 @@ impl<const N: usize, const R: usize> RowMatrix<N, R> {
         RowMatrix(bytemuck::zeroed_box())
     }
 
+    /// All entries, `[row][column]`: a [`MatrixSink`] without the way through the heap pointer.
+    #[inline(always)]
+    pub(crate) fn entries_mut(&mut self) -> &mut [[f64; N]; R] {
+        &mut self.0.data.0
+    }
+
     /// All rows.
     #[inline(always)]
     pub(crate) fn rows(&self) -> &[SVector<f64, N>; R] {

@@ -10,6 +10,18 @@ pub(crate) fn vector<const N: usize>(entry: impl FnMut(usize) -> f64) -> SVector
     SVector::from(std::array::from_fn(entry))
 }
 
+/// The vector of zeros.
+#[inline(always)]
+pub(crate) fn zeros<const N: usize>() -> SVector<f64, N> {
+    SVector::from([0.0; N])
+}
+
+/// −x.
+#[inline(always)]
+pub(crate) fn negative<const N: usize>(x: &SVector<f64, N>) -> SVector<f64, N> {
+    vector(|i| -x[i])
+}
+
 /// a · b.
 #[inline(always)]
 pub(crate) fn dot<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {

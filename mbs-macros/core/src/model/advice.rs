@@ -1,10 +1,13 @@
 //! What to write instead of what belongs to the other world.
 
-use crate::schema::World;
+use crate::schema::{Kind, World};
 
 /// An argument that the kind does not have in this world.
-pub(super) fn argument(world: World, kind: &str, argument: &str) -> Option<&'static str> {
-    Some(match (world, kind, argument) {
+pub(super) fn argument(world: World, kind: &Kind, argument: &str) -> Option<&'static str> {
+    if kind.traits().arguments_elsewhere.contains(&argument) {
+        return Some("in the plane a joint is given by a point of each partner, such as `crank.b`");
+    }
+    Some(match (world, kind.name, argument) {
         (World::Spatial, "Body", "angle") => {
             "in space an orientation is `orientation = turn(axis, angle)`"
         }
@@ -24,32 +27,19 @@ pub(super) fn argument(world: World, kind: &str, argument: &str) -> Option<&'sta
         (World::Planar, "Bar", "radius" | "inertia") => {
             "in the plane bars are slender; use a `Body` for others"
         }
-        (World::Planar, "Revolute" | "Fixed", "at" | "axis") => {
-            "in the plane a joint is given by a point of each partner, such as `crank.b`"
-        }
-        (World::Planar, "Prismatic", "at") => {
-            "in the plane a joint is given by a point of each partner, such as `crank.b`"
-        }
         _ => return None,
     })
 }
 
 /// A kind that this world does not have.
-pub(super) fn kind(world: World, kind: &str) -> &'static str {
-    match (world, kind) {
-        (World::Planar, "Spherical" | "Universal" | "ConstantVelocity") => {
-            "use `Revolute`, or write `world: Spatial(…)`"
-        }
-        (World::Planar, "Cylindrical" | "Screw") => {
-            "use `Prismatic` or `Revolute`, or write `world: Spatial(…)`"
-        }
-        (World::Planar, "PointOnPlane") => "use `PointOnLine`, or write `world: Spatial(…)`",
-        (World::Planar, "RackPinion") => "use `Coupling`, or write `world: Spatial(…)`",
-        (World::Planar, "Wrench") => "use `Force` and `Torque`, or write `world: Spatial(…)`",
-        (World::Planar, "Bushing") => {
+pub(super) fn kind(world: World, kind: &Kind) -> &'static str {
+    match (world, kind.traits().elsewhere, kind.name) {
+        (World::Planar, "", "Wrench") => "use `Force` and `Torque`, or write `world: Spatial(…)`",
+        (World::Planar, "", "Bushing") => {
             "use `SpringDamper` and `TorsionSpring`, or write `world: Spatial(…)`"
         }
-        (World::Planar, _) => "write `world: Spatial(…)` for it",
-        (World::Spatial, _) => "write `world: Planar(…)` for it",
+        (World::Planar, "", _) => "write `world: Spatial(…)` for it",
+        (World::Spatial, "", _) => "write `world: Planar(…)` for it",
+        (_, advice, _) => advice,
     }
 }

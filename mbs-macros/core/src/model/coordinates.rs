@@ -20,17 +20,17 @@ pub(super) struct Merged<'a> {
     pub tree: &'a Tree,
 }
 
-/// A local coordinate after points were merged.
-enum Place {
+/// What becomes of a local coordinate when points are merged.
+enum Becomes {
     Fixed(Expr),
     /// As this local coordinate.
     As(u32),
 }
 
 impl Merged<'_> {
-    /// All locals but those that the tree carries, each with its place.
-    fn places(&self, resolver: &Resolver) -> Vec<(u32, Place)> {
-        let mut places = Vec::new();
+    /// All locals but those that the tree carries, each with what becomes of it.
+    fn what_becomes(&self, resolver: &Resolver) -> Vec<(u32, Becomes)> {
+        let mut outcome = Vec::new();
         for (part_index, part) in resolver.parts.iter().enumerate() {
             let dropped = self.tree.dropped(part_index, part);
             for (slot, &local) in part.locals.iter().enumerate() {
@@ -43,33 +43,33 @@ impl Merged<'_> {
                 };
                 let first = local - component as u32;
                 let leader = self.leaders.get(&first);
-                let place = match self.fixed.get(&first) {
-                    Some(place) => Place::Fixed(place[component]),
-                    None => Place::As(leader.map_or(local, |leader| leader + component as u32)),
+                let becomes = match self.fixed.get(&first) {
+                    Some(position) => Becomes::Fixed(position[component]),
+                    None => Becomes::As(leader.map_or(local, |leader| leader + component as u32)),
                 };
-                places.push((local, place));
+                outcome.push((local, becomes));
             }
         }
-        places.extend(self.tree.locals().map(|local| (local, Place::As(local))));
-        places
+        outcome.extend(self.tree.locals().map(|local| (local, Becomes::As(local))));
+        outcome
     }
 
     /// Local coordinates in terms of those that stand for them, and the number of the latter.
     pub(super) fn by_leaders(&self, resolver: &mut Resolver) -> (Substitution, usize) {
         let mut substitution = Substitution::default();
         let mut free = 0;
-        for (local, place) in self.places(resolver) {
+        for (local, becomes) in self.what_becomes(resolver) {
             let graph = &mut resolver.graph;
-            match place {
-                Place::As(leader) if leader == local => free += 1,
-                Place::As(leader) => set(
+            match becomes {
+                Becomes::As(leader) if leader == local => free += 1,
+                Becomes::As(leader) => set(
                     &mut substitution,
                     local,
                     solved::local_symbols(leader).map(|symbol| graph.symbol(symbol)),
                 ),
-                Place::Fixed(place) => {
+                Becomes::Fixed(position) => {
                     let zero = graph.zero();
-                    set(&mut substitution, local, [place, zero, zero]);
+                    set(&mut substitution, local, [position, zero, zero]);
                 }
             }
         }
@@ -80,12 +80,14 @@ impl Merged<'_> {
 
     /// Local coordinates in terms of generalized ones.
     pub(super) fn by_coordinates(&self, resolver: &mut Resolver, reduction: &mut Reduction) {
-        let places = self.places(resolver);
+        let outcome = self.what_becomes(resolver);
         let rotations: Vec<u32> = resolver.parts.iter().filter_map(Part::rotation).collect();
         let graph = &mut resolver.graph;
         let mut index_of: BTreeMap<u32, u32> = BTreeMap::new();
-        for (local, place) in &places {
-            let Place::As(leader) = *place else { continue };
+        for (local, becomes) in &outcome {
+            let Becomes::As(leader) = *becomes else {
+                continue;
+            };
             if index_of.contains_key(&leader) || reduction.solved.value(leader).is_some() {
                 continue;
             }
@@ -105,10 +107,10 @@ impl Merged<'_> {
             ]
         };
         let zero = graph.zero();
-        for (local, place) in places {
-            let values = match place {
-                Place::Fixed(place) => [place, zero, zero],
-                Place::As(leader) => match reduction.solved.value(leader) {
+        for (local, becomes) in outcome {
+            let values = match becomes {
+                Becomes::Fixed(position) => [position, zero, zero],
+                Becomes::As(leader) => match reduction.solved.value(leader) {
                     Some(value) => solved::combination(graph, value, symbols),
                     None => symbols(leader).map(|symbol| graph.symbol(symbol)),
                 },

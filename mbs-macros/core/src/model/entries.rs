@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::geometry::{Owner, Point, Vector};
 use super::quantities::{Law, quantity};
-use super::resolver::{Resolver, State, has_frames};
+use super::resolver::{Resolver, State};
 use super::value::Value;
 use crate::diagnostics::{Place, did_you_mean};
 use crate::dimension::Dimension;
@@ -97,11 +97,11 @@ impl<'d> Resolver<'d> {
             State::Done(Some(value)) => Some(value.clone()),
             State::Done(None) => {
                 let entry = self.entry(index);
-                if is_value(self.world, entry) {
+                if self.is_value(entry) {
                     // Its own error is recorded already.
                     return None;
                 }
-                let advice = match self.is_planar_hinge(entry) {
+                let advice = match self.kind_of(entry).is_some_and(|kind| kind.traits().hinge) {
                     true => "; in the plane parts have angles, joints have not",
                     false => "",
                 };
@@ -117,8 +117,12 @@ impl<'d> Resolver<'d> {
         }
     }
 
-    fn is_planar_hinge(&self, entry: &Entry) -> bool {
-        self.world == World::Planar && (entry.kind == "Revolute" || entry.kind == "Prismatic")
+    fn is_value(&self, entry: &Entry) -> bool {
+        let kind = entry.kind.to_string();
+        matches!(
+            kind.as_str(),
+            "Param" | "Input" | "Let" | "Point" | "Coordinate" | "Bar" | "Body" | "Particle"
+        ) || self.has_frames(entry)
     }
 
     /// Whether every entry that has a value has been asked for it.
@@ -144,7 +148,7 @@ impl<'d> Resolver<'d> {
         if !matches!(self.states[index], State::Waiting) {
             return;
         }
-        let hinged = has_frames(self.world, &self.entry(index).kind.to_string());
+        let hinged = self.has_frames(self.entry(index));
         if hinged && self.misplaced.contains(&self.entry(index).name.to_string()) {
             self.states[index] = State::Done(None);
             return;
@@ -166,7 +170,7 @@ impl<'d> Resolver<'d> {
             "Body" if self.world == World::Planar => self.planar_body(entry),
             "Body" => self.spatial_body(entry),
             "Particle" => self.particle(entry),
-            kind if has_frames(self.world, kind) => self.joint_frames(entry),
+            _ if self.has_frames(entry) => self.joint_frames(entry),
             _ => None,
         };
         self.silent = silent;
@@ -232,14 +236,6 @@ impl<'d> Resolver<'d> {
         });
         Some(self.laws.len() as u32 - 1)
     }
-}
-
-fn is_value(world: World, entry: &Entry) -> bool {
-    let kind = entry.kind.to_string();
-    matches!(
-        kind.as_str(),
-        "Param" | "Input" | "Let" | "Point" | "Coordinate" | "Bar" | "Body" | "Particle"
-    ) || has_frames(world, &kind)
 }
 
 fn tokens(syntax: &syn::Expr) -> String {

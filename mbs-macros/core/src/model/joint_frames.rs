@@ -10,6 +10,10 @@ pub struct JointFrames {
     pub name: String,
     /// Its kind.
     pub kind: String,
+    /// It has an angle about its axis.
+    pub turns: bool,
+    /// It has a stroke along its axis.
+    pub slides: bool,
     /// On the first partner.
     pub parent: Attachment,
     /// On the second.
@@ -22,19 +26,6 @@ impl JointFrames {
     /// A joint that leaves these motions free between its frames.
     pub fn mobilizer(&self, freedoms: impl Into<Vec<Freedom>>) -> Mobilizer {
         Mobilizer::new(&self.parent, &self.child, freedoms)
-    }
-
-    /// Whether the joint has an angle about its axis.
-    pub fn turns(&self) -> bool {
-        matches!(
-            self.kind.as_str(),
-            "Revolute" | "Cylindrical" | "Screw" | "Planar"
-        )
-    }
-
-    /// Whether the joint has a stroke along its axis.
-    pub fn slides(&self) -> bool {
-        matches!(self.kind.as_str(), "Prismatic" | "Cylindrical" | "Screw")
     }
 
     /// The origins of both.

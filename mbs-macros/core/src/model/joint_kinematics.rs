@@ -119,19 +119,19 @@ impl Resolver<'_> {
         span: Span,
     ) -> Option<Value> {
         let mut known = Vec::new();
-        if joint.turns() {
+        if joint.turns {
             known.extend(["angle", "rate"]);
         }
-        if joint.slides() {
+        if joint.slides {
             known.extend(["stroke", "speed"]);
         }
         if !known.contains(&member) {
             let advice = match (member, known.is_empty()) {
                 (_, true) => format!("a `{}` leaves no single motion to name", joint.kind),
-                ("angle" | "rate", _) if !joint.turns() => {
+                ("angle" | "rate", _) if !joint.turns => {
                     format!("a `{}` does not turn", joint.kind)
                 }
-                ("stroke" | "speed", _) if !joint.slides() => {
+                ("stroke" | "speed", _) if !joint.slides => {
                     format!("a `{}` does not slide", joint.kind)
                 }
                 _ => String::new(),

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 #[derive(Clone, Copy)]
 struct State {
     /// Centre of mass.
-    place: Vector,
+    center: Vector,
     axes: Axes,
     /// In the plane.
     angle: Expr,
@@ -73,7 +73,7 @@ impl Walk<'_> {
     fn ground(&mut self) -> State {
         let zero = self.graph.zero_vector();
         State {
-            place: zero,
+            center: zero,
             axes: self.graph.ground_axes(),
             angle: self.graph.zero(),
             velocity: zero,
@@ -92,16 +92,16 @@ impl Walk<'_> {
         self.graph.substitute(local, self.substitution)
     }
 
-    /// The place of a part's centre with its velocity and acceleration, from its own locals.
-    fn own_place(&mut self, part: &Part) -> (Vector, Rates) {
+    /// A part's centre with its velocity and acceleration, from its own locals.
+    fn own_center(&mut self, part: &Part) -> (Vector, Rates) {
         let zero = self.graph.zero_vector();
-        let (mut place, mut rates) = (zero, [zero; 2]);
+        let (mut center, mut rates) = (zero, [zero; 2]);
         for (k, &local) in part.locals[..self.world.dimension()].iter().enumerate() {
-            place[k] = self.symbol(Symbol::LocalPosition(local));
+            center[k] = self.symbol(Symbol::LocalPosition(local));
             rates[0][k] = self.symbol(Symbol::LocalVelocity(local));
             rates[1][k] = self.symbol(Symbol::LocalAcceleration(local));
         }
-        (place, rates)
+        (center, rates)
     }
 
     /// The orientation of a part with its angular velocity and acceleration in body axes, from its own locals.
@@ -132,7 +132,7 @@ impl Walk<'_> {
 
     fn root(&mut self, index: usize) -> State {
         let part = &self.parts[index];
-        let (place, rates) = self.own_place(part);
+        let (center, rates) = self.own_center(part);
         let (axes, [omega, alpha]) = self.own_rotation(part);
         let [velocity, acceleration] = match self.world {
             World::Planar => rates,
@@ -143,7 +143,7 @@ impl Walk<'_> {
             World::Spatial => self.graph.zero(),
         };
         State {
-            place,
+            center,
             axes,
             angle,
             velocity,
@@ -200,10 +200,10 @@ impl Walk<'_> {
             rates = [0, 1].map(|k| self.graph.vector_add(rates[k], slide[k]));
         }
         let reach = self.graph.turn(&parent.axes, arm);
-        let hinge = self.graph.vector_add(parent.place, reach);
+        let hinge = self.graph.vector_add(parent.center, reach);
         if part.representation == Representation::FreePoint {
             return State {
-                place: hinge,
+                center: hinge,
                 velocity: rates[0],
                 acceleration: rates[1],
                 ..*parent
@@ -220,11 +220,11 @@ impl Walk<'_> {
             self.carried(joint, parent, rates)
         };
         let arm = self.graph.turn(&axes, back);
-        let place = self.graph.vector_sub(hinge, arm);
+        let center = self.graph.vector_sub(hinge, arm);
         let back = back.map(|x| self.graph.neg(x));
         let [velocity, acceleration] = self.carry(rates, turn, back);
         State {
-            place,
+            center,
             axes,
             angle: parent.angle,
             velocity,
@@ -342,10 +342,10 @@ impl Walk<'_> {
                 self.graph.vector_add(rates[1], push),
             ];
         }
-        let place = self.graph.vector_add(parent.place, arm);
+        let hinge = self.graph.vector_add(parent.center, arm);
         if part.representation == Representation::FreePoint {
             return State {
-                place,
+                center: hinge,
                 velocity: rates[0],
                 acceleration: rates[1],
                 ..*parent
@@ -370,11 +370,11 @@ impl Walk<'_> {
         let (axes, turn) = self.own_rotation(part);
         let back = self.off_center(mobilizer.child.point.owner, mobilizer.child.point.local);
         let back = self.graph.turn(&axes, back);
-        let place = self.graph.vector_sub(place, back);
+        let center = self.graph.vector_sub(hinge, back);
         let back = back.map(|x| self.graph.neg(x));
         let [velocity, acceleration] = self.carry(rates, turn, back);
         State {
-            place,
+            center,
             axes,
             angle: self.symbol(Symbol::LocalPosition(angle)),
             velocity,
@@ -394,7 +394,7 @@ impl Walk<'_> {
         };
         for (k, &local) in part.locals[..self.world.dimension()].iter().enumerate() {
             let values = [
-                (Symbol::LocalPosition(local), state.place[k]),
+                (Symbol::LocalPosition(local), state.center[k]),
                 (Symbol::LocalVelocity(local), velocity[k]),
                 (Symbol::LocalAcceleration(local), acceleration[k]),
             ];

@@ -49,6 +49,7 @@ mod spanning;
 mod vacuous;
 
 pub use drawing::Drawing;
+pub use elements::kinds::kinds;
 pub use formulation::{Description, Formulation, requested};
 pub use geometry::{Attachment, Axes, Frame, Owner, Point, Tensor, Vector};
 pub use joint_variables::UnwrappedAngle;

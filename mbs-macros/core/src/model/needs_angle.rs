@@ -1,5 +1,6 @@
 //! Which bars need an angle.
 
+use crate::schema::{Expects, Kinds};
 use crate::syntax::{Declaration, Entry};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -8,27 +9,47 @@ use syn::Expr as Syntax;
 
 /// The names whose angle a joint, force or condition uses. Natural coordinates have no angle that counts full turns, so
 /// that such a bar takes reference coordinates. (Outputs, events and drives make do with the direction.)
-pub(super) fn needs_angle(declaration: &Declaration) -> HashSet<String> {
+pub(super) fn needs_angle(declaration: &Declaration, kinds: &Kinds) -> HashSet<String> {
     let mut names = HashSet::new();
     for entry in &declaration.entries {
-        note_entry(entry, &mut names);
+        note_entry(entry, declaration, kinds, &mut names);
     }
     names
 }
 
-fn note_entry(entry: &Entry, names: &mut HashSet<String>) {
+fn note_entry(
+    entry: &Entry,
+    declaration: &Declaration,
+    kinds: &Kinds,
+    names: &mut HashSet<String>,
+) {
     let kind = entry.kind.to_string();
     if kind == "Output" || kind == "Event" {
         return;
     }
-    let named = entry.named.iter().map(|argument| &argument.value);
-    let arguments = entry.positional.iter().chain(named);
-    for argument in arguments.skip(usize::from(kind == "Drive")) {
-        if (kind == "Gear" || kind == "TorsionSpring")
-            && let Syntax::Path(path) = argument
-            && let Some(name) = path.path.get_ident()
-        {
-            names.insert(name.to_string());
+    let fields = kinds.kind(declaration.world_kind(), &kind);
+    let fields = fields.map_or(&[][..], |kind| kind.fields);
+    let by_place = fields.iter().filter(|field| field.positional);
+    let by_place = entry
+        .positional
+        .iter()
+        .zip(by_place.map(Some).chain([None].into_iter().cycle()));
+    let by_name = entry.named.iter().map(|argument| {
+        let mut fields = fields.iter();
+        let field = fields.find(|field| argument.name == field.name);
+        (&argument.value, field)
+    });
+    for (argument, field) in by_place.chain(by_name) {
+        match field.map(|field| field.expects) {
+            Some(Expects::Driven) => continue,
+            Some(Expects::PartAngle) => {
+                if let Syntax::Path(path) = argument
+                    && let Some(name) = path.path.get_ident()
+                {
+                    names.insert(name.to_string());
+                }
+            }
+            _ => {}
         }
         note_angles(argument.to_token_stream(), names);
     }

@@ -1,6 +1,7 @@
 //! The passes of stage 2, in order, each with what is true after it.
 
 use super::elements::JointEntry;
+use super::elements::kinds::kinds;
 use super::formulation::Description;
 use super::initial_pose::Guesses;
 use super::mechanism::Model;
@@ -21,7 +22,7 @@ pub fn resolve(
     description: &Description,
     errors: &mut Errors,
 ) -> Option<Model> {
-    let mut state = Resolver::new(declaration, description.formulation, errors);
+    let mut state = Resolver::new(declaration, kinds(), description.formulation, errors);
     let resolver = &mut state;
 
     // Names. AFTER THIS POINT: every name is that of one entry, and entries have the arguments of their kinds.

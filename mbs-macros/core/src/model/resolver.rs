@@ -8,7 +8,7 @@ use super::parts::Part;
 use super::quantities::{Law, Local, Quantity};
 use super::value::Value;
 use crate::diagnostics::{Errors, Place};
-use crate::schema::{Group, World};
+use crate::schema::{Group, Kind, Kinds, World};
 use crate::symbolic::Graph;
 use crate::syntax::{Declaration, Entry};
 use std::collections::{HashMap, HashSet};
@@ -24,6 +24,7 @@ pub(super) enum State {
 pub struct Resolver<'d> {
     pub(super) declaration: &'d Declaration,
     pub(super) errors: &'d mut Errors,
+    pub(super) kinds: &'static Kinds,
     pub(super) world: World,
     pub(super) formulation: Formulation,
     pub(super) graph: Graph,
@@ -52,12 +53,14 @@ pub struct Resolver<'d> {
 impl<'d> Resolver<'d> {
     pub(super) fn new(
         declaration: &'d Declaration,
+        kinds: &'static Kinds,
         formulation: Formulation,
         errors: &'d mut Errors,
     ) -> Self {
         Resolver {
             declaration,
             errors,
+            kinds,
             world: declaration.world_kind(),
             formulation,
             graph: Graph::default(),
@@ -70,7 +73,7 @@ impl<'d> Resolver<'d> {
             joint_variables: Vec::new(),
             used: HashSet::new(),
             misplaced: HashSet::new(),
-            needs_angle: needs_angle(declaration),
+            needs_angle: needs_angle(declaration, kinds),
             names: HashMap::new(),
             states: Vec::new(),
             silent: false,
@@ -107,13 +110,18 @@ impl<'d> Resolver<'d> {
         self.parts.push(part);
         Some(Value::Frame(Owner::Part(self.parts.len() - 1)))
     }
-}
 
-/// Whether a kind takes hold of its two partners by frames: joints, and elastic ones.
-pub(super) fn has_frames(world: World, kind: &str) -> bool {
-    world == World::Spatial
-        && crate::schema::kind(world, kind).is_some_and(|kind| {
-            matches!(kind.group, Group::Joint | Group::Force)
-                && kind.fields.iter().any(|field| field.name == "at")
-        })
+    /// The kind of an entry, where this world has it.
+    pub(super) fn kind_of(&self, entry: &Entry) -> Option<&'static Kind> {
+        self.kinds.kind(self.world, &entry.kind.to_string())
+    }
+
+    /// Whether an entry takes hold of its two partners by frames: joints of space, and elastic ones.
+    pub(super) fn has_frames(&self, entry: &Entry) -> bool {
+        self.world == World::Spatial
+            && self.kind_of(entry).is_some_and(|kind| {
+                matches!(kind.group, Group::Joint | Group::Force)
+                    && kind.fields.iter().any(|field| field.name == "at")
+            })
+    }
 }

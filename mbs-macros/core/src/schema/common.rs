@@ -8,9 +8,10 @@ use super::kind::Expects::{
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
 
-pub(super) const PARENT: Field =
-    positional("parent", Point, Required, "point of the first partner");
-pub(super) const CHILD: Field = positional(
+/// Of joints.
+pub const PARENT: Field = positional("parent", Point, Required, "point of the first partner");
+/// Of joints.
+pub const CHILD: Field = positional(
     "child",
     Point,
     Required,
@@ -36,7 +37,7 @@ pub(super) const FREE: Field = field(
 );
 
 /// The kinds.
-pub(super) const KINDS: &[Kind] = &[
+pub const KINDS: &[Kind] = &[
     Kind {
         name: "Param",
         group: Group::Value,
@@ -55,6 +56,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A parameter: a public field of the generated struct.",
+        joint: None,
     },
     Kind {
         name: "Input",
@@ -74,12 +76,14 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A value that the program sets between steps.",
+        joint: None,
     },
     Kind {
         name: "Let",
         group: Group::Value,
         fields: &[positional("value", Anything, Required, "the expression")],
         doc: "A named expression.",
+        joint: None,
     },
     Kind {
         name: "Output",
@@ -91,6 +95,7 @@ pub(super) const KINDS: &[Kind] = &[
             "the expression; a point or vector gives `name.x` and `name.y`",
         )],
         doc: "A named expression that is sampled with the results.",
+        joint: None,
     },
     Kind {
         name: "Event",
@@ -102,6 +107,7 @@ pub(super) const KINDS: &[Kind] = &[
             "the expression whose sign change is the event",
         )],
         doc: "An instant that `run_to_event` can stop at.",
+        joint: None,
     },
     Kind {
         name: "Point",
@@ -113,6 +119,7 @@ pub(super) const KINDS: &[Kind] = &[
             "position in the ground's axes",
         )],
         doc: "A named point of the ground.",
+        joint: None,
     },
     Kind {
         name: "Coordinate",
@@ -133,83 +140,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A generalized coordinate chosen by hand; parts follow it by `frame =` or `position =`.",
-    },
-    Kind {
-        name: "Distance",
-        group: Group::Joint,
-        fields: &[
-            PARENT,
-            CHILD,
-            field(
-                "length",
-                Known(Dimension::LENGTH),
-                Required,
-                "the distance kept; not zero (use Revolute)",
-            ),
-        ],
-        doc: "Two points keep their distance, as if joined by a massless rod.",
-    },
-    Kind {
-        name: "Coupling",
-        group: Group::Constraint,
-        fields: &[
-            positional(
-                "first",
-                MovingAny,
-                Required,
-                "a scalar expression of the positions",
-            ),
-            positional(
-                "second",
-                MovingAny,
-                Required,
-                "the expression that follows: second = ratio · first + offset",
-            ),
-            field("ratio", KnownAny, Assumed("1"), "the ratio"),
-            field("offset", KnownAny, Assumed("0"), "the offset"),
-        ],
-        doc: "Two scalars keep a linear relation.",
-    },
-    Kind {
-        name: "Holonomic",
-        group: Group::Constraint,
-        fields: &[positional(
-            "value",
-            Anything,
-            Required,
-            "expression of positions and time, or a list of them",
-        )],
-        doc: "The expression is zero.",
-    },
-    Kind {
-        name: "Nonholonomic",
-        group: Group::Constraint,
-        fields: &[positional(
-            "value",
-            Anything,
-            Required,
-            "expression that is affine in the velocities, or a list of them",
-        )],
-        doc: "The expression is zero.",
-    },
-    Kind {
-        name: "Drive",
-        group: Group::Constraint,
-        fields: &[
-            positional(
-                "target",
-                MovingAny,
-                Required,
-                "an angle, length or other expression of the positions",
-            ),
-            field(
-                "value",
-                MovingAny,
-                Required,
-                "its value as a function of `t`",
-            ),
-        ],
-        doc: "Prescribes a position as a function of time.",
+        joint: None,
     },
     Kind {
         name: "SpringDamper",
@@ -243,6 +174,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A spring and damper between two points.",
+        joint: None,
     },
     Kind {
         name: "Force",
@@ -263,5 +195,6 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A force on a point.",
+        joint: None,
     },
 ];

@@ -43,10 +43,51 @@ pub struct Kind {
     pub fields: &'static [Field],
     /// One sentence.
     pub doc: &'static str,
+    /// Of joints and conditions.
+    pub joint: Option<JointTraits>,
+}
+
+/// What names and messages have to know of a joint besides its fields.
+#[derive(Debug, Clone, Copy)]
+pub struct JointTraits {
+    /// It has `angle` and `rate`; joints of space.
+    pub turns: bool,
+    /// It has `stroke` and `speed`; joints of space.
+    pub slides: bool,
+    /// It holds the orientation of its partners, which so have one.
+    pub holds_orientation: bool,
+    /// It can carry a part in joint coordinates.
+    pub carries: bool,
+    /// What to write instead in the other world, where it is missing.
+    pub elsewhere: &'static str,
+    /// Arguments that it has in the other world only.
+    pub arguments_elsewhere: &'static [&'static str],
+    /// In the plane, it has an angle or stroke that belongs to its parts.
+    pub hinge: bool,
+}
+
+impl JointTraits {
+    /// No variables; it holds orientations and closes loops.
+    pub const NONE: JointTraits = JointTraits {
+        turns: false,
+        slides: false,
+        holds_orientation: true,
+        carries: false,
+        elsewhere: "",
+        arguments_elsewhere: &[],
+        hinge: false,
+    };
+}
+
+impl Kind {
+    /// What is known of a joint; of other kinds nothing.
+    pub fn traits(&self) -> JointTraits {
+        self.joint.unwrap_or(JointTraits::NONE)
+    }
 }
 
 /// What an entry declares.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Group {
     /// A number or expression.
     Value,
@@ -88,6 +129,8 @@ pub enum Expects {
     Moving(Dimension),
     /// A scalar of any dimension that may change with time, state and inputs.
     MovingAny,
+    /// The same, where the direction of a bar does for its angle.
+    Driven,
     /// A vector that may change with time, state and inputs.
     MovingVector(Dimension),
     /// A scalar, a vector, a point, or a list of scalars.
@@ -96,6 +139,8 @@ pub enum Expects {
     Point,
     /// A bar, body, or the ground.
     Part,
+    /// The same, whose angle is used.
+    PartAngle,
     /// A direction: `X`, `Y`, `Z`, or components.
     Axis,
     /// A part together with `at =`, a point, or a frame: where a spatial joint takes hold.
@@ -132,7 +177,7 @@ pub enum Absent {
 }
 
 /// A field that is given by its name.
-pub(super) const fn field(
+pub const fn field(
     name: &'static str,
     expects: Expects,
     default: Absent,
@@ -148,7 +193,7 @@ pub(super) const fn field(
 }
 
 /// A field that may be given by position.
-pub(super) const fn positional(
+pub const fn positional(
     name: &'static str,
     expects: Expects,
     default: Absent,

@@ -1,13 +1,16 @@
-//! The one table of the language: kinds, their fields, defaults, dimensions and documentation.
+//! The one table of the language: kinds, their fields, defaults, dimensions and documentation. Values, parts and forces have
+//! their rows here; the row of a joint stands in its own file.
 //!
 //! It drives the checks of arguments, the hints in error messages and the reference page of the book.
 
-mod common;
+pub mod common;
 mod kind;
-mod planar;
-mod spatial;
+mod kinds;
+pub mod planar;
+pub mod spatial;
 
-pub use kind::{Absent, Expects, Field, Group, Kind, World};
+pub use kind::{Absent, Expects, Field, Group, JointTraits, Kind, World, field, positional};
+pub use kinds::Kinds;
 
 impl World {
     /// The entry `world:`.
@@ -17,51 +20,10 @@ impl World {
             World::Spatial => &spatial::WORLD,
         }
     }
-
-    /// The kinds that belong to this world alone.
-    pub fn own_kinds(self) -> &'static [Kind] {
-        match self {
-            World::Planar => planar::KINDS,
-            World::Spatial => spatial::KINDS,
-        }
-    }
 }
 
 /// Names that no entry may take.
 pub const RESERVED: &[&str] = &["ground", "t", "X", "Y", "Z", "pi"];
-
-/// The kinds that all worlds share.
-pub fn common_kinds() -> &'static [Kind] {
-    common::KINDS
-}
-
-/// The kind of this name, in one world.
-pub fn kind(world: World, name: &str) -> Option<&'static Kind> {
-    let mut kinds = common::KINDS.iter().chain(world.own_kinds());
-    kinds.find(|kind| kind.name == name)
-}
-
-/// The kind of this name, in any world.
-pub fn any_kind(name: &str) -> Option<&'static Kind> {
-    World::ALL.into_iter().find_map(|world| kind(world, name))
-}
-
-/// The names of all kinds, each once.
-pub fn names() -> impl Iterator<Item = &'static str> + Clone {
-    let planar = World::Planar.own_kinds().iter();
-    let spatial = World::Spatial.own_kinds().iter();
-    let new = spatial.filter(|kind| {
-        World::Planar
-            .own_kinds()
-            .iter()
-            .all(|other| other.name != kind.name)
-    });
-    common::KINDS
-        .iter()
-        .chain(planar)
-        .chain(new)
-        .map(|kind| kind.name)
-}
 
 /// The world of this name.
 pub fn world(name: &str) -> Option<World> {

@@ -1,10 +1,8 @@
 //! The kinds of the plane.
 
-use super::common::{CHILD, COORDINATES, FREE, OWN_COORDINATES, PARENT};
+use super::common::{COORDINATES, FREE, OWN_COORDINATES};
 use super::kind::Absent::{Assumed, Required};
-use super::kind::Expects::{
-    Axis, Frame, Known, KnownVector, Law, Moving, MovingVector, Part, Point,
-};
+use super::kind::Expects::{Frame, Known, KnownVector, Law, Moving, MovingVector, Part, PartAngle};
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
 
@@ -40,7 +38,7 @@ const FRAME: Field = field(
 );
 
 /// The world.
-pub(super) const WORLD: Kind = Kind {
+pub const WORLD: Kind = Kind {
     name: "Planar",
     group: Group::Value,
     fields: &[
@@ -53,10 +51,11 @@ pub(super) const WORLD: Kind = Kind {
         COORDINATES,
     ],
     doc: "Motion in the x–y plane; angles count counter-clockwise from ground.x.",
+    joint: None,
 };
 
 /// The kinds.
-pub(super) const KINDS: &[Kind] = &[
+pub const KINDS: &[Kind] = &[
     Kind {
         name: "Bar",
         group: Group::Part,
@@ -92,6 +91,7 @@ pub(super) const KINDS: &[Kind] = &[
             FREE,
         ],
         doc: "A uniform slender rod with end points `a` and `b`.",
+        joint: None,
     },
     Kind {
         name: "Body",
@@ -119,6 +119,7 @@ pub(super) const KINDS: &[Kind] = &[
             FREE,
         ],
         doc: "A rigid body with a frame at `origin`; points by `body.point(x, y)`.",
+        joint: None,
     },
     Kind {
         name: "Particle",
@@ -141,101 +142,14 @@ pub(super) const KINDS: &[Kind] = &[
             FREE,
         ],
         doc: "A point mass; its point is `origin`.",
-    },
-    Kind {
-        name: "Revolute",
-        group: Group::Joint,
-        fields: &[PARENT, CHILD],
-        doc: "The two points coincide. Between ends of bars, particles and the ground they are merged: no coordinate and no row.",
-    },
-    Kind {
-        name: "Prismatic",
-        group: Group::Joint,
-        fields: &[
-            PARENT,
-            CHILD,
-            field(
-                "axis",
-                Axis,
-                Assumed("X"),
-                "direction of sliding, in the parent's axes",
-            ),
-            field(
-                "angle",
-                Known(Dimension::NONE),
-                Assumed("0"),
-                "angle of the child's frame against the parent's",
-            ),
-        ],
-        doc: "The child slides along an axis of the parent and does not turn against it.",
-    },
-    Kind {
-        name: "Fixed",
-        group: Group::Joint,
-        fields: &[
-            PARENT,
-            CHILD,
-            field(
-                "angle",
-                Known(Dimension::NONE),
-                Assumed("0"),
-                "angle of the child's frame against the parent's",
-            ),
-        ],
-        doc: "The two points coincide and the frames keep their angle.",
-    },
-    Kind {
-        name: "PointOnLine",
-        group: Group::Joint,
-        fields: &[
-            positional(
-                "point",
-                Point,
-                Required,
-                "the point that slides; reactions are the forces on it",
-            ),
-            positional("line", Point, Required, "a point of the line"),
-            field(
-                "axis",
-                Axis,
-                Assumed("X"),
-                "direction of the line, in the axes of the line's part",
-            ),
-        ],
-        doc: "A point stays on a line that is fixed in another part.",
-    },
-    Kind {
-        name: "Gear",
-        group: Group::Joint,
-        fields: &[
-            positional("parent", Part, Required, "the driving part"),
-            positional(
-                "child",
-                Part,
-                Required,
-                "the driven part; the reaction is the torque on it",
-            ),
-            field(
-                "ratio",
-                Known(Dimension::NONE),
-                Required,
-                "angle of the child per angle of the parent (negative for external gears)",
-            ),
-            field(
-                "offset",
-                Known(Dimension::NONE),
-                Assumed("0"),
-                "angle of the child when the parent's is zero",
-            ),
-        ],
-        doc: "The angles of two parts against the ground keep a ratio.",
+        joint: None,
     },
     Kind {
         name: "TorsionSpring",
         group: Group::Force,
         fields: &[
-            positional("parent", Part, Required, "the first partner"),
-            positional("child", Part, Required, "the second partner"),
+            positional("parent", PartAngle, Required, "the first partner"),
+            positional("child", PartAngle, Required, "the second partner"),
             field(
                 "stiffness",
                 Known(Dimension::TORQUE),
@@ -262,6 +176,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A rotational spring and damper between two parts.",
+        joint: None,
     },
     Kind {
         name: "Torque",
@@ -282,5 +197,6 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A torque on a part.",
+        joint: None,
     },
 ];

@@ -9,20 +9,24 @@ use super::kind::Expects::{
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
 
-const PARENT: Field = positional("parent", Attachment, Required, "the first partner");
-const CHILD: Field = positional(
+/// Of joints.
+pub const PARENT: Field = positional("parent", Attachment, Required, "the first partner");
+/// Of joints.
+pub const CHILD: Field = positional(
     "child",
     Attachment,
     Required,
     "the second partner; reactions are the forces and torques on it",
 );
-const AT: Field = field(
+/// Of joints.
+pub const AT: Field = field(
     "at",
     KnownVector(Dimension::LENGTH),
     Assumed("the points of the partners"),
     "where the joint is in the home pose, in the ground's axes",
 );
-const AXIS: Field = field(
+/// Of joints.
+pub const AXIS: Field = field(
     "axis",
     Axis,
     Assumed("Z, or the z axes of the partners' frames"),
@@ -60,7 +64,7 @@ const DAMPING: Field = field(
 );
 
 /// The world.
-pub(super) const WORLD: Kind = Kind {
+pub const WORLD: Kind = Kind {
     name: "Spatial",
     group: Group::Value,
     fields: &[
@@ -73,20 +77,11 @@ pub(super) const WORLD: Kind = Kind {
         COORDINATES,
     ],
     doc: "Motion in space. The pose in which parts are declared, by `at`, `orientation`, `from` and `to`, is the home pose: there joints are given by `at` and `axis`, and there the motion starts.",
+    joint: None,
 };
 
-/// A joint of two partners by place and axis.
-const fn joint(name: &'static str, doc: &'static str) -> Kind {
-    Kind {
-        name,
-        group: Group::Joint,
-        fields: &[PARENT, CHILD, AT, AXIS],
-        doc,
-    }
-}
-
 /// The kinds.
-pub(super) const KINDS: &[Kind] = &[
+pub const KINDS: &[Kind] = &[
     Kind {
         name: "Bar",
         group: Group::Part,
@@ -133,6 +128,7 @@ pub(super) const KINDS: &[Kind] = &[
             FREE,
         ],
         doc: "A uniform straight bar from `a` to `b`, x along it; for a bar along X, Y or Z the axes y and z are the next of the ground's, in that order and round again. A slender one has no inertia about itself and no orientation that a joint could hold, only its end points.",
+        joint: None,
     },
     Kind {
         name: "Body",
@@ -170,6 +166,7 @@ pub(super) const KINDS: &[Kind] = &[
             FREE,
         ],
         doc: "A rigid body with a frame at `origin`; points by `body.point(x, y, z)`, frames by `body.frame([x, y, z], axis)`.",
+        joint: None,
     },
     Kind {
         name: "Particle",
@@ -192,169 +189,7 @@ pub(super) const KINDS: &[Kind] = &[
             FREE,
         ],
         doc: "A point mass; its point is `origin`.",
-    },
-    joint(
-        "Revolute",
-        "Two points coincide and the partners turn about one axis: 5 rows. It has `angle` and `rate`.",
-    ),
-    joint(
-        "Prismatic",
-        "The child slides along the axis and does not turn: 5 rows. It has `stroke` and `speed`.",
-    ),
-    joint(
-        "Cylindrical",
-        "The child slides along the axis and turns about it: 4 rows. It has `angle`, `rate`, `stroke` and `speed`.",
-    ),
-    Kind {
-        name: "Spherical",
-        group: Group::Joint,
-        fields: &[PARENT, CHILD, AT],
-        doc: "Two points coincide: 3 rows. Between ends of slender bars, particles and the ground they are merged: no coordinate and no row.",
-    },
-    Kind {
-        name: "Universal",
-        group: Group::Joint,
-        fields: &[
-            PARENT,
-            CHILD,
-            AT,
-            field(
-                "axis",
-                Axis,
-                Required,
-                "the pin held by the parent, in the home pose",
-            ),
-            field(
-                "second_axis",
-                Axis,
-                Required,
-                "the pin held by the child, in the home pose; across the first",
-            ),
-        ],
-        doc: "Two points coincide and two crossed pins stay at right angles: 4 rows.",
-    },
-    joint(
-        "ConstantVelocity",
-        "Two points coincide and the shafts, along the axis where they are aligned, turn at the same rate whatever their angle: 4 rows.",
-    ),
-    joint(
-        "Planar",
-        "The child slides in the plane across the axis and turns about the axis: 3 rows. It has `angle` and `rate`.",
-    ),
-    Kind {
-        name: "Fixed",
-        group: Group::Joint,
-        fields: &[PARENT, CHILD, AT],
-        doc: "The child neither moves nor turns against the parent: 6 rows.",
-    },
-    Kind {
-        name: "Screw",
-        group: Group::Joint,
-        fields: &[
-            PARENT,
-            CHILD,
-            AT,
-            AXIS,
-            field(
-                "pitch",
-                Known(Dimension::LENGTH),
-                Required,
-                "stroke per turn; negative for a left-hand thread",
-            ),
-        ],
-        doc: "The child slides along the axis as it turns about it: 5 rows. It has `angle`, `rate`, `stroke` and `speed`.",
-    },
-    Kind {
-        name: "Gear",
-        group: Group::Joint,
-        fields: &[
-            positional("first", Joint, Required, "the driving joint, which turns"),
-            positional(
-                "second",
-                Joint,
-                Required,
-                "the driven joint; the reaction is the torque in it",
-            ),
-            field(
-                "ratio",
-                Known(Dimension::NONE),
-                Required,
-                "angle of the second per angle of the first",
-            ),
-            field(
-                "offset",
-                Known(Dimension::NONE),
-                Assumed("0"),
-                "angle of the second where that of the first is zero",
-            ),
-        ],
-        doc: "The angles of two joints keep a ratio: 1 row.",
-    },
-    Kind {
-        name: "RackPinion",
-        group: Group::Joint,
-        fields: &[
-            positional("pinion", Joint, Required, "the joint that turns"),
-            positional(
-                "rack",
-                Joint,
-                Required,
-                "the joint that slides; the reaction is the force along it",
-            ),
-            field(
-                "radius",
-                Known(Dimension::LENGTH),
-                Required,
-                "stroke of the rack per radian of the pinion",
-            ),
-            field(
-                "offset",
-                Known(Dimension::LENGTH),
-                Assumed("0"),
-                "stroke where the angle is zero",
-            ),
-        ],
-        doc: "A rack moves as a pinion turns: 1 row.",
-    },
-    Kind {
-        name: "PointOnLine",
-        group: Group::Joint,
-        fields: &[
-            positional(
-                "point",
-                Point,
-                Required,
-                "the point that slides; reactions are the forces on it",
-            ),
-            positional("line", Point, Required, "a point of the line"),
-            field(
-                "axis",
-                Axis,
-                Assumed("X"),
-                "direction of the line in the home pose, in the ground's axes",
-            ),
-        ],
-        doc: "A point stays on a line that is fixed in another part: 2 rows.",
-    },
-    Kind {
-        name: "PointOnPlane",
-        group: Group::Joint,
-        fields: &[
-            positional(
-                "point",
-                Point,
-                Required,
-                "the point that slides; reactions are the forces on it",
-            ),
-            positional("plane", Point, Required, "a point of the plane"),
-            field(
-                "normal",
-                Axis,
-                Assumed("Z"),
-                "normal of the plane in the home pose, in the ground's axes",
-            ),
-        ],
-        doc: "A point stays on a plane that is fixed in another part: 1 row.",
+        joint: None,
     },
     Kind {
         name: "TorsionSpring",
@@ -377,6 +212,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A rotational spring and damper in a joint.",
+        joint: None,
     },
     Kind {
         name: "Bushing",
@@ -417,6 +253,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "An elastic joint: springs and dampers in all six directions, relaxed in the home pose. Turning is measured by 2 sin(ψ/2) about its axis, which is the angle where it is small.",
+        joint: None,
     },
     Kind {
         name: "Torque",
@@ -448,6 +285,7 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A torque on a part, or in a joint.",
+        joint: None,
     },
     Kind {
         name: "Wrench",
@@ -474,5 +312,6 @@ pub(super) const KINDS: &[Kind] = &[
             ),
         ],
         doc: "A force and a torque on a point of a body.",
+        joint: None,
     },
 ];

@@ -2,15 +2,15 @@
 
 use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
 use crate::diagnostics::{Errors, Place, did_you_mean, nearest};
-use crate::schema;
+use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream};
+use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced, token};
 
 /// Parses a declaration. What parsed is returned even if some entries did not.
-pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
+pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<Declaration> {
     let found = name_of(&tokens);
     let header = height(&tokens, MAX_DEPTH).and_then(|_| {
         let text = tokens.to_string();
@@ -41,7 +41,8 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
     let mut broken_world = false;
     for chunk in split_at_commas(body) {
         broken_world |= starts_with_world(&chunk);
-        match syn::parse2::<Item>(chunk.clone()) {
+        let read = |input: ParseStream| Item::parse(input, kinds);
+        match read.parse2(chunk.clone()) {
             Ok(Item::Doc(doc)) => {
                 if !declaration.doc.is_empty() {
                     declaration.doc.push('\n');
@@ -49,13 +50,13 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
                 declaration.doc.push_str(&doc);
             }
             Ok(Item::Entry(entry)) => {
-                if !place(entry, &mut declaration, errors) {
-                    declaration.lost.extend(lost_parameter(&chunk));
+                if !place(entry, kinds, &mut declaration, errors) {
+                    declaration.lost.extend(lost_parameter(&chunk, kinds));
                 }
             }
             Err(error) => {
                 errors.push(error);
-                declaration.lost.extend(lost_parameter(&chunk));
+                declaration.lost.extend(lost_parameter(&chunk, kinds));
             }
         }
     }
@@ -69,7 +70,7 @@ pub fn parse(tokens: TokenStream, errors: &mut Errors) -> Option<Declaration> {
 }
 
 /// Whether the entry has found its place.
-fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bool {
+fn place(entry: Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) -> bool {
     if schema::RESERVED.contains(&entry.name.to_string().as_str()) {
         errors.at(
             entry.name.span(),
@@ -129,8 +130,8 @@ fn place(entry: Entry, declaration: &mut Declaration, errors: &mut Errors) -> bo
         declaration.world.get_or_insert(entry);
         return false;
     }
-    if schema::any_kind(&entry.kind.to_string()).is_none() {
-        let known = schema::names();
+    if kinds.any(&entry.kind.to_string()).is_none() {
+        let known = kinds.names();
         let hint = did_you_mean(&entry.kind.to_string(), known.clone());
         let hint = if hint.is_empty() {
             format!(" (kinds: {})", known.collect::<Vec<_>>().join(", "))
@@ -156,7 +157,7 @@ fn name_of(tokens: &TokenStream) -> Option<Ident> {
 }
 
 /// The name of a wrong entry that seems to be a parameter: `name: Parm(…)` or `name: 1.0_m`.
-fn lost_parameter(chunk: &TokenStream) -> Option<Ident> {
+fn lost_parameter(chunk: &TokenStream, kinds: &Kinds) -> Option<Ident> {
     let mut tokens = chunk
         .clone()
         .into_iter()
@@ -166,10 +167,7 @@ fn lost_parameter(chunk: &TokenStream) -> Option<Ident> {
     };
     let rest = tokens.find(|token| !matches!(token, TokenTree::Punct(_)));
     let is_parameter = match rest {
-        Some(TokenTree::Ident(kind)) => {
-            let kinds = schema::names();
-            nearest(&kind.to_string(), kinds) == Some("Param")
-        }
+        Some(TokenTree::Ident(kind)) => nearest(&kind.to_string(), kinds.names()) == Some("Param"),
         Some(TokenTree::Literal(_)) => true,
         _ => false,
     };
@@ -223,12 +221,12 @@ enum Item {
     Entry(Entry),
 }
 
-impl Parse for Item {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
+impl Item {
+    fn parse(input: ParseStream, kinds: &Kinds) -> syn::Result<Self> {
         let doc = documentation(&input.call(Attribute::parse_outer)?)?;
         let name = entry_name(input)?;
         if !input.peek(Token![:]) {
-            let message = match schema::any_kind(&name.to_string()) {
+            let message = match kinds.any(&name.to_string()) {
                 Some(kind) => format!(
                     "this `{kind}` has no name; write `name: {kind}(…)`",
                     kind = kind.name

@@ -84,7 +84,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
         v: &SVector<f64, N>,
     ) -> Result<(), Fault> {
         let Instant { geometry, phi, .. } = self;
-        system.constraints(t, q, phi, &mut geometry.a, &mut geometry.b);
+        system.constraints(t, q, phi, geometry.a.entries_mut(), &mut geometry.b);
         geometry.metric(system, t, q)?;
         system.applied_force_tangents(t, q, v, &mut self.f_q, &mut self.f_v);
         if self.motion == RowMotion::Static {

@@ -20,9 +20,12 @@ impl Resolver<'_> {
             let ground = along.iter().position(|x| (x - 1.0).abs() < 1e-9);
             ground.map_or(["u", "v", "w"][k], |axis| ["x", "y", "z"][axis])
         });
+        let traits = self.kind_of(entry)?.traits();
         Some(Value::Joint(Box::new(JointFrames {
             name: entry.name.to_string(),
             kind: entry.kind.to_string(),
+            turns: traits.turns,
+            slides: traits.slides,
             parent,
             child,
             letters,
@@ -157,9 +160,9 @@ impl Arguments<'_, '_> {
         }
     }
 
-    /// Joints but `Spherical` hold the orientation of their partners.
+    /// Refuses a partner without the orientation that the joint holds.
     fn held_axes(&mut self, field: &str, owner: Owner) -> Option<()> {
-        if self.kind_name() == "Spherical" {
+        if !self.holds_orientation() {
             return Some(());
         }
         let name = self.owner_name(owner);

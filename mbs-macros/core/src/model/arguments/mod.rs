@@ -50,8 +50,14 @@ impl<'r, 'd> Arguments<'r, 'd> {
         let name = self.kind_name();
         match self.entry.name == "world" {
             true => Some(schema::world(&name)?.kind()),
-            false => schema::kind(self.resolver.world, &name),
+            false => self.resolver.kinds.kind(self.resolver.world, &name),
         }
+    }
+
+    /// Whether the entry holds the orientation of its partners.
+    fn holds_orientation(&self) -> bool {
+        self.kind()
+            .is_some_and(|kind| kind.traits().holds_orientation)
     }
 
     /// The value of an expression.

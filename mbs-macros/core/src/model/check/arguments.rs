@@ -14,13 +14,13 @@ pub(in crate::model) fn arguments(resolver: &mut Resolver) {
         let kind = if entry.name == "world" {
             schema::world(&name).map(World::kind)
         } else {
-            schema::kind(resolver.world, &name)
+            resolver.kinds.kind(resolver.world, &name)
         };
         if let Some(kind) = kind {
             entry_arguments(resolver, entry, kind);
-        } else if let Some(kind) = schema::any_kind(&name) {
-            let (world, kind) = (resolver.world.describe(), kind.name);
+        } else if let Some(kind) = resolver.kinds.any(&name) {
             let advice = advice::kind(resolver.world, kind);
+            let (world, kind) = (resolver.world.describe(), kind.name);
             resolver.fail::<()>(
                 entry.kind.span(),
                 format!("there is no `{kind}` in {world}; {advice}"),
@@ -57,7 +57,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         let name = argument.name.to_string();
         if !kind.fields.iter().any(|field| field.name == name) {
             let known = kind.fields.iter().map(|field| field.name);
-            let hint = match advice::argument(resolver.world, kind.name, &name) {
+            let hint = match advice::argument(resolver.world, kind, &name) {
                 Some(advice) => format!("; {advice}"),
                 None => did_you_mean(&name, known.clone()),
             };

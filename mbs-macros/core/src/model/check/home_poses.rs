@@ -5,7 +5,7 @@ use crate::model::elements::JointEntry;
 use crate::model::geometry::Point;
 use crate::model::home::NEARLY_TOGETHER;
 use crate::model::initial_pose::Guesses;
-use crate::model::resolver::{Resolver, has_frames};
+use crate::model::resolver::Resolver;
 use proc_macro2::Span;
 
 /// In space, the frames that a joint holds together are together in the home pose, with the defaults of all parameters.
@@ -18,13 +18,14 @@ pub(in crate::model) fn home_poses(
     let mut found: Vec<Disagreement> = Vec::new();
     let mut size = 0.0f64;
     for element in joints {
-        let entry = resolver.declaration.entries.iter();
-        let mut entry = entry.filter(|entry| entry.name == element.name);
-        let Some(kind) = entry.next().map(|entry| entry.kind.to_string()) else {
+        let declaration = resolver.declaration;
+        let mut entries = declaration.entries.iter();
+        let Some(entry) = entries.find(|entry| entry.name == element.name) else {
             continue;
         };
         let points = &element.joint.points;
-        if let (true, [parent, child]) = (has_frames(resolver.world, &kind), points.as_slice()) {
+        if let (true, [parent, child]) = (resolver.has_frames(entry), points.as_slice()) {
+            let kind = entry.kind.to_string();
             let disagreement = Disagreement::new(resolver, element, kind, [parent, child], guesses);
             let homes = disagreement.homes.as_flattened().iter();
             size = homes.fold(size, |size, x| size.max(x.abs()));

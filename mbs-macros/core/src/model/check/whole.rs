@@ -6,6 +6,7 @@ use crate::model::geometry::Owner;
 use crate::model::parts::Representation;
 use crate::model::resolver::Resolver;
 use crate::model::tree::Tree;
+use crate::schema::World;
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 
@@ -73,9 +74,33 @@ pub(in crate::model) fn carried(resolver: &mut Resolver, tree: &Tree) {
             continue;
         }
         let (span, name) = (part.span, part.name.clone());
+        let takes = carriers(resolver);
         resolver.fail::<()>(
             span,
-            format!("`{name}` asks for joint coordinates, but no joint carries it: that takes a `Revolute`, `Prismatic` or `Fixed`, in space also a `Cylindrical`, `Spherical`, `Universal` or `Planar`, to the ground or to a part with axes; ask for `Reference`, or leave `coordinates =` out"),
+            format!("`{name}` asks for joint coordinates, but no joint carries it: that takes a {takes}, to the ground or to a part with axes; ask for `Reference`, or leave `coordinates =` out"),
         );
+    }
+}
+
+/// The kinds of joints that can carry a part: those of the plane, and what space has besides.
+fn carriers(resolver: &Resolver) -> String {
+    let carrying = |world: World| -> Vec<&str> {
+        let kinds = resolver.kinds.of(world);
+        let carrying = kinds.filter(|kind| kind.traits().carries);
+        carrying.map(|kind| kind.name).collect()
+    };
+    let planar = carrying(World::Planar);
+    let mut spatial = carrying(World::Spatial);
+    spatial.retain(|name| !planar.contains(name));
+    format!("{}, in space also a {}", one_of(&planar), one_of(&spatial))
+}
+
+/// `a`, `b` or `c`.
+fn one_of(names: &[&str]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    match names.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
     }
 }

@@ -6,6 +6,8 @@ pub mod force;
 mod forces;
 pub mod joint;
 mod joints;
+mod kind;
+pub(super) mod kinds;
 mod read;
 
 pub use element::{ForceEntry, JointEntry};

@@ -5,14 +5,14 @@ use super::{forces, joints};
 use crate::model::arguments::Arguments;
 use crate::model::parts::Representation;
 use crate::model::resolver::Resolver;
-use crate::schema::{self, Group};
+use crate::schema::Group;
 
 impl Resolver<'_> {
     /// All joints, conditions and force elements, in the order of the declaration; bars keep their lengths after them.
     pub(in crate::model) fn elements(&mut self) -> (Vec<JointEntry>, Vec<ForceEntry>) {
         let (mut found_joints, mut found_forces) = (Vec::new(), Vec::new());
         for entry in &self.declaration.entries {
-            let Some(kind) = schema::kind(self.world, &entry.kind.to_string()) else {
+            let Some(kind) = self.kinds.kind(self.world, &entry.kind.to_string()) else {
                 continue;
             };
             let name = entry.name.to_string();

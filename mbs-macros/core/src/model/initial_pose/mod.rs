@@ -18,7 +18,7 @@ pub(super) use guesses::Guesses;
 pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tree) -> Guesses {
     match resolver.world {
         World::Planar => {
-            let mut guesses = planar::place(resolver, joints);
+            let mut guesses = planar::guesses(resolver, joints);
             planar::strokes(resolver, tree, &mut guesses);
             guesses
         }

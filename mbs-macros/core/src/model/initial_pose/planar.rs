@@ -29,8 +29,8 @@ struct Known {
     velocity: Vector,
 }
 
-/// Places all parts.
-pub(super) fn place(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses {
+/// The guesses of all parts' coordinates.
+pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses {
     let parts = resolver.parts.clone();
     let pairs: Vec<&[Point; 2]> = joints
         .iter()

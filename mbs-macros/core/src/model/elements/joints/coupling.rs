@@ -3,8 +3,46 @@
 use super::{conditions, relation};
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Condition, Joint, Level, ReactionComponent};
+use crate::model::elements::kind::JointKind;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field, positional};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Coupling",
+        group: Group::Constraint,
+        fields: &[
+            positional(
+                "first",
+                Expects::MovingAny,
+                Absent::Required,
+                "a scalar expression of the positions",
+            ),
+            positional(
+                "second",
+                Expects::MovingAny,
+                Absent::Required,
+                "the expression that follows: second = ratio · first + offset",
+            ),
+            field(
+                "ratio",
+                Expects::KnownAny,
+                Absent::Assumed("1"),
+                "the ratio",
+            ),
+            field(
+                "offset",
+                Expects::KnownAny,
+                Absent::Assumed("0"),
+                "the offset",
+            ),
+        ],
+        doc: "Two scalars keep a linear relation.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     conditions::check(arguments, "first")?;
     conditions::check(arguments, "second")?;
     let (first, from) = arguments.quantity("first")?;

@@ -3,14 +3,37 @@
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Condition, Joint, ReactionComponent};
+use crate::model::elements::kind::JointKind;
 use crate::model::geometry::Vector;
 use crate::schema::World;
+use crate::schema::common::{CHILD, PARENT};
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field};
 use crate::symbolic::{Expr, Graph};
+
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Distance",
+        group: Group::Joint,
+        fields: &[
+            PARENT,
+            CHILD,
+            field(
+                "length",
+                Expects::Known(Dimension::LENGTH),
+                Absent::Required,
+                "the distance kept; not zero (use Revolute)",
+            ),
+        ],
+        doc: "Two points keep their distance, as if joined by a massless rod.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
 
 /// The dimension of a difference of squares of lengths.
 pub(super) const AREA: Dimension = Dimension([2, 0, 0, 0]);
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let length = arguments.scalar("length")?;

@@ -4,10 +4,36 @@ use super::conditions;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Condition, Joint, Level, ReactionComponent};
+use crate::model::elements::kind::JointKind;
 use crate::model::geometry::{Owner, Vector};
 use crate::schema::World;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field, positional};
 use crate::symbolic::{Expr, Symbol};
 use syn::{Expr as Syntax, Member};
+
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Drive",
+        group: Group::Constraint,
+        fields: &[
+            positional(
+                "target",
+                Expects::Driven,
+                Absent::Required,
+                "an angle, length or other expression of the positions",
+            ),
+            field(
+                "value",
+                Expects::MovingAny,
+                Absent::Required,
+                "its value as a function of `t`",
+            ),
+        ],
+        doc: "Prescribes a position as a function of time.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
 
 enum Target {
     Expression(Expr),
@@ -15,7 +41,7 @@ enum Target {
     Direction(Vector),
 }
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (value, of_value) = arguments.quantity("value")?;
     arguments.refuse(
         "value",

@@ -3,8 +3,26 @@
 use super::conditions;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Joint, Level};
+use crate::model::elements::kind::JointKind;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, positional};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Holonomic",
+        group: Group::Constraint,
+        fields: &[positional(
+            "value",
+            Expects::Anything,
+            Absent::Required,
+            "expression of positions and time, or a list of them",
+        )],
+        doc: "The expression is zero.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     conditions::check(arguments, "value")?;
     let found = arguments.conditions("value")?;
     for &(span, expr, _) in &found {

@@ -3,9 +3,27 @@
 use super::conditions;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Joint, Level};
+use crate::model::elements::kind::JointKind;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, positional};
 use crate::symbolic::Symbol;
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Nonholonomic",
+        group: Group::Constraint,
+        fields: &[positional(
+            "value",
+            Expects::Anything,
+            Absent::Required,
+            "expression that is affine in the velocities, or a list of them",
+        )],
+        doc: "The expression is zero.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     arguments.refuse_laws("value")?;
     let found = arguments.conditions("value")?;
     for &(span, expr, _) in &found {

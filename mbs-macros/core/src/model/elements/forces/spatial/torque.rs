@@ -61,7 +61,7 @@ fn in_joint(arguments: &mut Arguments) -> Option<Force> {
             "a torque in a joint acts on its child, about its axis, and back on its parent; leave this out",
         );
     }
-    if !joint.turns() {
+    if !joint.turns {
         let (kind, name) = (&joint.kind, &joint.name);
         return arguments.fail(
             "on",

@@ -8,7 +8,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     let joint = arguments.joint("joint");
     let characteristic = characteristic::read(arguments, "angle");
     let joint = joint?;
-    if !joint.turns() {
+    if !joint.turns {
         let (kind, name) = (&joint.kind, &joint.name);
         return arguments.fail(
             "joint",

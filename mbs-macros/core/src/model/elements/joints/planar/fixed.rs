@@ -2,10 +2,38 @@
 
 use super::alignment;
 use super::held::{coincidence, torque};
+use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
+use crate::schema::common::{CHILD, PARENT};
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Fixed",
+        group: Group::Joint,
+        fields: &[
+            PARENT,
+            CHILD,
+            field(
+                "angle",
+                Expects::Known(Dimension::NONE),
+                Absent::Assumed("0"),
+                "angle of the child's frame against the parent's",
+            ),
+        ],
+        doc: "The two points coincide and the frames keep their angle.",
+        joint: Some(JointTraits {
+            carries: true,
+            arguments_elsewhere: &["at", "axis"],
+            ..JointTraits::NONE
+        }),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let alignment = alignment::read(arguments, &parent, &child)?;

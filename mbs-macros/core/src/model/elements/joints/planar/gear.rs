@@ -5,8 +5,46 @@ use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Condition, Joint};
 use crate::model::elements::joints::relation;
+use crate::model::elements::kind::JointKind;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field, positional};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Gear",
+        group: Group::Joint,
+        fields: &[
+            positional(
+                "parent",
+                Expects::PartAngle,
+                Absent::Required,
+                "the driving part",
+            ),
+            positional(
+                "child",
+                Expects::PartAngle,
+                Absent::Required,
+                "the driven part; the reaction is the torque on it",
+            ),
+            field(
+                "ratio",
+                Expects::Known(Dimension::NONE),
+                Absent::Required,
+                "angle of the child per angle of the parent (negative for external gears)",
+            ),
+            field(
+                "offset",
+                Expects::Known(Dimension::NONE),
+                Absent::Assumed("0"),
+                "angle of the child when the parent's is zero",
+            ),
+        ],
+        doc: "The angles of two parts against the ground keep a ratio.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (parent, child) = (arguments.part("parent"), arguments.part("child"));
     let owners = [parent?, child?];
     if owners[0] == owners[1] {

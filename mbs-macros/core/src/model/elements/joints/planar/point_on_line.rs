@@ -3,8 +3,40 @@
 use super::held::across;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field, positional};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "PointOnLine",
+        group: Group::Joint,
+        fields: &[
+            positional(
+                "point",
+                Expects::Point,
+                Absent::Required,
+                "the point that slides; reactions are the forces on it",
+            ),
+            positional(
+                "line",
+                Expects::Point,
+                Absent::Required,
+                "a point of the line",
+            ),
+            field(
+                "axis",
+                Expects::Axis,
+                Absent::Assumed("X"),
+                "direction of the line, in the axes of the line's part",
+            ),
+        ],
+        doc: "A point stays on a line that is fixed in another part.",
+        joint: Some(JointTraits::NONE),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (point, line) = (arguments.point("point"), arguments.point("line"));
     let (point, line) = (point?, line?);
     if point.owner == line.owner {

@@ -3,9 +3,28 @@
 use super::held::coincidence;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
 use crate::model::mobilizer::Mobilizer;
+use crate::schema::common::{CHILD, PARENT};
+use crate::schema::{Group, JointTraits, Kind};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Revolute",
+        group: Group::Joint,
+        fields: &[PARENT, CHILD],
+        doc: "The two points coincide. Between ends of bars, particles and the ground they are merged: no coordinate and no row.",
+        joint: Some(JointTraits {
+            carries: true,
+            arguments_elsewhere: &["at", "axis"],
+            hinge: true,
+            ..JointTraits::NONE
+        }),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     if parent.owner == child.owner {

@@ -14,8 +14,8 @@ use crate::symbolic::{Expr, Graph};
 /// | [`on_plane`](Builder::on_plane) | p_k · d | λ p_k | |
 /// | [`square`](Builder::square) | p_i · c_j | | λ c_j × p_i |
 ///
-/// Conditions are named by the direction that they hold: `x` or `rotation_x` where that is X in the home pose, `u`, `v`, `w` for
-/// the joint's own axes where those are none of the ground's.
+/// Conditions are named by the direction that they hold: `x` or `rotation_x` where that is X in the home pose, `u`, `v`, `w`
+/// for the joint's own axes where those are none of the ground's.
 pub(super) struct Builder<'g> {
     pub graph: &'g mut Graph,
     frames: &'g JointFrames,

@@ -4,10 +4,27 @@ use super::builder::Builder;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
+use crate::schema::spatial::{AT, AXIS, CHILD, PARENT};
+use crate::schema::{Group, JointTraits, Kind};
+
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "ConstantVelocity",
+        group: Group::Joint,
+        fields: &[PARENT, CHILD, AT, AXIS],
+        doc: "Two points coincide and the shafts, along the axis where they are aligned, turn at the same rate whatever their angle: 4 rows.",
+        joint: Some(JointTraits {
+            elsewhere: "use `Revolute`, or write `world: Spatial(…)`",
+            ..JointTraits::NONE
+        }),
+    },
+    read,
+};
 
 /// d = 0 and ½ (p_x · c_y − p_y · c_x) = 0: the one rotation that leads from p to c is about an axis across both
 /// shafts, so that the plane of contact halves the angle between them.
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
     let mut builder = Builder::new(arguments.graph(), &frames).coincide();
     let (p, c) = (frames.parent.axes, frames.child.axes);

@@ -20,25 +20,21 @@ mod sliding_point;
 mod spherical;
 mod universal;
 
-use crate::model::arguments::Arguments;
-use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
 
-/// Reads a joint of space.
-pub(super) fn read(kind: &str, arguments: &mut Arguments) -> Option<Joint> {
-    match kind {
-        "Revolute" => revolute::read(arguments),
-        "Prismatic" => prismatic::read(arguments),
-        "Cylindrical" => cylindrical::read(arguments),
-        "Spherical" => spherical::read(arguments),
-        "Universal" => universal::read(arguments),
-        "ConstantVelocity" => constant_velocity::read(arguments),
-        "Planar" => planar::read(arguments),
-        "Fixed" => fixed::read(arguments),
-        "Screw" => screw::read(arguments),
-        "Gear" => gear::read(arguments),
-        "RackPinion" => rack_pinion::read(arguments),
-        "PointOnLine" => point_on_line::read(arguments),
-        "PointOnPlane" => point_on_plane::read(arguments),
-        _ => None,
-    }
-}
+/// The kinds of space.
+pub(super) const KINDS: &[JointKind] = &[
+    revolute::KIND,
+    prismatic::KIND,
+    cylindrical::KIND,
+    spherical::KIND,
+    universal::KIND,
+    constant_velocity::KIND,
+    planar::KIND,
+    fixed::KIND,
+    screw::KIND,
+    gear::KIND,
+    rack_pinion::KIND,
+    point_on_line::KIND,
+    point_on_plane::KIND,
+];

@@ -4,11 +4,52 @@ use super::relation::{Relation, turning};
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field, positional};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "RackPinion",
+        group: Group::Joint,
+        fields: &[
+            positional(
+                "pinion",
+                Expects::Joint,
+                Absent::Required,
+                "the joint that turns",
+            ),
+            positional(
+                "rack",
+                Expects::Joint,
+                Absent::Required,
+                "the joint that slides; the reaction is the force along it",
+            ),
+            field(
+                "radius",
+                Expects::Known(Dimension::LENGTH),
+                Absent::Required,
+                "stroke of the rack per radian of the pinion",
+            ),
+            field(
+                "offset",
+                Expects::Known(Dimension::LENGTH),
+                Absent::Assumed("0"),
+                "stroke where the angle is zero",
+            ),
+        ],
+        doc: "A rack moves as a pinion turns: 1 row.",
+        joint: Some(JointTraits {
+            elsewhere: "use `Coupling`, or write `world: Spatial(…)`",
+            ..JointTraits::NONE
+        }),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (pinion, rack) = (turning(arguments, "pinion"), arguments.joint("rack"));
     let (pinion, rack) = (pinion?, rack?);
-    if !rack.slides() {
+    if !rack.slides {
         let (kind, name) = (&rack.kind, &rack.name);
         return arguments.fail(
             "rack",

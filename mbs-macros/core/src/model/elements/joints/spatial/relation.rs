@@ -41,7 +41,7 @@ impl Relation {
 /// A joint that turns.
 pub(super) fn turning(arguments: &mut Arguments, field: &str) -> Option<JointFrames> {
     let joint = arguments.joint(field)?;
-    if !joint.turns() {
+    if !joint.turns {
         let (kind, name) = (&joint.kind, &joint.name);
         return arguments.fail(
             field,

@@ -4,11 +4,45 @@ use super::builder::Builder;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::Joint;
+use crate::model::elements::kind::JointKind;
 use crate::model::geometry::Vector;
 use crate::model::joint_frames::JointFrames;
 use crate::model::mobilizer::{Freedom, Mobilizer};
+use crate::schema::spatial::{AT, CHILD, PARENT};
+use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field};
 
-pub(super) fn read(arguments: &mut Arguments) -> Option<Joint> {
+pub(super) const KIND: JointKind = JointKind {
+    kind: Kind {
+        name: "Universal",
+        group: Group::Joint,
+        fields: &[
+            PARENT,
+            CHILD,
+            AT,
+            field(
+                "axis",
+                Expects::Axis,
+                Absent::Required,
+                "the pin held by the parent, in the home pose",
+            ),
+            field(
+                "second_axis",
+                Expects::Axis,
+                Absent::Required,
+                "the pin held by the child, in the home pose; across the first",
+            ),
+        ],
+        doc: "Two points coincide and two crossed pins stay at right angles: 4 rows.",
+        joint: Some(JointTraits {
+            carries: true,
+            elsewhere: "use `Revolute`, or write `world: Spatial(…)`",
+            ..JointTraits::NONE
+        }),
+    },
+    read,
+};
+
+fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
     let (first, second) = (
         arguments.direction("axis")?,
