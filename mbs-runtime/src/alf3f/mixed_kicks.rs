@@ -44,7 +44,6 @@ where
     let (t0, t1) = (state.time, state.time + h);
     let lengths = start.lengths_squared();
     let mut weights = scale.weights;
-    let departure = yardstick.measure(&state.velocities);
 
     let beside = holonomic > 0 && work.delassus.beside;
     let mut kappa = state.expected_impulse(h);
@@ -76,16 +75,13 @@ where
         for i in holonomic..R {
             defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
-        // What is small beside the fastest velocity of the step is small; kicks that cancel leave their round-off.
-        let speed = [
-            departure,
-            yardstick.measure(&va),
-            yardstick.measure(&v),
-            AT_REST,
-        ];
-        let speed = speed.into_iter().fold(0.0, f64::max);
-        for i in holonomic..R {
-            weights[i] = scale.weights[i] / (speed * speed);
+        if iterations == 0 {
+            // Kicks that cancel leave their round-off.
+            let speeds = std::array::from_fn(|i| va[i].abs().max(v[i].abs()));
+            let speed = yardstick.measure(&speeds).max(AT_REST);
+            for i in holonomic..R {
+                weights[i] /= speed * speed;
+            }
         }
         let residual = residual_of(&defect, &weights);
         // Beside a singular pose down to round-off.

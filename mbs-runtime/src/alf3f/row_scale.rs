@@ -82,7 +82,7 @@ impl<const R: usize> RowScale<R> {
     /// Σ |a_i|² x_i² of multipliers.
     #[inline(always)]
     pub(crate) fn square(&self, x: &[f64; R]) -> f64 {
-        let weighted = std::array::from_fn(|i| self.lengths_squared[i] * x[i]);
+        let weighted: [f64; R] = std::array::from_fn(|i| self.lengths_squared[i] * x[i]);
         dot(&weighted, x)
     }
 }

@@ -201,13 +201,18 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let mut v: [f64; N] = std::array::from_fn(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut context.work.impulse[1];
         *kappa = [0.0; R];
-        let (scale, speed) = (&context.scale, context.yardstick.measure(&v));
+        let scale = &context.scale;
+        // Zero, and never looked at, where the rows are independent.
+        let mut enough = 0.0;
+        if rows != Rows::Independent {
+            enough = scale.round_off(context.yardstick.measure(&v));
+        }
         let mut last = f64::INFINITY;
         for _ in 0..REFINEMENTS {
             let rates = rates(plan, end, &geometry.b, &v).map(|rate| -rate);
             if rows != Rows::Independent {
                 let residual = residual_of(&rates, &scale.weights);
-                if residual <= scale.round_off(speed) || residual > 0.81 * last {
+                if residual <= enough || residual > 0.81 * last {
                     break;
                 }
                 last = residual;

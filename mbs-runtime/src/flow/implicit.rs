@@ -188,8 +188,9 @@ impl<const N: usize> Implicit<N> {
             }
             let size = yardstick.measure(&change);
             let speed = yardstick.measure(vb);
-            let least = (STAGNATED * speed).max(yardstick.imperceptible(&q1, self.h));
-            let stagnated = fresh && size >= 0.5 * last && size <= least;
+            let stagnated = fresh
+                && size >= 0.5 * last
+                && size <= (STAGNATED * speed).max(yardstick.imperceptible(&q1, self.h));
             // At the rate of this correction the next one would be too small to matter.
             let rate = if last.is_finite() {
                 (size / last).min(1.0)

@@ -48,15 +48,16 @@ pub(crate) fn accumulate<const N: usize, const R: usize>(
 /// max |x_i|; NaN if any entry is NaN.
 #[inline(always)]
 pub(crate) fn largest(x: &[f64]) -> f64 {
-    let mut largest = 0.0;
+    let (mut largest, mut sum) = (0.0, 0.0);
     for &value in x {
         let size = value.abs();
-        // Nothing is larger than a NaN: it stays.
-        if size > largest || size.is_nan() {
+        if size > largest {
             largest = size;
         }
+        sum += size;
     }
-    largest
+    // The comparison passes a NaN over, the sum does not.
+    if sum.is_nan() { sum } else { largest }
 }
 
 /// Whether every entry is finite: one sum instead of a test per entry (an infinity or a NaN survives it).
