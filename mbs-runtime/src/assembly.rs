@@ -1,15 +1,22 @@
 //! From the declared guess to a state that satisfies the constraints.
 
+use crate::alf3f::RowScale;
+use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
+use crate::linear::Dependence;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
+use crate::singular::NOTHING;
+use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it improves the rows.
 const MAX_ITERATIONS: usize = 60;
-/// max |φ| above which a guess counts as not assembled, relative to the size of the mechanism.
+/// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
 const ASSEMBLED: f64 = 1e-9;
+/// The same with which a state can be resumed.
+pub(crate) const RESUMABLE: f64 = 1e-6;
 
 /// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
 /// A v + b = 0.
@@ -28,7 +35,8 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
-    let size = largest(&guess).max(1.0);
+    let yardstick = Yardstick::new(system, settings.step);
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
     let mut phi = SVector::zeros();
     geometry
@@ -36,28 +44,20 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    close(
-        system,
-        &mut geometry,
-        &mut q,
-        &mut phi,
-        settings.constraint_tolerance * size,
-    )
-    .map_err(fault)?;
+    close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
 
     let verdict = judge(
         system,
-        settings,
-        &geometry,
-        &phi,
+        (&geometry, &phi),
+        (&yardstick, &scale),
         residual_before,
-        &guess,
-        &q,
+        [&guess, &q],
     );
-    if !(verdict.residual <= ASSEMBLED * size) {
+    if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
-    project(system, &geometry, &mut v);
+    let speed = yardstick.measure(&v);
+    project(system, &geometry, &mut v, &scale, speed);
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -88,29 +88,34 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     geometry
         .evaluate(system, state.time, q, &mut phi)
         .map_err(fault)?;
+    let yardstick = Yardstick::new(system, settings.step);
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    for (i, row) in S::MODEL.rows.iter().enumerate() {
+        if scale.displacement_of(i, phi[i]) > RESUMABLE {
+            return Err(SimulationError::State {
+                what: row.name,
+                value: phi[i],
+            });
+        }
+    }
     Ok(judge(
         system,
-        settings,
-        &geometry,
-        &phi,
+        (&geometry, &phi),
+        (&yardstick, &scale),
         largest(&phi),
-        q,
-        q,
+        [q, q],
     ))
 }
 
 /// What there is to say about the pose q, reached from `guess`.
 fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    settings: &Settings,
-    geometry: &ConstraintGeometry<S, Q, N, R>,
-    phi: &SVector<f64, R>,
+    (geometry, phi): (&ConstraintGeometry<S, Q, N, R>, &SVector<f64, R>),
+    (yardstick, scale): (&Yardstick<Q, N>, &RowScale<R>),
     residual_before: f64,
-    guess: &SVector<f64, Q>,
-    q: &SVector<f64, Q>,
+    [guess, q]: [&SVector<f64, Q>; 2],
 ) -> AssemblyVerdict {
-    let size = largest(guess).max(1.0);
-    let rows = dependence(&geometry.a, &geometry.w);
+    let rows = independent_rows(system, geometry, yardstick);
     let mut change = SVector::zeros();
     let way = system.difference(guess, q);
     system.momentum(q, &way, &mut change);
@@ -118,11 +123,11 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let mut mass = crate::linear::RowMatrix::<N, N>::zeros();
     system.mass_matrix(q, &mut mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
-    let names = S::MODEL.rows.iter().map(|row| row.name);
-    let mut worst: Vec<_> = names.zip(phi.iter().copied()).collect();
-    worst.truncate(S::STRUCTURE.holonomic_rows);
-    worst.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    worst.retain(|(_, residual)| residual.abs() > settings.constraint_tolerance * size);
+    let mut worst: Vec<_> = (0..S::STRUCTURE.holonomic_rows)
+        .map(|i| (i, scale.displacement_of(i, phi[i])))
+        .collect();
+    worst.sort_by(|a, b| b.1.total_cmp(&a.1));
+    worst.retain(|(_, displacement)| *displacement > scale.tolerance);
     worst.truncate(8);
     AssemblyVerdict {
         residual_before,
@@ -138,8 +143,28 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             .iter()
             .filter_map(|&i| Some(S::MODEL.rows.get(i)?.name))
             .collect(),
-        worst_rows: worst,
+        worst_rows: worst
+            .iter()
+            .filter_map(|&(i, _)| Some((S::MODEL.rows.get(i)?.name, phi[i])))
+            .collect(),
     }
+}
+
+/// Which rows depend on others. A row that vanishes but for round-off says nothing.
+pub(crate) fn independent_rows<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    _: &S,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    yardstick: &Yardstick<Q, N>,
+) -> Dependence {
+    dependence(geometry.a.rows(), geometry.w.rows(), |i| {
+        let expected = RowScale::<R>::expected::<S, Q, N>(i, yardstick.length);
+        yardstick.row_length_squared(&geometry.a[i]) <= (NOTHING * expected).powi(2)
+    })
 }
 
 /// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
@@ -148,12 +173,12 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut SVector<f64, Q>,
     phi: &mut SVector<f64, R>,
-    tolerance: f64,
+    scale: &RowScale<R>,
 ) -> Result<(), Fault> {
     let mut solver = Box::new(DelassusFactor::new());
     for _ in 0..MAX_ITERATIONS {
-        let before = dot(phi, phi);
-        if largest(&phi) <= tolerance {
+        let before = residual_of(phi, &scale.weights);
+        if before <= 1.0 {
             return Ok(());
         }
         solver.factor(&holonomic_delassus(geometry));
@@ -166,7 +191,7 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             let trial = system.advance(q, &way, factor);
             let mut residual = SVector::zeros();
             system.holonomic(0.0, &trial, &mut residual);
-            if dot(&residual, &residual) < before {
+            if residual_of(&residual, &scale.weights) < before {
                 *q = trial;
                 break;
             }
@@ -201,13 +226,15 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     geometry: &ConstraintGeometry<S, Q, N, R>,
     v: &mut SVector<f64, N>,
+    scale: &RowScale<R>,
+    speed: f64,
 ) {
     let mut solver = Box::new(DelassusFactor::new());
     solver.factor(&geometry.delassus);
     for _ in 0..3 {
         let rates = geometry.velocity_rows(system, v);
         // Velocities that satisfy the rows are left as they are.
-        if largest(&rates) <= 1e-14 * largest(&v) {
+        if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
             return;
         }
         let mut multiplier = rates.map(|rate| -rate);

@@ -44,6 +44,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }))
     }
 
+    /// Everything at the declared guess.
+    pub(crate) fn at_guess(system: &S) -> Result<Box<Self>, Fault> {
+        let (q, _) = system.guess();
+        let mut geometry = ConstraintGeometry::new(system, &q)?;
+        geometry.evaluate(system, 0.0, &q, &mut SVector::zeros())?;
+        Ok(geometry)
+    }
+
     /// M, W and S at q, for the A that is there.
     #[inline(always)]
     pub(crate) fn metric(&mut self, system: &S, t: f64, q: &SVector<f64, Q>) -> Result<(), Fault> {

@@ -1,7 +1,7 @@
 //! One face for the integrators.
 
 use crate::alf3f::{Counters, PaperStepper, StepMonitor};
-use crate::linear::RankMargin;
+use crate::singular::RankMargin;
 use crate::{
     BaselineStepper, Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper,
 };

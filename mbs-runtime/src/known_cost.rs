@@ -3,6 +3,7 @@
 
 use crate::Model;
 use crate::alf3f::FIXED_REFINEMENTS;
+use crate::singular::PASSES;
 
 /// What a division and an elementary function cost, in additions.
 const DIVISION: usize = 5;
@@ -10,8 +11,6 @@ const CALL: usize = 20;
 /// A free flight of a rotation, and its tangent applied to a row.
 const FLIGHT: usize = 120;
 const TANGENT: usize = 60;
-/// Proximal passes of a solve, at most.
-const PASSES: usize = 16;
 /// Solves on the velocity rows: the first, and refinements.
 const VELOCITY_SOLVES: usize = 1 + FIXED_REFINEMENTS;
 

@@ -87,8 +87,10 @@ mod samples;
 mod settings;
 mod simulation;
 mod simulation_error;
+mod singular;
 mod sink;
 mod state;
+mod yardstick;
 
 pub use alf3f::{PaperStepper, TwoLevelStepper};
 pub use any::AnySimulation;

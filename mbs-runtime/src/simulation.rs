@@ -8,14 +8,15 @@ mod placement;
 mod run;
 mod singularity_detector;
 mod tolerance;
-mod yardstick;
 
 use self::singularity_detector::SingularityDetector;
-use self::yardstick::Yardstick;
-use crate::alf3f::StepMonitor;
-use crate::assembly::assemble;
+use crate::alf3f::{RowScale, StepMonitor};
+use crate::assembly::{RESUMABLE, assemble};
+use crate::fault::Fault;
 use crate::integrator::Integrator;
-use crate::linear::{RankMargin, largest};
+use crate::linear::largest;
+use crate::singular::RankMargin;
+use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
     Samples, Settings, SimulationError, State, System, UnknownName,
@@ -24,8 +25,6 @@ use nalgebra::SVector;
 
 /// How often a step that does not converge is halved before it is given up.
 const HALVINGS: u32 = 8;
-/// max |φ| and |A v + b| with which a state can be resumed, relative to the size of q and v.
-const RESUMABLE: f64 = 1e-6;
 
 /// A mechanism with its integrator: Q coordinates, N velocities, R constraint rows.
 ///
@@ -50,7 +49,7 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     behind: Box<State<Q, N, R>>,
     /// Where steps that are compared began.
     pair: Box<State<Q, N, R>>,
-    yardstick: Box<Yardstick<N>>,
+    yardstick: Box<Yardstick<Q, N>>,
     /// Why the last inputs were refused, until a step has told it.
     refused: Option<SimulationError>,
     /// Values of the `Event`s: at hand so that looking for them does not allocate.
@@ -94,17 +93,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings.check()?;
         let system = mechanism.prepare()?;
         let verdict = crate::assembly::inspect(&system, &settings, &state)?;
-        let size = largest(&state.positions).max(1.0);
-        if let Some(&(what, value)) = verdict.worst_rows.first()
-            && value.abs() > RESUMABLE * size
-        {
-            return Err(SimulationError::State { what, value });
-        }
         let simulation = Self::start(system, settings, state, verdict)?;
         let rates = simulation.integrator.trace().rates;
-        let speed = largest(simulation.velocities()).max(1.0);
-        for (row, &value) in S::MODEL.rows.iter().zip(rates.iter()) {
-            if value.abs() > RESUMABLE * speed {
+        let yardstick = &simulation.yardstick;
+        let scale = RowScale::new(simulation.system(), yardstick, &settings)
+            .map_err(|fault| simulation.fault(fault))?;
+        // What moves a row by less than its tolerance in a step is allowed at rest, too.
+        let least = settings.constraint_tolerance / settings.step;
+        let allowed = (RESUMABLE * yardstick.measure(simulation.velocities())).max(least);
+        for (i, (row, value)) in S::MODEL.rows.iter().zip(rates.iter().copied()).enumerate() {
+            if scale.displacement_of(i, value) > allowed {
                 return Err(SimulationError::State {
                     what: row.name,
                     value,
@@ -133,7 +131,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 time: f64::INFINITY,
                 ..integrator.state().with_room(stages)
             }),
-            yardstick: Box::new(Yardstick::new(&[], &[])),
+            yardstick: Box::new(Yardstick::new(integrator.system(), settings.step)),
             integrator,
             settings,
             assembly,
@@ -144,7 +142,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             refused: None,
             events: vec![0.0; S::MODEL.events.len()],
         };
-        simulation.yardstick = Box::new(Yardstick::new(S::MODEL.velocities, &simulation.points()));
         simulation.take_stock();
         if simulation.state().ledger.initial.is_none() {
             let energy = simulation.energy();
@@ -301,9 +298,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// # Errors
     /// A mass matrix that is not positive definite, or rows that admit no finite multiplier.
     pub fn reactions(&self) -> Result<Reactions, SimulationError> {
-        crate::reactions::reactions(self.system(), self.state()).map_err(|fault| {
-            SimulationError::from_fault(fault, S::MODEL, self.time(), self.settings.step)
-        })
+        crate::reactions::reactions(self.system(), self.state(), self.settings.step)
+            .map_err(|fault| self.fault(fault))
+    }
+
+    fn fault(&self, fault: Fault) -> SimulationError {
+        SimulationError::from_fault(fault, S::MODEL, self.time(), self.settings.step)
     }
 
     /// The multipliers λ with which the method itself acted on the rows in its last step, so that its constraint force was

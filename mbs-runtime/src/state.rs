@@ -1,12 +1,9 @@
 //! Where a simulation stands: all that is needed to continue it bit for bit.
 
+use crate::alf3f::RowScale;
 use crate::linear::vector;
+use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
 use nalgebra::SVector;
-
-/// Multipliers whose squares grow by more than this in a step are not kept.
-const USUAL_GROWTH: f64 = 100.0;
-/// The same for a step beside a singular pose.
-const USUAL_GROWTH_WEAK: f64 = 4.0;
 
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,11 +41,16 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// there and everything at the next step; begun with those, Newton's method may end on another branch of the
     /// mechanism. Multipliers that jump are forgotten: the next step begins with none.
     #[inline(always)]
-    pub(crate) fn keep_impulse(&mut self, h: f64, impulse: &SVector<f64, R>, weak: bool) {
+    pub(crate) fn keep_impulse(
+        &mut self,
+        h: f64,
+        impulse: &SVector<f64, R>,
+        weak: bool,
+        scale: &RowScale<R>,
+    ) {
         let rate = 1.0 / h;
-        let size = |x: &SVector<f64, R>| x.as_slice().iter().map(|x| x * x).sum::<f64>();
-        let before = size(&self.multipliers);
-        let now = rate * rate * size(impulse);
+        let before = scale.square(&self.multipliers);
+        let now = rate * rate * scale.square(impulse);
         let usual = if weak {
             USUAL_GROWTH_WEAK
         } else {

@@ -23,7 +23,7 @@ mechanism!(SliderCrank {
     bearing: Revolute(ground.origin, crank.a),
     pin: Revolute(crank.b, rod.a),
     guide: PointOnLine(rod.b, ground.origin, axis = X),
-    motor: Torque(ground, crank, torque),
+    motor: Torque(crank, value = torque),
     spring: SpringDamper(
         ground.origin,
         rod.b,
@@ -48,7 +48,7 @@ mechanism!(Linkage {
     ),
     shoulder: Spherical(ground, arm, at = [0.0, 0.0, 0.0]),
     elbow: Revolute(arm, forearm, at = [0.5, 0.0, 0.0], axis = Y),
-    rope: Distance(ground.point(1.5, 0.4, 0.2), forearm.origin),
+    rope: Distance(ground.point(1.5, 0.4, 0.2), forearm.origin, length = 0.916515138991168_m),
 });
 
 fn size(x: &[f64]) -> f64 {

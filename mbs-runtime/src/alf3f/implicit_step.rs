@@ -9,21 +9,16 @@
 //! A kick would move one side of a stiff damper only; the metric M − h/2 ∂F/∂v lets its far side follow. The springs'
 //! −h²/4 ∂F/∂q is part of Newton's J but not of this metric: with it the error grows with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
 
-use super::kicks::{STAGNATED, not_converged, residual_of};
-use super::step_context::StepContext;
+use super::closing::{self, Closing, Limits, Refining, refine};
+use super::kicks::{not_converged, residual_of};
+use super::step_context::{REFINEMENTS, StepContext};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::flow::{Implicit, imperceptible, transport, trapezoid};
-use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, largest, vector};
+use crate::flow::{Implicit, transport, trapezoid};
+use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, negative, vector};
+use crate::singular::{MEAN_LOST, ROUND_OFF, STILL, has_stalled};
 use nalgebra::SVector;
-
-/// Corrections of the velocities below this fraction of them end the iteration.
-const CONVERGED: f64 = 1e-14;
-/// Corrections below this fraction of the velocities end it when they no longer shrink.
-const STILL: f64 = 1e-10;
-/// Below this ratio of the smallest pivots of A₁J⁻¹½(A₀ + A₁)ᵀ and A₁J⁻¹A₁ᵀ the mean direction counts as lost.
-const LOST: f64 = 0.3;
 
 /// How a step ended.
 pub(super) enum Outcome {
@@ -71,106 +66,65 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         context: &mut StepContext<S, Q, N, R>,
         h: f64,
     ) -> Result<Outcome, Fault> {
-        let holonomic = S::STRUCTURE.holonomic_rows;
+        let (q0, v0, t1) = (
+            context.state.positions,
+            context.state.velocities,
+            context.state.time + h,
+        );
         let StepContext {
             system,
             state,
-            max_iterations,
-            start,
+            scale,
+            yardstick,
+            ..
+        } = &*context;
+        let mut weights = scale.weights;
+        // A rate that moves no position is none.
+        let floor = yardstick.imperceptible(&q0, h) / scale.tolerance;
+        let speed = yardstick.measure(&v0).max(floor);
+        for weight in &mut weights.as_mut_slice()[S::STRUCTURE.holonomic_rows..] {
+            *weight /= speed * speed;
+        }
+        let limits = Limits {
+            most: context.max_iterations,
+            fixed: None,
+        };
+        self.solver.begin(t1, h);
+        self.solver.impulse(system, state.time, &q0, &v0);
+        let mut rows = Balance {
+            known: self.solver.known,
+            kappa: state.expected_impulse(h),
+            step: &mut *self,
+            context: &mut *context,
+            weights,
+            t1,
+            h,
+            q: q0,
+            vb: v0,
+            defect: SVector::zeros(),
+            change: SVector::zeros(),
+            size: f64::NAN,
+        };
+        let closed = closing::close(&mut rows, limits, false)?;
+        let Balance {
+            q, mut vb, kappa, ..
+        } = rows;
+        let Some(closed) = closed else {
+            return Ok(Outcome::Lost);
+        };
+        let StepContext {
+            system,
             end,
             work,
             scale,
             counters,
             ..
-        } = context;
-        let (q0, v0, t1) = (state.positions, state.velocities, state.time + h);
-        let mut weights = scale.weights;
-        let floor = largest(&v0).max(1e-3);
-        for weight in &mut weights.as_mut_slice()[holonomic..] {
-            *weight /= floor * floor;
-        }
-
-        self.solver.begin(t1, h);
-        self.solver.impulse(system, state.time, &q0, &v0);
-        let known = self.solver.known;
-        let mut kappa = state.expected_impulse(h);
-        let mut vb = v0;
-        let (mut last, mut last_change) = (f64::NAN, f64::NAN);
-        let mut iterations = 0;
-        let q = loop {
-            let q = trapezoid(system, &q0, &v0, &vb, h);
-            system.constraints(t1, &q, &mut work.phi, end.a.entries_mut(), &mut end.b);
-            let mut defect = work.phi;
-            for i in holonomic..R {
-                defect[i] = dot(&end.a[i], &vb) + end.b[i];
-            }
-            for i in 0..R {
-                self.mean[i] = vector(|j| 0.5 * (start.a[i][j] + end.a[i][j]));
-            }
-            self.solver.known = known;
-            accumulate(&mut self.solver.known, &self.mean, &kappa);
-            let mut change = self.solver.defect(system, &q, &vb);
-
-            let residual = residual_of(&defect, &weights);
-            let slow = !(residual < 1e-2 * last || residual <= 1.0);
-            if !last_change.is_finite() || slow || self.solver.is_stale() {
-                self.solver.refresh(system, &q, &v0, &vb)?;
-                let turn = vector(|i| 0.5 * h * (v0[i] + vb[i]));
-                if !self.factor(system, end, &turn, &mut work.projection) {
-                    return Ok(Outcome::Lost);
-                }
-                counters.regularised += u64::from(work.projection.regularised);
-            }
-            self.solver.jacobian.solve(&mut change);
-            let mut moved = [change];
-            if !S::ROTATIONS.is_empty() {
-                let turn = vector(|i| 0.5 * h * (v0[i] + vb[i]));
-                transport::<S, Q, N, R>(&turn, &mut moved);
-            }
-            let mut multiplier: SVector<f64, R> = vector(|i| {
-                if i < holonomic {
-                    -2.0 / h * defect[i] - dot(&end.a[i], &moved[0])
-                } else {
-                    -defect[i] - dot(&end.a[i], &change)
-                }
-            });
-            work.projection.solve(&mut multiplier);
-            accumulate(&mut change, &self.along_mean, &multiplier);
-            for i in 0..N {
-                vb[i] += change[i];
-            }
-            for i in 0..R {
-                kappa[i] += multiplier[i];
-            }
-
-            let size = largest(&change);
-            let speed = largest(&vb);
-            let least = (STILL * speed).max(imperceptible(&q, h));
-            let settled = size <= CONVERGED * speed || (size >= 0.5 * last_change && size <= least);
-            if settled && (residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED)) {
-                break q;
-            }
-            iterations += 1;
-            if iterations > *max_iterations || !size.is_finite() || !residual.is_finite() {
-                return Err(if R > 0 && residual > 1.0 {
-                    not_converged(&defect, &weights, iterations)
-                } else {
-                    Fault::Flow {
-                        residual: size,
-                        iterations,
-                    }
-                });
-            }
-            if size > 0.1 * last_change {
-                self.solver.invalidate();
-            }
-            (last, last_change) = (residual, size);
-        };
-        counters.iterations += iterations as u64;
+        } = &mut *context;
+        counters.iterations += closed.iterations as u64;
         work.impulse[0] = kappa;
 
         end.metric(system, t1, &q)?;
-        work.impulse[1] = self.project(system, end, &mut vb)?;
+        work.impulse[1] = self.project(system, end, &mut vb, &scale.weights)?;
         let weak = context.work.projection.regularised || self.end_projection.regularised;
         context.commit(t1, h, q, vb, weak)?;
         Ok(Outcome::Done)
@@ -196,7 +150,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         projection.factor(&self.metric, &lengths, None);
         self.end_projection.regularised
             || projection.smallest_pivot(&lengths)
-                >= LOST * self.end_projection.smallest_pivot(&lengths)
+                >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths)
     }
 
     /// Makes A₁TJ⁻¹½(A₀ + A₁)ᵀ of the holonomic rows: velocities reach positions through the tangent of ⊕.
@@ -242,23 +196,201 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
         v: &mut SVector<f64, N>,
+        weights: &SVector<f64, R>,
     ) -> Result<SVector<f64, R>, Fault> {
         self.solver.velocity_metric(&mut self.velocity_metric)?;
         self.factor_end(system, end, Along::Velocity);
-        let mut total = SVector::zeros();
-        let passes = if self.end_projection.regularised {
-            4
-        } else {
-            1
+        let passes = match self.end_projection.regularised {
+            true => REFINEMENTS,
+            false => 1,
         };
-        for _ in 0..passes {
-            let mut multiplier = end.velocity_rows(system, v).map(|rate| -rate);
-            self.end_projection.solve(&mut multiplier);
-            accumulate(v, &self.along_end, &multiplier);
-            for i in 0..R {
-                total[i] += multiplier[i];
+        let mut rows = Rates {
+            system,
+            end,
+            step: self,
+            v,
+            weights,
+            total: SVector::zeros(),
+            rates: SVector::zeros(),
+        };
+        refine(&mut rows, passes, 0.0);
+        Ok(rows.total)
+    }
+}
+
+/// The momentum balance of a step with its rows, as functions of v_b and κ.
+struct Balance<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    step: &'a mut ImplicitStep<Q, N, R>,
+    context: &'a mut StepContext<S, Q, N, R>,
+    /// p₀ + h/2 F₀.
+    known: SVector<f64, N>,
+    weights: SVector<f64, R>,
+    t1: f64,
+    h: f64,
+    q: SVector<f64, Q>,
+    vb: SVector<f64, N>,
+    kappa: SVector<f64, R>,
+    /// φ, and what is left of N v + n.
+    defect: SVector<f64, R>,
+    /// What is missing of the momentum balance.
+    change: SVector<f64, N>,
+    /// Size of the last correction.
+    size: f64,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Balance<'_, S, Q, N, R> {
+    fn turn(&self) -> SVector<f64, N> {
+        let v0 = &self.context.state.velocities;
+        vector(|i| 0.5 * self.h * (v0[i] + self.vb[i]))
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
+    for Balance<'_, S, Q, N, R>
+{
+    const PATIENCE: i32 = 3;
+    const VELOCITIES: bool = true;
+
+    #[inline(always)]
+    fn residual(&mut self) -> Result<f64, Fault> {
+        let StepContext {
+            system,
+            state,
+            start,
+            end,
+            work,
+            ..
+        } = &mut *self.context;
+        self.q = trapezoid(
+            system,
+            &state.positions,
+            &state.velocities,
+            &self.vb,
+            self.h,
+        );
+        system.constraints(
+            self.t1,
+            &self.q,
+            &mut work.phi,
+            end.a.entries_mut(),
+            &mut end.b,
+        );
+        self.defect = work.phi;
+        for i in S::STRUCTURE.holonomic_rows..R {
+            self.defect[i] = dot(&end.a[i], &self.vb) + end.b[i];
+        }
+        let ImplicitStep { solver, mean, .. } = &mut *self.step;
+        for i in 0..R {
+            mean[i] = vector(|j| 0.5 * (start.a[i][j] + end.a[i][j]));
+        }
+        solver.known = self.known;
+        accumulate(&mut solver.known, mean, &self.kappa);
+        self.change = solver.defect(system, &self.q, &self.vb);
+        Ok(residual_of(&self.defect, &self.weights))
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) -> Result<bool, Fault> {
+        let turn = self.turn();
+        let StepContext {
+            system,
+            state,
+            end,
+            work,
+            counters,
+            ..
+        } = &mut *self.context;
+        let step = &mut *self.step;
+        (step.solver).refresh(system, &self.q, &state.velocities, &self.vb)?;
+        if !step.factor(system, end, &turn, &mut work.projection) {
+            return Ok(false);
+        }
+        counters.regularised += u64::from(work.projection.regularised);
+        Ok(true)
+    }
+
+    #[inline(always)]
+    fn solve(&mut self) -> bool {
+        let mut change = self.change;
+        self.step.solver.jacobian.solve(&mut change);
+        let mut moved = [change];
+        if !S::ROTATIONS.is_empty() {
+            transport::<S, Q, N, R>(&self.turn(), &mut moved);
+        }
+        let StepContext {
+            end,
+            work,
+            yardstick,
+            ..
+        } = &mut *self.context;
+        let mut multiplier: SVector<f64, R> = vector(|i| {
+            if i < S::STRUCTURE.holonomic_rows {
+                -2.0 / self.h * self.defect[i] - dot(&end.a[i], &moved[0])
+            } else {
+                -self.defect[i] - dot(&end.a[i], &change)
+            }
+        });
+        work.projection.solve(&mut multiplier);
+        accumulate(&mut change, &self.step.along_mean, &multiplier);
+        self.vb += change;
+        self.kappa += multiplier;
+
+        let size = yardstick.measure(&change);
+        let speed = yardstick.measure(&self.vb);
+        let last = std::mem::replace(&mut self.size, size);
+        if size > 0.1 * last || !size.is_finite() {
+            self.step.solver.invalidate();
+        }
+        // The next correction, at the rate of this one.
+        let next = size * (size / last).min(1.0);
+        next <= (ROUND_OFF * speed).max(yardstick.imperceptible(&self.q, self.h))
+            || (has_stalled(size, last) && size <= STILL * speed)
+    }
+
+    fn is_stale(&self) -> bool {
+        self.step.solver.is_stale()
+    }
+
+    #[inline(always)]
+    fn fault(&self, iterations: usize) -> Fault {
+        let (defect, weights) = (self.defect, self.weights);
+        if R > 0 && !(residual_of(&defect, &weights) <= 1.0) {
+            not_converged(&defect, &weights, iterations)
+        } else {
+            Fault::Flow {
+                residual: self.size,
+                iterations,
             }
         }
-        Ok(total)
+    }
+}
+
+/// A v + b at the end of a step.
+struct Rates<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    system: &'a S,
+    end: &'a ConstraintGeometry<S, Q, N, R>,
+    step: &'a ImplicitStep<Q, N, R>,
+    v: &'a mut SVector<f64, N>,
+    weights: &'a SVector<f64, R>,
+    /// κ₂.
+    total: SVector<f64, R>,
+    rates: SVector<f64, R>,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refining
+    for Rates<'_, S, Q, N, R>
+{
+    #[inline(always)]
+    fn residual(&mut self) -> f64 {
+        self.rates = self.end.velocity_rows(self.system, self.v);
+        residual_of(&self.rates, self.weights)
+    }
+
+    #[inline(always)]
+    fn correct(&mut self) {
+        let mut multiplier = negative(&self.rates);
+        self.step.end_projection.solve(&mut multiplier);
+        accumulate(self.v, &self.step.along_end, &multiplier);
+        self.total += multiplier;
     }
 }

@@ -7,31 +7,14 @@
 //! φ(q₁, t₁) = 0 → κ₁           A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 
+use super::closing::{self, Closed, Closing, Limits};
 use super::step_context::StepContext;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::KickFlow;
 use crate::linear::accumulate;
+use crate::singular::EXACT;
 use nalgebra::SVector;
-
-/// What is left of φ beside a singular pose, in squared tolerances: there it turns velocities by φ/σ².
-pub(super) const EXACT: f64 = 1e-6;
-/// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
-pub(super) const STAGNATED: f64 = 1e6;
-/// The factorisation of mixed rows is renewed when (squared) residuals drop by less than this.
-pub(super) const SLOW: f64 = 1e-2;
-
-/// What the corrections of κ₁ go through.
-#[derive(PartialEq)]
-enum Matrix {
-    None,
-    /// A₀M⁻¹A₀ᵀ.
-    Start,
-    /// B, factored for this correction.
-    Fresh,
-    /// B of an earlier correction of this step.
-    Kept,
-}
 
 pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
@@ -48,7 +31,7 @@ where
         kappa: context.state.expected_impulse(h),
         va: context.state.velocities,
         q: context.state.positions,
-        matrix: Matrix::None,
+        by: Factor::None,
     };
     accumulate(&mut kick.va, &context.start.w, &kick.kappa);
     flow.begin(
@@ -62,7 +45,7 @@ where
     // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
     // Where their number is fixed B is factored once, for all of them.
     if flow.is_direct() && !weak_start && context.fixed_iterations.is_none() {
-        kick.matrix = Matrix::Start;
+        kick.by = Factor::Start;
     }
     context.work.projection.regularised = false;
     let left = close(context, flow, h, &mut kick, beside)?;
@@ -107,7 +90,7 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    kick.matrix = Matrix::None;
+    kick.by = Factor::None;
     close(context, flow, h, kick, true)?;
     arrive(context, flow, context.state.time + h, kick)
 }
@@ -117,7 +100,17 @@ struct Kick<const Q: usize, const N: usize, const R: usize> {
     kappa: SVector<f64, R>,
     va: SVector<f64, N>,
     q: SVector<f64, Q>,
-    matrix: Matrix,
+    by: Factor,
+}
+
+/// What its corrections go through.
+#[derive(PartialEq)]
+enum Factor {
+    None,
+    /// A₀M⁻¹A₀ᵀ.
+    Start,
+    /// B.
+    Projection,
 }
 
 /// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; what is left, in squared tolerances.
@@ -133,87 +126,116 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    let StepContext {
-        system,
-        state,
-        max_iterations,
-        fixed_iterations,
-        start,
-        end,
-        work,
-        scale,
-        counters,
-    } = context;
-    let Kick {
-        kappa,
-        va,
-        q,
-        matrix,
-    } = kick;
-    let t1 = state.time + h;
-    let fixed = *fixed_iterations;
-    let weights = &scale.weights;
-    let rate = 1.0 / h;
-    let mut last = f64::INFINITY;
-    let mut iterations = 0;
-    let left = loop {
-        flow.positions(system, va, q)?;
-        system.constraints(t1, q, &mut work.phi, end.a.entries_mut(), &mut end.b);
-        let residual = residual_of(&work.phi, weights);
-        match fixed {
-            // Beside a singular pose down to round-off.
-            None if residual <= 1.0
-                && (!beside || residual <= EXACT || residual >= 0.25 * last) =>
-            {
-                break residual;
-            }
-            Some(count) if iterations == count && residual.is_finite() => break residual,
-            _ => {}
+    let limits = Limits {
+        most: context.max_iterations,
+        fixed: context.fixed_iterations,
+    };
+    let factored = kick.by != Factor::None;
+    let mut rows = Rows {
+        t1: context.state.time + h,
+        rate: -1.0 / h,
+        context: &mut *context,
+        flow,
+        kick,
+        enough: if beside { EXACT } else { 1.0 },
+    };
+    match closing::close(&mut rows, limits, factored)? {
+        Some(Closed { left, iterations }) => {
+            context.counters.iterations += iterations as u64;
+            Ok(left)
         }
-        // Renewed where one more correction at the present rate would not do.
-        let slow = !(residual * residual <= last) && iterations > 0;
-        let slow = slow && (fixed.is_none() || !residual.is_finite());
-        if *matrix == Matrix::None || slow {
-            let taken = if work.projection.regularised {
-                scale.lost
-            } else {
-                STAGNATED
-            };
-            if *matrix == Matrix::Fresh && residual > 0.5 * last && residual < taken {
-                break residual;
-            }
-            if (iterations >= *max_iterations && fixed.is_none()) || !residual.is_finite() {
-                return Err(not_converged(&work.phi, weights, iterations));
-            }
-            let directions = flow.position_sensitivity(system, va, start)?;
-            system.delassus(&end.a, directions, &mut work.matrix);
-            (work.projection).factor(
-                &work.matrix,
-                &start.lengths_squared(),
-                work.delassus.skipped(),
-            );
-            counters.regularised += u64::from(work.projection.regularised);
-            *matrix = Matrix::Fresh;
-        } else if *matrix == Matrix::Fresh {
-            *matrix = Matrix::Kept;
-        }
+        None => unreachable!("the proximal solve loses no row"),
+    }
+}
+
+/// The position rows at the end of a step, as functions of its first kick.
+struct Rows<'a, S, F, const Q: usize, const N: usize, const R: usize>
+where
+    S: System<Q, N, R>,
+{
+    context: &'a mut StepContext<S, Q, N, R>,
+    flow: &'a mut F,
+    kick: &'a mut Kick<Q, N, R>,
+    t1: f64,
+    /// −1/h.
+    rate: f64,
+    enough: f64,
+}
+
+impl<S, F, const Q: usize, const N: usize, const R: usize> Closing for Rows<'_, S, F, Q, N, R>
+where
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
+{
+    #[inline(always)]
+    fn residual(&mut self) -> Result<f64, Fault> {
+        let StepContext {
+            system,
+            end,
+            work,
+            scale,
+            ..
+        } = &mut *self.context;
+        let Kick { va, q, .. } = &mut *self.kick;
+        self.flow.positions(system, va, q)?;
+        system.constraints(self.t1, q, &mut work.phi, end.a.entries_mut(), &mut end.b);
+        Ok(residual_of(&work.phi, &scale.weights))
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) -> Result<bool, Fault> {
+        let StepContext {
+            system,
+            start,
+            end,
+            work,
+            counters,
+            ..
+        } = &mut *self.context;
+        let directions = (self.flow).position_sensitivity(system, &self.kick.va, start)?;
+        system.delassus(&end.a, directions, &mut work.matrix);
+        let lengths = start.lengths_squared();
+        (work.projection).factor(&work.matrix, &lengths, work.delassus.skipped());
+        counters.regularised += u64::from(work.projection.regularised);
+        self.kick.by = Factor::Projection;
+        Ok(true)
+    }
+
+    #[inline(always)]
+    fn solve(&mut self) -> bool {
+        let StepContext { start, work, .. } = &mut *self.context;
         let mut change = work.phi;
-        if *matrix == Matrix::Start {
+        if self.kick.by == Factor::Start {
             work.delassus.solve(&mut change);
         } else {
             work.projection.solve(&mut change);
         }
         for i in 0..R {
-            change[i] *= -rate;
-            kappa[i] += change[i];
+            change[i] *= self.rate;
+            self.kick.kappa[i] += change[i];
         }
-        accumulate(va, &start.w, &change);
-        flow.predict(&change);
-        last = residual;
-        iterations += 1;
-    };
-    counters.iterations += iterations as u64;
-    Ok(left)
+        accumulate(&mut self.kick.va, &start.w, &change);
+        self.flow.predict(&change);
+        false
+    }
+
+    #[inline(always)]
+    fn enough(&self) -> f64 {
+        self.enough
+    }
+
+    #[inline(always)]
+    fn round_off(&self) -> f64 {
+        self.context
+            .scale
+            .round_off_of(self.context.work.projection.regularised)
+    }
+
+    #[inline(always)]
+    fn fault(&self, iterations: usize) -> Fault {
+        let StepContext { work, scale, .. } = &*self.context;
+        not_converged(&work.phi, &scale.weights, iterations)
+    }
 }
 
 /// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.

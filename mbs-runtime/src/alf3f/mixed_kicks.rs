@@ -9,14 +9,19 @@
 //! nonholonomic row i:  N₁ᵢ · P ((∂v_b/∂v_a) W₀ⱼ + [j nonholonomic] W₁ⱼ)
 //! ```
 
-use super::kicks::{EXACT, SLOW, STAGNATED, not_converged, residual_of};
-use super::step_context::{StepContext, Workspace};
+use super::closing::{self, Closing, Limits, Refining, refine};
+use super::kicks::{not_converged, residual_of};
+use super::step_context::{REFINEMENTS, StepContext, Workspace};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::KickFlow;
-use crate::linear::{accumulate, dot, largest};
+use crate::linear::{accumulate, dot, negative, vector};
+use crate::singular::EXACT;
 use nalgebra::SVector;
+
+/// Slower than any motion: 0/0 does not arise where nothing moves.
+const AT_REST: f64 = 1e-100;
 
 pub(crate) fn step<S, F, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
@@ -27,121 +32,183 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    let holonomic = S::STRUCTURE.holonomic_rows;
-    let StepContext {
-        system,
-        state,
-        max_iterations,
-        start,
-        end,
-        work,
-        scale,
-        counters,
-        ..
-    } = context;
-    let (t0, t1) = (state.time, state.time + h);
-    let lengths = start.lengths_squared();
-    let mut weights = scale.weights;
-    let speed = largest(&state.velocities).max(1e-3);
-    for weight in &mut weights.as_mut_slice()[holonomic..] {
-        *weight /= speed * speed;
-    }
+    let (t0, t1) = (context.state.time, context.state.time + h);
+    let limits = Limits {
+        most: context.max_iterations,
+        fixed: None,
+    };
+    let kappa = context.state.expected_impulse(h);
+    let mut va = context.state.velocities;
+    accumulate(&mut va, &context.start.w, &kappa);
+    let q = context.state.positions;
+    flow.begin(&context.system, t0, &q, &va, &context.start, h);
+    context.work.projection.regularised = false;
+    let mut rows = Rows {
+        beside: S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.beside,
+        weights: context.scale.weights,
+        is_first: true,
+        context: &mut *context,
+        flow,
+        t1,
+        h,
+        kappa,
+        va,
+        q,
+        v: SVector::zeros(),
+        defect: SVector::zeros(),
+    };
+    let closed = closing::close(&mut rows, limits, false)?;
+    let Rows { kappa, q, v, .. } = rows;
+    context.counters.iterations += closed.map_or(0, |closed| closed.iterations as u64);
+    context.work.impulse[0] = kappa;
+    let weak = context.work.projection.regularised
+        || (S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.weak);
+    context.commit(t1, h, q, v, weak)
+}
 
-    let beside = holonomic > 0 && work.delassus.beside;
-    let mut kappa = state.expected_impulse(h);
-    let mut va = state.velocities;
-    accumulate(&mut va, &start.w, &kappa);
-    flow.begin(system, t0, &state.positions, &va, start, h);
+/// All rows at the end of a step, as functions of κ₁ and κₙ.
+struct Rows<'a, S, F, const Q: usize, const N: usize, const R: usize>
+where
+    S: System<Q, N, R>,
+{
+    context: &'a mut StepContext<S, Q, N, R>,
+    flow: &'a mut F,
+    t1: f64,
+    h: f64,
+    kappa: SVector<f64, R>,
+    va: SVector<f64, N>,
+    q: SVector<f64, Q>,
+    v: SVector<f64, N>,
+    /// φ, and what is left of N v + n.
+    defect: SVector<f64, R>,
+    weights: SVector<f64, R>,
+    is_first: bool,
+    beside: bool,
+}
 
-    let mut q = state.positions;
-    // NaN is below nothing: the first correction always begins with a factorisation.
-    let mut last = f64::NAN;
-    let mut fresh = false;
-    work.projection.regularised = false;
-    let mut iterations = 0;
-    let v = loop {
-        flow.positions(system, &va, &mut q)?;
-        system.constraints(t1, &q, &mut work.phi, end.a.entries_mut(), &mut end.b);
-        end.metric(system, t1, &q)?;
-        let mut v = flow.velocities(system, &va, &q, end);
+impl<S, F, const Q: usize, const N: usize, const R: usize> Closing for Rows<'_, S, F, Q, N, R>
+where
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
+{
+    const PATIENCE: i32 = 3;
+
+    #[inline(always)]
+    fn residual(&mut self) -> Result<f64, Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let StepContext {
+            system,
+            end,
+            work,
+            scale,
+            yardstick,
+            ..
+        } = &mut *self.context;
+        self.flow.positions(system, &self.va, &mut self.q)?;
+        system.constraints(
+            self.t1,
+            &self.q,
+            &mut work.phi,
+            end.a.entries_mut(),
+            &mut end.b,
+        );
+        end.metric(system, self.t1, &self.q)?;
+        let mut v = self.flow.velocities(system, &self.va, &self.q, end);
         factor_holonomic(end, work);
         for i in holonomic..R {
             for j in 0..N {
-                v[j] += end.w[i][j] * kappa[i];
+                v[j] += end.w[i][j] * self.kappa[i];
             }
         }
-        work.impulse[1] = kappa;
-        project(end, work, &mut v);
-
-        let mut defect = work.phi;
+        work.impulse[1] = self.kappa;
+        project(end, work, &mut v, &scale.weights);
+        self.defect = work.phi;
         for i in holonomic..R {
-            defect[i] = dot(&end.a[i], &v) + end.b[i];
+            self.defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
-        let residual = residual_of(&defect, &weights);
-        // Beside a singular pose down to round-off.
-        let beside = beside || (holonomic > 0 && work.delassus.beside);
-        let stuck = residual >= 0.25 * last || iterations >= *max_iterations;
-        if residual <= 1.0 && (!beside || residual <= EXACT || stuck) {
-            break v;
+        if std::mem::take(&mut self.is_first) {
+            // Kicks that cancel leave their round-off.
+            let speeds = vector(|i| self.va[i].abs() + v[i].abs());
+            let speed = yardstick.measure(&speeds).max(AT_REST);
+            for i in holonomic..R {
+                self.weights[i] /= speed * speed;
+            }
         }
-        if !(residual < SLOW * last) {
-            let taken = if work.projection.regularised {
-                scale.lost
-            } else {
-                STAGNATED
-            };
-            if fresh && residual > 0.5 * last && residual < taken {
-                break v;
-            }
-            if iterations >= *max_iterations || !residual.is_finite() {
-                return Err(not_converged(&defect, &weights, iterations));
-            }
-            let directions = flow.position_sensitivity(system, &va, start)?;
-            system.delassus(&end.a, directions, &mut work.matrix);
-            let far = flow.velocity_sensitivity(&start.w);
-            for j in 0..R {
-                let mut column = far[j];
-                if j >= holonomic {
-                    for k in 0..N {
-                        column[k] += end.w[j][k];
-                    }
+        self.v = v;
+        self.beside |= holonomic > 0 && work.delassus.beside;
+        Ok(residual_of(&self.defect, &self.weights))
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) -> Result<bool, Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let StepContext {
+            system,
+            start,
+            end,
+            work,
+            counters,
+            ..
+        } = &mut *self.context;
+        let directions = self.flow.position_sensitivity(system, &self.va, start)?;
+        system.delassus(&end.a, directions, &mut work.matrix);
+        let far = self.flow.velocity_sensitivity(&start.w);
+        for j in 0..R {
+            let mut column = far[j];
+            if j >= holonomic {
+                for k in 0..N {
+                    column[k] += end.w[j][k];
                 }
-                remove_holonomic(end, work, &mut column);
-                for i in holonomic..R {
-                    work.matrix[i][j] = dot(&end.a[i], &column);
-                }
             }
-            // The kick of a nonholonomic row counts twice.
-            let mut lengths = lengths;
-            for length in &mut lengths.as_mut_slice()[holonomic..] {
-                *length *= 2.0;
+            remove_holonomic(end, work, &mut column);
+            for i in holonomic..R {
+                work.matrix[i][j] = dot(&end.a[i], &column);
             }
-            work.projection
-                .factor(&work.matrix, &lengths, work.delassus.skipped());
-            counters.regularised += u64::from(work.projection.regularised);
-            fresh = true;
-        } else {
-            fresh = false;
         }
-        let mut change = defect;
-        for value in &mut change.as_mut_slice()[..holonomic] {
-            *value /= h;
+        // The kick of a nonholonomic row counts twice.
+        let mut lengths = start.lengths_squared();
+        for length in &mut lengths.as_mut_slice()[holonomic..] {
+            *length *= 2.0;
+        }
+        (work.projection).factor(&work.matrix, &lengths, work.delassus.skipped());
+        counters.regularised += u64::from(work.projection.regularised);
+        Ok(true)
+    }
+
+    #[inline(always)]
+    fn solve(&mut self) -> bool {
+        let StepContext { start, work, .. } = &mut *self.context;
+        let mut change = self.defect;
+        for value in &mut change.as_mut_slice()[..S::STRUCTURE.holonomic_rows] {
+            *value /= self.h;
         }
         work.projection.solve(&mut change);
         for i in 0..R {
             change[i] = -change[i];
-            kappa[i] += change[i];
+            self.kappa[i] += change[i];
         }
-        accumulate(&mut va, &start.w, &change);
-        flow.predict(&change);
-        last = residual;
-        iterations += 1;
-    };
-    counters.iterations += iterations as u64;
-    work.impulse[0] = kappa;
-    let weak = context.work.projection.regularised
-        || (S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.weak);
-    context.commit(t1, h, q, v, weak)
+        accumulate(&mut self.va, &start.w, &change);
+        self.flow.predict(&change);
+        false
+    }
+
+    #[inline(always)]
+    fn enough(&self) -> f64 {
+        if self.beside { EXACT } else { 1.0 }
+    }
+
+    #[inline(always)]
+    fn round_off(&self) -> f64 {
+        self.context
+            .scale
+            .round_off_of(self.context.work.projection.regularised)
+    }
+
+    #[inline(always)]
+    fn fault(&self, iterations: usize) -> Fault {
+        let (defect, weights) = (self.defect, self.weights);
+        not_converged(&defect, &weights, iterations)
+    }
 }
 
 /// Factors S of the holonomic rows, with unit rows in place of the others.
@@ -175,22 +242,51 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
     v: &mut SVector<f64, N>,
+    weights: &SVector<f64, R>,
 ) {
     let holonomic = S::STRUCTURE.holonomic_rows;
     if holonomic == 0 {
         return;
     }
     work.impulse[1].as_mut_slice()[..holonomic].fill(0.0);
-    let passes = if work.delassus.weak { 4 } else { 1 };
-    for _ in 0..passes {
-        let mut multiplier = SVector::zeros();
-        for i in 0..holonomic {
-            multiplier[i] = -dot(&end.a[i], v) - end.b[i];
+    let passes = if work.delassus.weak { REFINEMENTS } else { 1 };
+    let mut rows = HolonomicRates {
+        end,
+        work,
+        v,
+        weights,
+        rates: SVector::zeros(),
+    };
+    refine(&mut rows, passes, 0.0);
+}
+
+/// A v + b of the holonomic rows.
+struct HolonomicRates<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    end: &'a ConstraintGeometry<S, Q, N, R>,
+    work: &'a mut Workspace<R>,
+    v: &'a mut SVector<f64, N>,
+    weights: &'a SVector<f64, R>,
+    rates: SVector<f64, R>,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refining
+    for HolonomicRates<'_, S, Q, N, R>
+{
+    #[inline(always)]
+    fn residual(&mut self) -> f64 {
+        for i in 0..S::STRUCTURE.holonomic_rows {
+            self.rates[i] = dot(&self.end.a[i], self.v) + self.end.b[i];
         }
-        work.delassus.solve(&mut multiplier);
-        accumulate(v, &end.w, &multiplier);
-        for i in 0..holonomic {
-            work.impulse[1][i] += multiplier[i];
+        residual_of(&self.rates, self.weights)
+    }
+
+    #[inline(always)]
+    fn correct(&mut self) {
+        let mut multiplier = negative(&self.rates);
+        self.work.delassus.solve(&mut multiplier);
+        accumulate(self.v, &self.end.w, &multiplier);
+        for i in 0..S::STRUCTURE.holonomic_rows {
+            self.work.impulse[1][i] += multiplier[i];
         }
     }
 }

@@ -1,10 +1,12 @@
 //! ALF-3F: the two-level step and the paper's Algorithm 1.
 
+pub(crate) mod closing;
 mod composition;
 mod implicit_step;
 mod kicks;
 mod mixed_kicks;
 mod paper;
+mod row_scale;
 mod sparse;
 mod sparse_kicks;
 mod stage_placement;
@@ -12,10 +14,11 @@ mod step_context;
 mod step_monitor;
 mod two_level;
 
-pub(crate) use self::step_context::{Counters, FIXED_REFINEMENTS, RowScale};
+pub(crate) use self::step_context::{Counters, FIXED_REFINEMENTS};
 pub(crate) use composition::stages;
 pub(crate) use kicks::{not_converged, residual_of};
 pub use paper::PaperStepper;
+pub(crate) use row_scale::RowScale;
 pub(crate) use stage_placement::{CLEAR, StagePlacement};
 pub(crate) use step_monitor::StepMonitor;
 pub use two_level::TwoLevelStepper;

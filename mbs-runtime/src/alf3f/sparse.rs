@@ -2,7 +2,8 @@
 
 use crate::System;
 use crate::generated::Elimination;
-use crate::linear::{RankMargin, RowMatrix, Thresholds, WEAK_PIVOT};
+use crate::linear::RowMatrix;
+use crate::singular::{RankMargin, Thresholds, WEAK_PIVOT};
 use nalgebra::SVector;
 
 /// An array whose length generated code knows.

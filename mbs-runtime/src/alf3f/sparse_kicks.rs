@@ -11,18 +11,17 @@
 //! chain. A step that begins or ends where a row is about to lose its direction needs the proximal solve, which is dense:
 //! that step is taken by [`kicks`].
 
-use super::kicks::{self, EXACT, STAGNATED, residual_of};
+use super::closing::{self, Closed, Closing, Limits, Refining, refine};
+use super::kicks::{self, residual_of};
 use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 use super::step_context::{REFINEMENTS, StepContext};
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{RankMargin, Thresholds, largest, negative, vector, zeros};
+use crate::linear::{vector, zeros};
+use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
 use nalgebra::SVector;
-
-/// Corrections by the factor at the start of the step that are cheaper than another factor.
-const PATIENCE: i32 = 3;
 
 /// The factors at both ends of a step, and its workspace.
 pub(crate) struct SparseKicks<const N: usize, const R: usize> {
@@ -42,7 +41,6 @@ enum Factor {
     None,
     Start,
     Pair,
-    Renewed,
 }
 
 /// What is iterated on: the first kick of a step, and where it leads.
@@ -189,7 +187,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let Kick { q, va, .. } = kick;
         let SparseKicks {
             plan, end, mass, x, ..
-        } = self;
+        } = &mut *self;
         let t1 = context.state.time + h;
         let (a0, geometry) = (&context.start.acceleration, &mut context.end);
         mass.weigh_forces(
@@ -202,23 +200,28 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let a1 = &geometry.acceleration;
         let mut v: SVector<f64, N> = vector(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut context.work.impulse[1];
-        *kappa = zeros();
-        let tolerance = 1e-14 * largest(&v);
-        let mut last = f64::INFINITY;
-        for _ in 0..REFINEMENTS {
-            let rates = negative(&rates(plan, end, &geometry.b, &v));
-            if rows != Rows::Independent {
-                let residual = largest(&rates);
-                if residual <= tolerance || residual > 0.9 * last {
-                    break;
-                }
-                last = residual;
-            }
-            end.solve(plan, &rates, x, (&mut v, kappa));
-            if rows == Rows::Independent {
-                break;
-            }
+        *kappa = SVector::zeros();
+        let scale = &context.scale;
+        // Zero, and never looked at, where the rows are independent.
+        let mut enough = 0.0;
+        if rows != Rows::Independent {
+            enough = scale.round_off(context.yardstick.measure(&v));
         }
+        let passes = match rows {
+            Rows::Independent => 1,
+            _ => REFINEMENTS,
+        };
+        let mut left = Rates {
+            plan,
+            matrix: end,
+            b: &geometry.b,
+            weights: &scale.weights,
+            x,
+            v: &mut v,
+            kappa,
+            rates: SVector::zeros(),
+        };
+        refine(&mut left, passes, enough);
         context.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
         std::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
@@ -269,61 +272,127 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         kick: &mut Kick<Q, N, R>,
         enough: f64,
     ) -> Option<f64> {
+        let limits = Limits {
+            most: context.max_iterations,
+            fixed: None,
+        };
+        let factored = kick.factor != Factor::None;
+        let mut rows = Ends {
+            t1: context.state.time + h,
+            context: &mut *context,
+            kicks: self,
+            kick,
+            h,
+            enough,
+        };
+        let Closed { left, iterations } = closing::close(&mut rows, limits, factored).ok()??;
+        context.counters.iterations += iterations as u64;
+        context.work.impulse[0] = kick.kappa;
+        Some(left)
+    }
+}
+
+/// The position rows at the end of a step, as functions of its first kick.
+struct Ends<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    context: &'a mut StepContext<S, Q, N, R>,
+    kicks: &'a mut SparseKicks<N, R>,
+    kick: &'a mut Kick<Q, N, R>,
+    t1: f64,
+    h: f64,
+    enough: f64,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
+    for Ends<'_, S, Q, N, R>
+{
+    const PATIENCE: i32 = 3;
+
+    #[inline(always)]
+    fn residual(&mut self) -> Result<f64, Fault> {
+        let StepContext {
+            system,
+            end,
+            work,
+            scale,
+            ..
+        } = &mut *self.context;
+        let kick = &mut *self.kick;
+        for i in 0..N {
+            kick.q[i] = kick.base[i] + self.h * kick.va[i];
+        }
+        let entries = &mut self.kicks.end.entries;
+        system.sparse_constraints(self.t1, &kick.q, &mut work.phi, entries, &mut end.b);
+        Ok(residual_of(&work.phi, &scale.weights))
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) -> Result<bool, Fault> {
         let SparseKicks {
             plan,
             start,
             end,
             pair,
+            ..
+        } = &mut *self.kicks;
+        self.kick.factor = Factor::Pair;
+        Ok(pair.factor(plan, start, end) != Rows::Lost)
+    }
+
+    #[inline(always)]
+    fn solve(&mut self) -> bool {
+        let SparseKicks {
+            plan,
+            start,
+            pair,
             x,
             ..
-        } = self;
-        let work = &mut context.work;
-        let (weights, t1) = (&context.scale.weights, context.state.time + h);
-        let rate = -1.0 / h;
-        let mut last = f64::INFINITY;
-        let mut iterations = 0;
-        let left = loop {
-            for i in 0..N {
-                kick.q[i] = kick.base[i] + h * kick.va[i];
-            }
-            context.system.sparse_constraints(
-                t1,
-                &kick.q,
-                &mut work.phi,
-                &mut end.entries,
-                &mut context.end.b,
-            );
-            let residual = residual_of(&work.phi, weights);
-            if residual <= enough || (residual <= 1.0 && residual >= 0.25 * last) {
-                break residual;
-            }
-            let slow = iterations > 0 && !(residual.powi(PATIENCE + 1) <= last.powi(PATIENCE));
-            if slow || kick.factor == Factor::None {
-                if kick.factor == Factor::Renewed && residual > 0.5 * last && residual < STAGNATED {
-                    break residual;
-                }
-                if iterations >= context.max_iterations || !residual.is_finite() {
-                    return None;
-                }
-                if pair.factor(plan, start, end) == Rows::Lost {
-                    return None;
-                }
-                kick.factor = Factor::Renewed;
-            } else if kick.factor == Factor::Renewed {
-                kick.factor = Factor::Pair;
-            }
-            let rates = vector(|i| rate * work.phi[i]);
-            let to = (&mut kick.va, &mut kick.kappa);
-            match kick.factor {
-                Factor::Start => start.solve(plan, &rates, x, to),
-                _ => pair.solve(plan, &rates, x, to),
-            }
-            last = residual;
-            iterations += 1;
-        };
-        context.counters.iterations += iterations as u64;
-        work.impulse[0] = kick.kappa;
-        Some(left)
+        } = &mut *self.kicks;
+        let rate = -1.0 / self.h;
+        let rates = self.context.work.phi.map(|phi| rate * phi);
+        let to = (&mut self.kick.va, &mut self.kick.kappa);
+        match self.kick.factor {
+            Factor::Start => start.solve(plan, &rates, x, to),
+            _ => pair.solve(plan, &rates, x, to),
+        }
+        false
+    }
+
+    #[inline(always)]
+    fn enough(&self) -> f64 {
+        self.enough
+    }
+
+    /// The dense step says what is wrong.
+    #[inline(always)]
+    fn fault(&self, _: usize) -> Fault {
+        Fault::NonFinite("constraint rows")
+    }
+}
+
+/// A v + b at the end of a step.
+struct Rates<'a, const N: usize, const R: usize> {
+    plan: &'static Elimination<N, R>,
+    matrix: &'a Bordered,
+    b: &'a SVector<f64, R>,
+    weights: &'a SVector<f64, R>,
+    x: &'a mut [f64],
+    v: &'a mut SVector<f64, N>,
+    kappa: &'a mut SVector<f64, R>,
+    rates: SVector<f64, R>,
+}
+
+impl<const N: usize, const R: usize> Refining for Rates<'_, N, R> {
+    #[inline(always)]
+    fn residual(&mut self) -> f64 {
+        self.rates = rates(self.plan, self.matrix, self.b, self.v);
+        residual_of(&self.rates, self.weights)
+    }
+
+    #[inline(always)]
+    fn correct(&mut self) {
+        let rates = self.rates.map(|rate| -rate);
+        let to = (&mut *self.v, &mut *self.kappa);
+        self.matrix.solve(self.plan, &rates, self.x, to);
     }
 }
 

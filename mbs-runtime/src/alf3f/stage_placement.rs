@@ -9,7 +9,7 @@
 //! Two landings, the beginning and the end of the step, tell y. Where the others land is known before they are taken, so
 //! that the length which leaves the widest gap about the pose is found without trying.
 
-use crate::linear::RankMargin;
+use crate::singular::RankMargin;
 
 /// The clearance of a step that is left as it is, as a fraction of it: below, another length can do better.
 pub(crate) const CLEAR: f64 = 0.06;

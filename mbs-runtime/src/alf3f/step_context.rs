@@ -1,20 +1,19 @@
 //! What every two-level step works on.
 
+use super::RowScale;
+use super::closing::{Refining, refine};
+use super::kicks::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{
-    DelassusFactor, ProjectionLu, RowMatrix, Thresholds, dot, largest, negative, vector,
-};
+use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative};
+use crate::singular::Thresholds;
+use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
 use nalgebra::SVector;
 
 /// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
 pub(super) const REFINEMENTS: usize = 10;
 pub(crate) const FIXED_REFINEMENTS: usize = 2;
-
-/// A distance, relative to the size of the mechanism, that a row may keep for one step when that step begins or ends so
-/// close to a singular pose that its multiplier has no direction; the next step closes it.
-const LOST: f64 = 1e-6;
 
 /// System, state, and the workspace of a step.
 pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -26,6 +25,7 @@ pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize
     pub(crate) end: Box<ConstraintGeometry<S, Q, N, R>>,
     pub(crate) work: Box<Workspace<R>>,
     pub(crate) scale: RowScale<R>,
+    pub(crate) yardstick: Box<Yardstick<Q, N>>,
     pub(crate) counters: Counters,
 }
 
@@ -63,53 +63,6 @@ pub(crate) struct Counters {
     pub(crate) rejected: u64,
 }
 
-/// Turns φ into a distance: |φ_i| ≤ tolerance · size · |a_i|, with |a_i| at the declared guess.
-///
-/// It depends on the system alone, so that a resumed run takes the same decisions.
-#[derive(Clone, Copy)]
-pub(crate) struct RowScale<const R: usize> {
-    /// 1/(tolerance · size · |a_i|)².
-    pub(crate) weights: SVector<f64, R>,
-    /// (LOST / tolerance)².
-    pub(crate) lost: f64,
-}
-
-/// The constraint geometry at the declared guess.
-fn at_guess<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    system: &S,
-) -> Result<Box<ConstraintGeometry<S, Q, N, R>>, Fault> {
-    let (q, _) = system.guess();
-    let mut geometry = ConstraintGeometry::new(system, &q)?;
-    geometry.evaluate(system, 0.0, &q, &mut SVector::zeros())?;
-    Ok(geometry)
-}
-
-impl<const R: usize> RowScale<R> {
-    pub(crate) fn new<S: System<Q, N, R>, const Q: usize, const N: usize>(
-        system: &S,
-        tolerance: f64,
-    ) -> Result<Self, Fault> {
-        let (q, _) = system.guess();
-        let size = tolerance * largest(&q).max(1.0);
-        let geometry = at_guess(system)?;
-        let lengths = geometry.lengths_squared();
-        let longest = largest(&lengths);
-        let weights = vector(|i| {
-            // A row that vanishes at the guess has no length to go by there.
-            let length = if lengths[i] > 1e-8 * longest {
-                dot(&geometry.a[i], &geometry.a[i])
-            } else {
-                1.0
-            };
-            1.0 / (size * size * length)
-        });
-        Ok(RowScale {
-            weights,
-            lost: (LOST / tolerance).powi(2).max(super::kicks::STAGNATED),
-        })
-    }
-}
-
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepContext<S, Q, N, R> {
     pub(crate) fn new(
         system: S,
@@ -118,8 +71,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         placed: bool,
     ) -> Result<Self, Fault> {
         let geometry = ConstraintGeometry::new(&system, &state.positions)?;
+        let yardstick = Box::new(Yardstick::new(&system, settings.step));
         let mut context = StepContext {
-            scale: RowScale::new(&system, settings.constraint_tolerance)?,
+            scale: RowScale::new(&system, &yardstick, settings)?,
+            yardstick,
             system,
             state,
             max_iterations: settings.max_iterations,
@@ -130,7 +85,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             counters: Counters::default(),
         };
         if settings.order > 2 {
-            let usual = DelassusFactor::new().least_pivot(&at_guess(&context.system)?.delassus);
+            let usual = DelassusFactor::new()
+                .least_pivot(&ConstraintGeometry::at_guess(&context.system)?.delassus);
             let thresholds = Thresholds::high_order(usual, placed);
             (
                 context.work.delassus.thresholds,
@@ -182,7 +138,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         self.state.time = time;
         self.state.positions = q;
         self.state.velocities = v;
-        self.state.keep_impulse(h, &self.work.impulse[0], weak);
+        self.state
+            .keep_impulse(h, &self.work.impulse[0], weak, &self.scale);
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
@@ -197,6 +154,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             work,
             counters,
             fixed_iterations,
+            scale,
+            yardstick,
             ..
         } = self;
         work.delassus.factor(&end.delassus);
@@ -208,35 +167,54 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         if work.delassus.weak {
             counters.regularised += u64::from(work.delassus.regularised);
             let passes = fixed_iterations.map_or(REFINEMENTS, |_| FIXED_REFINEMENTS);
-            refine(system, end, work, v, passes);
+            let enough = scale.round_off(yardstick.measure(v));
+            refine_rates(system, end, work, v, (passes, &scale.weights, enough));
         }
     }
 }
 
-/// Iterates on what a nearly singular solve has left of A v + b: the proximal one leaves a part of all that lies in
-/// nearly lost directions, elimination some digits.
 #[cold]
 #[inline(never)]
-fn refine<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+fn refine_rates<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &mut Workspace<R>,
     v: &mut SVector<f64, N>,
-    passes: usize,
+    (passes, weights, enough): (usize, &SVector<f64, R>, f64),
 ) {
-    let tolerance = 1e-14 * largest(&v);
-    let mut last = f64::INFINITY;
-    for _ in 0..passes {
-        let mut multiplier = negative(&end.velocity_rows(system, v));
-        let residual = largest(&multiplier);
-        if residual <= tolerance || residual > 0.9 * last {
-            return;
-        }
-        last = residual;
-        work.delassus.solve(&mut multiplier);
-        crate::linear::accumulate(v, &end.w, &multiplier);
-        for i in 0..R {
-            work.impulse[1][i] += multiplier[i];
-        }
+    let mut rows = Rates {
+        system,
+        end,
+        work,
+        v,
+        weights,
+        rates: SVector::zeros(),
+    };
+    refine(&mut rows, passes, enough);
+}
+
+/// A v + b at the end of a step.
+struct Rates<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    system: &'a S,
+    end: &'a ConstraintGeometry<S, Q, N, R>,
+    work: &'a mut Workspace<R>,
+    v: &'a mut SVector<f64, N>,
+    weights: &'a SVector<f64, R>,
+    rates: SVector<f64, R>,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refining
+    for Rates<'_, S, Q, N, R>
+{
+    fn residual(&mut self) -> f64 {
+        self.rates = self.end.velocity_rows(self.system, self.v);
+        residual_of(&self.rates, self.weights)
+    }
+
+    fn correct(&mut self) {
+        let mut multiplier = negative(&self.rates);
+        self.work.delassus.solve(&mut multiplier);
+        crate::linear::accumulate(self.v, &self.end.w, &multiplier);
+        self.work.impulse[1] += multiplier;
     }
 }

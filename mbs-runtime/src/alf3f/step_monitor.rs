@@ -2,7 +2,7 @@
 
 use super::step_context::StepContext;
 use crate::System;
-use crate::linear::RankMargin;
+use crate::singular::RankMargin;
 
 /// Works and clearance of a step, stage by stage.
 #[derive(Debug, Clone, Copy)]

@@ -6,7 +6,8 @@ use super::step_context::{Counters, StepContext};
 use super::{StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
 use crate::fault::Fault;
 use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
-use crate::linear::{RankMargin, vector};
+use crate::linear::vector;
+use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
@@ -102,6 +103,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let before = state.with_room(stages.len());
         let mut context = StepContext::new(system, state, settings, placed)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
+        let yardstick = &*context.yardstick.clone();
         let flow = match flow {
             Flow::Leapfrog => {
                 // The cost that is known is that of dense arrays, which steps beside singular poses need.
@@ -111,9 +113,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                     None => Stepping::Leapfrog(Leapfrog::new::<S>()),
                 }
             }
-            Flow::Midpoint => Stepping::Midpoint(Midpoint::new()),
-            Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new()),
-            Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new()),
+            Flow::Midpoint => Stepping::Midpoint(Midpoint::new(yardstick)),
+            Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new(yardstick)),
+            Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
         };
         Ok(TwoLevelStepper {
             context,

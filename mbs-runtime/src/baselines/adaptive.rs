@@ -10,6 +10,7 @@ use super::runge_kutta::RungeKutta;
 use super::tableau::DORMAND_PRINCE5;
 use crate::System;
 use crate::fault::Fault;
+use nalgebra::SVector;
 
 const SAFETY: f64 = 0.9;
 /// Most and least change of a step.
@@ -96,12 +97,15 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
         let [turn, change] = self.stages.error(h);
         let (q, v) = (bench.state.positions, bench.state.velocities);
-        let size = crate::linear::largest(&q).max(1.0);
-        let speed = crate::linear::largest(&v).max(1.0);
-        let mut sum = 0.0;
-        for i in 0..N {
-            sum += (turn[i] / size).powi(2) + (change[i] / speed).powi(2);
-        }
+        let yardstick = &bench.yardstick;
+        // From rest the speed to which the acceleration leads on the length of the mechanism.
+        let fall = yardstick.measure(self.stages.first_acceleration()).sqrt();
+        let scales = [yardstick.farthest(&q), yardstick.measure(&v).max(fall)];
+        let square = |x: &SVector<f64, N>, scale: f64| match scale > 0.0 {
+            true => yardstick.square(x) / (scale * scale),
+            false => 0.0,
+        };
+        let sum = square(&turn, scales[0]) + square(&change, scales[1]);
         let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
         if error <= 1.0 {
             bench.commit(bench.state.time + h, end.q, end.v, false)?;

@@ -14,14 +14,14 @@ use super::index1::Index1;
 use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
 use crate::BaumgarteSettings;
+use crate::alf3f::closing::{self, Closing, Limits};
 use crate::alf3f::{RowScale, not_converged, residual_of};
 use crate::fault::Fault;
-use crate::linear::{RankMargin, accumulate};
+use crate::linear::accumulate;
+use crate::singular::{EXACT, RankMargin};
+use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
-
-/// What is left of φ where rows are weak, in squared tolerances.
-const EXACT: f64 = 1e-6;
 
 /// How violations of the rows are met.
 enum Remedy<const R: usize> {
@@ -49,15 +49,13 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
 
     pub(crate) fn projected<S: System<Q, N, R>>(
         system: &S,
+        yardstick: &Yardstick<Q, N>,
         settings: &Settings,
     ) -> Result<Self, Fault> {
         Ok(Explicit {
             equations: Index1::new(0.0),
             stages: RungeKutta::new(tableau(settings.order)),
-            remedy: Remedy::Projection(Box::new(RowScale::new(
-                system,
-                settings.constraint_tolerance,
-            )?)),
+            remedy: Remedy::Projection(Box::new(RowScale::new(system, yardstick, settings)?)),
             placed: false,
         })
     }
@@ -148,40 +146,20 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         scale: &RowScale<R>,
     ) -> Result<(), Fault> {
         self.place(bench, t, q)?;
-        let (mut last, mut iterations) = (f64::INFINITY, 0);
-        loop {
-            let residual = residual_of(&bench.phi, &scale.weights);
-            // Beside a singular pose what is left of φ turns velocities by φ/σ²: as little as round-off allows.
-            let enough = if self.delassus.weak { EXACT } else { 1.0 };
-            if residual <= enough {
-                break;
-            }
-            if !(residual < 0.25 * last) {
-                if residual < scale.lost.max(1.0) {
-                    break;
-                }
-                if iterations >= bench.max_iterations || !residual.is_finite() {
-                    return Err(not_converged(&bench.phi, &scale.weights, iterations));
-                }
-                // Slow: factors of this place.
-                self.place(bench, t, q)?;
-            }
-            let mut change = bench.phi.map(|residual| -residual);
-            self.delassus.solve(&mut change);
-            let mut way = SVector::zeros();
-            accumulate(&mut way, &bench.geometry.w, &change);
-            *q = bench.system.advance(q, &way, 1.0);
-            let Bench {
-                system,
-                geometry,
-                phi,
-                ..
-            } = &mut *bench;
-            system.constraints(t, q, phi, geometry.a.entries_mut(), &mut geometry.b);
-            last = residual;
-            iterations += 1;
-        }
-        bench.counters.iterations += iterations as u64;
+        let limits = Limits {
+            most: bench.max_iterations,
+            fixed: None,
+        };
+        let mut rows = Near {
+            equations: self,
+            bench: &mut *bench,
+            scale,
+            t,
+            q,
+            is_evaluated: true,
+        };
+        let closed = closing::close(&mut rows, limits, true)?;
+        bench.counters.iterations += closed.map_or(0, |closed| closed.iterations as u64);
         Ok(())
     }
 
@@ -201,5 +179,77 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             self.delassus.solve(&mut multiplier);
             accumulate(v, &bench.geometry.w, &multiplier);
         }
+    }
+}
+
+/// The position rows about the end of a step.
+struct Near<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    equations: &'a mut Index1<N, R>,
+    bench: &'a mut Bench<S, Q, N, R>,
+    scale: &'a RowScale<R>,
+    t: f64,
+    q: &'a mut SVector<f64, Q>,
+    is_evaluated: bool,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
+    for Near<'_, S, Q, N, R>
+{
+    /// The factors of where q was first are nearly those of where it is closed.
+    const PATIENCE: i32 = 3;
+
+    #[inline(always)]
+    fn residual(&mut self) -> Result<f64, Fault> {
+        let Bench {
+            system,
+            geometry,
+            phi,
+            ..
+        } = &mut *self.bench;
+        if !std::mem::take(&mut self.is_evaluated) {
+            system.constraints(
+                self.t,
+                self.q,
+                phi,
+                geometry.a.entries_mut(),
+                &mut geometry.b,
+            );
+        }
+        Ok(residual_of(phi, &self.scale.weights))
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) -> Result<bool, Fault> {
+        self.equations.place(self.bench, self.t, self.q)?;
+        Ok(true)
+    }
+
+    #[inline(always)]
+    fn solve(&mut self) -> bool {
+        let mut change = self.bench.phi.map(|residual| -residual);
+        self.equations.delassus.solve(&mut change);
+        let mut way = SVector::zeros();
+        accumulate(&mut way, &self.bench.geometry.w, &change);
+        *self.q = self.bench.system.advance(self.q, &way, 1.0);
+        false
+    }
+
+    #[inline(always)]
+    fn enough(&self) -> f64 {
+        if self.equations.delassus.weak {
+            EXACT
+        } else {
+            1.0
+        }
+    }
+
+    #[inline(always)]
+    fn round_off(&self) -> f64 {
+        self.scale.lost
+    }
+
+    #[inline(always)]
+    fn fault(&self, iterations: usize) -> Fault {
+        not_converged(&self.bench.phi, &self.scale.weights, iterations)
     }
 }

@@ -24,7 +24,8 @@ use crate::BdfSettings;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{dot, finite, largest, vector};
+use crate::linear::{dot, finite, vector};
+use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
 /// Newton's corrections of positions end below this fraction of the tolerance of a step.
@@ -114,7 +115,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             {
                 failures = 0;
                 left -= trial;
-                self.choose(trial, *error, next, h / trial);
+                self.choose(&bench.yardstick, trial, *error, next, h / trial);
                 self.accept(bench, trial, next)?;
                 continue;
             }
@@ -156,14 +157,15 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         self.history.push(state.time, &q, &v, &self.motion.p);
         self.lambda = lambda;
         (self.order, self.since) = (1, 0);
-        let bound = 0.2 * self.bound(&q) / largest(&acceleration).max(1e-3);
+        let yardstick = &bench.yardstick;
+        let bound = 0.2 * self.bound(yardstick, &q) / yardstick.measure(&acceleration);
         self.size = bound.sqrt().min(h);
         Ok(())
     }
 
-    /// The tolerance as a distance.
-    fn bound(&self, q: &SVector<f64, Q>) -> f64 {
-        self.settings.tolerance * largest(q).max(1.0)
+    /// The tolerance, in lengths of the mechanism and radians.
+    fn bound(&self, yardstick: &Yardstick<Q, N>, q: &SVector<f64, Q>) -> f64 {
+        self.settings.tolerance * yardstick.farthest(q)
     }
 
     /// A step of h with the order in use; returns its error in tolerances.
@@ -178,7 +180,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         let (alpha, past, past_p) = self.history.past(self.order);
         let [mut turn, mut v] = self.history.predict(self.order);
         let mut lambda = SVector::zeros();
-        let bound = self.bound(&q0);
+        let bound = self.bound(&bench.yardstick, &q0);
         let (mut last, mut ended) = (f64::INFINITY, false);
         for _ in 0..NEWTON_ITERATIONS {
             // θ₀ of v₀; for rotations an iteration that shrinks errors by the angle of a step.
@@ -193,7 +195,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                     break;
                 }
                 bench.counters.stages += 1;
-                let error = self.history.error(self.order, &turn);
+                let error = self.history.error(&bench.yardstick, self.order, &turn);
                 let error = error.unwrap_or(f64::INFINITY) / bound;
                 return Ok((error, Trial { q, v, turn, lambda }));
             }
@@ -232,7 +234,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 v[i] += change[i];
             }
             lambda = rows.map(|row| alpha * row);
-            let size = largest(&change) / alpha;
+            let size = bench.yardstick.measure(&change) / alpha;
             ended = size <= NEWTON * bound;
             if !ended && !(size < 2.0 * last) {
                 break;
@@ -250,18 +252,27 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
     /// The order in use, that above it or that below it is taken, whichever allows the longest step; all of them only with
     /// steps that resolve the oscillations that they see ([`RESOLVED`]). Where steps are bounded, to `most` times h, the
     /// higher of equals.
-    fn choose(&mut self, h: f64, error: f64, next: &Trial<Q, N, R>, most: f64) {
-        let bound = self.bound(&next.q);
+    fn choose(
+        &mut self,
+        yardstick: &Yardstick<Q, N>,
+        h: f64,
+        error: f64,
+        next: &Trial<Q, N, R>,
+        most: f64,
+    ) {
+        let bound = self.bound(yardstick, &next.q);
         self.since += 1;
         let k = self.order;
         // How many times as long a step may be; `None` where that is not known.
         let growth = |order: usize, safety: f64| {
             let error = match order == k {
                 true => error,
-                false => self.history.error(order, &next.turn)? / bound,
+                false => self.history.error(yardstick, order, &next.turn)? / bound,
             };
             let accurate = error.max(1e-12).powf(-1.0 / (order + 1) as f64) / safety;
-            let coarseness = self.history.coarseness(order, &next.turn, &next.v);
+            let coarseness = self
+                .history
+                .coarseness(yardstick, order, (&next.turn, &next.v));
             let stable = (RESOLVED[order] / coarseness.max(f64::MIN_POSITIVE)).sqrt();
             Some((accurate.min(stable).min(most), stable))
         };

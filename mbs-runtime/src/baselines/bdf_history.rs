@@ -1,7 +1,8 @@
 //! The last instants of a multistep method, wherever they are.
 
 use crate::System;
-use crate::linear::{largest, vector};
+use crate::linear::vector;
+use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
 /// Highest order of the backward differentiation that is stable for every stiff equation of interest.
@@ -114,25 +115,35 @@ impl<const Q: usize, const N: usize> History<Q, N> {
     }
 
     /// The largest error of θ₀ by this order; `None` where too little of the past is known.
-    pub(super) fn error(&self, order: usize, turn: &SVector<f64, N>) -> Option<f64> {
+    pub(super) fn error(
+        &self,
+        yardstick: &Yardstick<Q, N>,
+        order: usize,
+        turn: &SVector<f64, N>,
+    ) -> Option<f64> {
         let h = self.sought - self.times[0];
         if self.len <= order {
             // After one instant: what the change of v adds.
             let first: SVector<f64, N> = vector(|i| turn[i] - h * self.v[0][i]);
-            return (order == 1).then(|| 0.5 * largest(&first));
+            return (order == 1).then(|| 0.5 * yardstick.measure(&first));
         }
         let [predicted, _] = self.predict(order);
         let difference: SVector<f64, N> = vector(|i| turn[i] - predicted[i]);
-        Some(h / (self.sought - self.times[order]) * largest(&difference))
+        Some(h / (self.sought - self.times[order]) * yardstick.measure(&difference))
     }
 
     /// The largest deviations of θ₀ and v₀ from the polynomials of this degree: the backward differences after as many,
     /// for even steps.
-    fn differences(&self, degree: usize, turn: &SVector<f64, N>, v: &SVector<f64, N>) -> [f64; 2] {
+    fn differences(
+        &self,
+        yardstick: &Yardstick<Q, N>,
+        degree: usize,
+        (turn, v): (&SVector<f64, N>, &SVector<f64, N>),
+    ) -> [f64; 2] {
         let [turns, rates] = self.predict(degree);
         let largest_of = |a: &SVector<f64, N>, b: &SVector<f64, N>| {
             let difference: SVector<f64, N> = vector(|i| a[i] - b[i]);
-            largest(&difference)
+            yardstick.measure(&difference)
         };
         [largest_of(turn, &turns), largest_of(v, &rates)]
     }
@@ -142,9 +153,9 @@ impl<const Q: usize, const N: usize> History<Q, N> {
     /// where too little of the past is known.
     pub(super) fn coarseness(
         &self,
+        yardstick: &Yardstick<Q, N>,
         order: usize,
-        turn: &SVector<f64, N>,
-        v: &SVector<f64, N>,
+        ends: (&SVector<f64, N>, &SVector<f64, N>),
     ) -> f64 {
         if order <= 2 {
             return 0.0;
@@ -153,7 +164,7 @@ impl<const Q: usize, const N: usize> History<Q, N> {
             return f64::INFINITY;
         }
         let differences: [[f64; 2]; KEPT] = std::array::from_fn(|degree| match degree <= order {
-            true => self.differences(degree, turn, v),
+            true => self.differences(yardstick, degree, ends),
             false => [0.0; 2],
         });
         let ratio = |degree: usize, of: usize| {

@@ -4,6 +4,7 @@ use crate::alf3f::Counters;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::finite;
+use crate::yardstick::Yardstick;
 use crate::{State, System};
 use nalgebra::SVector;
 
@@ -21,6 +22,7 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     /// λ at the end of the last step, of methods that have it as an unknown.
     pub(crate) multipliers: Option<SVector<f64, R>>,
     pub(crate) max_iterations: usize,
+    pub(crate) yardstick: Box<Yardstick<Q, N>>,
 }
 
 /// Works of the last step, J.

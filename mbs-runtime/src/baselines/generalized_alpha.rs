@@ -19,8 +19,8 @@ use super::saddle::Saddle;
 use crate::GeneralizedAlphaSettings;
 use crate::System;
 use crate::fault::Fault;
-use crate::flow::{imperceptible, pull_back};
-use crate::linear::{RowMatrix, accumulate, dot, largest, vector};
+use crate::flow::pull_back;
+use crate::linear::{RowMatrix, accumulate, dot, vector};
 use nalgebra::SVector;
 
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
@@ -159,8 +159,9 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                     step[i] += moved[i] / h;
                 }
             }
-            let speed = largest(&v).max(1e-3);
-            if progress.settles(&step, speed, imperceptible(&q, h), bench.max_iterations)? {
+            let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
+            let floor = bench.yardstick.imperceptible(&q, h);
+            if progress.settles(sizes, floor, bench.max_iterations)? {
                 break (q, v);
             }
         };

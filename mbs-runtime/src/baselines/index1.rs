@@ -4,7 +4,8 @@ use super::bench::Bench;
 use crate::System;
 use crate::fault::Fault;
 use crate::free::free;
-use crate::linear::{DelassusFactor, RankMargin, accumulate, vector};
+use crate::linear::{DelassusFactor, accumulate, vector};
+use crate::singular::RankMargin;
 use crate::sink::Discard;
 use nalgebra::SVector;
 

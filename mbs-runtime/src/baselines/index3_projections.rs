@@ -18,8 +18,8 @@ use super::motion::{Motion, Progress, consistent, move_rows};
 use crate::ProjectionSettings;
 use crate::System;
 use crate::fault::Fault;
-use crate::flow::{imperceptible, pull_back};
-use crate::linear::{Pivoted, RowMatrix, accumulate, dot, largest, vector};
+use crate::flow::pull_back;
+use crate::linear::{Pivoted, RowMatrix, accumulate, dot, vector};
 use crate::sink::Discard;
 use nalgebra::SVector;
 
@@ -134,8 +134,9 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 after[i] += change[i];
             }
             let step = change.map(|x| 0.5 * h * x);
-            let speed = largest(&v).max(1e-3);
-            if progress.settles(&step, speed, imperceptible(&q, h), bench.max_iterations)? {
+            let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
+            let floor = bench.yardstick.imperceptible(&q, h);
+            if progress.settles(sizes, floor, bench.max_iterations)? {
                 break (q, v);
             }
         };

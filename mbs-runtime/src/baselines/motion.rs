@@ -5,7 +5,7 @@ use super::index1::Index1;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::transport;
-use crate::linear::{RowMatrix, dot, largest, vector};
+use crate::linear::{RowMatrix, dot, vector};
 use nalgebra::SVector;
 
 /// Corrections of the velocities below this fraction of them end an iteration …
@@ -142,16 +142,14 @@ impl Progress {
         }
     }
 
-    /// Whether corrections of this size (m/s) end the iteration, with velocities of `speed`; below `floor` they are
-    /// round-off.
-    pub(crate) fn settles<const N: usize>(
+    /// Whether corrections of this size end the iteration, with velocities of `speed`; below `floor` they are round-off.
+    /// All in lengths of the mechanism and radians a second.
+    pub(crate) fn settles(
         &mut self,
-        change: &SVector<f64, N>,
-        speed: f64,
+        [size, speed]: [f64; 2],
         floor: f64,
         most: usize,
     ) -> Result<bool, Fault> {
-        let size = largest(change);
         self.count += 1;
         let settled = size <= (CONVERGED * speed).max(floor)
             || (size >= 0.5 * self.last && size <= (STILL * speed).max(8.0 * floor));

@@ -14,13 +14,15 @@ use super::bench::Bench;
 use super::motion::{Motion, Progress, move_rows};
 use crate::PenaltySettings;
 use crate::System;
+use crate::alf3f::RowScale;
 use crate::fault::Fault;
-use crate::flow::{imperceptible, pull_back, trapezoid};
+use crate::flow::{pull_back, trapezoid};
 use crate::linear::{Pivoted, RowMatrix, largest, vector};
 use nalgebra::SVector;
 
 pub(crate) struct Penalty<const N: usize, const R: usize> {
     settings: PenaltySettings,
+    scale: Box<RowScale<R>>,
     /// k and c of each row; none until a simulation starts.
     rows: Option<[[f64; 2]; R]>,
     motion: Motion<N>,
@@ -29,9 +31,10 @@ pub(crate) struct Penalty<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> Penalty<N, R> {
-    pub(crate) fn new(settings: PenaltySettings) -> Self {
+    pub(crate) fn new(settings: PenaltySettings, scale: RowScale<R>) -> Self {
         Penalty {
             settings,
+            scale: Box::new(scale),
             rows: None,
             motion: Motion::new(),
             factors: Box::new(Pivoted::new()),
@@ -48,9 +51,11 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             damping_ratio,
         } = self.settings;
         let lengths = bench.geometry.lengths_squared();
-        // A row that vanishes where the simulation starts takes the strength of the longest.
-        let longest = largest(&lengths).max(f64::MIN_POSITIVE);
+        let rows = &self.scale.lengths_squared;
+        // A row that vanishes where the simulation starts takes the strength of the longest, in comparable units.
+        let longest = largest(&vector::<R>(|i| lengths[i] / rows[i]));
         std::array::from_fn(|i| {
+            let longest = (longest * rows[i]).max(f64::MIN_POSITIVE);
             let length = if lengths[i] > 1e-8 * longest {
                 lengths[i]
             } else {
@@ -114,8 +119,12 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             for i in 0..N {
                 v[i] += change[i];
             }
-            let speed = largest(&v).max(1e-3);
-            if progress.settles(&change, speed, imperceptible(&q, h), bench.max_iterations)? {
+            let sizes = [
+                bench.yardstick.measure(&change),
+                bench.yardstick.measure(&v),
+            ];
+            let floor = bench.yardstick.imperceptible(&q, h);
+            if progress.settles(sizes, floor, bench.max_iterations)? {
                 break q;
             }
         };

@@ -10,16 +10,15 @@
 //! elimination: dependent rows and singular poses are more than it can do.
 
 use super::bench::Bench;
+use crate::alf3f::closing::{self, Closing, Limits};
 use crate::alf3f::{RowScale, not_converged, residual_of};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
 use crate::linear::{Pivoted, RowMatrix, accumulate};
+use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
-
-/// A residual this many times above its tolerance (squared) is taken when it no longer improves: round-off.
-const STAGNATED: f64 = 1e6;
 
 pub(crate) struct Rattle<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     flow: Stepping<Q, N, R>,
@@ -42,18 +41,23 @@ struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> 
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<S, Q, N, R> {
-    pub(crate) fn new(system: &S, q: &SVector<f64, Q>, settings: &Settings) -> Result<Self, Fault> {
+    pub(crate) fn new(
+        system: &S,
+        q: &SVector<f64, Q>,
+        yardstick: &Yardstick<Q, N>,
+        settings: &Settings,
+    ) -> Result<Self, Fault> {
         Ok(Rattle {
             flow: if S::STRUCTURE.constant_mass {
                 Stepping::Leapfrog(Box::new(Leapfrog::new::<S>()))
             } else {
-                Stepping::Midpoint(Midpoint::new())
+                Stepping::Midpoint(Midpoint::new(yardstick))
             },
             rows: Rows {
                 end: ConstraintGeometry::new(system, q)?,
                 matrix: RowMatrix::zeros(),
                 factors: Box::new(Pivoted::new()),
-                scale: Box::new(RowScale::new(system, settings.constraint_tolerance)?),
+                scale: Box::new(RowScale::new(system, yardstick, settings)?),
                 force: SVector::zeros(),
             },
         })
@@ -79,48 +83,41 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         h: f64,
     ) -> Result<(), Fault> {
         bench.settle()?;
+        let t1 = bench.state.time + h;
+        let kappa = self.force.map(|force| h * force);
+        let mut va = bench.state.velocities;
+        accumulate(&mut va, &bench.geometry.w, &kappa);
+        let (t0, q) = (bench.state.time, bench.state.positions);
+        flow.begin(&bench.system, t0, &q, &va, &bench.geometry, h);
+        let limits = Limits {
+            most: bench.max_iterations,
+            fixed: None,
+        };
+        let mut ends = Ends {
+            bench: &mut *bench,
+            flow: &mut *flow,
+            rows: self,
+            t1,
+            h,
+            kappa,
+            va,
+            q,
+        };
+        let closed = closing::close(&mut ends, limits, false);
+        let Ends { kappa, va, q, .. } = ends;
+        let iterations = match closed {
+            Ok(closed) => closed.map_or(0, |closed| closed.iterations),
+            Err(fault) => {
+                self.force = SVector::zeros();
+                return Err(fault);
+            }
+        };
         let Bench {
             system,
-            state,
             geometry: start,
-            phi,
             counters,
             ..
         } = bench;
-        let t1 = state.time + h;
-        let mut kappa = self.force.map(|force| h * force);
-        let mut va = state.velocities;
-        accumulate(&mut va, &start.w, &kappa);
-        flow.begin(system, state.time, &state.positions, &va, start, h);
-        let mut q = state.positions;
-        let (mut last, mut iterations) = (f64::INFINITY, 0);
-        loop {
-            flow.positions(system, &va, &mut q)?;
-            let end = &mut self.end;
-            system.constraints(t1, &q, phi, end.a.entries_mut(), &mut end.b);
-            let residual = residual_of(phi, &self.scale.weights);
-            if residual <= 1.0 || (residual > 0.5 * last && residual < STAGNATED) {
-                break;
-            }
-            let directions = flow.position_sensitivity(system, &va, start)?;
-            system.delassus(&self.end.a, directions, &mut self.matrix);
-            if iterations >= bench.max_iterations
-                || !residual.is_finite()
-                || !self.factors.factor(&self.matrix)
-            {
-                self.force = SVector::zeros();
-                return Err(not_converged(phi, &self.scale.weights, iterations));
-            }
-            let mut change = phi.map(|residual| -residual / h);
-            self.factors.solve(&mut change);
-            for i in 0..R {
-                kappa[i] += change[i];
-            }
-            accumulate(&mut va, &start.w, &change);
-            flow.predict(&change);
-            last = residual;
-            iterations += 1;
-        }
         counters.iterations += iterations as u64;
         counters.stages += 1;
         let end = &mut self.end;
@@ -144,5 +141,66 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         std::mem::swap(start, end);
         bench.works.drive += drive;
         bench.commit(t1, q, v, true)
+    }
+}
+
+/// The position rows at the end of a step, as functions of its first kick.
+struct Ends<'a, S, F, const Q: usize, const N: usize, const R: usize>
+where
+    S: System<Q, N, R>,
+{
+    bench: &'a mut Bench<S, Q, N, R>,
+    flow: &'a mut F,
+    rows: &'a mut Rows<S, Q, N, R>,
+    t1: f64,
+    h: f64,
+    kappa: SVector<f64, R>,
+    va: SVector<f64, N>,
+    q: SVector<f64, Q>,
+}
+
+impl<S, F, const Q: usize, const N: usize, const R: usize> Closing for Ends<'_, S, F, Q, N, R>
+where
+    S: System<Q, N, R>,
+    F: KickFlow<S, Q, N, R>,
+{
+    /// Plain Newton.
+    const PATIENCE: i32 = 0;
+
+    #[inline(always)]
+    fn residual(&mut self) -> Result<f64, Fault> {
+        let Bench { system, phi, .. } = &mut *self.bench;
+        let Rows { end, scale, .. } = &mut *self.rows;
+        self.flow.positions(system, &self.va, &mut self.q)?;
+        system.constraints(self.t1, &self.q, phi, end.a.entries_mut(), &mut end.b);
+        Ok(residual_of(phi, &scale.weights))
+    }
+
+    #[inline(always)]
+    fn factor(&mut self) -> Result<bool, Fault> {
+        let Bench {
+            system, geometry, ..
+        } = &mut *self.bench;
+        let directions = self.flow.position_sensitivity(system, &self.va, geometry)?;
+        system.delassus(&self.rows.end.a, directions, &mut self.rows.matrix);
+        match self.rows.factors.factor(&self.rows.matrix) {
+            true => Ok(true),
+            false => Err(self.fault(0)),
+        }
+    }
+
+    #[inline(always)]
+    fn solve(&mut self) -> bool {
+        let mut change = self.bench.phi.map(|residual| -residual / self.h);
+        self.rows.factors.solve(&mut change);
+        self.kappa += change;
+        accumulate(&mut self.va, &self.bench.geometry.w, &change);
+        self.flow.predict(&change);
+        false
+    }
+
+    #[inline(always)]
+    fn fault(&self, iterations: usize) -> Fault {
+        not_converged(&self.bench.phi, &self.rows.scale.weights, iterations)
     }
 }

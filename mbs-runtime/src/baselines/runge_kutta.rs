@@ -66,6 +66,11 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         Ok(End { q, v })
     }
 
+    /// v̇ where the last step began.
+    pub(crate) fn first_acceleration(&self) -> &SVector<f64, N> {
+        &self.slopes[0][1]
+    }
+
     /// h Σ (b − b̂)_i k_i of the last step: what its error in θ and v may be.
     pub(crate) fn error(&self, h: f64) -> [SVector<f64, N>; 2] {
         let [mut turn, mut change] = [SVector::zeros(); 2];

@@ -9,10 +9,11 @@ use super::generalized_alpha::GeneralizedAlpha;
 use super::index3_projections::Index3;
 use super::penalty::Penalty;
 use super::rattle::Rattle;
-use crate::alf3f::Counters;
+use crate::alf3f::{Counters, RowScale};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::RankMargin;
+use crate::singular::RankMargin;
+use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
 use nalgebra::SVector;
 
@@ -58,6 +59,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let time = state.time;
         let fault =
             |fault: Fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step);
+        let yardstick = Box::new(Yardstick::new(&system, settings.step));
         let rule = match &settings.method {
             Method::Baumgarte(baumgarte) => match baumgarte.adaptive {
                 None => Rule::Explicit(Box::new(Explicit::stabilised(settings.order, baumgarte))),
@@ -66,12 +68,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 }
             },
             Method::Projected => Rule::Explicit(Box::new(
-                Explicit::projected(&system, settings).map_err(fault)?,
+                Explicit::projected(&system, &yardstick, settings).map_err(fault)?,
             )),
             Method::Rattle => Rule::Rattle(Box::new(
-                Rattle::new(&system, &state.positions, settings).map_err(fault)?,
+                Rattle::new(&system, &state.positions, &yardstick, settings).map_err(fault)?,
             )),
-            Method::Penalty(penalty) => Rule::Penalty(Box::new(Penalty::new(*penalty))),
+            Method::Penalty(penalty) => {
+                let scale = RowScale::new(&system, &yardstick, settings).map_err(fault)?;
+                Rule::Penalty(Box::new(Penalty::new(*penalty, scale)))
+            }
             Method::Index3Projections(projections) => {
                 Rule::Index3(Box::new(Index3::new(projections)))
             }
@@ -99,6 +104,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 works: Works::default(),
                 multipliers: None,
                 max_iterations: settings.max_iterations,
+                yardstick,
             },
             rule,
         };

@@ -1,7 +1,8 @@
 //! Which flow suits a mechanism.
 
 use crate::fault::Fault;
-use crate::linear::{dot, largest, vector};
+use crate::linear::{RowMatrix, dot, vector};
+use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
 use nalgebra::SVector;
 
@@ -36,7 +37,7 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
         }
         Some(flow) => Ok(flow),
         None if natural == Flow::Leapfrog && S::STRUCTURE.position_forces => {
-            let stiffness = stiffness(system, state).map_err(|fault| {
+            let stiffness = stiffness(system, state, settings.step).map_err(|fault| {
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
             })?;
             let stiff = settings.step * settings.step * stiffness > STIFF;
@@ -72,24 +73,27 @@ fn refuse(flow: Flow, because: &'static str, instead: Flow) -> SimulationError {
 fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     state: &State<Q, N, R>,
+    step: f64,
 ) -> Result<f64, Fault> {
-    let mut f_q = crate::linear::RowMatrix::<N, N>::zeros();
-    let mut f_v = crate::linear::RowMatrix::<N, N>::zeros();
+    let yardstick = Yardstick::new(system, step);
+    let mut f_q = RowMatrix::<N, N>::zeros();
+    let mut f_v = RowMatrix::<N, N>::zeros();
     let (q, v) = (&state.positions, &state.velocities);
     system.applied_force_tangents(state.time, q, v, &mut f_q, &mut f_v);
     let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
     // A start without symmetry, so that it has a part of every eigenvector.
-    let mut x: SVector<f64, N> = vector(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
+    let parts = vector(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
+    let mut x = yardstick.displacement(parts);
     let mut eigenvalue = 0.0;
     for _ in 0..POWER_ITERATIONS {
-        let size = largest(&x);
+        let size = yardstick.measure(&x);
         if !(size > 0.0 && size.is_finite()) {
             break;
         }
         x = x.map(|value| value / size);
         let mut next: SVector<f64, N> = vector(|i| -dot(&f_q[i], &x));
         system.solve_mass(&mass, &mut next);
-        eigenvalue = largest(&next);
+        eigenvalue = yardstick.measure(&next);
         x = next;
     }
     Ok(eigenvalue)

@@ -3,29 +3,18 @@
 use super::group::pull_back;
 use crate::System;
 use crate::fault::Fault;
-use crate::linear::{Pivoted, RowMatrix, largest, vector};
+use crate::linear::{Pivoted, RowMatrix, vector};
+use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::sink::Discard;
+use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
 const MAX_ITERATIONS: usize = 40;
-/// Newton stops when the correction is below this fraction of the velocities …
-const CONVERGED: f64 = 1e-14;
-/// … or when it no longer shrinks and is below this: round-off.
-const STAGNATED: f64 = 1e-9;
-/// Round-off of positions, relative to the size of the mechanism.
-const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
-
 /// J is singular, or not finite: with h → 0 it becomes M, so that a shorter step helps.
 const SINGULAR: Fault = Fault::Flow {
     residual: f64::INFINITY,
     iterations: 0,
 };
-
-/// A velocity that moves the end of a step of h by no more than the round-off of its positions. At rest the corrections
-/// stay of this size: 2φ/h, the rate that a row asks for, is no better known, and smaller steps make it worse.
-pub(crate) fn imperceptible<const Q: usize>(q: &SVector<f64, Q>, h: f64) -> f64 {
-    ROUND_OFF * largest(q).max(1.0) / (0.5 * h)
-}
 
 /// q₀ ⊕ h/2 (v₀ + v₁).
 #[inline(always)]
@@ -179,6 +168,7 @@ impl<const N: usize> Implicit<N> {
     pub(crate) fn solve<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
+        yardstick: &Yardstick<Q, N>,
         q0: &SVector<f64, Q>,
         va: &SVector<f64, N>,
         vb: &mut SVector<f64, N>,
@@ -195,17 +185,18 @@ impl<const N: usize> Implicit<N> {
             for i in 0..N {
                 vb[i] += change[i];
             }
-            let size = largest(&change);
-            let speed = largest(&vb);
-            let least = (STAGNATED * speed).max(imperceptible(&q1, self.h));
-            let stagnated = fresh && size >= 0.5 * last && size <= least;
+            let size = yardstick.measure(&change);
+            let speed = yardstick.measure(vb);
+            let stagnated = fresh
+                && has_stalled(size, last)
+                && size <= (STILL * speed).max(yardstick.imperceptible(&q1, self.h));
             // At the rate of this correction the next one would be too small to matter.
             let rate = if last.is_finite() {
                 (size / last).min(1.0)
             } else {
                 1.0
             };
-            let converged = size * rate <= CONVERGED * speed;
+            let converged = size * rate <= ROUND_OFF * speed;
             if converged || stagnated {
                 return Ok(trapezoid(system, q0, va, vb, self.h));
             }

@@ -18,6 +18,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, vector};
+use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
 pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
@@ -31,6 +32,7 @@ pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
     /// v_m.
     vm: SVector<f64, N>,
     solver: Implicit<N>,
+    yardstick: Yardstick<Q, N>,
     /// (∂v_m/∂v_a) w, row by row.
     slopes: RowMatrix<N, R>,
     /// (∂v_b/∂v_a) w, row by row, as if M were constant over half a step.
@@ -41,7 +43,7 @@ pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
 
 impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
     #[inline(never)]
-    pub(crate) fn new() -> Box<Self> {
+    pub(crate) fn new(yardstick: &Yardstick<Q, N>) -> Box<Self> {
         Box::new(Midpoint {
             h: 0.0,
             t0: 0.0,
@@ -50,6 +52,7 @@ impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
             middle: SVector::zeros(),
             vm: SVector::zeros(),
             solver: Implicit::new(),
+            yardstick: *yardstick,
             slopes: RowMatrix::zeros(),
             far: RowMatrix::zeros(),
             directions: RowMatrix::zeros(),
@@ -86,9 +89,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         system.momentum(&self.q0, va, &mut self.start);
         self.solver.known = self.start;
         let at_rest = SVector::zeros();
-        self.middle = self
-            .solver
-            .solve(system, &self.q0, &at_rest, &mut self.vm)?;
+        self.middle =
+            self.solver
+                .solve(system, &self.yardstick, &self.q0, &at_rest, &mut self.vm)?;
         *q = system.advance(&self.q0, &self.vm, self.h);
         Ok(())
     }

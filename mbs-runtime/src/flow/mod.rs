@@ -11,7 +11,7 @@ mod trapezoid;
 use crate::linear::RowMatrix;
 pub(crate) use choice::choose;
 pub(crate) use group::{pull_back, pull_back_rows, transport, unroll};
-pub(crate) use implicit::{Implicit, imperceptible, trapezoid};
+pub(crate) use implicit::{Implicit, trapezoid};
 pub(crate) use leapfrog::Leapfrog;
 pub(crate) use midpoint::Midpoint;
 use nalgebra::SVector;

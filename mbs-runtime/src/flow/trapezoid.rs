@@ -16,6 +16,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, vector};
+use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
 pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
@@ -25,6 +26,7 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     q1: SVector<f64, Q>,
     vb: SVector<f64, N>,
     solver: Implicit<N>,
+    yardstick: Yardstick<Q, N>,
     /// F_v₀.
     by_velocity: RowMatrix<N, N>,
     /// (∂v_b/∂v_a) w, row by row.
@@ -35,7 +37,7 @@ pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
 
 impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
     #[inline(never)]
-    pub(crate) fn new() -> Box<Self> {
+    pub(crate) fn new(yardstick: &Yardstick<Q, N>) -> Box<Self> {
         Box::new(Trapezoid {
             h: 0.0,
             t0: 0.0,
@@ -43,6 +45,7 @@ impl<const Q: usize, const N: usize, const R: usize> Trapezoid<Q, N, R> {
             q1: SVector::zeros(),
             vb: SVector::zeros(),
             solver: Implicit::new(),
+            yardstick: *yardstick,
             by_velocity: RowMatrix::zeros(),
             far: RowMatrix::zeros(),
             directions: RowMatrix::zeros(),
@@ -77,7 +80,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         q: &mut SVector<f64, Q>,
     ) -> Result<(), Fault> {
         self.solver.impulse(system, self.t0, &self.q0, va);
-        *q = self.solver.solve(system, &self.q0, va, &mut self.vb)?;
+        let (yardstick, q0) = (&self.yardstick, &self.q0);
+        *q = self.solver.solve(system, yardstick, q0, va, &mut self.vb)?;
         self.q1 = *q;
         Ok(())
     }

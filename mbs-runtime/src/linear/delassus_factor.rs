@@ -1,8 +1,8 @@
 //! The multiplier solve of the velocity rows, whose matrix S = A M⁻¹ Aᵀ is symmetric.
 
-use super::RankMargin;
 use super::proximal::Proximal;
-use super::{SPARSE_FROM, Square, Thresholds, WEAK_PIVOT};
+use super::{SPARSE_FROM, Square};
+use crate::singular::{REDUNDANT, RankMargin, Thresholds, WEAK_PIVOT, round_off};
 use nalgebra::{SMatrix, SVector};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
@@ -24,15 +24,6 @@ pub(crate) struct DelassusFactor<const K: usize> {
     skipped: [bool; K],
     /// Whether there are any.
     pub(crate) reduced: bool,
-}
-
-/// A relative pivot of a row that follows from those before it is round-off over the smallest pivot of others; at least and,
-/// where it is yet to be found out which rows these are, at most this. Independent rows may be as weak as that.
-const REDUNDANT: [f64; 2] = [1e-10, 1e-8];
-
-/// A relative pivot that is round-off, after the `least` one so far, by which errors were divided.
-fn round_off(least: f64) -> f64 {
-    (16.0 * f64::EPSILON / least).max(1e-11)
 }
 
 impl<const K: usize> DelassusFactor<K> {

@@ -5,30 +5,20 @@ mod pivoted;
 mod projection_lu;
 mod proximal;
 mod rank;
-mod rank_margin;
 mod row_matrix;
-mod thresholds;
 mod vector;
 
 pub(crate) use delassus_factor::DelassusFactor;
 pub(crate) use pivoted::Pivoted;
 pub(crate) use projection_lu::ProjectionLu;
-pub(crate) use rank::dependence;
-pub(crate) use rank_margin::RankMargin;
+pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
-pub(crate) use thresholds::Thresholds;
 pub(crate) use vector::{
     accumulate, dot, dot_of, finite, largest, largest_of, negative, vector, zeros,
 };
 
 /// The entries of a matrix inside a solver, row by row.
 type Square<const K: usize> = Box<[[f64; K]; K]>;
-
-/// ε of the proximal solve on rows of unit length: 1/ξ² for the penalty ξ = 1e7 of the augmented Lagrangian.
-const PROXIMAL: f64 = 1e-14;
-
-/// A pivot below this fraction calls for an iteration on the residual.
-pub(crate) const WEAK_PIVOT: f64 = 1e-3;
 
 /// From this size on, a branch that skips a zero is cheaper than the row operation it saves.
 const SPARSE_FROM: usize = 16;

@@ -1,7 +1,8 @@
 //! The multiplier solve of the position rows, whose matrix B is not symmetric.
 
 use super::proximal::Proximal;
-use super::{SPARSE_FROM, Square, Thresholds};
+use super::{SPARSE_FROM, Square};
+use crate::singular::Thresholds;
 use nalgebra::{SMatrix, SVector};
 
 /// B = A₁ W₀ factored: plain elimination while B is well conditioned, the proximal solve where it is not.

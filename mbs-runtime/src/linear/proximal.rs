@@ -3,14 +3,8 @@
 //! It is one step of the augmented Lagrangian iteration with penalty 1/√ε, written for the multipliers: redundant rows
 //! receive the minimum-norm multiplier, and a row that has lost its direction receives none.
 
-use super::{PROXIMAL, dot_of as dot};
-
-/// Most proximal steps of a solve.
-const PASSES: usize = 16;
-/// A step that leaves more than this part of what the one before left has come to the lost directions.
-const SHRINKS: f64 = 0.7;
-/// What is left below this part of the whole is left to the iteration around.
-const ENOUGH: f64 = 1e-6;
+use super::dot_of as dot;
+use crate::singular::{PASSED, PASSES, PROXIMAL, SHRINKS};
 
 /// Kept on the heap, because it is seldom used and large systems are built on small stacks.
 #[derive(Clone)]
@@ -76,7 +70,7 @@ impl<const K: usize> Proximal<K> {
     pub(super) fn solve(&self, x: &mut [f64; K]) {
         let mut rest: [f64; K] = std::array::from_fn(|i| self.scale[i] * x[i]);
         let mut multiplier = [0.0; K];
-        let enough = ENOUGH * super::largest_of(&rest);
+        let enough = PASSED * super::largest_of(&rest);
         let mut last = f64::INFINITY;
         for _ in 0..PASSES {
             let change = self.pass(rest);

@@ -1,10 +1,8 @@
 //! Which constraint rows depend on others, for verdicts; never on the path of a step.
 
-use super::{RowMatrix, dot};
+use super::dot;
+use crate::singular::NOTHING;
 use nalgebra::SVector;
-
-/// The fraction of its length that a row must add to the span of the rows above it to count as independent.
-const INDEPENDENT: f64 = 1e-8;
 
 /// The numerical rank of A, and the rows that depend on those above them.
 pub(crate) struct Dependence {
@@ -16,12 +14,12 @@ pub(crate) struct Dependence {
 ///
 /// Working on the rows instead of on A M⁻¹ Aᵀ keeps all digits: lengths are not squared before they are compared.
 pub(crate) fn dependence<const N: usize, const R: usize>(
-    a: &RowMatrix<N, R>,
-    w: &RowMatrix<N, R>,
+    a: &[SVector<f64, N>; R],
+    w: &[SVector<f64, N>; R],
+    vanishes: impl Fn(usize) -> bool,
 ) -> Dependence {
     let mut basis: Vec<(SVector<f64, N>, SVector<f64, N>)> = Vec::with_capacity(R);
     let mut dependent = Vec::new();
-    let longest = (0..R).map(|i| dot(&a[i], &w[i])).fold(0.0, f64::max).sqrt();
     for i in 0..R {
         let (mut row, mut lifted) = (a[i], w[i]);
         let length = dot(&row, &lifted).max(0.0).sqrt();
@@ -36,7 +34,7 @@ pub(crate) fn dependence<const N: usize, const R: usize>(
             }
         }
         let left = dot(&row, &lifted).max(0.0).sqrt();
-        if left > INDEPENDENT * length && length > 1e-12 * longest {
+        if left > NOTHING * length && !vanishes(i) {
             for j in 0..N {
                 row[j] /= left;
                 lifted[j] /= left;

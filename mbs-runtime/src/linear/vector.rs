@@ -82,15 +82,16 @@ pub(crate) fn largest<const N: usize>(x: &SVector<f64, N>) -> f64 {
 /// The same for any number of values.
 #[inline(always)]
 pub(crate) fn largest_of(values: &[f64]) -> f64 {
-    let mut largest = 0.0;
+    let (mut largest, mut sum) = (0.0, 0.0);
     for &value in values {
         let size = value.abs();
-        // Written so that a NaN is kept.
-        if !(size <= largest) {
+        if size > largest {
             largest = size;
         }
+        sum += size;
     }
-    largest
+    // The comparison passes a NaN over, the sum does not.
+    if sum.is_nan() { sum } else { largest }
 }
 
 /// Whether every entry is finite: one sum instead of a test per entry (an infinity or a NaN survives it).
@@ -101,4 +102,19 @@ pub(crate) fn finite<const N: usize>(x: &SVector<f64, N>) -> bool {
         sum += value * 0.0;
     }
     sum == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::largest_of;
+
+    #[test]
+    fn the_largest_is_nan_wherever_one_is() {
+        assert_eq!(largest_of(&[1.0, -3.0, 2.0]), 3.0);
+        for i in 0..3 {
+            let mut x = [1.0, 2.0, 3.0];
+            x[i] = f64::NAN;
+            assert!(largest_of(&x).is_nan());
+        }
+    }
 }

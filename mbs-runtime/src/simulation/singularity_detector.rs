@@ -1,7 +1,7 @@
 //! Singular poses on the way, found from how independent the rows are at the ends of steps.
 
 use super::Simulation;
-use crate::linear::RankMargin;
+use crate::singular::RankMargin;
 use crate::{RankLoss, System};
 
 /// σ_min below which a pose counts as singular.

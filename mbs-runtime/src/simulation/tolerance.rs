@@ -155,7 +155,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut found = Found {
             excess: f64::NAN,
             worst: 0,
-            speed: self.yardstick.measure(&moved) / length,
+            speed: self.size(&moved) / length,
             even: first == h && second == h,
         };
         let way = length * found.speed.max(speed);
@@ -218,12 +218,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok((self.report.rejected_steps == rejected).then_some(least))
     }
 
+    /// In sizes and radians; infinite if any entry is not a number.
+    fn size(&self, x: &SVector<f64, N>) -> f64 {
+        let size = self.yardstick.measure(x);
+        if size.is_nan() { f64::INFINITY } else { size }
+    }
+
     /// How far the other steps led from the pair, in sizes and radians, and the velocity that tells most.
     fn apart(&self, h: f64) -> (f64, usize) {
         let (pair, other) = (&self.before, self.state());
         let q = self.system().difference(&pair.positions, &other.positions);
         let v: SVector<f64, N> = vector(|i| h * (other.velocities[i] - pair.velocities[i]));
-        let (moved, carried) = (self.yardstick.measure(&q), self.yardstick.measure(&v));
+        let (moved, carried) = (self.size(&q), self.size(&v));
         match moved >= carried {
             true => (moved, self.yardstick.worst(&q)),
             false => (carried, self.yardstick.worst(&v)),

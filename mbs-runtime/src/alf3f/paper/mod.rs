@@ -31,6 +31,7 @@ use crate::PaperSettings;
 use crate::fault::Fault;
 use crate::flow::trapezoid;
 use crate::linear::{Pivoted, dot, finite, largest, vector};
+use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, System};
 
 /// The integrator of the paper by itself.
@@ -42,6 +43,7 @@ pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     end: Box<Instant<S, Q, N, R>>,
     jacobian: Box<(Jacobian<N>, Pivoted<N>)>,
     motion: RowMotion,
+    yardstick: Box<Yardstick<Q, N>>,
     /// Impulse of each row during the last step, N s.
     impulse: SVector<f64, R>,
     /// The length of that step, s.
@@ -84,6 +86,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             drive: SVector::zeros(),
             counters: Counters::default(),
             settings: paper,
+            yardstick: Box::new(Yardstick::new(&system, settings.step)),
             system,
             state,
         };
@@ -345,8 +348,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
                 x.v[n] += change[n];
             }
             self.counters.iterations += 1;
-            size = largest(&change) / largest(&x.v).max(1e-3);
-            if size <= self.settings.newton_tolerance {
+            size = self.yardstick.measure(&change);
+            let enough = self.settings.newton_tolerance * self.yardstick.measure(&x.v);
+            if size <= enough.max(self.yardstick.imperceptible(&x.q, h)) {
                 return Ok(());
             }
             if !size.is_finite() {

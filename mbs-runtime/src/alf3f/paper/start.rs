@@ -89,7 +89,7 @@ pub(super) fn begin<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     motion: RowMotion,
     state: &mut State<Q, N, R>,
 ) -> Result<(), Fault> {
-    let reactions = crate::reactions::reactions(system, state)?.multipliers;
+    let reactions = crate::reactions::reactions(system, state, 0.0)?.multipliers;
     let State {
         time,
         positions,

@@ -1,0 +1,113 @@
+//! What a violation of a row amounts to.
+
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
+use crate::linear::{dot, vector};
+use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
+use crate::yardstick::Yardstick;
+use crate::{Settings, System};
+use nalgebra::SVector;
+
+/// Turns φ into a displacement: |φ_i| ≤ tolerance · |a_i|, where |a_i| is the change of φ_i as all coordinates change by
+/// the length of the mechanism or a radian, at the declared guess.
+///
+/// It depends on the system alone, so that a resumed run takes the same decisions.
+#[derive(Clone, Copy)]
+pub(crate) struct RowScale<const R: usize> {
+    /// 1/(tolerance · |a_i|)².
+    pub(crate) weights: SVector<f64, R>,
+    /// |a_i|²: makes multipliers of rows in different units comparable, as works.
+    pub(crate) lengths_squared: SVector<f64, R>,
+    /// ([`LEFT_OPEN`] / tolerance)².
+    pub(crate) lost: f64,
+    pub(crate) tolerance: f64,
+}
+
+impl<const R: usize> RowScale<R> {
+    pub(crate) fn new<S: System<Q, N, R>, const Q: usize, const N: usize>(
+        system: &S,
+        yardstick: &Yardstick<Q, N>,
+        settings: &Settings,
+    ) -> Result<Self, Fault> {
+        let tolerance = settings.constraint_tolerance;
+        let yardstick = yardstick.for_tolerance(S::MODEL, tolerance);
+        let geometry = ConstraintGeometry::at_guess(system)?;
+        let lengths_squared: SVector<f64, R> = vector(|i| {
+            let length_squared = yardstick.row_length_squared(&geometry.a[i]);
+            let expected = Self::expected::<S, Q, N>(i, yardstick.length);
+            match length_squared > (NOTHING * expected).powi(2) {
+                true => length_squared,
+                false => expected * expected,
+            }
+        });
+        Ok(RowScale {
+            weights: lengths_squared.map(|square| 1.0 / (tolerance * tolerance * square)),
+            lengths_squared,
+            lost: (LEFT_OPEN / tolerance).powi(2).max(STAGNATED),
+            tolerance,
+        })
+    }
+
+    /// What a row of its unit may amount to in a mechanism of this length: metres are lengths, square metres their squares.
+    pub(crate) fn expected<S: System<Q, N, R>, const Q: usize, const N: usize>(
+        row: usize,
+        length: f64,
+    ) -> f64 {
+        let unit = S::MODEL.rows.get(row).map_or("", |row| row.unit);
+        length.powi(power_of_metres(unit))
+    }
+
+    /// The largest |φ_i|/|a_i|, a displacement in lengths of the mechanism; NaN if any φ is.
+    pub(crate) fn displacement(&self, phi: &SVector<f64, R>) -> f64 {
+        let displacements = vector::<R>(|i| self.displacement_of(i, phi[i]));
+        crate::linear::largest(&displacements)
+    }
+
+    /// |φ_i|/|a_i|.
+    pub(crate) fn displacement_of(&self, row: usize, phi: f64) -> f64 {
+        phi.abs() * self.weights[row].sqrt() * self.tolerance
+    }
+
+    /// The round-off of velocity rows, in squared tolerances a second, where velocities are this fast in lengths of the
+    /// mechanism and radians a second.
+    pub(crate) fn round_off(&self, speed: f64) -> f64 {
+        (ROUND_OFF / self.tolerance * speed).powi(2)
+    }
+
+    /// The residual that is taken where a new factor does not reduce it; `lost`: a multiplier has no direction.
+    #[inline(always)]
+    pub(crate) fn round_off_of(&self, lost: bool) -> f64 {
+        if lost { self.lost } else { STAGNATED }
+    }
+
+    /// Σ |a_i|² x_i² of multipliers.
+    #[inline(always)]
+    pub(crate) fn square(&self, x: &SVector<f64, R>) -> f64 {
+        let weighted: SVector<f64, R> = vector(|i| self.lengths_squared[i] * x[i]);
+        dot(&weighted, x)
+    }
+}
+
+/// k of a unit m^k …; 0 without metres.
+fn power_of_metres(unit: &str) -> i32 {
+    let above = unit.split('/').next().unwrap_or("");
+    above
+        .split(' ')
+        .find_map(|factor| match factor.strip_prefix('m')? {
+            "" => Some(1),
+            "²" => Some(2),
+            power => power.strip_prefix('^')?.parse().ok(),
+        })
+        .unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power_of_metres;
+
+    #[test]
+    fn units_tell_how_rows_grow_with_the_mechanism() {
+        let units = ["m", "m^2", "m/s", "kg m²", "rad", "1/(m)", "mol", ""];
+        assert_eq!(units.map(power_of_metres), [1, 2, 1, 2, 0, 0, 0, 0]);
+    }
+}

@@ -1,0 +1,193 @@
+//! What displacements and velocities are measured in: the length of the mechanism itself for lengths, radians for angles.
+//!
+//! Nothing is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
+
+use crate::linear::{RowMatrix, dot, largest, largest_of, vector};
+use crate::{Coordinate, Model, System};
+use nalgebra::SVector;
+
+/// Round-off of positions: that of a few operations on numbers of their size.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+
+/// Reciprocals of what the coordinates and the velocities are measured in.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Yardstick<const Q: usize, const N: usize> {
+    /// The characteristic length, m.
+    pub(crate) length: f64,
+    /// How far from the origin of the world the mechanism reaches, m: round-off of lengths is relative to this.
+    pub(crate) reach: f64,
+    positions: SVector<f64, Q>,
+    velocities: SVector<f64, N>,
+}
+
+impl<const Q: usize, const N: usize> Yardstick<Q, N> {
+    /// Of a system at its guess, so that a resumed run measures alike; `step` counts where nothing has a length.
+    #[inline(never)]
+    pub(crate) fn new<S: System<Q, N, R>, const R: usize>(system: &S, step: f64) -> Self {
+        let (q, _) = system.guess();
+        let mut points = vec![[0.0; 3]; S::MODEL.points.len()];
+        system.points(0.0, &q, &mut points);
+        let reach = largest_of(points.as_flattened());
+        let length = [extent(&points), reach]
+            .into_iter()
+            .find(|&length| is_length(length))
+            .unwrap_or_else(|| without_points(system, step));
+        Self::of(S::MODEL.coordinates, S::MODEL.velocities, length, reach)
+    }
+
+    /// The same, with a length of which this part is no smaller than the round-off of positions.
+    pub(crate) fn for_tolerance(&self, model: &Model, tolerance: f64) -> Self {
+        let length = self.length.max(ROUND_OFF / tolerance * self.reach);
+        Self::of(model.coordinates, model.velocities, length, self.reach)
+    }
+
+    fn of(coordinates: &[Coordinate], velocities: &[Coordinate], length: f64, reach: f64) -> Self {
+        let weight = |quantity: Option<&Coordinate>| match quantity {
+            Some(quantity) if matches!(quantity.unit, "m" | "m/s") => 1.0 / length,
+            _ => 1.0,
+        };
+        Yardstick {
+            length,
+            reach,
+            positions: vector(|i| weight(coordinates.get(i))),
+            velocities: vector(|i| weight(velocities.get(i))),
+        }
+    }
+
+    /// max |x| in lengths of the mechanism and radians; NaN if any is not a number.
+    #[inline(always)]
+    pub(crate) fn measure(&self, x: &SVector<f64, N>) -> f64 {
+        largest(&self.sizes(x))
+    }
+
+    /// Σ x² in the same.
+    pub(crate) fn square(&self, x: &SVector<f64, N>) -> f64 {
+        let sizes = self.sizes(x);
+        dot(&sizes, &sizes)
+    }
+
+    /// The entry that [`Self::measure`] comes from.
+    pub(crate) fn worst(&self, x: &SVector<f64, N>) -> usize {
+        let sizes = self.sizes(x).map(f64::abs);
+        let larger = |i: &usize, j: &usize| sizes[*i].total_cmp(&sizes[*j]);
+        (0..N).max_by(larger).unwrap_or(0)
+    }
+
+    #[inline(always)]
+    fn sizes(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
+        vector(|i| self.velocities[i] * x[i])
+    }
+
+    /// x of which each entry is this many lengths of the mechanism, or radians.
+    pub(crate) fn displacement(&self, parts: SVector<f64, N>) -> SVector<f64, N> {
+        vector(|i| parts[i] / self.velocities[i])
+    }
+
+    /// |a|² of a row for such displacements: how far they move what the row says, squared.
+    #[inline]
+    pub(crate) fn row_length_squared(&self, a: &SVector<f64, N>) -> f64 {
+        let moved: SVector<f64, N> = vector(|i| a[i] / self.velocities[i]);
+        dot(&moved, &moved)
+    }
+
+    /// How large the coordinates are, at least 1.
+    #[inline(always)]
+    pub(crate) fn farthest(&self, q: &SVector<f64, Q>) -> f64 {
+        let sizes: SVector<f64, Q> = vector(|i| self.positions[i] * q[i]);
+        largest(&sizes).max(1.0)
+    }
+
+    /// A velocity, in lengths of the mechanism and radians a second, that moves the end of a step of h by no more than
+    /// the round-off of its positions. At rest corrections stay of this size: 2φ/h, the rate that a row asks for, is no
+    /// better known, and smaller steps make it worse.
+    #[inline(always)]
+    pub(crate) fn imperceptible(&self, q: &SVector<f64, Q>, h: f64) -> f64 {
+        ROUND_OFF * self.farthest(q) / (0.5 * h).abs()
+    }
+}
+
+/// The characteristic length of a mechanism all of whose points lie at the origin: the largest radius of gyration, or how
+/// far its first step leads; without either nothing has a length, and any does.
+#[cold]
+fn without_points<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    step: f64,
+) -> f64 {
+    let (q, v) = system.guess();
+    let mut mass = RowMatrix::<N, N>::zeros();
+    system.mass_matrix(&q, &mut mass);
+    let unit = |i: usize| S::MODEL.velocities.get(i).map_or("", |v| v.unit);
+    let most = |wanted: &str, of: &dyn Fn(usize) -> f64| {
+        let among = (0..N).filter(|&i| unit(i) == wanted);
+        among.map(of).fold(0.0, f64::max)
+    };
+    let inertia = |i: usize| mass[i][i];
+    let gyration = (most("rad/s", &inertia) / most("m/s", &inertia)).sqrt();
+    let mut kick = SVector::zeros();
+    system.applied_forces(0.0, &q, &v, &mut kick);
+    if let Some(mass) = system.factor_mass(&q) {
+        system.solve_mass(&mass, &mut kick);
+    }
+    let way = |i: usize| step * (v[i].abs() + step * kick[i].abs());
+    let way = most("m/s", &way);
+    [gyration, way]
+        .into_iter()
+        .find(|&length| is_length(length))
+        .unwrap_or(1.0)
+}
+
+fn is_length(x: f64) -> bool {
+    x > 0.0 && x.is_finite()
+}
+
+/// The largest extent of points along an axis, m.
+fn extent(points: &[[f64; 3]]) -> f64 {
+    let along = |axis: usize| {
+        let values = points.iter().map(|point| point[axis]);
+        let least = values.clone().fold(f64::INFINITY, f64::min);
+        values.fold(f64::NEG_INFINITY, f64::max) - least
+    };
+    along(0).max(along(1)).max(along(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const VELOCITIES: [Coordinate; 2] = [
+        Coordinate {
+            name: "x'",
+            unit: "m/s",
+        },
+        Coordinate {
+            name: "theta'",
+            unit: "rad/s",
+        },
+    ];
+    const COORDINATES: [Coordinate; 2] = [
+        Coordinate {
+            name: "x",
+            unit: "m",
+        },
+        Coordinate {
+            name: "theta",
+            unit: "rad",
+        },
+    ];
+
+    #[test]
+    fn lengths_count_in_sizes_and_angles_in_radians() {
+        let length = extent(&[[1.0, -1.0, 0.0], [2.0, 3.0, 0.0]]);
+        let yardstick = Yardstick::<2, 2>::of(&COORDINATES, &VELOCITIES, length, 3.0);
+        assert_eq!(yardstick.measure(&SVector::from([2.0, 0.25])), 0.5);
+        assert_eq!(yardstick.worst(&SVector::from([2.0, 0.25])), 0);
+        assert_eq!(yardstick.measure(&SVector::from([0.5, -0.25])), 0.25);
+        assert_eq!(yardstick.worst(&SVector::from([0.5, -0.25])), 1);
+        assert!(yardstick.measure(&SVector::from([f64::NAN, 0.0])).is_nan());
+        assert_eq!(
+            yardstick.row_length_squared(&SVector::from([0.5, 2.0])),
+            8.0
+        );
+        assert_eq!(yardstick.farthest(&SVector::from([-12.0, 2.0])), 3.0);
+    }
+}
