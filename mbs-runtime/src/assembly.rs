@@ -1,11 +1,11 @@
 //! From the declared guess to a state that satisfies the constraints.
 
-use crate::alf3f::RowScale;
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::Dependence;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
+use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};

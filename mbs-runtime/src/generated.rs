@@ -5,7 +5,8 @@ pub use crate::affinities::by_tangents as affinities;
 use crate::linear::vector;
 use nalgebra::{SMatrix, SVector};
 
-pub use crate::contract::{DEPENDENT, Elimination, Rates};
+pub use crate::contract::{Elimination, Rates};
+pub use crate::singular::DEPENDENT;
 pub use cholesky::{Cholesky, positive};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;

@@ -83,6 +83,7 @@ mod model;
 pub mod output;
 mod reactions;
 mod report;
+mod row_scale;
 mod samples;
 mod settings;
 mod simulation;

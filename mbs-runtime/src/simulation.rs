@@ -10,11 +10,12 @@ mod singularity_detector;
 mod tolerance;
 
 use self::singularity_detector::SingularityDetector;
-use crate::alf3f::{RowScale, StepMonitor};
+use crate::alf3f::StepMonitor;
 use crate::assembly::{RESUMABLE, assemble};
 use crate::fault::Fault;
 use crate::integrator::Integrator;
 use crate::linear::largest;
+use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{

@@ -55,13 +55,16 @@ pub(crate) const STILL: f64 = 1e-9;
 /// than its unit leads to expect, says nothing.
 pub(crate) const NOTHING: f64 = 1e-8;
 
+/// A pivot below this part of its row's own length is round-off: the row depends on others.
+pub const DEPENDENT: f64 = 1e-11;
+
 /// A relative pivot of a row that follows from those before it is round-off over the smallest pivot of others; at least and,
 /// where it is yet to be found out which rows these are, at most this. Independent rows may be as weak as that.
 pub(crate) const REDUNDANT: [f64; 2] = [1e-10, 1e-8];
 
 /// A relative pivot that is round-off, after the `least` one so far, by which errors were divided.
 pub(crate) fn round_off(least: f64) -> f64 {
-    (16.0 * f64::EPSILON / least).max(crate::generated::DEPENDENT)
+    (16.0 * f64::EPSILON / least).max(DEPENDENT)
 }
 
 /// Below this ratio of the smallest pivots of A₁J⁻¹½(A₀ + A₁)ᵀ and A₁J⁻¹A₁ᵀ the mean direction of an implicit step counts

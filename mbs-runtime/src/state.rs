@@ -1,7 +1,7 @@
 //! Where a simulation stands: all that is needed to continue it bit for bit.
 
-use crate::alf3f::RowScale;
 use crate::linear::vector;
+use crate::row_scale::RowScale;
 use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
 use nalgebra::SVector;
 

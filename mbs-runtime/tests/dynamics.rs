@@ -48,7 +48,11 @@ mechanism!(Linkage {
     ),
     shoulder: Spherical(ground, arm, at = [0.0, 0.0, 0.0]),
     elbow: Revolute(arm, forearm, at = [0.5, 0.0, 0.0], axis = Y),
-    rope: Distance(ground.point(1.5, 0.4, 0.2), forearm.origin, length = 0.916515138991168_m),
+    rope: Distance(
+        ground.point(1.5, 0.4, 0.2),
+        forearm.origin,
+        length = 0.916515138991168_m
+    ),
 });
 
 fn size(x: &[f64]) -> f64 {

@@ -5,6 +5,7 @@
 
 use crate::fault::Fault;
 use crate::singular::{STAGNATED, STALLED};
+use nalgebra::SVector;
 
 /// Equations of rows that corrections through a factor satisfy.
 pub(crate) trait Closing {
@@ -132,5 +133,39 @@ pub(crate) fn refine(rows: &mut impl Refining, passes: usize, enough: f64) {
         }
         last = residual;
         rows.correct();
+    }
+}
+
+/// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.
+#[inline(always)]
+pub(crate) fn residual_of<const R: usize>(phi: &SVector<f64, R>, weights: &SVector<f64, R>) -> f64 {
+    let mut sum = 0.0;
+    for i in 0..R {
+        sum += phi[i] * phi[i] * weights[i];
+    }
+    sum
+}
+
+#[cold]
+#[inline(never)]
+pub(crate) fn not_converged<const R: usize>(
+    phi: &SVector<f64, R>,
+    weights: &SVector<f64, R>,
+    iterations: usize,
+) -> Fault {
+    let mut row = 0;
+    for i in 0..R {
+        let size = |i: usize| phi[i] * phi[i] * weights[i];
+        if !(size(i) <= size(row)) {
+            row = i;
+        }
+    }
+    match phi.get(row) {
+        Some(residual) if !residual.is_finite() => Fault::NonFinite("constraint rows"),
+        residual => Fault::Row {
+            row,
+            residual: residual.copied().unwrap_or(0.0),
+            iterations,
+        },
     }
 }

@@ -10,7 +10,7 @@
 //! −h²/4 ∂F/∂q is part of Newton's J but not of this metric: with it the error grows with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
 
 use super::closing::{self, Closing, Limits, Refining, refine};
-use super::kicks::{not_converged, residual_of};
+use super::closing::{not_converged, residual_of};
 use super::step_context::{REFINEMENTS, StepContext};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;

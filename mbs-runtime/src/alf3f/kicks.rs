@@ -7,7 +7,7 @@
 //! φ(q₁, t₁) = 0 → κ₁           A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 
-use super::closing::{self, Closed, Closing, Limits};
+use super::closing::{self, Closed, Closing, Limits, not_converged, residual_of};
 use super::step_context::StepContext;
 use crate::System;
 use crate::fault::Fault;
@@ -235,39 +235,5 @@ where
     fn fault(&self, iterations: usize) -> Fault {
         let StepContext { work, scale, .. } = &*self.context;
         not_converged(&work.phi, &scale.weights, iterations)
-    }
-}
-
-/// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.
-#[inline(always)]
-pub(crate) fn residual_of<const R: usize>(phi: &SVector<f64, R>, weights: &SVector<f64, R>) -> f64 {
-    let mut sum = 0.0;
-    for i in 0..R {
-        sum += phi[i] * phi[i] * weights[i];
-    }
-    sum
-}
-
-#[cold]
-#[inline(never)]
-pub(crate) fn not_converged<const R: usize>(
-    phi: &SVector<f64, R>,
-    weights: &SVector<f64, R>,
-    iterations: usize,
-) -> Fault {
-    let mut row = 0;
-    for i in 0..R {
-        let size = |i: usize| phi[i] * phi[i] * weights[i];
-        if !(size(i) <= size(row)) {
-            row = i;
-        }
-    }
-    match phi.get(row) {
-        Some(residual) if !residual.is_finite() => Fault::NonFinite("constraint rows"),
-        residual => Fault::Row {
-            row,
-            residual: residual.copied().unwrap_or(0.0),
-            iterations,
-        },
     }
 }

@@ -10,8 +10,8 @@
 //! ```
 
 use super::closing::{self, Closing, Limits, Refining, refine};
-use super::kicks::{not_converged, residual_of};
-use super::step_context::{REFINEMENTS, StepContext, Workspace};
+use super::closing::{not_converged, residual_of};
+use super::step_context::{REFINEMENTS, StepContext, Workspace, factor_holonomic};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -208,32 +208,6 @@ where
     fn fault(&self, iterations: usize) -> Fault {
         let (defect, weights) = (self.defect, self.weights);
         not_converged(&defect, &weights, iterations)
-    }
-}
-
-/// Factors S of the holonomic rows, with unit rows in place of the others.
-pub(super) fn factor_holonomic<
-    S: System<Q, N, R>,
-    const Q: usize,
-    const N: usize,
-    const R: usize,
->(
-    end: &ConstraintGeometry<S, Q, N, R>,
-    work: &mut Workspace<R>,
-) {
-    let holonomic = S::STRUCTURE.holonomic_rows;
-    if holonomic > 0 {
-        // On the stack: a step allocates nothing.
-        let mut delassus = *end.delassus;
-        let rows = &mut delassus.data.0;
-        for i in holonomic..R {
-            rows[i] = [0.0; R];
-            for row in rows.iter_mut() {
-                row[i] = 0.0;
-            }
-            rows[i][i] = 1.0;
-        }
-        work.delassus.factor(&delassus);
     }
 }
 

@@ -11,8 +11,9 @@
 //! chain. A step that begins or ends where a row is about to lose its direction needs the proximal solve, which is dense:
 //! that step is taken by [`kicks`].
 
+use super::closing::residual_of;
 use super::closing::{self, Closed, Closing, Limits, Refining, refine};
-use super::kicks::{self, residual_of};
+use super::kicks;
 use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
 use super::step_context::{REFINEMENTS, StepContext};
 use crate::fault::Fault;

@@ -1,11 +1,11 @@
 //! What every two-level step works on.
 
-use super::RowScale;
+use super::closing::residual_of;
 use super::closing::{Refining, refine};
-use super::kicks::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative};
+use crate::row_scale::RowScale;
 use crate::singular::Thresholds;
 use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
@@ -114,7 +114,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         if S::STRUCTURE.holonomic_rows == R {
             work.delassus.factor(&start.delassus);
         } else {
-            super::mixed_kicks::factor_holonomic(start, work);
+            factor_holonomic(start, work);
         }
         Ok(())
     }
@@ -216,5 +216,31 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refinin
         self.work.delassus.solve(&mut multiplier);
         crate::linear::accumulate(self.v, &self.end.w, &multiplier);
         self.work.impulse[1] += multiplier;
+    }
+}
+
+/// Factors S of the holonomic rows, with unit rows in place of the others.
+pub(super) fn factor_holonomic<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    end: &ConstraintGeometry<S, Q, N, R>,
+    work: &mut Workspace<R>,
+) {
+    let holonomic = S::STRUCTURE.holonomic_rows;
+    if holonomic > 0 {
+        // On the stack: a step allocates nothing.
+        let mut delassus = *end.delassus;
+        let rows = &mut delassus.data.0;
+        for i in holonomic..R {
+            rows[i] = [0.0; R];
+            for row in rows.iter_mut() {
+                row[i] = 0.0;
+            }
+            rows[i][i] = 1.0;
+        }
+        work.delassus.factor(&delassus);
     }
 }

@@ -14,10 +14,10 @@ use super::bench::Bench;
 use super::motion::{Motion, Progress, move_rows};
 use crate::PenaltySettings;
 use crate::System;
-use crate::alf3f::RowScale;
 use crate::fault::Fault;
 use crate::flow::{pull_back, trapezoid};
 use crate::linear::{Pivoted, RowMatrix, largest, vector};
+use crate::row_scale::RowScale;
 use nalgebra::SVector;
 
 pub(crate) struct Penalty<const N: usize, const R: usize> {

@@ -11,11 +11,12 @@
 
 use super::bench::Bench;
 use crate::alf3f::closing::{self, Closing, Limits};
-use crate::alf3f::{RowScale, not_converged, residual_of};
+use crate::alf3f::{not_converged, residual_of};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
 use crate::linear::{Pivoted, RowMatrix, accumulate};
+use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;

@@ -2,9 +2,6 @@
 
 use nalgebra::SVector;
 
-/// A pivot below this part of its row's own length is round-off: the row depends on others.
-pub const DEPENDENT: f64 = 1e-11;
-
 /// The elimination of
 ///
 /// ```text

@@ -1,7 +1,7 @@
 //! Typed access: the simulation of a mechanism by one name, and its inputs and outputs as fields.
 
-use super::text::{doc, tokens, visibility};
-use super::{parameters, system};
+use super::items::{self, visibility};
+use super::text::{doc, tokens};
 use crate::contract::Capability;
 use crate::dag::Program;
 use crate::model::{Outline, Quantity};
@@ -11,20 +11,20 @@ use quote::{format_ident, quote};
 
 /// The alias of the simulation, and the two structs.
 pub(super) fn emit(declaration: &Declaration, outline: &Outline, program: &Program) -> TokenStream {
-    let (name, system) = (&declaration.name, system::name(declaration));
+    let (name, system) = (&declaration.name, items::system(declaration));
     let visibility = visibility(declaration);
-    let alias = alias(declaration);
+    let alias = items::simulation(declaration);
     let sizes = tokens(&Capability::System.sizes(program));
     let about = doc(&format!("A simulation of [`{name}`]."));
     let inputs = fields(
         declaration,
-        &names(declaration).0,
+        &items::inputs_and_outputs(declaration).0,
         &outline.inputs,
         "inputs",
     );
     let outputs = fields(
         declaration,
-        &names(declaration).1,
+        &items::inputs_and_outputs(declaration).1,
         &outline.outputs,
         "outputs",
     );
@@ -36,24 +36,6 @@ pub(super) fn emit(declaration: &Declaration, outline: &Outline, program: &Progr
         #inputs
         #outputs
     }
-}
-
-/// The name of the simulation.
-pub(super) fn alias(declaration: &Declaration) -> Ident {
-    let name = &declaration.name;
-    format_ident!("{name}Simulation", span = name.span())
-}
-
-/// The structs of inputs and outputs.
-pub(super) fn names(declaration: &Declaration) -> (Ident, Ident) {
-    let of = |suffix: &str| {
-        format_ident!(
-            "{}{suffix}",
-            declaration.name,
-            span = declaration.name.span()
-        )
-    };
-    (of("Inputs"), of("Outputs"))
 }
 
 /// A field of one number, or of the components of a vector.
@@ -81,8 +63,8 @@ fn fields(declaration: &Declaration, name: &Ident, list: &[Quantity], what: &str
                 last.numbers.push(number);
             }
             _ => fields.push(Field {
-                name: parameters::field(declaration, entry),
-                about: doc(&parameters::documented(&quantity.doc, &quantity.unit)),
+                name: items::field(declaration, entry),
+                about: doc(&items::documented(&quantity.doc, &quantity.unit)),
                 numbers: vec![number],
                 is_vector: component,
             }),

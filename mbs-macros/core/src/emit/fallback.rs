@@ -1,8 +1,7 @@
 //! What is emitted beside the errors of a wrong declaration: the type and its parameters, so that the rest of the user's
 //! program keeps resolving and the only errors shown are those of the declaration.
 
-use super::access;
-use super::text::visibility;
+use super::items::{self, visibility};
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -22,7 +21,7 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
             fields.push(field);
         }
     }
-    let (inputs, outputs) = access::names(declaration);
+    let (inputs, outputs) = items::inputs_and_outputs(declaration);
     let named = [(&inputs, of_kind("Input")), (&outputs, of_kind("Output"))];
     let named = named.map(|(name, fields)| {
         quote! {
@@ -44,7 +43,7 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
         }
     });
     let unfinished = quote! { ::mbs_runtime::generated::Unfinished<#inputs, #outputs> };
-    let alias = access::alias(declaration);
+    let alias = items::simulation(declaration);
     quote! {
         #[derive(Debug, Clone, Copy, PartialEq, Default)]
         #visibility struct #name {

@@ -6,6 +6,7 @@
 mod access;
 mod body;
 mod fallback;
+mod items;
 mod metadata;
 mod methods;
 mod motion;

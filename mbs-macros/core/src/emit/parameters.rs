@@ -1,15 +1,16 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::text::{doc, tokens, visibility};
-use super::{motion, system};
+use super::items::{self, documented, field, visibility};
+use super::motion;
+use super::text::{doc, tokens};
 use crate::analysis::Analysis;
 use crate::dag::{Operand, Program};
 use crate::mobility;
 use crate::model::{Outline, Quantity};
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 use std::fmt::Write;
 
 /// The struct and its default.
@@ -50,24 +51,6 @@ pub(super) fn emit(
             }
         }
     }
-}
-
-/// The documentation of a value, and its unit in parentheses.
-pub(super) fn documented(text: &str, unit: &str) -> String {
-    let unit = match unit {
-        "" => "dimensionless".to_owned(),
-        unit => format!("in {unit}"),
-    };
-    match text {
-        "" => format!("({unit})"),
-        text => format!("{text} ({unit})"),
-    }
-}
-
-/// The field of a parameter, input or output, with the span of its declaration.
-pub(super) fn field(declaration: &Declaration, name: &str) -> Ident {
-    let entry = declaration.entries.iter().find(|entry| entry.name == name);
-    entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
 }
 
 fn documentation(analysis: &Analysis, program: &Program) -> String {
@@ -155,7 +138,7 @@ pub(super) fn emit_mechanism(
     program: &Program,
 ) -> TokenStream {
     let (outline, name) = (&analysis.outline, &declaration.name);
-    let system = system::name(declaration);
+    let system = items::system(declaration);
     let (coordinates, size, rows) = (program.coordinates, program.size, program.rows.len());
     let fields: Vec<Ident> = outline
         .parameters

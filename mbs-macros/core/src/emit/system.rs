@@ -1,19 +1,15 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
-use super::text::{doc, tokens, visibility};
-use super::{access, metadata, methods, sparse};
+use super::items::{self, visibility};
+use super::text::{doc, tokens};
+use super::{metadata, methods, sparse};
 use crate::contract::Capability;
 use crate::dag::Program;
 use crate::model::Outline;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-
-/// The name of the hidden type.
-pub(super) fn name(declaration: &Declaration) -> Ident {
-    format_ident!("{}System", declaration.name, span = declaration.name.span())
-}
 
 /// The struct and `impl System`.
 pub(super) fn emit(
@@ -23,7 +19,7 @@ pub(super) fn emit(
     program: &Program,
     metadata: &str,
 ) -> TokenStream {
-    let (name, parameters) = (name(declaration), &declaration.name);
+    let (name, parameters) = (items::system(declaration), &declaration.name);
     let visibility = visibility(declaration);
     let size = program.size;
     let inputs = outline.inputs.len();
@@ -57,7 +53,7 @@ pub(super) fn emit(
     let structure = metadata::structure(program);
     let (elimination, eliminating) = sparse::emit(program);
     let rotations = format!("const ROTATIONS: &'static [usize] = &{rotations:?};\n");
-    let (inputs_type, outputs_type) = access::names(declaration);
+    let (inputs_type, outputs_type) = items::inputs_and_outputs(declaration);
     let associated = [
         (Capability::Configuration, rotations),
         (Capability::Inertia, mass_type(program)),

@@ -1,6 +1,5 @@
 //! Generated text as tokens.
 
-use crate::syntax::Declaration;
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -26,10 +25,4 @@ pub(super) fn tokens(text: &str) -> TokenStream {
             quote! { compile_error!(#message) }
         }
     }
-}
-
-/// The visibility that was declared; `pub` where none was.
-pub(super) fn visibility(declaration: &Declaration) -> TokenStream {
-    let declared = declaration.visibility.as_ref();
-    declared.map_or_else(|| quote! { pub }, |visibility| quote! { #visibility })
 }

@@ -25,7 +25,7 @@ use nalgebra::SVector;
 
 use self::rows::{Instant, Jacobian, RowMotion, Unknowns};
 use self::start::Origin;
-use super::kicks;
+use super::closing;
 use super::step_context::Counters;
 use crate::PaperSettings;
 use crate::fault::Fault;
@@ -367,6 +367,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     fn worst_row(&self, v: &SVector<f64, N>, iterations: usize) -> Fault {
         let geometry = &self.end.geometry;
         let rates: SVector<f64, R> = vector(|i| dot(&geometry.a[i], v) + geometry.b[i]);
-        kicks::not_converged(&rates, &SVector::repeat(1.0), iterations)
+        closing::not_converged(&rates, &SVector::repeat(1.0), iterations)
     }
 }

@@ -1,6 +1,7 @@
 //! Line 3 of Algorithm 1: what a step begins from, and its first estimates.
 
 use super::rows::{Instant, RowMotion, Unknowns};
+use crate::dynamics::Dynamics;
 use crate::fault::Fault;
 use crate::{MultiplierStart, PaperSettings};
 use crate::{State, System};
@@ -89,7 +90,9 @@ pub(super) fn begin<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     motion: RowMotion,
     state: &mut State<Q, N, R>,
 ) -> Result<(), Fault> {
-    let reactions = crate::reactions::reactions(system, state, 0.0)?.multipliers;
+    let (t, q, v) = (state.time, &state.positions, &state.velocities);
+    let dynamics = Dynamics::of(system.clone(), t, q, v)?;
+    let reactions = dynamics.multipliers();
     let State {
         time,
         positions,
@@ -114,7 +117,7 @@ pub(super) fn begin<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
             fields.length = 1.0;
         }
         RowMotion::Static => {
-            fields.lambda.copy_from_slice(&reactions);
+            fields.lambda = *reactions;
             fields.mu = SVector::zeros();
             system.momentum(positions, velocities, &mut fields.momentum);
             fields.started = true;

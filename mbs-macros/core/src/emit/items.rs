@@ -1,0 +1,52 @@
+//! What emitted items are called, and how they are shown.
+
+use crate::syntax::Declaration;
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+/// The visibility that was declared; `pub` where none was.
+pub(super) fn visibility(declaration: &Declaration) -> TokenStream {
+    let declared = declaration.visibility.as_ref();
+    declared.map_or_else(|| quote! { pub }, |visibility| quote! { #visibility })
+}
+
+/// The name of the hidden type.
+pub(super) fn system(declaration: &Declaration) -> Ident {
+    format_ident!("{}System", declaration.name, span = declaration.name.span())
+}
+
+/// The name of the simulation.
+pub(super) fn simulation(declaration: &Declaration) -> Ident {
+    let name = &declaration.name;
+    format_ident!("{name}Simulation", span = name.span())
+}
+
+/// The structs of inputs and outputs.
+pub(super) fn inputs_and_outputs(declaration: &Declaration) -> (Ident, Ident) {
+    let of = |suffix: &str| {
+        format_ident!(
+            "{}{suffix}",
+            declaration.name,
+            span = declaration.name.span()
+        )
+    };
+    (of("Inputs"), of("Outputs"))
+}
+
+/// The field of a parameter, input or output, with the span of its declaration.
+pub(super) fn field(declaration: &Declaration, name: &str) -> Ident {
+    let entry = declaration.entries.iter().find(|entry| entry.name == name);
+    entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
+}
+
+/// The documentation of a value, and its unit in parentheses.
+pub(super) fn documented(text: &str, unit: &str) -> String {
+    let unit = match unit {
+        "" => "dimensionless".to_owned(),
+        unit => format!("in {unit}"),
+    };
+    match text {
+        "" => format!("({unit})"),
+        text => format!("{text} ({unit})"),
+    }
+}
