@@ -46,9 +46,8 @@ impl Model {
             )
         };
         let cost = |name: &str| of(name).unwrap_or(0);
-        let delassus = of("delassus").unwrap_or(2 * n * r * r);
-        let rows = of("solve_mass_rows").unwrap_or(2 * n * n * r);
-        let metric = of("metric").unwrap_or(rows + delassus);
+        let delassus = cost("delassus");
+        let metric = of("metric").unwrap_or(cost("solve_mass_rows") + delassus);
         let rates = of("row_rates").unwrap_or(2 * n * r) + 2 * r;
         let flight = 4 * n + FLIGHT * structure.rotations;
         let directions = TANGENT * structure.rotations * r;

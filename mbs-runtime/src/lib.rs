@@ -23,7 +23,7 @@
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let mut simulation = Simulation::new(Pendulum { length: 0.5 })?;
 //! simulation.run_until(1.0)?;
-//! assert!(simulation.output("height")? < 0.0);
+//! assert!(simulation.outputs().height < 0.0);
 //! assert!(simulation.energy().error.abs() < 1e-4);
 //! assert_eq!(Pendulum::MODEL.velocities.len(), 1);
 //! # Ok(())
@@ -113,7 +113,7 @@ pub use settings::{
     BaumgarteSettings, BdfSettings, Flow, GeneralizedAlphaSettings, Method, MultiplierStart,
     PaperSettings, PenaltySettings, ProjectionSettings, RowDirection, Settings,
 };
-pub use simulation::Simulation;
+pub use simulation::{InputsMut, Simulation};
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
 pub use state::{Ledger, State, StepController, ThreeFields};

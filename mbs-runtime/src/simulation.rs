@@ -24,6 +24,8 @@ use crate::{
 };
 use nalgebra::SVector;
 
+pub use self::access::InputsMut;
+
 /// How often a step that does not converge is halved before it is given up.
 const HALVINGS: u32 = 8;
 

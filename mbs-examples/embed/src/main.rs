@@ -102,17 +102,17 @@ fn balance(seconds: f64, real_time: bool) -> Result<Outcome, SimulationError> {
     let start = Instant::now();
     let (mut widest, mut late) = (0.0_f64, 0);
     for tick in 0..(seconds / PERIOD).round() as u32 {
-        let position = machine.output("cart_position")?;
+        let sensors = machine.outputs();
         let torque = controller.torque(
-            position,
-            machine.output("cart_speed")?,
-            machine.output("pole_lean")?,
-            machine.output("pole_rate")?,
+            sensors.cart_position,
+            sensors.cart_speed,
+            sensors.pole_lean,
+            sensors.pole_rate,
         );
-        machine.set_input("motor_torque", torque)?;
+        machine.inputs_mut().motor_torque = torque;
         machine.step()?;
 
-        widest = widest.max(position.abs());
+        widest = widest.max(sensors.cart_position.abs());
         if real_time {
             let deadline = start + (tick + 1) * Duration::from_secs_f64(PERIOD);
             match deadline.checked_duration_since(Instant::now()) {
@@ -121,13 +121,10 @@ fn balance(seconds: f64, real_time: bool) -> Result<Outcome, SimulationError> {
             }
         }
     }
-    let (lean, position) = (
-        machine.output("pole_lean")?,
-        machine.output("cart_position")?,
-    );
+    let end = machine.outputs();
     Ok(Outcome {
-        lean,
-        position,
+        lean: end.pole_lean,
+        position: end.cart_position,
         widest,
         late,
     })
@@ -165,7 +162,7 @@ mod tests {
         let mut most: f64 = 0.0;
         while machine.time() < 2.0 {
             machine.step()?;
-            most = most.max(machine.output("pole_lean")?.abs());
+            most = most.max(machine.outputs().pole_lean.abs());
         }
         assert!(most > 1.0, "{most} rad");
         Ok(())

@@ -4,6 +4,7 @@
 //! worth going on with.
 
 use crate::analysis::{Analysis, Candidate};
+use crate::contract;
 use crate::dag::Program;
 use crate::diagnostics::{Errors, Failure};
 use crate::equations::System;
@@ -302,10 +303,8 @@ const FLIGHT: usize = 120;
 /// Operations of a step of second order: the functions it evaluates and the linear algebra between.
 fn step(program: &Program) -> usize {
     let of = |name: &str| {
-        program.function(name).map(|function| {
-            let cost = function.cost();
-            cost.additions + cost.multiplications + DIVISION * cost.divisions + CALL * cost.calls
-        })
+        let cost = contract::cost(program, name)?;
+        Some(cost.additions + cost.multiplications + DIVISION * cost.divisions + CALL * cost.calls)
     };
     let cost = |name: &str| of(name).unwrap_or(0);
     let (n, r) = (program.size, program.rows.len());
@@ -316,11 +315,8 @@ fn step(program: &Program) -> usize {
         let functions = (1 + PASSES) * cost("constraints") + cost("applied_forces");
         return functions + 2 * (1 + PASSES) * n + sparse.operations();
     }
-    let delassus = of("delassus").unwrap_or(2 * n * r * r);
-    let metric = of("metric").unwrap_or_else(|| {
-        let rows = of("solve_mass_rows").unwrap_or(2 * n * n * r);
-        rows + delassus
-    });
+    let delassus = cost("delassus");
+    let metric = of("metric").unwrap_or_else(|| cost("solve_mass_rows") + delassus);
     let rows = cost("constraints")
         + metric
         + delassus

@@ -351,6 +351,12 @@ pub fn reserved_names() -> impl Iterator<Item = &'static str> {
         .map(|argument| argument.name)
 }
 
+/// What a function costs: its straight-line code, or the loops in its place; `None` where the trait has it.
+pub fn cost(program: &Program, name: &str) -> Option<Cost> {
+    let straight = program.function(name).map(|function| function.cost());
+    straight.or_else(|| loops(program).find_map(|(own, cost)| (own == name).then_some(cost)))
+}
+
 /// What the functions cost that are loops, because their straight-line code would be too long.
 pub fn loops(program: &Program) -> impl Iterator<Item = (&'static str, Cost)> {
     let (n, r) = (program.size, program.rows.len());
