@@ -1,81 +1,35 @@
 //! Principal axes of an inertia tensor.
 
-/// Sweeps of Jacobi's method: it converges quadratically, six reach round-off for every 3 × 3 matrix.
-const SWEEPS: usize = 12;
+use nalgebra::{Matrix3, Rotation3, SymmetricEigen, UnitQuaternion};
 
-/// Principal moments; and the principal axes as columns and as a unit quaternion (w, x, y, z), where they are not the
-/// given axes. By Jacobi's method; the lower triangle is read.
+/// Most iterations for the axes; some ten are usual.
+const ITERATIONS: usize = 1000;
+
+/// Principal moments; and the principal axes as columns and as a unit quaternion (w, x, y, z), if they are not the given
+/// axes. The lower triangle is read.
 pub(super) fn principal_axes(
     inertia: &[[f64; 3]; 3],
 ) -> ([f64; 3], Option<([[f64; 3]; 3], [f64; 4])>) {
-    let mut a = *inertia;
-    (a[0][1], a[0][2], a[1][2]) = (a[1][0], a[2][0], a[2][1]);
-    let diagonal = [a[0][0], a[1][1], a[2][2]];
-    let size = diagonal.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-    let negligible = |a: &[[f64; 3]; 3], part: f64| {
-        [a[1][0], a[2][0], a[2][1]]
-            .iter()
-            .all(|x| x.abs() <= part * size)
+    let [[xx, ..], [xy, yy, _], [xz, yz, zz]] = *inertia;
+    if xy == 0.0 && xz == 0.0 && yz == 0.0 {
+        return ([xx, yy, zz], None);
+    }
+    let inertia = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+    // An inertia that is not finite has no axes, and its moments are refused; the library does not test it.
+    let finite = inertia.iter().all(|entry| entry.is_finite());
+    let eigen = finite.then(|| SymmetricEigen::try_new(inertia, f64::EPSILON, ITERATIONS));
+    let Some(eigen) = eigen.flatten() else {
+        return ([f64::NAN; 3], None);
     };
-    if negligible(&a, 0.0) {
-        return (diagonal, None);
-    }
-    let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    for _ in 0..SWEEPS {
-        if negligible(&a, 1e-18) {
-            break;
-        }
-        for (p, q) in [(0, 1), (0, 2), (1, 2)] {
-            rotate(&mut a, &mut axes, p, q);
-        }
-    }
-    ([a[0][0], a[1][1], a[2][2]], Some((axes, quaternion(&axes))))
-}
-
-/// One rotation in the plane of p and q, by less than 45°, that clears their product of inertia.
-fn rotate(a: &mut [[f64; 3]; 3], axes: &mut [[f64; 3]; 3], p: usize, q: usize) {
-    if a[p][q] == 0.0 {
-        return;
-    }
-    let ratio = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-    let tangent = ratio.signum() / (ratio.abs() + (ratio * ratio + 1.0).sqrt());
-    let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
-    let sine = tangent * cosine;
-    for row in [&mut *a, axes].into_iter().flatten() {
-        (row[p], row[q]) = (
-            cosine * row[p] - sine * row[q],
-            sine * row[p] + cosine * row[q],
-        );
-    }
-    for k in 0..3 {
-        (a[p][k], a[q][k]) = (
-            cosine * a[p][k] - sine * a[q][k],
-            sine * a[p][k] + cosine * a[q][k],
-        );
-    }
-}
-
-/// The unit quaternion of a proper rotation, by its largest component.
-fn quaternion(r: &[[f64; 3]; 3]) -> [f64; 4] {
-    let squares = [
-        1.0 + r[0][0] + r[1][1] + r[2][2],
-        1.0 + r[0][0] - r[1][1] - r[2][2],
-        1.0 - r[0][0] + r[1][1] - r[2][2],
-        1.0 - r[0][0] - r[1][1] + r[2][2],
-    ];
-    let (x, y, z) = (r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1]);
-    let (xy, xz, yz) = (r[1][0] + r[0][1], r[0][2] + r[2][0], r[2][1] + r[1][2]);
-    let rows = [
-        [squares[0], x, y, z],
-        [x, squares[1], xy, xz],
-        [y, xy, squares[2], yz],
-        [z, xz, yz, squares[3]],
-    ];
-    let largest = (1..4).fold(
-        0,
-        |best, i| if squares[i] > squares[best] { i } else { best },
-    );
-    super::rotation::normalised(rows[largest])
+    let mut axes = eigen.eigenvectors;
+    // A proper rotation: the sign of an axis is free.
+    let third = axes.column(0).cross(&axes.column(1));
+    axes.set_column(2, &third);
+    let rotation = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes));
+    let columns = axes.transpose().data.0;
+    let quaternion = [rotation.w, rotation.i, rotation.j, rotation.k];
+    let quaternion = super::rotation::normalised(quaternion);
+    (eigen.eigenvalues.into(), Some((columns, quaternion)))
 }
 
 #[cfg(test)]
@@ -107,6 +61,27 @@ mod tests {
         for i in 0..3 {
             assert!((axes[i][0] - first[i]).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn equal_moments_stay_equal() {
+        let axis = [0.7_f64, 0.6, 0.2];
+        let size = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let n = axis.map(|x| x / size);
+        let inertia: [[f64; 3]; 3] = std::array::from_fn(|i| {
+            std::array::from_fn(|j| 3.0 * n[i] * n[j] + if i == j { 2.0 } else { 0.0 })
+        });
+        let (mut moments, _) = principal_axes(&inertia);
+        moments.sort_by(f64::total_cmp);
+        assert!((moments[0] - 2.0).abs() < 4e-15 && (moments[1] - moments[0]).abs() < 8e-15);
+        assert!((moments[2] - 5.0).abs() < 4e-15);
+    }
+
+    #[test]
+    fn an_inertia_that_is_not_finite_has_no_moments() {
+        let (moments, _) =
+            principal_axes(&[[1.0, 0.0, 0.0], [f64::NAN, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        assert!(moments.iter().all(|moment| moment.is_nan()));
     }
 
     #[test]
