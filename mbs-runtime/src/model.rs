@@ -30,12 +30,12 @@ pub struct Model {
     pub outputs: &'static [Quantity],
     /// `Event`s, in declaration order.
     pub events: &'static [&'static str],
-    /// Named points that an animation can draw, in the order of [`System::points`](crate::System::points).
+    /// Named points that an animation can draw, in the order of [`Observables::points`](crate::Observables::points).
     pub points: &'static [&'static str],
     /// Lines between points. Six or more of a part that touch no joint are the outline of a convex shape: they are drawn
     /// thin, and what they enclose is tinted.
     pub segments: &'static [Segment],
-    /// Components of the joint reactions, in the order of [`System::reactions`](crate::System::reactions).
+    /// Components of the joint reactions, in the order of [`Observables::reactions`](crate::Observables::reactions).
     pub reactions: &'static [Reaction],
     /// What the reduction removed, one sentence each.
     pub reductions: &'static [&'static str],

@@ -9,7 +9,7 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
     /// The `Input`s as fields.
     type Inputs: NamedValues;
 
-    /// The current values of the `Input`s, in the order of [`Model::inputs`].
+    /// The current values of the `Input`s, in the order of [`Model::inputs`](crate::Model::inputs).
     fn inputs(&self) -> &[f64];
     /// The current values of the `Input`s, to be set.
     fn inputs_mut(&mut self) -> &mut [f64];

@@ -8,14 +8,14 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     /// The `Output`s as fields.
     type Outputs: NamedValues;
 
-    /// `Output`s, in the order of [`Model::outputs`] (a shorter slice receives the first ones).
+    /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
-    /// `Event` expressions, in the order of [`Model::events`].
+    /// `Event` expressions, in the order of [`Model::events`](crate::Model::events).
     fn events(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]);
-    /// Points in world axes, m, in the order of [`Model::points`].
+    /// Points in world axes, m, in the order of [`Model::points`](crate::Model::points).
     fn points(&self, t: f64, q: &SVector<f64, Q>, points: &mut [[f64; 3]]);
     /// Joint reactions from accelerations v̇ and multipliers λ (of M v̇ + Γvv = f + Aᵀλ), in the order of
-    /// [`Model::reactions`].
+    /// [`Model::reactions`](crate::Model::reactions).
     fn reactions(
         &self,
         t: f64,

@@ -14,7 +14,7 @@ pub trait System<const Q: usize, const N: usize, const R: usize>:
     /// What the integrator may rely on.
     const STRUCTURE: Structure;
 
-    /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`], or
+    /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`](crate::Model::mobility), or
     /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
     /// minimum norm. `pivot_loss` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
     /// orthogonal to those before it, or always redundant; 0 if it was passed over here. Generated where it is straight-line code

@@ -29,7 +29,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// The value of an `Input`, in the unit that [`Model::inputs`] tells.
+    /// The value of an `Input`, in the unit that [`Model::inputs`](crate::Model::inputs) tells.
     ///
     /// # Errors
     /// No input has this name.
@@ -90,7 +90,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// The value of an `Output`, in the unit that [`Model::outputs`] tells.
+    /// The value of an `Output`, in the unit that [`Model::outputs`](crate::Model::outputs) tells.
     ///
     /// # Errors
     /// No output has this name.
@@ -103,7 +103,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(self.output_values().get(index).copied().unwrap_or(f64::NAN))
     }
 
-    /// All `Output`s, in the order and units of [`Model::outputs`].
+    /// All `Output`s, in the order and units of [`Model::outputs`](crate::Model::outputs).
     pub fn output_values(&self) -> Vec<f64> {
         let state = self.state();
         let mut outputs = vec![0.0; S::MODEL.outputs.len()];
