@@ -9,16 +9,16 @@ use nalgebra::SVector;
 pub trait System<const Q: usize, const N: usize, const R: usize>:
     Configuration<Q, N> + Constraints<Q, N, R> + Loads<Q, N> + Observables<Q, N, R>
 {
-    /// What was modelled.
+    /// The summary of the model.
     const MODEL: &'static Model;
-    /// What the integrator may rely on.
+    /// Properties of the equations that integrators use.
     const STRUCTURE: Structure;
 
-    /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`], or
-    /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
-    /// minimum norm. `pivot_loss` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
-    /// orthogonal to those before it, or always redundant; 0 if it was passed over here. Generated where it is straight-line code
-    /// of bearable length; else it computes nothing and answers `false`.
+    /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others
+    /// ([`Model::mobility`], or a singular pose) gets λ = 0: v̇ is the same, but λ is not the multiplier of least norm.
+    /// `pivot_loss` of a row is its diagonal entry of A M⁻¹Aᵀ divided by its pivot: 1 if the row is orthogonal to those
+    /// before it, or always redundant; 0 if it is left out here. Generated if the straight-line code is not too long;
+    /// otherwise it computes nothing and returns `false`.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
     fn accelerations(
