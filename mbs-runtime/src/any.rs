@@ -1,15 +1,15 @@
-//! Simulations behind one object-safe face, for programs that choose the mechanism at run time.
+//! An object-safe trait for simulations, for programs that choose the mechanism at run time.
 
 use crate::{
     AssemblyVerdict, Energy, Flow, Model, RankLoss, Reactions, Report, Sample, Settings,
     SimulationError, UnknownName,
 };
 
-/// Hands the methods of [`AnySimulation`] that every simulation has under the same name to a macro.
+/// Passes the methods of [`AnySimulation`] that every simulation has under the same name to a macro.
 macro_rules! methods_of_any_simulation {
     ($macro:ident) => {
         $macro! {
-            /// What was modelled.
+            /// The summary of the model.
             fn model(&) -> &'static Model;
             /// The settings.
             fn settings(&) -> &Settings;
@@ -21,7 +21,8 @@ macro_rules! methods_of_any_simulation {
             fn run_until(&mut, time: f64) -> Result<(), SimulationError>;
             /// Takes whole steps until `time` is reached or passed, none of them beyond `latest`.
             fn run_past(&mut, time: f64, latest: f64) -> Result<(), SimulationError>;
-            /// Shows the simulation at an instant of its last step, and leaves it where it is.
+            /// Computes the state at an instant of the last step, passes it to the callback, and restores
+            /// the state.
             fn look_at(&mut, time: f64, look: &mut dyn FnMut(&dyn AnySimulation)) -> Result<(), SimulationError>;
             /// Runs to a sign change of `event`.
             fn run_to_event(&mut, event: &str, latest: f64) -> Result<Option<f64>, SimulationError>;
@@ -45,7 +46,7 @@ macro_rules! methods_of_any_simulation {
             fn report(&) -> Report;
             /// The singular poses passed so far.
             fn rank_losses(&) -> &[RankLoss];
-            /// What assembly found.
+            /// The result of assembly.
             fn assembly(&) -> &AssemblyVerdict;
         }
     };
@@ -54,7 +55,7 @@ pub(crate) use methods_of_any_simulation;
 
 macro_rules! declare {
     ($($(#[doc = $doc:literal])* fn $name:ident(&$($mutable:ident)? $(, $argument:ident: $kind:ty)*) -> $result:ty;)*) => {
-        /// The object-safe face of every [`Simulation`](crate::Simulation); each method is described there.
+        /// The object-safe form of [`Simulation`](crate::Simulation); each method is described there.
         pub trait AnySimulation {
             $($(#[doc = $doc])* fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result;)*
             /// q.

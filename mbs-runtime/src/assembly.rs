@@ -11,7 +11,7 @@ use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
-/// Newton steps of the position problem; each is damped until it improves the rows.
+/// Newton steps of the position problem; each is damped until it reduces the residual.
 const MAX_ITERATIONS: usize = 60;
 /// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
 const ASSEMBLED: f64 = 1e-9;
@@ -24,7 +24,7 @@ pub(crate) const RESUMABLE: f64 = 1e-6;
 /// A guess that satisfies φ = 0 is left as it is.
 ///
 /// # Errors
-/// [`SimulationError::Assembly`] with the rows that pull apart.
+/// [`SimulationError::Assembly`] with the rows that have the largest residuals.
 pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
@@ -61,7 +61,7 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     Ok((State::new(0.0, q, v), verdict))
 }
 
-/// The verdict on a state that is to be resumed from; nothing is moved.
+/// The verdict on a state from which a simulation resumes; the state is not changed.
 pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
@@ -107,7 +107,7 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     ))
 }
 
-/// What there is to say about the pose q, reached from `guess`.
+/// The verdict on the pose q, reached from `guess`.
 fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     (geometry, phi): (&ConstraintGeometry<S, Q, N, R>, &SVector<f64, R>),
@@ -150,7 +150,7 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     }
 }
 
-/// Which rows depend on others. A row that vanishes but for round-off says nothing.
+/// The rows that do not depend on others. A row that is zero except for round-off is dependent.
 pub(crate) fn independent_rows<
     S: System<Q, N, R>,
     const Q: usize,
@@ -197,7 +197,7 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             }
             factor *= 0.5;
             if factor < 1e-6 {
-                // No direction improves the rows: at round-off, or stuck where they pull apart.
+                // No step reduces the residual: it is round-off, or the rows contradict each other.
                 return Ok(());
             }
         }

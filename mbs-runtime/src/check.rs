@@ -1,4 +1,4 @@
-//! Whether settings can be used.
+//! The check of settings.
 
 use crate::settings::ORDERS;
 use crate::{
@@ -6,11 +6,11 @@ use crate::{
     SimulationError,
 };
 
-/// The tolerances there are: coarser ones are no accuracy, finer ones are round-off.
+/// The range of tolerances: larger ones give no accuracy, smaller ones are below round-off.
 const TOLERANCES: [f64; 2] = [1e-12, 0.1];
 
 impl Settings {
-    /// Refuses values that no integration can be done with.
+    /// Returns an error for values that cannot be used.
     pub(crate) fn check(&self) -> Result<(), SimulationError> {
         positive("step", self.step)?;
         positive("constraint_tolerance", self.constraint_tolerance)?;

@@ -30,7 +30,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 {
     /// A node with the metric at q and all arrays clear.
     ///
-    /// On the heap from the start, and in a frame of its own: large systems are built on small stacks.
+    /// Allocated on the heap, in a separate function, because large systems would overflow small stacks.
     #[inline(never)]
     pub(crate) fn new(system: &S, q: &SVector<f64, Q>) -> Result<Box<Self>, Fault> {
         let mass = system.factor_mass(q).ok_or(Fault::Mass)?;

@@ -10,7 +10,7 @@ use nalgebra::{SMatrix, SVector};
 /// M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 at a state of a mechanism, evaluated; made by
 /// [`Simulation::dynamics`](crate::Simulation::dynamics).
 ///
-/// [`Dynamics::evaluate`] moves it to any other state and allocates nothing:
+/// [`Dynamics::evaluate`] evaluates it at any other state and allocates nothing:
 ///
 /// ```
 /// # use mbs_runtime::{Simulation, mechanism};
@@ -83,11 +83,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         Ok(dynamics)
     }
 
-    /// Evaluates everything at another state. It need not satisfy the constraints; inputs are those of the simulation that
-    /// this was made from.
+    /// Evaluates all quantities at another state, which need not satisfy the constraints. Inputs are those of the
+    /// simulation from which this was made.
     ///
     /// # Errors
-    /// A mass matrix that is not positive definite, or rows that admit no finite multiplier. What was evaluated before is
+    /// A mass matrix that is not positive definite, or rows that admit no finite multiplier. The previous values are
     /// lost then.
     pub fn evaluate(
         &mut self,
@@ -117,7 +117,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         self.accelerations = free(system, &geometry.mass, t, q, v);
         self.multipliers = SVector::zeros();
         self.solver.factor(&geometry.delassus);
-        // The second pass is a correction where the proximal solve was needed, and round-off elsewhere.
+        // The second pass is a correction if the proximal solve was needed; otherwise it is round-off.
         for _ in 0..2 {
             let mut change: SVector<f64, R> =
                 vector(|i| -self.convective[i] - dot(&geometry.a[i], &self.accelerations));
@@ -167,7 +167,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
     }
 
     /// Writes Γ, with the structure constants of rotations ([`Inertia::affinities`](crate::Inertia::affinities), which
-    /// allocates where they are not generated). An array `[SMatrix<f64, N, N>; N]` receives Γ_ijk as `gamma[i][(j, k)]`.
+    /// allocates if they are not generated). An array `[SMatrix<f64, N, N>; N]` receives Γ_ijk as `gamma[i][(j, k)]`.
     pub fn affinities(&self, gamma: &mut impl TensorSink) {
         self.system.affinities(&self.positions, gamma);
     }
@@ -177,7 +177,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         &self.accelerations
     }
 
-    /// λ; N or N m for rows in m or rad. Of rows that follow from others one solution of many.
+    /// λ; N or N m for rows in m or rad. For rows that follow from others this is one solution of many.
     pub fn multipliers(&self) -> &SVector<f64, R> {
         &self.multipliers
     }

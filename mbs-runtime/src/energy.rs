@@ -1,4 +1,4 @@
-//! The energy ledger: the first diagnostic of every run.
+//! The energy balance, the first diagnostic of every run.
 
 use crate::{Energy, State, System};
 

@@ -10,10 +10,10 @@ use crate::{Mechanism, Settings, Simulation, SimulationError, System};
 const STACK: usize = 16 << 20;
 
 /// Simulates each of `members`, mechanisms with parameters of their own, over all cores: `run` is called with the
-/// assembled simulation of each, takes it where it should go and returns what is wanted of it.
+/// assembled simulation of each, runs it and returns its results.
 ///
-/// Results come in the order of the members. Each run is by itself, so that they are bit for bit those of one run after
-/// the other. A member is assembled on its own, which allocates; its steps do not.
+/// Results come in the order of the members. The runs are independent, so that the results are bit for bit those of
+/// sequential runs. The assembly of a member allocates; its steps do not.
 ///
 /// ```
 /// use mbs_runtime::{Settings, mechanism, simulate_ensemble};
@@ -68,7 +68,7 @@ where
     let mut results = thread::scope(|scope| {
         let spawn = |_| {
             let worker = thread::Builder::new().stack_size(STACK);
-            // Where there are no more threads, this one does the work.
+            // If no thread can be started, this one does the work.
             worker.spawn_scoped(scope, work).ok()
         };
         let helpers: Vec<_> = (0..cores.min(members.len())).map_while(spawn).collect();
@@ -79,7 +79,7 @@ where
         for helper in helpers {
             match helper.join() {
                 Ok(done) => results.extend(done),
-                // `run` panicked: that is the caller's to see.
+                // `run` panicked: the panic is passed to the caller.
                 Err(panic) => std::panic::resume_unwind(panic),
             }
         }

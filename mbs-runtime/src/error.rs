@@ -5,7 +5,7 @@ use std::fmt;
 /// A name that the mechanism does not have.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnknownName {
-    /// What was looked for: `parameter`, `input`, `output`, `event`.
+    /// The sort of name: `parameter`, `input`, `output`, `event`.
     pub what: &'static str,
     /// The name that was given.
     pub name: String,
@@ -50,7 +50,7 @@ pub enum ParameterError {
         /// Its value.
         value: f64,
     },
-    /// M is not positive definite: something moves without mass.
+    /// M is not positive definite: a motion has no mass.
     MassNotPositive {
         /// The coordinate at which the factorisation met a pivot that is not positive.
         coordinate: &'static str,

@@ -1,6 +1,7 @@
-//! Why a step failed; small, because every step returns it. The stepper adds names, time and step.
+//! The reason for which a step failed; small, because every step returns it. The stepper adds
+//! names, time and step.
 
-/// The reason for which a step was given up.
+/// The reason for which a step failed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Fault {
     /// A row did not converge.

@@ -1,4 +1,5 @@
-//! What generated code calls. Public because it runs in users' crates; not meant to be called by hand.
+//! Functions for generated code. They are public because generated code is in users' crates; do not call them by
+//! hand.
 
 use crate::ParameterError;
 pub use crate::affinities::by_tangents as affinities;
@@ -18,10 +19,11 @@ mod rotation;
 mod spin;
 mod unfinished;
 
-/// A pivot below this part of what it began with is round-off.
+/// A pivot below this fraction of its diagonal entry is round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// 1/d of a pivot d that began as `whole`; 0 where d is round-off beside it: its row depends on those before it.
+/// 1/d of a pivot d whose diagonal entry was `whole`; 0 if d is round-off relative to it: then its row depends
+/// on those before it.
 #[inline(always)]
 pub fn pivot_inverse(pivot: f64, whole: f64) -> f64 {
     if pivot > ROUND_OFF * whole {

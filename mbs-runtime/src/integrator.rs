@@ -1,4 +1,4 @@
-//! One face for the integrators.
+//! One interface for all integrators.
 
 use crate::alf3f::{Counters, PaperStepper, StepMonitor};
 use crate::singular::RankMargin;
@@ -70,7 +70,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
-    /// How independent the rows are; `None` where there is nothing to lose, or nobody to ask.
+    /// The rank margin of the rows; `None` if there are no rows, or if the method does not compute
+    /// it.
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.rank_margin(),
@@ -87,7 +88,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
-    /// How much each row takes part in what is nearest to a loss of independence.
+    /// The weight of each row in the combination that is nearest to dependence.
     pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
@@ -140,7 +141,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         })
     }
 
-    /// What the last accepted step left behind.
+    /// Results of the last accepted step.
     pub(crate) fn trace(&self) -> Trace<'_, Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => {
@@ -178,7 +179,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn flow(&self) -> Flow {
         match self {
             Integrator::TwoLevel(stepper) => stepper.flow(),
-            // Its time integration is the trapezoidal rule with the multipliers inside.
+            // It uses the trapezoidal rule, with the multipliers among its unknowns.
             Integrator::Paper(_) => Flow::Implicit,
             // They have no flow between kicks.
             Integrator::Baseline(_) => Flow::Leapfrog,
@@ -194,7 +195,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     }
 }
 
-/// Quantities at hand after a step, from which the report is kept.
+/// Quantities after a step, for the report.
 pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
     /// φ.
     pub(crate) phi: &'a SVector<f64, R>,

@@ -5,7 +5,7 @@ use crate::Model;
 use crate::alf3f::FIXED_REFINEMENTS;
 use crate::singular::PASSES;
 
-/// What a division and an elementary function cost, in additions.
+/// The cost of a division and of an elementary function, in additions.
 const DIVISION: usize = 5;
 const CALL: usize = 20;
 /// A free flight of a rotation, and its tangent applied to a row.
@@ -23,9 +23,9 @@ impl Model {
     /// (n + 1) (constraints + flight) + n (solve + κ₁) + metric + delassus + B + S + 3 (solve + rates + κ₂) + acceleration + books
     /// ```
     ///
-    /// with the counts of [`Model::operations`], and for factorisations and solves the fall-back that beside a singular
-    /// pose is taken: usual steps cost a small part of the bound. `books`: works, energies and the watch for singular
-    /// poses of [`Simulation`](crate::Simulation).
+    /// with the counts of [`Model::operations`]. Factorisations and solves count as proximal, which they are only
+    /// beside singular poses: usual steps cost a small part of the bound. `books`: works, energies and the detection of
+    /// singular poses of [`Simulation`](crate::Simulation).
     pub fn step_flops(&self, iterations: usize) -> Option<usize> {
         let structure = &self.structure;
         let (n, r) = (self.velocities.len(), self.rows.len());
@@ -51,7 +51,7 @@ impl Model {
         let rates = of("row_rates").unwrap_or(2 * n * r) + 2 * r;
         let flight = 4 * n + FLIGHT * structure.rotations;
         let directions = TANGENT * structure.rotations * r;
-        // Elimination, then BBᵀ + εI and its Cholesky factor, and what tells which rows were lost.
+        // Elimination, then BBᵀ + εI and its Cholesky factor, and the search for rows without direction.
         let factorisation = r * r * r + (3 * r * r * r + 10 * r * r) + r * r * r;
         // Bᵀ(BBᵀ + εI)⁻¹ and the residual of each pass.
         let solve = PASSES * (8 * r * r + 12 * r) + 2 * r * r;

@@ -34,18 +34,19 @@
 //!
 //! | method | what it is |
 //! |---|---|
-//! | [`Method::TwoLevel`] | the three fields of ALF-3F with a multiplier of its own for positions and for velocities: kick, flow, kick; second order, symmetric, composed to order 4, 6 or 8 ([`Settings::order`]); position rows are solved for and velocity rows projected onto at every step; redundant rows and singular poses are ordinary input |
+//! | [`Method::TwoLevel`] | the three fields of ALF-3F with separate multipliers for positions and for velocities: kick, flow, kick; second order, symmetric, composed to order 4, 6 or 8 ([`Settings::order`]); position rows are solved for and velocity rows projected onto at every step; redundant rows and singular poses are ordinary input |
 //! | [`Method::Paper`] | Algorithm 1 of Potosakis, Paraskevopoulos, Natsiavas (Nonlinear Dynamics, 2020), to the letter |
 //! | [`Method::MAlf`] | the modified augmented Lagrangian that their paper compares with |
 //! | [`Method::Projected`] | explicit Runge–Kutta of order 4, 6 or 8 on the equations at acceleration level, positions and velocities projected onto the rows after each step |
-//! | [`Method::Baumgarte`] | the same with Baumgarte's terms instead, with steps as told or controlled by their error |
+//! | [`Method::Baumgarte`] | the same with Baumgarte's terms instead, with given steps or with error control |
 //! | [`Method::Rattle`] | RATTLE, without regularisation |
 //! | [`Method::Index3Projections`] | augmented Lagrangian of index 3 with projections of velocities and accelerations |
 //! | [`Method::GeneralizedAlpha`] | the generalized-α method of index 3, or of the stabilised index 2 |
 //! | [`Method::Bdf`] | backward differentiation of index 3, of variable order and step |
 //! | [`Method::Penalty`] | rows as stiff springs and dampers |
 //!
-//! All but the first are yardsticks of the literature, on the same generated equations and with the same diagnostics.
+//! All except the first are methods of the literature for comparison, on the same generated equations and with the same
+//! diagnostics.
 //!
 //! The two-level step chooses the flow between its kicks from the structure of the equations ([`Structure`]):
 //!

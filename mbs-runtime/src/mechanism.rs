@@ -2,7 +2,7 @@
 
 use crate::{Model, ParameterError, UnknownName};
 
-/// A declared mechanism: its parameters, before anything was computed from them.
+/// A declared mechanism: its parameters.
 pub trait Mechanism: Clone + Default {
     /// The prepared form.
     type System: Clone;

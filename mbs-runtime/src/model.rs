@@ -1,4 +1,4 @@
-//! What was modelled: the constant that every mechanism carries, for people, programs and `mbs explain`.
+//! The summary of the model: a constant of every mechanism, for users, programs and `mbs explain`.
 
 /// The summary of a compiled mechanism (generated as `Mechanism::MODEL`).
 #[derive(Debug, Clone, Copy)]
@@ -32,23 +32,23 @@ pub struct Model {
     pub events: &'static [&'static str],
     /// Named points that an animation can draw, in the order of [`Observables::points`](crate::Observables::points).
     pub points: &'static [&'static str],
-    /// Lines between points. Six or more of a part that touch no joint are the outline of a convex shape: they are drawn
-    /// thin, and what they enclose is tinted.
+    /// Lines between points. Six or more lines of a part that touch no joint are the outline of a convex shape: they
+    /// are drawn thin, and the area inside is tinted.
     pub segments: &'static [Segment],
     /// Components of the joint reactions, in the order of [`Observables::reactions`](crate::Observables::reactions).
     pub reactions: &'static [Reaction],
-    /// What the reduction removed, one sentence each.
+    /// The coordinates and rows that were eliminated, one sentence each.
     pub reductions: &'static [&'static str],
     /// Floating-point operations of each generated function.
     pub operations: &'static [FunctionCost],
-    /// What the integrator may rely on.
+    /// Properties of the equations that integrators use.
     pub structure: Structure,
     /// Rank and redundant rows at generic poses near the guess, with default parameters; `None` if no pose could be
     /// assembled there at compile time.
     pub mobility: Option<Mobility>,
     /// The coordinates in use: `Natural`, `Reference` or `Joint`.
     pub formulation: &'static str,
-    /// The choices that were compared; empty where the declaration asks for one.
+    /// The choices that were compared; empty if only the declared one was derived.
     pub candidates: &'static [Candidate],
 }
 
@@ -58,14 +58,14 @@ impl Model {
         self.structure.holonomic_rows
     }
 
-    /// Whether the reaction of a joint is determined at generic poses. Where redundant rows touch it, the value is one of
-    /// many: that of least norm; a row that is left out transmits nothing.
+    /// Whether the reaction of a joint is determined at generic poses. If redundant rows contribute to it, it is the
+    /// value of least norm of many; a row that is left out has no reaction.
     pub fn is_determined(&self, joint: &str) -> bool {
         self.mobility
             .is_none_or(|mobility| !mobility.undetermined.contains(&joint))
     }
 
-    /// Whether rows are left out, as joints that are coordinates hold what they say.
+    /// Whether rows are left out, because joint coordinates satisfy them in every pose.
     pub(crate) fn leaves_rows_out(&self) -> bool {
         self.mobility
             .is_some_and(|mobility| mobility.redundant.iter().any(|row| row.left_out))
@@ -97,13 +97,13 @@ pub struct Candidate {
     /// Operations of a step of second order, estimated: functions evaluated, factorisations and solutions. `None` where
     /// the factorisations alone exceed a whole step of another choice.
     pub operations: Option<usize>,
-    /// Joints that close the loops: each could carry a part, and leaves rows instead.
+    /// Joints at which loops are cut: they have rows instead of coordinates.
     pub cut: &'static [&'static str],
     /// Whether it is the one in use.
     pub taken: bool,
 }
 
-/// What the rows leave free, determined at compile time. (Assembly repeats the check for the actual parameters:
+/// Rank and degrees of freedom, determined at compile time. (Assembly repeats the check for the actual parameters:
 /// [`AssemblyVerdict`](crate::AssemblyVerdict).)
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mobility {
@@ -114,10 +114,10 @@ pub struct Mobility {
     /// Rows that follow from others; they are harmless, but their reactions are not unique. Those that are left out come
     /// first.
     pub redundant: &'static [Redundancy],
-    /// Joints whose reactions are not determined, as redundant rows share them out.
+    /// Joints whose reactions are not determined, because of redundant rows.
     pub undetermined: &'static [&'static str],
-    /// Nonholonomic rows that are conditions on positions in disguise: together with the holonomic ones they can be
-    /// integrated (Frobenius), so that the mechanism stays on a surface that its start chooses.
+    /// Nonholonomic rows that are integrable together with the holonomic ones (Frobenius): they are equivalent to
+    /// conditions on positions, whose constants the start determines.
     pub integrable: &'static [&'static str],
     /// All of this in a sentence.
     pub summary: &'static str,
@@ -128,9 +128,9 @@ pub struct Mobility {
 pub struct Redundancy {
     /// The row.
     pub row: &'static str,
-    /// The entries of the declaration whose rows it follows from, or the joints that are coordinates and hold what it says.
+    /// The entries of the declaration whose rows it follows from, or the joints whose coordinates satisfy it.
     pub follows_from: &'static [&'static str],
-    /// Whether it is left out of [`Model::rows`]: joints that are coordinates hold what it says, in every pose.
+    /// Whether it is left out of [`Model::rows`]: joint coordinates satisfy it in every pose.
     pub left_out: bool,
 }
 

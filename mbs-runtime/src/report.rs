@@ -1,4 +1,4 @@
-//! What a simulation tells about itself.
+//! Results and diagnostics of a simulation.
 
 /// The energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -33,9 +33,8 @@ pub struct Sample {
 /// Joint reactions and multipliers at an instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reactions {
-    /// False where rows are redundant, or nearly so: the values are then some of many, those of least norm for the rows that
-    /// are written.
-    /// ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
+    /// False if rows are redundant, or nearly so: the values are then those of least norm, for the rows of this
+    /// description. ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
     pub unique: bool,
     /// In the order of [`Model::reactions`](crate::Model::reactions).
     pub values: Vec<f64>,
@@ -52,9 +51,9 @@ pub struct Report {
     pub stages: u64,
     /// Multiplier iterations (two-level) or Newton iterations (paper).
     pub iterations: u64,
-    /// Steps that were taken again with a smaller step.
+    /// Steps that were repeated with a shorter step.
     pub rejected_steps: u64,
-    /// Steps whose length was changed so that no stage lands beside a singular pose.
+    /// Steps whose length was changed so that no stage ends beside a singular pose.
     pub placed_steps: u64,
     /// Solves in which rows were redundant, or nearly so.
     pub regularised_solves: u64,
@@ -70,7 +69,7 @@ pub struct Report {
     pub rank_losses: usize,
 }
 
-/// A singular pose on the way: rows that are independent in general lost their independence there, or nearly did.
+/// A singular pose during the motion: rows that are generally independent were dependent there, or nearly so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RankLoss {
     /// When, s; from the steps around it.

@@ -1,4 +1,4 @@
-//! What a violation of a row amounts to.
+//! The size of a violation of a row, as a displacement.
 
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -8,15 +8,15 @@ use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
 
-/// Turns φ into a displacement: |φ_i| ≤ tolerance · |a_i|, where |a_i| is the change of φ_i as all coordinates change by
-/// the length of the mechanism or a radian, at the declared guess.
+/// Converts φ to a displacement: |φ_i| ≤ tolerance · |a_i|, where |a_i| is the change of φ_i as all coordinates change
+/// by the length of the mechanism or a radian, at the declared guess.
 ///
 /// It depends on the system alone, so that a resumed run takes the same decisions.
 #[derive(Clone, Copy)]
 pub(crate) struct RowScale<const R: usize> {
     /// 1/(tolerance · |a_i|)².
     pub(crate) weights: SVector<f64, R>,
-    /// |a_i|²: makes multipliers of rows in different units comparable, as works.
+    /// |a_i|²: with it multipliers of rows in different units are comparable, as works.
     pub(crate) lengths_squared: SVector<f64, R>,
     /// ([`LEFT_OPEN`] / tolerance)².
     pub(crate) lost: f64,
@@ -48,7 +48,7 @@ impl<const R: usize> RowScale<R> {
         })
     }
 
-    /// What a row of its unit may amount to in a mechanism of this length: metres are lengths, square metres their squares.
+    /// The expected length of a row with its unit in a mechanism of this length: length^k for a unit m^k.
     pub(crate) fn expected<S: System<Q, N, R>, const Q: usize, const N: usize>(
         row: usize,
         length: f64,
@@ -68,13 +68,13 @@ impl<const R: usize> RowScale<R> {
         phi.abs() * self.weights[row].sqrt() * self.tolerance
     }
 
-    /// The round-off of velocity rows, in squared tolerances a second, where velocities are this fast in lengths of the
-    /// mechanism and radians a second.
+    /// The round-off of velocity rows, in squared tolerances per second, at this speed in lengths of the mechanism and
+    /// radians per second.
     pub(crate) fn round_off(&self, speed: f64) -> f64 {
         (ROUND_OFF / self.tolerance * speed).powi(2)
     }
 
-    /// The residual that is taken where a new factor does not reduce it; `lost`: a multiplier has no direction.
+    /// The residual that is accepted if a new factor does not reduce it; `lost`: a row has lost its direction.
     #[inline(always)]
     pub(crate) fn round_off_of(&self, lost: bool) -> f64 {
         if lost { self.lost } else { STAGNATED }

@@ -4,7 +4,7 @@ use crate::{AnySimulation, Sample, SimulationError};
 
 /// Iterator over samples; made by [`Simulation::samples`](crate::Simulation::samples).
 ///
-/// It simulates as it goes and ends after the first error.
+/// Each item runs the simulation to the next sample; the iterator ends after the first error.
 pub struct Samples<'a> {
     simulation: &'a mut dyn AnySimulation,
     start: f64,
@@ -55,7 +55,7 @@ impl<'a> Samples<'a> {
             simulation.run_until(time.min(self.until).max(simulation.time()))?;
             return Ok(Some(simulation.sample()));
         }
-        // Steps that a tolerance calls for do not end for the sake of samples.
+        // With a tolerance a step does not end at a sample.
         let mut sample = None;
         simulation.run_past(time, self.until)?;
         simulation.look_at(time, &mut |simulation| sample = Some(simulation.sample()))?;

@@ -42,20 +42,21 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     report: Report,
     /// Power of nonconservative forces at the current instant, W.
     power: f64,
-    /// How independent the rows are where it stands, if the last step found out; else the next one asks.
+    /// The rank margin of the rows at the current state, if the last step computed it; otherwise the next step computes
+    /// it.
     rank_margin: Option<RankMargin>,
     /// Singular poses passed.
     singularities: SingularityDetector,
-    /// Where a step that is tried began.
+    /// The state before the step that is being tried.
     before: Box<State<Q, N, R>>,
-    /// Where the last step began that can be looked into; at infinity where there is none.
+    /// The state before the last whole step, for `look_at`; its time is infinite if there is none.
     behind: Box<State<Q, N, R>>,
-    /// Where steps that are compared began.
+    /// The state before the steps that are compared.
     pair: Box<State<Q, N, R>>,
     yardstick: Box<Yardstick<Q, N>>,
-    /// Why the last inputs were refused, until a step has told it.
+    /// The error of the last inputs, until a step has returned it.
     refused: Option<SimulationError>,
-    /// Values of the `Event`s: at hand so that looking for them does not allocate.
+    /// Values of the `Event`s; stored, so that the search for an event does not allocate.
     events: Vec<f64>,
 }
 
@@ -82,9 +83,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::start(system, settings, state, assembly)
     }
 
-    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same, and the method
-    /// remembers no more than the state. ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3 projections do, and
-    /// begin anew.)
+    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same, and the
+    /// method has no memory besides the state. ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3
+    /// projections do, and begin anew.)
     ///
     /// # Errors
     /// As [`Simulation::with_settings`], and a state that is not finite or violates the constraints.
@@ -176,7 +177,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.system()
     }
 
-    /// Where it stands; [`Simulation::resume`] continues from it.
+    /// The current state; [`Simulation::resume`] continues from it.
     pub fn state(&self) -> &State<Q, N, R> {
         self.integrator.state()
     }
@@ -197,7 +198,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// One step of [`Settings::step`], or of another length beside singular poses ([`Settings::placement`]). With a
-    /// tolerance one step of the length it calls for, or two.
+    /// tolerance one or two steps of the length that it determines.
     ///
     /// # Errors
     /// A row that does not converge, even with much smaller steps, or a state that is not finite; the message names the
@@ -233,7 +234,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             Err(SimulationError::NotConverged { .. }) if left > 0 => {
                 self.report.rejected_steps += 1;
-                // Its parts hold no promise of a good landing: other lengths come first.
+                // The halves of a step may also end beside the singular pose, so that other lengths are tried first.
                 let watched = monitor.rank_margin.is_some() || monitor.clearance == 0.0;
                 *monitor = StepMonitor::new(self.power, None);
                 if watched {
@@ -260,7 +261,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.report.energy_error = self.report.energy_error.max(self.energy().error.abs());
     }
 
-    /// What the next step's balance needs of the current instant.
+    /// Quantities of the current instant for the energy balance of the next step.
     fn take_stock(&mut self) {
         self.rank_margin = None;
         let state = self.state();
@@ -309,11 +310,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         SimulationError::from_fault(fault, S::MODEL, self.time(), self.settings.step)
     }
 
-    /// The multipliers λ with which the method itself acted on the rows in its last step, so that its constraint force was
-    /// f_c = Aᵀλ; N or N m for rows in m or rad, in the order of [`Model::rows`]. Of the two-level method (κ₁ + κ₂)/h and of
-    /// Algorithm 1 and M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of
-    /// index-3 projections, generalized α, backward differentiation and penalties the λ at its end. `None` for methods
-    /// without such an unknown, and before the first step.
+    /// The multipliers λ that the method applied in its last step: its constraint force was f_c = Aᵀλ; N or N m for
+    /// rows in m or rad, in the order of [`Model::rows`]. Of the two-level method (κ₁ + κ₂)/h and of Algorithm 1 and
+    /// M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of index-3
+    /// projections, generalized α, backward differentiation and penalties the λ at its end. `None` for methods without
+    /// such an unknown, and before the first step.
     ///
     /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
     /// [`Simulation::reactions`].

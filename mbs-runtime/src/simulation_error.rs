@@ -21,9 +21,9 @@ pub enum SimulationError {
         /// What it should be.
         wanted: &'static str,
     },
-    /// The flow asked for cannot integrate this mechanism.
+    /// The flow of the settings cannot integrate this mechanism.
     Flow {
-        /// The flow asked for.
+        /// The flow of the settings.
         flow: Flow,
         /// Why not.
         because: &'static str,
@@ -32,14 +32,14 @@ pub enum SimulationError {
     },
     /// A method that cannot integrate this mechanism.
     Method {
-        /// The method asked for.
+        /// The method of the settings.
         method: &'static str,
         /// Why not.
         because: &'static str,
     },
     /// An order that the method does not reach with this mechanism.
     Order {
-        /// The order asked for.
+        /// The order of the settings.
         order: u8,
         /// Why not.
         because: &'static str,
@@ -48,7 +48,7 @@ pub enum SimulationError {
     Time {
         /// The current time, s.
         now: f64,
-        /// The time asked for, s.
+        /// The given time, s.
         wanted: f64,
     },
     /// The declared guess cannot be assembled.
@@ -61,7 +61,7 @@ pub enum SimulationError {
         step: f64,
         /// The row, or `equations of motion`.
         row: &'static str,
-        /// What is left of it.
+        /// Its residual.
         residual: f64,
         /// Iterations taken.
         iterations: usize,
@@ -78,7 +78,7 @@ pub enum SimulationError {
         /// Time, s.
         time: f64,
     },
-    /// A method that chooses its steps, such as Algorithm 1, came down to the smallest one.
+    /// A method that chooses its steps, such as Algorithm 1, reached its smallest step.
     StepUnderflow {
         /// Time at the start of the step, s.
         time: f64,
@@ -117,7 +117,7 @@ pub enum SimulationError {
 }
 
 impl SimulationError {
-    /// Adds names and instant to the reason for which a step was given up.
+    /// Adds names and time to the reason for which a step failed.
     #[cold]
     pub(crate) fn from_fault(fault: Fault, model: &'static Model, time: f64, step: f64) -> Self {
         const MOTION: &str = "equations of motion";

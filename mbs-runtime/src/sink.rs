@@ -1,7 +1,7 @@
 //! Where generated code writes matrices.
 //!
-//! One generated body serves dense arrays and sparse storage alike: it names each structurally nonzero entry once, in a
-//! fixed order, and never writes a zero. Whoever provides the storage clears it once, when it is made.
+//! The same generated code writes dense arrays and sparse storage: it writes each structurally nonzero entry once, in a
+//! fixed order, and never a structural zero. The owner of the storage clears it once, when it is made.
 
 use nalgebra::SMatrix;
 
@@ -53,7 +53,7 @@ impl<const N: usize> TensorSink for [[[f64; N]; N]; N] {
     }
 }
 
-/// A matrix that is not wanted.
+/// A sink that ignores the matrix.
 pub(crate) struct Discard;
 
 impl MatrixSink for Discard {

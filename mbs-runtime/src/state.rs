@@ -1,4 +1,4 @@
-//! Where a simulation stands: all that is needed to continue it bit for bit.
+//! The state of a simulation: all data to continue it bit for bit.
 
 use crate::linear::vector;
 use crate::row_scale::RowScale;
@@ -14,7 +14,7 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub positions: SVector<f64, Q>,
     /// v.
     pub velocities: SVector<f64, N>,
-    /// κ₁/h, the multiplier of the last step's first kick as a force; the next step starts its iteration with it …
+    /// κ₁/h of the last step, a force: the start of the iteration in the next step …
     pub multipliers: SVector<f64, R>,
     /// … plus its change from the step before.
     pub multiplier_changes: SVector<f64, R>,
@@ -22,7 +22,7 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub stage_multipliers: Vec<[SVector<f64, R>; 2]>,
     /// Accumulated work.
     pub ledger: Ledger,
-    /// What the choice of steps remembers, where there is a tolerance.
+    /// Data of the step controller, for runs with a tolerance.
     pub step_controller: StepController,
     /// The fields that only Algorithm 1 carries from step to step.
     pub fields: ThreeFields<N, R>,
@@ -37,9 +37,9 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
 
     /// Keeps the impulses κ₁ of a step of h for the next one.
     ///
-    /// A `weak` step, beside a singular pose, can have multipliers that are huge along a direction which does nothing
-    /// there and everything at the next step; begun with those, Newton's method may end on another branch of the
-    /// mechanism. Multipliers that jump are forgotten: the next step begins with none.
+    /// Beside a singular pose (`weak`) a step can have very large multipliers along a direction that has no effect
+    /// there but a large effect in the next step. With these as start, Newton's method may converge to another branch.
+    /// Multipliers that jump are therefore dropped: the next step begins with zero.
     #[inline(always)]
     pub(crate) fn keep_impulse(
         &mut self,
@@ -85,7 +85,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         copy
     }
 
-    /// Becomes `other`, without allocation where there is room.
+    /// Copies `other`, without allocation if the capacity is sufficient.
     #[inline]
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.time = other.time;
@@ -140,7 +140,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     }
 }
 
-/// What the energy balance has to remember, J.
+/// Data of the energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Ledger {
     /// T + V where the balance starts; `None` until a simulation has taken it.
@@ -151,20 +151,20 @@ pub struct Ledger {
     pub drive_work: f64,
 }
 
-/// What the choice of steps by a tolerance remembers from step to step.
+/// Data of the step controller, kept from step to step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepController {
     /// The step in use, s; zero: none was chosen yet.
     pub step: f64,
     /// Comparisons in a row that would have allowed a longer step …
     pub quiet: u32,
-    /// … and by how much all of them would, in powers of 2^¼.
+    /// … and the growth that all of them allow, in powers of 2^¼.
     pub allowed: f64,
-    /// How many it takes.
+    /// The number of comparisons that is required.
     pub patience: u32,
     /// Whether the last change was to a longer step.
     pub raised: bool,
-    /// Whether the first length is still being looked for.
+    /// Whether the first step length has not been found yet.
     pub eager: bool,
     /// The greatest speed so far, in sizes of the mechanism and radians a second.
     pub speed: f64,

@@ -1,6 +1,7 @@
-//! What displacements and velocities are measured in: the length of the mechanism itself for lengths, radians for angles.
+//! The units of displacements and velocities: the characteristic length of the mechanism for lengths, radians for
+//! angles.
 //!
-//! Nothing is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
+//! No length is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
 
 use crate::linear::{RowMatrix, dot, largest, largest_of, vector};
 use crate::{Coordinate, Model, System};
@@ -9,19 +10,21 @@ use nalgebra::SVector;
 /// Round-off of positions: that of a few operations on numbers of their size.
 const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
-/// Reciprocals of what the coordinates and the velocities are measured in.
+/// The characteristic length, and the reciprocals of the units of coordinates and velocities.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Yardstick<const Q: usize, const N: usize> {
     /// The characteristic length, m.
     pub(crate) length: f64,
-    /// How far from the origin of the world the mechanism reaches, m: round-off of lengths is relative to this.
+    /// The largest distance of a point from the origin of the world along an axis, m: round-off of lengths is relative
+    /// to this.
     pub(crate) reach: f64,
     positions: SVector<f64, Q>,
     velocities: SVector<f64, N>,
 }
 
 impl<const Q: usize, const N: usize> Yardstick<Q, N> {
-    /// Of a system at its guess, so that a resumed run measures alike; `step` counts where nothing has a length.
+    /// For a system at its guess, so that a resumed run has the same units; `step` is used only if no point gives a
+    /// length.
     #[inline(never)]
     pub(crate) fn new<S: System<Q, N, R>, const R: usize>(system: &S, step: f64) -> Self {
         let (q, _) = system.guess();
@@ -35,7 +38,7 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         Self::of(S::MODEL.coordinates, S::MODEL.velocities, length, reach)
     }
 
-    /// The same, with a length of which this part is no smaller than the round-off of positions.
+    /// The same, with a length of at least the round-off of positions divided by `tolerance`.
     pub(crate) fn for_tolerance(&self, model: &Model, tolerance: f64) -> Self {
         let length = self.length.max(ROUND_OFF / tolerance * self.reach);
         Self::of(model.coordinates, model.velocities, length, self.reach)
@@ -60,13 +63,13 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         largest(&self.sizes(x))
     }
 
-    /// Σ x² in the same.
+    /// Σ x² in the same units.
     pub(crate) fn square(&self, x: &SVector<f64, N>) -> f64 {
         let sizes = self.sizes(x);
         dot(&sizes, &sizes)
     }
 
-    /// The entry that [`Self::measure`] comes from.
+    /// The index of the largest entry, as in [`Self::measure`].
     pub(crate) fn worst(&self, x: &SVector<f64, N>) -> usize {
         let sizes = self.sizes(x).map(f64::abs);
         let larger = |i: &usize, j: &usize| sizes[*i].total_cmp(&sizes[*j]);
@@ -78,36 +81,36 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         vector(|i| self.velocities[i] * x[i])
     }
 
-    /// x of which each entry is this many lengths of the mechanism, or radians.
+    /// x whose entries are these numbers of lengths of the mechanism, or of radians.
     pub(crate) fn displacement(&self, parts: SVector<f64, N>) -> SVector<f64, N> {
         vector(|i| parts[i] / self.velocities[i])
     }
 
-    /// |a|² of a row for such displacements: how far they move what the row says, squared.
+    /// |a|² of a row in these units.
     #[inline]
     pub(crate) fn row_length_squared(&self, a: &SVector<f64, N>) -> f64 {
         let moved: SVector<f64, N> = vector(|i| a[i] / self.velocities[i]);
         dot(&moved, &moved)
     }
 
-    /// How large the coordinates are, at least 1.
+    /// The largest coordinate in these units, at least 1.
     #[inline(always)]
     pub(crate) fn farthest(&self, q: &SVector<f64, Q>) -> f64 {
         let sizes: SVector<f64, Q> = vector(|i| self.positions[i] * q[i]);
         largest(&sizes).max(1.0)
     }
 
-    /// A velocity, in lengths of the mechanism and radians a second, that moves the end of a step of h by no more than
-    /// the round-off of its positions. At rest corrections stay of this size: 2φ/h, the rate that a row asks for, is no
-    /// better known, and smaller steps make it worse.
+    /// A velocity, in lengths of the mechanism and radians per second, that changes the positions at the end of a step
+    /// of h by no more than their round-off. At rest the corrections stay of this size: the rate 2φ/h of a row has this
+    /// error, and a smaller step makes it larger.
     #[inline(always)]
     pub(crate) fn imperceptible(&self, q: &SVector<f64, Q>, h: f64) -> f64 {
         ROUND_OFF * self.farthest(q) / (0.5 * h).abs()
     }
 }
 
-/// The characteristic length of a mechanism all of whose points lie at the origin: the largest radius of gyration, or how
-/// far its first step leads; without either nothing has a length, and any does.
+/// The characteristic length of a mechanism all of whose points lie at the origin: the largest radius of gyration, or
+/// the distance of its first step; without both, no length is needed, and any value can be used.
 #[cold]
 fn without_points<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,

@@ -10,20 +10,20 @@ use crate::model::{Formulation, Outline};
 pub struct Analysis {
     /// Names, parts, reductions.
     pub outline: Outline,
-    /// Everything that is computed.
+    /// The derived quantities.
     pub derived: Derived,
-    /// Rank and redundant rows near the guess, where a pose could be assembled there.
+    /// Rank and redundant rows near the guess, if a pose could be assembled there.
     pub mobility: Option<Mobility>,
     /// The operations of each function.
     pub program: Program,
-    /// The descriptions that were considered; empty where one was asked for.
+    /// The descriptions that were compared; empty if only the declared one was derived.
     pub candidates: Vec<Candidate>,
 }
 
-/// A description that was considered.
+/// A description that was compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// Which.
+    /// Its name.
     pub formulation: Formulation,
     /// Q.
     pub coordinates: usize,
@@ -31,12 +31,13 @@ pub struct Candidate {
     pub velocities: usize,
     /// R.
     pub rows: usize,
-    /// Rank of the rows near the guess, where a pose could be assembled there.
+    /// Rank of the rows near the guess, if a pose could be assembled there.
     pub rank: Option<usize>,
-    /// Operations of a step; `None` where the linear algebra alone costs more than a whole step of another.
+    /// Operations of a step; `None` if the linear algebra alone costs more than a whole step of another
+    /// description.
     pub operations: Option<usize>,
-    /// Joints that could carry a part, and close a loop instead.
+    /// Joints that could carry a part, but at which a loop is cut.
     pub cut: Vec<String>,
-    /// Whether it is the one in use.
+    /// Whether it is the chosen one.
     pub taken: bool,
 }

@@ -1,7 +1,7 @@
 //! The choice of coordinates: each description that applies is derived and its step counted, and the cheapest is taken.
 //!
-//! The stages are run by `compile`; what stands here is asked between them: which description is next, and whether one is
-//! worth going on with.
+//! `compile` runs the stages. Between them the functions of this file determine the next description, and whether the
+//! present one is continued.
 
 use crate::analysis::{Analysis, Candidate};
 use crate::contract;
@@ -28,11 +28,11 @@ struct Trial {
 enum Purpose {
     /// It may be the cheapest.
     Candidate,
-    /// As before, with rows of joints taken back that redundancy had left open.
+    /// The same without the elimination of rows whose reactions are not determined because of redundancy.
     RowsTakenBack,
-    /// With all rows at hand, to tell what cannot be closed.
+    /// With all rows, for the message about a loop that cannot close.
     Closing,
-    /// It is known that nothing is left to try with it.
+    /// No variant of it remains to be tried.
     Settled,
 }
 
@@ -41,11 +41,11 @@ pub(crate) struct Search<'d> {
     declaration: &'d Declaration,
     requested: Option<Formulation>,
     waiting: VecDeque<Trial>,
-    /// The one that the stages are working on.
+    /// The present one.
     current: Option<Trial>,
-    /// What the user has to know.
+    /// The errors for the user.
     errors: Errors,
-    /// What is wrong with other descriptions than the first: they do not apply, and are passed over.
+    /// Errors of descriptions other than the first: these do not apply, and are skipped.
     passed_over: Errors,
     best: Option<Analysis>,
     candidates: Vec<Candidate>,
@@ -53,7 +53,7 @@ pub(crate) struct Search<'d> {
 }
 
 impl<'d> Search<'d> {
-    /// Begins with the description that is asked for, or with natural coordinates.
+    /// Begins with the declared description, or with natural coordinates.
     pub(crate) fn new(declaration: &'d Declaration) -> Self {
         let mut errors = Errors::new();
         let requested = model::requested(declaration, &mut errors);
@@ -83,7 +83,7 @@ impl<'d> Search<'d> {
         Some(self.current.as_ref()?.description.clone())
     }
 
-    /// Where the errors of the current description belong.
+    /// The list for the errors of the current description.
     pub(crate) fn errors(&mut self) -> &mut Errors {
         match self.is_first() && self.purpose() == Purpose::Candidate {
             true => &mut self.errors,
@@ -91,14 +91,14 @@ impl<'d> Search<'d> {
         }
     }
 
-    /// Whether a description is worth its equations, after stage 2.
+    /// After stage 2: returns the model if its equations are to be derived.
     pub(crate) fn admit(&mut self, model: Option<Model>) -> Option<Model> {
         let trial = self.current.clone()?;
         let model = model?;
         match trial.purpose {
             Purpose::Candidate => {}
             Purpose::RowsTakenBack => {
-                // It takes the place of the description with these rows solved, which waits behind it.
+                // It replaces the description with these rows eliminated, which is next in the queue.
                 self.waiting.pop_front();
                 return Some(model);
             }
@@ -107,7 +107,7 @@ impl<'d> Search<'d> {
         let description = trial.description;
         if let Some(best) = &mut self.best {
             if same(&model.outline, &model.layout.coordinates, best) {
-                // Where no bar is its end points, natural coordinates are reference coordinates.
+                // If no bar is described by its end points, natural coordinates are the same as reference coordinates.
                 let natural = |part: &Part| part.representation == Representation::Natural;
                 let formulation = description.formulation;
                 if formulation == Formulation::Reference && !best.outline.parts.iter().any(natural)
@@ -137,10 +137,10 @@ impl<'d> Search<'d> {
         Some(model)
     }
 
-    /// Whether it is worth going on, after its mobility is known.
+    /// After the analysis of mobility: returns the mobility if the description is continued.
     ///
-    /// Where redundancy leaves the reaction of a solved row open, the row is taken back: so those who share a load are
-    /// named, and share it by least norm.
+    /// If the reaction of an eliminated row is not determined because of redundancy, the row is not eliminated: then
+    /// all rows that share the load are named, and their reactions have the least norm.
     pub(crate) fn settle(
         &mut self,
         outline: &Outline,
@@ -167,7 +167,7 @@ impl<'d> Search<'d> {
             return None;
         }
         if purpose == Purpose::Candidate && mobility.is_none() && !outline.solved.is_empty() {
-            // What cannot be closed is told best with all rows at hand.
+            // The message about a loop that cannot close is best with all rows.
             self.try_again(description.clone(), Purpose::Settled);
             description.keep.clone_from(&outline.solved);
             self.try_again(description, Purpose::Closing);
@@ -195,7 +195,7 @@ impl<'d> Search<'d> {
     /// Counts the operations of a description, and keeps it if it is the cheapest so far.
     pub(crate) fn consider(&mut self, analysis: Analysis) {
         let own = candidate(&analysis);
-        // Of two that cost the same the one tried first stays.
+        // With equal costs the first one is taken.
         if self.is_first() {
             self.best = Some(analysis);
             if self.requested.is_none() {
@@ -264,7 +264,7 @@ fn cheapest(candidates: &[Candidate]) -> Option<usize> {
     candidates.iter().filter_map(|other| other.operations).min()
 }
 
-/// Whether a description has the same coordinates as the best, and the same joints left as rows.
+/// Whether a description has the same coordinates as the best one, and the same joints with rows.
 fn same(outline: &Outline, coordinates: &[Stored], best: &Analysis) -> bool {
     let names = |coordinates: &[Stored]| -> Vec<String> {
         coordinates
@@ -292,9 +292,9 @@ fn candidate(analysis: &Analysis) -> Candidate {
 
 /// Passes of the iteration on the multipliers in a step that begins with those of the last.
 const PASSES: usize = 2;
-/// Passes of Newton's method in each, where the flow is implicit.
+/// Passes of Newton's method in each, if the flow is implicit.
 const INNER_PASSES: usize = 2;
-/// What a division and an elementary function cost, in additions.
+/// The cost of a division and of an elementary function, in additions.
 const DIVISION: usize = 5;
 const CALL: usize = 20;
 /// A free flight of a rotation.
@@ -334,7 +334,8 @@ fn step(program: &Program) -> usize {
     rows + motion + linear_algebra(n, r, explicit)
 }
 
-/// What a step with a mass matrix that varies costs at least. (Small systems have zeros that loops cannot know.)
+/// The least cost of a step with a varying mass matrix. (In small systems zeros reduce it further, which loops cannot
+/// use.)
 fn least(n: usize, r: usize) -> usize {
     let weighted = if n > 20 { 2 * n * r * r } else { 0 };
     linear_algebra(n, r, false) + weighted

@@ -7,8 +7,8 @@ use crate::syntax::{self, Declaration};
 use crate::{dag, derivatives, emit, equations, mobility, model};
 use proc_macro2::TokenStream;
 
-/// Compiles a declaration to Rust. Where it is wrong, what could be understood is emitted all the same (so that editors
-/// keep completing), with one `compile_error!` per mistake.
+/// Compiles a declaration to Rust. If it has errors, its correct parts are emitted all the same (for completion in
+/// editors), with one `compile_error!` per error.
 pub fn compile(tokens: TokenStream) -> TokenStream {
     // A panic is always a defect of this compiler; it must not look like a mistake of the user.
     std::panic::catch_unwind(|| compile_checked(tokens)).unwrap_or_else(|_| {
@@ -46,7 +46,7 @@ pub fn analyse(tokens: TokenStream) -> (Option<Declaration>, Result<Analysis, Fa
     (Some(declaration), outcome)
 }
 
-/// Stages 2 to 5 of the descriptions that the search asks for.
+/// Stages 2 to 5 for each description of the search.
 fn analyse_cheapest(declaration: &Declaration) -> Result<Analysis, Failure> {
     let mut search = Search::new(declaration);
     while let Some(description) = search.next() {

@@ -1,23 +1,23 @@
-//! The contract between generated code and the runtime, once: each function with its arguments, their shapes, and where
-//! its body comes from. Signatures, stubs, reserved names and operation counts follow from this table; the traits of the
-//! runtime, in its `contract/`, state the same functions with their meaning, and the compiler compares the two.
+//! The contract between generated code and the runtime as a table: each function with its arguments, their shapes, and
+//! the source of its body. Signatures, stubs, reserved names and operation counts follow from this table; the traits of
+//! the runtime, in its `contract/`, declare the same functions with their meaning; rustc compares the two.
 
 use crate::dag::{Cost, Program};
 
-/// What a function is about: one trait of the runtime each.
+/// The subject of a function: one trait of the runtime each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Capability {
     /// q, v and the motion along velocities.
     Configuration,
     /// M and its factor.
     Inertia,
-    /// φ, A, b and what is solved with them.
+    /// φ, A, b and the solutions with them.
     Constraints,
     /// f, F and their tangents.
     Loads,
     /// Outputs, events, points, reactions.
     Observables,
-    /// All of the others at once.
+    /// All of the others together.
     System,
 }
 
@@ -37,7 +37,7 @@ impl Capability {
         format!("{self:?}<{}>", self.sizes(program))
     }
 
-    /// Q, N, and R where the trait depends on it.
+    /// Q, N, and R if the trait depends on it.
     pub fn sizes(self, program: &Program) -> String {
         let (q, n, r) = (program.coordinates, program.size, program.rows.len());
         match self {
@@ -49,7 +49,7 @@ impl Capability {
     }
 }
 
-/// What an argument is.
+/// The shape of an argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shape {
     /// A number.
@@ -66,15 +66,15 @@ pub enum Shape {
     RowsByRows,
     /// The factor of M.
     Factor,
-    /// Entries that go through a sink for matrices.
+    /// Entries that are written to a sink for matrices.
     Matrix,
-    /// Entries that go through a sink for tensors.
+    /// Entries that are written to a sink for tensors.
     Tensor,
     /// As many numbers as the caller has room for.
     Values,
     /// As many points as the caller has room for.
     Points,
-    /// The array of K of the elimination without zeros.
+    /// The array of K of the sparse elimination.
     Slots,
 }
 
@@ -83,7 +83,7 @@ pub enum Shape {
 pub struct Argument {
     /// Its name in signatures and bodies.
     pub name: &'static str,
-    /// What it is.
+    /// Its shape.
     pub shape: Shape,
     /// Whether the function writes it.
     pub written: bool,
@@ -96,7 +96,7 @@ pub enum Returns {
     Nothing,
     /// A number.
     Number,
-    /// Whether there was something to write.
+    /// Whether the function has written its results.
     Available,
     /// q.
     Coordinates,
@@ -104,7 +104,7 @@ pub enum Returns {
     Velocities,
     /// q and v.
     Guess,
-    /// A factor of M, where there is one.
+    /// A factor of M, or `None`.
     Factor,
     /// The inputs.
     Inputs,
@@ -112,22 +112,22 @@ pub enum Returns {
     InputsMut,
 }
 
-/// Where the body of a function comes from.
+/// The source of the body of a function.
 #[derive(Clone, Copy)]
 pub enum Origin {
-    /// From the function of this name in the program. Where the program has none, the trait gives one.
+    /// The function of this name in the program. If the program has none, the trait has a default body.
     Program,
-    /// The same, with calls of loops in its place: where M is constant, and where it varies. The last tells their
-    /// operations from N and R.
+    /// The same, but with calls of loops if the program has none: one for constant and one for varying M. The last
+    /// field gives their operations from N and R.
     Kernel {
-        /// The call where M is constant.
+        /// The call if M is constant.
         constant_mass: &'static str,
-        /// The call where M varies.
+        /// The call if M varies.
         varying_mass: &'static str,
-        /// Operations of the loops; 0 for what no step calls.
+        /// Operations of the loops; 0 for functions that no step calls.
         operations: fn(usize, usize) -> usize,
     },
-    /// Stage 6 writes it by itself.
+    /// Stage 6 writes it without the program.
     Written,
 }
 
@@ -141,7 +141,7 @@ pub struct Method {
     pub arguments: &'static [Argument],
     /// What it returns.
     pub returns: Returns,
-    /// Where its body comes from.
+    /// The source of its body.
     pub origin: Origin,
 }
 

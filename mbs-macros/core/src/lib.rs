@@ -5,7 +5,7 @@
 //! ```
 //!
 //! User errors occur in stages 1 and 2 only; they are collected within a stage and stop the compiler between stages.
-//! Stages 3 to 5 see no tokens, and nothing outside stage 6 writes Rust.
+//! Stages 3 to 5 have no tokens, and nothing outside stage 6 writes Rust.
 
 pub mod analysis;
 mod choose;

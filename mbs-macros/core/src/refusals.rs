@@ -1,4 +1,5 @@
-//! Errors that only numbers tell: loops that cannot close, redundancy where it is denied.
+//! Errors that are found numerically: loops that cannot close, redundant rows with
+//! `deny: Redundant()`.
 
 use crate::diagnostics::Errors;
 use crate::equations::Row;

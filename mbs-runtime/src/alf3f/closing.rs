@@ -1,30 +1,32 @@
-//! The iteration that closes the rows of a step: residual, factor, solve, and the verdict on what is left.
+//! The iteration that solves the rows of a step: residual, factor, correction, and the decision on the residual.
 //!
-//! It is the same for kicks with dense and with sparse factors, with nonholonomic rows, for the implicit step and for the
-//! baselines that close rows; they differ in what a residual, a factor and a correction are.
+//! It is the same for kicks with dense and with sparse factors, with nonholonomic rows, for the implicit step and for
+//! the baselines that iterate on rows; they differ in residual, factor and correction.
 
 use crate::fault::Fault;
 use crate::singular::{STAGNATED, STALLED};
 use nalgebra::SVector;
 
-/// Equations of rows that corrections through a factor satisfy.
+/// Rows that are solved by corrections with a factor.
 pub(crate) trait Closing {
-    /// Corrections by a factor at hand that are cheaper than another factor.
+    /// The number of corrections with the present factor that cost less than a new factor.
     const PATIENCE: i32 = 1;
-    /// Whether velocities are sought with the multipliers: then the last word is that of [`Self::solve`].
+    /// Whether velocities are unknowns besides the multipliers: then [`Self::solve`] decides on the end of the
+    /// iteration.
     const VELOCITIES: bool = false;
 
-    /// Evaluates the rows where the unknowns are: Σ (φ_i/tolerance_i)².
+    /// Evaluates the rows at the present unknowns: Σ (φ_i/tolerance_i)².
     fn residual(&mut self) -> Result<f64, Fault>;
-    /// Factors the matrix of the corrections there; false where a row has lost its direction, and others have to do the step.
+    /// Factors the matrix of the corrections there; false if a row has lost its direction, so that another form of the
+    /// step is needed.
     fn factor(&mut self) -> Result<bool, Fault>;
-    /// One correction. Whether velocities have settled.
+    /// One correction; returns whether the velocities have converged.
     fn solve(&mut self) -> bool;
-    /// What `residual` to ask for, 1 at most.
+    /// The residual to be reached, at most 1.
     fn enough(&self) -> f64 {
         1.0
     }
-    /// The residual that is taken when a new factor does not reduce it: round-off, or a row without a direction.
+    /// The residual that is accepted if a new factor does not reduce it: round-off, or a row without a direction.
     fn round_off(&self) -> f64 {
         STAGNATED
     }
@@ -32,29 +34,29 @@ pub(crate) trait Closing {
     fn is_stale(&self) -> bool {
         false
     }
-    /// The failure to report. (Inline, and with copies of unknowns: those whose address is known elsewhere do not stay in
+    /// The failure to report. (Inlined, and with copies of unknowns: values whose address is passed on do not stay in
     /// registers.)
     fn fault(&self, iterations: usize) -> Fault;
 }
 
-/// How long to iterate.
+/// The limits of the iteration.
 #[derive(Clone, Copy)]
 pub(crate) struct Limits {
     pub(crate) most: usize,
-    /// Exactly so many corrections, through one factor.
+    /// Exactly this number of corrections, with one factor.
     pub(crate) fixed: Option<usize>,
 }
 
-/// Where the iteration ended.
+/// The result of the iteration.
 pub(crate) struct Closed {
     /// Residual.
     pub(crate) left: f64,
     pub(crate) iterations: usize,
 }
 
-/// Corrects the unknowns until the rows are closed; `None` where a row has lost its direction.
+/// Corrects the unknowns until the rows are satisfied; `None` if a row has lost its direction.
 ///
-/// `factored`: whether there is a factor to begin with.
+/// `factored`: whether there is a factor at the beginning.
 #[inline(always)]
 pub(crate) fn close<C: Closing>(
     rows: &mut C,
@@ -82,7 +84,7 @@ pub(crate) fn close<C: Closing>(
             Some(count) if iterations == count && residual.is_finite() => return Ok(Some(closed)),
             _ => {}
         }
-        // Where the corrections that another factor costs would not do at the present rate.
+        // A new factor is needed if the corrections that cost as much as it would not be enough at the present rate.
         let slow = !(residual.powi(C::PATIENCE + 1) <= last.powi(C::PATIENCE) || residual <= 1.0);
         let slow = slow && iterations > 0 && (limits.fixed.is_none() || !residual.is_finite());
         if !factored || slow || rows.is_stale() {
@@ -107,13 +109,13 @@ pub(crate) fn close<C: Closing>(
     }
 }
 
-/// Whether a correction has left what is round-off.
+/// Whether the residual has stalled, and is small enough to be round-off.
 #[inline(always)]
 fn has_stalled(rows: &impl Closing, residual: f64, last: f64) -> bool {
     residual > STALLED * last && residual < rows.round_off()
 }
 
-/// Velocity rows on which corrections through a nearly singular factor are repeated.
+/// Velocity rows for which corrections with a nearly singular factor are repeated.
 pub(crate) trait Refining {
     /// Σ ((A v + b)_i/tolerance_i)².
     fn residual(&mut self) -> f64;
@@ -121,8 +123,8 @@ pub(crate) trait Refining {
     fn correct(&mut self);
 }
 
-/// Iterates on what a solve leaves of A v + b: the proximal one leaves a part of all that lies in nearly lost directions,
-/// elimination some digits. Ends at `enough`, or where a correction no longer helps.
+/// Iterates on the residual A v + b of a nearly singular solve: the proximal solve leaves a part in nearly dependent
+/// directions, and elimination loses digits. Ends at `enough`, or if a correction does not halve the residual.
 #[inline(always)]
 pub(crate) fn refine(rows: &mut impl Refining, passes: usize, enough: f64) {
     let mut last = f64::INFINITY;
@@ -136,7 +138,7 @@ pub(crate) fn refine(rows: &mut impl Refining, passes: usize, enough: f64) {
     }
 }
 
-/// Σ φ_i² / tolerance_i²: one at most where every row is within its tolerance and their sum is; NaN if any row is.
+/// Σ φ_i² / tolerance_i²: if it is at most 1, every row is within its tolerance; NaN if any row is.
 #[inline(always)]
 pub(crate) fn residual_of<const R: usize>(phi: &SVector<f64, R>, weights: &SVector<f64, R>) -> f64 {
     let mut sum = 0.0;

@@ -1,7 +1,7 @@
 //! Symmetric compositions of the two-level step: h c₁, h c₂, … h c_s with c_i = c_{s+1−i} and Σ c = 1.
 //!
 //! A symmetric step of second order has an error expansion in odd powers of h; Σ c³ = 0 raises the order to 4, further
-//! conditions raise it to 6 and 8. Some stages run back in time, which conservative motion does not mind.
+//! conditions raise it to 6 and 8. Some stages run back in time, which is possible for conservative motion.
 //!
 //! | order | stages | source |
 //! |---|---|---|
@@ -9,11 +9,11 @@
 //! | 6 | 13 | M. Sofroniou, G. Spaletta, Optim. Methods Softw. 20 (2005) 597–613 |
 //! | 8 | 17 | W. Kahan, R.-C. Li, Math. Comp. 66 (1997) 1089–1099 (s17odr8a) |
 //!
-//! They were chosen by the stages a second that an error of 1e-9 takes on five scenes (`cargo run --release -p mbs-examples
-//! --example compositions`; the table is in the book). Per stage more of them pay off: thirteen at sixth order need 0.82
-//! times (geometric mean) the stages of nine (Kahan, Li). At eighth order twenty-one (Sofroniou, Spaletta) need 0.93
-//! times those of seventeen, but 1.2 times on the slider-crank, and their steps are longer, with more landings beside
-//! singular poses: seventeen stay.
+//! They were chosen by the stages per second of motion for an error of 1e-9 on five scenes
+//! (`cargo run --release -p mbs-examples --example compositions`; the table is in the book). More stages per step are
+//! more efficient: at sixth order the set of thirteen needs 0.82 times (geometric mean) the stages of the set of nine
+//! (Kahan, Li). At eighth order twenty-one (Sofroniou, Spaletta) need 0.93 times those of seventeen, but 1.2 times on
+//! the slider-crank, and in their longer steps more stages end beside singular poses. So the set of seventeen is used.
 
 const FOURTH: [f64; 7] = symmetric([
     0.239_069_765_742_321_26,
@@ -54,7 +54,7 @@ pub(crate) fn stages(order: u8) -> &'static [f64] {
     }
 }
 
-/// All stages from the first half; the middle one, written as zero, is what is left of 1.
+/// All stages from the first half; the middle one, written as zero, makes the sum 1.
 const fn symmetric<const HALF: usize, const ALL: usize>(half: [f64; HALF]) -> [f64; ALL] {
     let mut all = [0.0; ALL];
     let mut rest = 1.0;

@@ -6,8 +6,10 @@
 //! v₁ = v_b + (M₁ − h/2 ∂F/∂v)⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 //!
-//! A kick would move one side of a stiff damper only; the metric M − h/2 ∂F/∂v lets its far side follow. The springs'
-//! −h²/4 ∂F/∂q is part of Newton's J but not of this metric: with it the error grows with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; that step is left to the kicks.
+//! A kick changes the velocity of one side of a stiff damper only; with the metric M − h/2 ∂F/∂v the other side moves,
+//! too. The term −h²/4 ∂F/∂q of springs is part of Newton's J, but not of this metric: with it the error would grow
+//! with the damping. Near a singular pose ½(A₀ + A₁) loses a direction that A₁ still has; such a step is taken with
+//! kicks.
 
 use super::closing::{self, Closing, Limits, Refining, refine};
 use super::closing::{not_converged, residual_of};
@@ -153,7 +155,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
                 >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths)
     }
 
-    /// Makes A₁TJ⁻¹½(A₀ + A₁)ᵀ of the holonomic rows: velocities reach positions through the tangent of ⊕.
+    /// Computes A₁TJ⁻¹½(A₀ + A₁)ᵀ for the holonomic rows, with T the tangent of ⊕.
     fn turn_holonomic<S: System<Q, N, R>>(
         &mut self,
         system: &S,
@@ -169,7 +171,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         }
     }
 
-    /// Factors A₁J⁻¹A₁ᵀ, J taken as `along` tells, and returns its diagonal.
+    /// Factors A₁J⁻¹A₁ᵀ, with J chosen by `along`; returns the diagonal.
     fn factor_end<S: System<Q, N, R>>(
         &mut self,
         system: &S,

@@ -42,8 +42,8 @@ where
         &context.start,
         h,
     );
-    // The first correction goes through the factors of A₀M⁻¹A₀ᵀ, left by the velocity rows of the last step.
-    // Where their number is fixed B is factored once, for all of them.
+    // The first correction uses the factors of A₀M⁻¹A₀ᵀ from the velocity rows of the last step. With a
+    // fixed number of corrections B is factored once for all of them.
     if flow.is_direct() && !weak_start && context.fixed_iterations.is_none() {
         kick.by = Factor::Start;
     }
@@ -77,7 +77,7 @@ where
     Ok(v)
 }
 
-/// The step has landed beside a singular pose, which was not known when its rows were closed.
+/// The step ends beside a singular pose, which was not known when its position rows were solved.
 #[cold]
 #[inline(never)]
 fn close_again<S, F, const Q: usize, const N: usize, const R: usize>(
@@ -95,7 +95,7 @@ where
     arrive(context, flow, context.state.time + h, kick)
 }
 
-/// What is iterated on.
+/// The unknowns of the iteration.
 struct Kick<const Q: usize, const N: usize, const R: usize> {
     kappa: SVector<f64, R>,
     va: SVector<f64, N>,
@@ -113,7 +113,8 @@ enum Factor {
     Projection,
 }
 
-/// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; what is left, in squared tolerances.
+/// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; returns the residual, in squared
+/// tolerances.
 #[inline(always)]
 fn close<S, F, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,

@@ -1,8 +1,8 @@
 //! Kick, flow, kick with nonholonomic rows, alone or beside holonomic ones.
 //!
-//! Nonholonomic rows have ONE multiplier κₙ, acting in both kicks: N₁ v₁ + n₁ = 0 determines it, and energy is kept as
-//! it is by the holonomic rows. Newton works on (κ₁, κₙ) together; with P the velocity projection of the holonomic rows
-//! its matrix is
+//! Nonholonomic rows have ONE multiplier κₙ, acting in both kicks: N₁ v₁ + n₁ = 0 determines it, and the energy
+//! behaviour is that of holonomic rows. Newton's method solves for (κ₁, κₙ) together; with P the velocity projection of
+//! the holonomic rows its matrix is
 //!
 //! ```text
 //! holonomic row i:     A₁ᵢ · (∂q₁/∂v_a / h) W₀ⱼ
@@ -79,7 +79,7 @@ where
     va: SVector<f64, N>,
     q: SVector<f64, Q>,
     v: SVector<f64, N>,
-    /// φ, and what is left of N v + n.
+    /// φ, and the residual of N v + n.
     defect: SVector<f64, R>,
     weights: SVector<f64, R>,
     is_first: bool,

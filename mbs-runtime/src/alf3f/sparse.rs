@@ -6,7 +6,7 @@ use crate::linear::RowMatrix;
 use crate::singular::{RankMargin, Thresholds, WEAK_PIVOT};
 use nalgebra::SVector;
 
-/// An array whose length generated code knows.
+/// An array whose length is a constant of the generated code.
 pub(crate) type Slots = Box<[f64]>;
 
 /// K where A₀ is A₁.
@@ -33,7 +33,7 @@ pub(crate) struct SparseMass {
     factor: Slots,
 }
 
-/// What pivots tell of the rows they belong to.
+/// The verdict on rows from their pivots.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Rows {
     Independent,
@@ -41,7 +41,7 @@ pub(crate) enum Rows {
     Weak,
     /// The same, beside a singular pose.
     Beside,
-    /// A row is about to lose its direction.
+    /// Rows are nearly dependent.
     Lost,
 }
 
@@ -153,8 +153,8 @@ impl Bordered {
         rank_margin
     }
 
-    /// The combination of the rows, each taken with unit length, that comes closest to none: a step of inverse iteration
-    /// from the row with the smallest pivot.
+    /// The combination of the rows, each of unit length, that is nearest to zero, by a step of inverse iteration from
+    /// the row with the smallest pivot.
     pub(crate) fn combination<const N: usize, const R: usize>(
         &self,
         plan: &Elimination<N, R>,

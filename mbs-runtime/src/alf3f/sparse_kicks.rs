@@ -8,8 +8,8 @@
 //! ```
 //!
 //! whose elimination was planned when the mechanism was compiled, and takes operations in proportion to the length of a
-//! chain. A step that begins or ends where a row is about to lose its direction needs the proximal solve, which is dense:
-//! that step is taken by [`kicks`].
+//! chain. A step that begins or ends where rows are nearly dependent needs the proximal solve, which is dense;
+//! [`kicks`] takes that step.
 
 use super::closing::residual_of;
 use super::closing::{self, Closed, Closing, Limits, Refining, refine};
@@ -27,7 +27,7 @@ use nalgebra::SVector;
 /// The factors at both ends of a step, and its workspace.
 pub(crate) struct SparseKicks<const N: usize, const R: usize> {
     plan: &'static Elimination<N, R>,
-    /// K where the state stands, factored.
+    /// K at the current state, factored.
     start: Bordered,
     end: Bordered,
     pair: Pair,
@@ -36,7 +36,7 @@ pub(crate) struct SparseKicks<const N: usize, const R: usize> {
     x: Slots,
 }
 
-/// What the corrections of κ₁ go through.
+/// The matrix for the corrections of κ₁.
 #[derive(Clone, Copy, PartialEq)]
 enum Factor {
     None,
@@ -81,7 +81,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         });
         kicks.refresh(context);
         if kicks.start.leaves_rows_out(plan) {
-            // Beside a singular pose the pivot of a redundant row is not small enough to tell it from one that is nearly lost.
+            // Beside a singular pose the pivot of a redundant row is not small enough to distinguish it from a nearly
+            // dependent row.
             let coarse = Thresholds {
                 lost: Thresholds::SECOND_ORDER.lost,
                 ..context.work.delassus.thresholds
@@ -136,7 +137,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         self.start.rank_margin(self.plan)
     }
 
-    /// How much each row takes part in what is nearest to a loss of independence.
+    /// The weight of each row in the combination that is nearest to dependence.
     #[cold]
     pub(super) fn weakest_rows(&mut self) -> SVector<f64, R> {
         self.start.combination(self.plan, &mut self.x)
@@ -178,7 +179,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             if !(rows == Rows::Beside && left > EXACT && enough == 1.0) {
                 break rows;
             }
-            // It lands beside a singular pose, which was not known.
+            // It ends beside a singular pose, which was not known.
             kick.factor = Factor::None;
             enough = EXACT;
         };
@@ -228,7 +229,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         Ok(Outcome::Done)
     }
 
-    /// The kick that the last steps lead to expect, and where it leads.
+    /// The kick extrapolated from the last steps, and the positions after it.
     fn depart<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         context: &StepContext<S, Q, N, R>,
@@ -264,8 +265,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         }
     }
 
-    /// Corrects the kick until φ(q₁) = 0 up to `enough` squared tolerances, with A₁ in `end`; what is left, `None` where
-    /// it is not found.
+    /// Corrects the kick until φ(q₁) = 0 up to `enough` squared tolerances, with A₁ in `end`; returns the residual,
+    /// `None` without convergence.
     fn close<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         context: &mut StepContext<S, Q, N, R>,
@@ -363,7 +364,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.enough
     }
 
-    /// The dense step says what is wrong.
+    /// The dense step reports the error.
     #[inline(always)]
     fn fault(&self, _: usize) -> Fault {
         Fault::NonFinite("constraint rows")

@@ -1,4 +1,5 @@
-//! Where the stages of a composed step land beside a singular pose, and which length of step keeps them clear of it.
+//! The ends of the stages of a composed step relative to a singular pose, and the step length with the largest distance
+//! from it.
 //!
 //! Beside a singular pose σ_min of the rows is the distance from it, up to a factor:
 //!
@@ -6,25 +7,25 @@
 //! σ = k |y − p|        p: landing, y: the pose, both as fractions of the step from its beginning
 //! ```
 //!
-//! Two landings, the beginning and the end of the step, tell y. Where the others land is known before they are taken, so
-//! that the length which leaves the widest gap about the pose is found without trying.
+//! σ at the beginning and at the end of the step gives y. The fractions p of all stages are known, so that the length
+//! with the largest gap around the pose is computed without trial steps.
 
 use crate::singular::RankMargin;
 
-/// The clearance of a step that is left as it is, as a fraction of it: below, another length can do better.
+/// The clearance, as a fraction of the step, above which the step is accepted; below it another length can be better.
 pub(crate) const CLEAR: f64 = 0.06;
-/// How many lengths there are to choose from.
+/// The number of lengths to choose from.
 const CHOICES: u32 = 66;
-/// A length that differs by less than this fraction from that of the step itself would lead to the same landings.
+/// A length that differs by less than this fraction from that of the step has nearly the same ends of stages.
 const SAME: f64 = 0.01;
-/// How much room before the pose the beginning of the next step needs to find a length in its turn, as a fraction of a
-/// step, and what a lack of it weighs.
+/// The distance before the pose that the next step needs at its beginning, as a fraction of a step, and the weight of a
+/// smaller distance.
 const ROOM: f64 = 0.2;
 const LACK: f64 = 0.3;
-/// A pose farther away than this fraction of the step does not concern it.
+/// A pose farther away than this fraction of the step is ignored.
 const AHEAD: f64 = 1.5;
 
-/// What was seen at the landings of a step.
+/// The rank margins at the ends of the stages of a step.
 #[derive(Debug, Clone)]
 pub(crate) struct StagePlacement {
     /// Fractions of a step.
@@ -62,22 +63,22 @@ impl StagePlacement {
         self.seen.push(landing);
     }
 
-    /// After the last stage: the distance of the nearest landing from a singular pose, as a fraction of the step;
-    /// infinite without one.
+    /// After the last stage: the distance of the nearest end of a stage from a singular pose, as a fraction of the
+    /// step; infinite without one.
     pub(crate) fn settle(&mut self) -> f64 {
         let (pose, nearest) = self.find();
         self.pose = pose;
         match pose > 0.0 {
             true => self.clearance(1.0, pose).min(nearest),
-            // Behind: the step before has settled it.
+            // The pose is behind the step; the step before has treated it.
             false => f64::INFINITY,
         }
     }
 
-    /// Where the pose is, and how far the nearest landing is from it as σ tells: a step that has left its branch of the
-    /// motion is not where it would be otherwise.
+    /// The position of the pose, and the distance of the nearest end of a stage from it according to σ, which differs
+    /// after a change of branch.
     fn find(&self) -> (f64, f64) {
-        // Rows that are redundant everywhere do not count; landings where more are lost are nearest to a pose.
+        // Rows that are redundant everywhere do not count; the ends with more dependent rows are nearest to a pose.
         let all = || self.seen.iter().chain([&self.start]);
         let fewest = all().map(|landing| landing.lost).min().unwrap_or(0);
         let sigma = |landing: &RankMargin| match landing.lost == fewest {
@@ -104,7 +105,7 @@ impl StagePlacement {
                 .map(|(place, seen)| (rate * (pose - place).abs() - sigma(seen)).abs())
                 .sum()
         };
-        // Passed over, still ahead, or left behind.
+        // The pose is within the step, ahead of it, or behind it.
         let (passed, ahead) = (start / (start + end), start / (start - end));
         // (Of two equal ends the pose is in the middle, and there is none ahead.)
         let pose = match misfit(ahead) < misfit(passed) {
@@ -120,8 +121,8 @@ impl StagePlacement {
         distances.fold(pose.abs(), f64::max)
     }
 
-    /// The distance of the nearest landing from the pose for a step of this length, where the beginning of the next step
-    /// counts less the closer it is before the pose.
+    /// The distance of the nearest end of a stage from the pose for a step of this length, reduced if the next step
+    /// begins shortly before the pose.
     fn clearance(&self, length: f64, pose: f64) -> f64 {
         let distances = self
             .places
@@ -176,7 +177,7 @@ mod tests {
         }
     }
 
-    /// What steps of length 1 that aim as they do come to: how near one of them lands to a pose that is met on the way.
+    /// The least distance from the pose of any end of a stage, for steps of length 1 with placement, through the pose.
     fn nearest_on_the_way(order: u8, pose: f64) -> f64 {
         let (mut begin, mut nearest) = (0.0, f64::INFINITY);
         while begin < pose + 2.0 {

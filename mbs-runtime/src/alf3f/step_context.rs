@@ -1,4 +1,4 @@
-//! What every two-level step works on.
+//! Data of every two-level step.
 
 use super::closing::residual_of;
 use super::closing::{Refining, refine};
@@ -11,7 +11,7 @@ use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
 use nalgebra::SVector;
 
-/// Most passes of the iteration on the velocity rows, and where the cost of a step is fixed.
+/// Most passes of the iteration on the velocity rows: in general, and with `fixed_iterations`.
 pub(super) const REFINEMENTS: usize = 10;
 pub(crate) const FIXED_REFINEMENTS: usize = 2;
 

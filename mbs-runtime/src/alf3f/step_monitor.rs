@@ -1,4 +1,4 @@
-//! What is watched while a step passes through its stages: works, and how far its landings stay from singular poses.
+//! Works of a step, and its clearance from singular poses, computed stage by stage.
 
 use super::step_context::StepContext;
 use crate::System;
@@ -7,16 +7,17 @@ use crate::singular::RankMargin;
 /// Works and clearance of a step, stage by stage.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StepMonitor {
-    /// Power of forces without potential where the passage stands, W.
+    /// Power of forces without potential at the current stage, W.
     pub(crate) power: f64,
     /// Work of these forces so far, J.
     pub(crate) nonconservative_work: f64,
     /// Work of the rheonomic rows so far, J.
     pub(crate) drive_work: f64,
-    /// The distance of landings from a singular pose, as a fraction of the step: σ₁/(σ₀ + σ₁) for a step of one stage,
-    /// which is ½ far from any pose; the clearance of its [`StagePlacement`](super::StagePlacement) for a composed one.
+    /// The distance of the ends of stages from a singular pose, as a fraction of the step: σ₁/(σ₀ + σ₁) for a step of
+    /// one stage, which is ½ far from any pose; the clearance of its [`StagePlacement`](super::StagePlacement) for a
+    /// composed one.
     pub(crate) clearance: f64,
-    /// Where the passage stands; `None` if clearance is of no interest.
+    /// The rank margin at the current stage; `None` if the clearance is not needed.
     pub(crate) rank_margin: Option<RankMargin>,
 }
 
@@ -47,14 +48,14 @@ impl StepMonitor {
                 .nonconservative_power(state.time, &state.positions, &state.velocities);
         self.nonconservative_work += 0.5 * h * (self.power + power);
         self.power = power;
-        // After the commit `end` is the node where the stage began.
+        // After the commit `end` has the geometry of the beginning of the stage.
         let impulse = &context.work.impulse;
         self.drive_work += (0..R)
             .map(|i| -impulse[0][i] * context.end.b[i] - impulse[1][i] * context.start.b[i])
             .sum::<f64>();
     }
 
-    /// Takes note of the landing of a step of one stage. Where it began was settled by the step before.
+    /// Records the end of a step of one stage. The step before has recorded its beginning.
     #[inline]
     pub(crate) fn land(&mut self, now: RankMargin) {
         if let Some(before) = self.rank_margin.replace(now) {

@@ -13,8 +13,8 @@ use nalgebra::SVector;
 
 /// The integrator by itself: steps of any length, without energy balance or report.
 ///
-/// A step allocates nothing and has the length that is asked for, near singular poses too.
-/// [`Simulation`](crate::Simulation) wraps it; use it directly to measure, or to compose steps.
+/// A step allocates nothing and has the given length, near singular poses too. [`Simulation`](crate::Simulation) wraps
+/// it; use it directly to measure, or to compose steps.
 pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) context: StepContext<S, Q, N, R>,
     flow: Stepping<Q, N, R>,
@@ -40,7 +40,7 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
 }
 
-/// The step that suits the kinds of rows there are.
+/// The form of the step for the sorts of rows.
 #[inline(always)]
 fn kick_flow_kick<S, F, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
@@ -73,7 +73,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         Self::for_steps(system, state, settings, false)
     }
 
-    /// The same; `placed`: its steps will keep clear of singular poses.
+    /// The same; `placed` if the lengths of its steps are chosen beside singular poses.
     pub(crate) fn for_steps(
         system: S,
         state: State<Q, N, R>,
@@ -106,7 +106,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let yardstick = &*context.yardstick.clone();
         let flow = match flow {
             Flow::Leapfrog => {
-                // The cost that is known is that of dense arrays, which steps beside singular poses need.
+                // The bound of the cost is for dense arrays, which steps beside singular poses need.
                 let free = settings.fixed_iterations.is_none();
                 match free.then(|| SparseKicks::new(&mut context)).flatten() {
                     Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
@@ -152,7 +152,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         })
     }
 
-    /// The same, with works and landings noted.
+    /// The same, and records works and clearances.
     pub(crate) fn pass(
         &mut self,
         h: f64,
@@ -163,7 +163,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         })
     }
 
-    /// How independent the holonomic rows are where it stands; `None` without such rows.
+    /// The rank margin of the holonomic rows at the current state; `None` without such rows.
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         let rows = S::STRUCTURE.holonomic_rows;
         if let Stepping::Sparse(kicks, _) = &self.flow {
@@ -173,8 +173,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         (rows > 0).then(|| work.delassus.rank_margin(&start.delassus, rows))
     }
 
-    /// The length of a composed step, as a fraction of the last one and between these bounds, that keeps clearest of the
-    /// singular pose that was seen on it, and how clear; `None` where none was.
+    /// The length of a composed step, as a fraction of the last one and between these bounds, with the largest
+    /// clearance from the singular pose found in it, and this clearance; `None` if there was none.
     pub(crate) fn aim(&self, bounds: [f64; 2]) -> Option<(f64, f64)> {
         self.placement.aim(bounds)
     }
@@ -263,7 +263,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             }
         }
         if several {
-            // The sum of the fractions is rounded, time is not.
+            // The sum of the fractions has a rounding error, which must not enter the time.
             self.context.state.time = self.before.time + h;
             if let Some(monitor) = monitor
                 && monitor.rank_margin.is_some()
@@ -309,7 +309,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         (self.length != 0.0).then(|| impulse.map(|kappa| kappa / self.length))
     }
 
-    /// Where it stands.
+    /// The current state.
     pub fn state(&self) -> &State<Q, N, R> {
         &self.context.state
     }

@@ -1,8 +1,8 @@
 //! Baumgarte's form with error control: the pair of Dormand and Prince of orders 5 and 4.
 //!
-//! No published crate takes these equations as they are: those at hand allocate in each step or want a vector type of
-//! their own, and none knows quaternions. The pair is the one they all offer, with the controller of Hairer, Nørsett,
-//! Wanner: Solving Ordinary Differential Equations I, II.4 and IV.2 (Gustafsson).
+//! No published crate fits these equations: the available ones allocate in each step or need their own vector type,
+//! and none supports quaternions. The pair is the one they all offer, with the controller of Hairer, Nørsett, Wanner:
+//! Solving Ordinary Differential Equations I, II.4 and IV.2 (Gustafsson).
 
 use super::bench::Bench;
 use super::index1::Index1;
@@ -17,7 +17,7 @@ const SAFETY: f64 = 0.9;
 const CHANGES: [f64; 2] = [0.2, 10.0];
 /// β of the PI controller; the exponent of the error is −1/5 + 0.75 β.
 const BETA: f64 = 0.04;
-/// Steps below this fraction of the one asked for are given up.
+/// A step below this fraction of the given one is an error.
 const SMALLEST: f64 = 1e-9;
 
 pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
@@ -54,13 +54,13 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
             let whole = size >= left.abs();
             let trial = if whole { left } else { size.copysign(h) };
             let before = bench.works;
-            // A trial that leads astray, where M is not positive definite or values overflow, was too long.
+            // If M is not positive definite or values overflow in a trial, the step was too long.
             let error = self.try_step(bench, trial).unwrap_or(f64::INFINITY);
             let exponent = 0.2 - 0.75 * BETA;
             if error <= 1.0 {
                 let factor = SAFETY * error.max(1e-10).powf(-exponent) * self.last.powf(BETA);
                 let next = trial.abs() * factor.clamp(CHANGES[0], CHANGES[1]);
-                // A step that was cut short tells nothing against the one planned.
+                // A step that was shortened to end at a given time does not change the planned length.
                 size = if whole { size.max(next) } else { next };
                 self.last = error.max(1e-4);
                 left -= trial;

@@ -4,10 +4,10 @@
 //! M v̇ + Γvv = f + Aᵀλ,    A v̇ + γ + 2α (A v + b) + β² φ = 0        (Baumgarte, CMAME 1, 1972, 1–16)
 //! ```
 //!
-//! The terms pull a violation back within some 1/α seconds. The projected variant has none; it moves the end of each step
-//! to the nearest positions and velocities, in the metric of M, that satisfy the rows (Eich, SIAM J. Numer. Anal. 30, 1993,
-//! 1467–1482), and evaluates the equations there for the step that follows. Where rows are redundant or a pose is
-//! singular, multipliers and corrections are those of the proximal solve that the two-level step has.
+//! The terms reduce a violation within about 1/α seconds. The projected variant has no such terms; it moves the end of
+//! each step to the nearest positions and velocities, in the metric of M, that satisfy the rows (Eich, SIAM J. Numer.
+//! Anal. 30, 1993, 1467–1482), and evaluates the equations there for the step that follows. Where rows are redundant or
+//! a pose is singular, multipliers and corrections are those of the proximal solve that the two-level step has.
 
 use super::bench::Bench;
 use super::index1::Index1;
@@ -24,7 +24,7 @@ use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
 
-/// How violations of the rows are met.
+/// The treatment of violations of the rows.
 enum Remedy<const R: usize> {
     Terms,
     Projection(Box<RowScale<R>>),
@@ -34,7 +34,7 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
     equations: Index1<N, R>,
     stages: RungeKutta<Q, N>,
     remedy: Remedy<R>,
-    /// Whether the rows are factored where it stands.
+    /// Whether the rows are factored at the current state.
     placed: bool,
 }
 
@@ -61,12 +61,12 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
         })
     }
 
-    /// Whether it looks out for singular poses, and has the rows factored where it stands.
+    /// Whether it detects singular poses, for which the rows are factored at the current state.
     fn watches(&self) -> bool {
         matches!(self.remedy, Remedy::Projection(_))
     }
 
-    /// How independent the rows are where it stands; `None` without rows, or where nobody asks.
+    /// The rank margin of the rows at the current state; `None` without rows, or if it is not needed.
     pub(crate) fn rank_margin<S: System<Q, N, R>>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
@@ -164,8 +164,8 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         Ok(())
     }
 
-    /// Moves v onto the velocity rows where q was closed. The factors are of a place nearby: what that costs in digits the
-    /// second pass restores, and what a nearly singular solve loses.
+    /// Moves v onto the velocity rows where q was closed. The factors are those of a nearby pose; the second pass
+    /// restores the digits that this and a nearly singular solve lose.
     #[inline(always)]
     fn project<S: System<Q, N, R>, const Q: usize>(
         &mut self,

@@ -10,10 +10,11 @@
 //! Chace, Calahan, J. Eng. Ind. 99, 1977, 773–779; Negrut & Ortiz, ASME DETC 2005), the rows are scaled with the step in
 //! Newton's equations, and the error of positions alone is controlled: that of velocities and multipliers is of lower order.
 //!
-//! The order is that of the longest step, as in the codes of the literature (Brenan, Campbell, Petzold: Numerical Solution of
-//! Initial-Value Problems in Differential-Algebraic Equations, 1996, 5.2), which also want differences that fall with their order
-//! before they raise it. For undamped mechanisms that is not enough: with tolerances of 1e-2 orders from 3 amplify what they
-//! follow. Here differences have to fall by more from order to order, or the order is 2 at most.
+//! The order is that of the longest step, as in the codes of the literature (Brenan, Campbell, Petzold: Numerical
+//! Solution of Initial-Value Problems in Differential-Algebraic Equations, 1996, 5.2), which raise the order only if
+//! the differences decrease with the order. For undamped mechanisms this is not enough: with tolerances of 1e-2 orders
+//! from 3 on amplify oscillations. Here the differences have to decrease faster from order to order; otherwise the
+//! order is at most 2.
 
 use super::bdf_history::{History, MOST_ORDER};
 use super::bench::Bench;
@@ -31,12 +32,12 @@ use nalgebra::SVector;
 /// Newton's corrections of positions end below this fraction of the tolerance of a step.
 const NEWTON: f64 = 1e-2;
 const NEWTON_ITERATIONS: usize = 8;
-/// Steps below this fraction of the one asked for are given up.
+/// A step below this fraction of the given one is an error.
 const SMALLEST: f64 = 1e-9;
 /// Growth below which a step is left as it is, and most growth.
 const GROWTH: [f64; 2] = [1.2, 2.0];
-/// Pivots of rows that follow from others, below this fraction of the largest, in poses that violate the rows: predicted
-/// ones do, and a row that is left in by mistake throws the step anywhere.
+/// Pivots of rows that follow from others, below this fraction of the largest, in poses that violate the rows:
+/// predicted ones do, and a redundant row that is not left out makes the step useless.
 const DEPENDENT: f64 = 1e-8;
 /// (ω h)² up to which an order is taken. Orders 3 to 5 are not A-stable: an undamped oscillation grows at the rate
 /// ω (ω h)³/4 with order 3, ω (ω h)⁵/3 with order 4.
@@ -106,7 +107,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         }
         let (mut left, mut failures) = (h, 0);
         while left > SMALLEST * h.min(self.size) {
-            // What is left is taken in equal parts, so that no sliver spoils the history.
+            // The remaining time is divided into equal steps, so that no very short step is in the history.
             let parts = (left / self.size.min(h) - 1e-3).ceil().max(1.0);
             let trial = left / parts;
             let outcome = self.try_step(bench, trial);
@@ -129,7 +130,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             self.size = trial * factor.clamp(0.25, 0.9);
             self.since = 0;
             if failures >= 3 {
-                // The past does not tell of what comes.
+                // The extrapolation from the history failed.
                 self.order = 1;
                 self.history.keep(1);
             }
@@ -209,8 +210,8 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             let motion = &mut self.motion;
             motion.balance(system, t1, &q, &v);
             motion.tangents(system, t1, &q, &v);
-            // All divided by α₀. All of λ is found anew: what a weak row has in one step, beside a singular pose, must not
-            // stay where it is strong again.
+            // All divided by α₀. All of λ is found anew: the large multiplier of a row with a small pivot, beside a
+            // singular pose, must not stay in the next steps.
             let mut change: SVector<f64, N> =
                 vector(|i| (motion.f[i] - past_p[i]) / alpha - motion.p[i]);
             motion.combine(1.0 / alpha, 1.0 / (alpha * alpha));
@@ -249,9 +250,9 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
 
     /// Order and length of the next step, after one of h with this error in tolerances of `bound`.
     ///
-    /// The order in use, that above it or that below it is taken, whichever allows the longest step; all of them only with
-    /// steps that resolve the oscillations that they see ([`RESOLVED`]). Where steps are bounded, to `most` times h, the
-    /// higher of equals.
+    /// The order in use, that above it or that below it is taken, whichever allows the longest step; all of them only
+    /// with steps that resolve the oscillations in the history ([`RESOLVED`]). Where steps are bounded, to `most` times
+    /// h, the higher of equals.
     fn choose(
         &mut self,
         yardstick: &Yardstick<Q, N>,
@@ -280,7 +281,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             && let Some((_, stable)) = growth(k, 1.0)
             && stable < 1.0
         {
-            // At once: what such a step gains the next ones would amplify.
+            // At once, because the next steps would amplify the gain of such a step.
             let factor = growth(k - 1, 1.3).map_or(1.0, |(factor, _)| factor);
             (self.order, self.size) = (k - 1, h * factor.clamp(0.25, 1.0));
             self.since = 0;

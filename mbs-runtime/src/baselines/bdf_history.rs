@@ -1,4 +1,4 @@
-//! The last instants of a multistep method, wherever they are.
+//! The last instants of a multistep method, with variable distances.
 
 use crate::System;
 use crate::linear::vector;
@@ -17,7 +17,7 @@ pub(super) struct History<const Q: usize, const N: usize> {
     q: [SVector<f64, Q>; KEPT],
     v: [SVector<f64, N>; KEPT],
     p: [SVector<f64, N>; KEPT],
-    /// The instant that is sought, s.
+    /// The new instant, s.
     sought: f64,
     /// θ of each instant in the chart about the newest.
     turns: [SVector<f64, N>; KEPT],
@@ -148,9 +148,9 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         [largest_of(turn, &turns), largest_of(v, &rates)]
     }
 
-    /// (ω h)² of an oscillation ω, from differences that are two orders apart: these are in phase. Those of v, which are
-    /// differences of θ one order higher, tell of the jolts beside singular poses. Zero for orders up to 2, and infinite
-    /// where too little of the past is known.
+    /// (ω h)² of an oscillation ω, from differences that are two orders apart: these are in phase. Those of v, which
+    /// are differences of θ one order higher, show the jumps beside singular poses. Zero for orders up to 2, and
+    /// infinite if the history is too short.
     pub(super) fn coarseness(
         &self,
         yardstick: &Yardstick<Q, N>,

@@ -48,7 +48,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         Ok(())
     }
 
-    /// The step ends here; `settled` tells whether `node` and `phi` are those of its end.
+    /// The step ends here; `settled`: whether `node` and `phi` are those of its end.
     #[inline(always)]
     pub(crate) fn commit(
         &mut self,

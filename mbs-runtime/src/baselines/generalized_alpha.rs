@@ -40,7 +40,7 @@ pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
 #[derive(Clone, Copy)]
 struct History<const N: usize, const R: usize> {
     acceleration: SVector<f64, N>,
-    /// a, which lags behind.
+    /// The auxiliary acceleration a.
     algorithmic: SVector<f64, N>,
     lambda: SVector<f64, R>,
 }
@@ -87,7 +87,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         };
         let (q0, v0) = (bench.state.positions, bench.state.velocities);
         let t1 = bench.state.time + h;
-        // How a₁ follows v̇₁, and v₁ and q₁ with it.
+        // Derivatives of a₁, v₁ and q₁ with respect to v̇₁.
         let share = (1.0 - self.alpha_f) / (1.0 - self.alpha_m);
         let (to_v, to_q) = (self.gamma * h * share, self.beta * h * h * share);
 

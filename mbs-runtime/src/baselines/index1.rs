@@ -9,7 +9,7 @@ use crate::singular::RankMargin;
 use crate::sink::Discard;
 use nalgebra::SVector;
 
-/// Accelerations and multipliers, with the stabilising terms of Baumgarte where they are asked for:
+/// Accelerations and multipliers, with the stabilising terms of Baumgarte if the settings have them:
 ///
 /// ```text
 /// A v̇ + γ + 2α (A v + b) + β² φ = 0
@@ -49,7 +49,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     }
 
     /// The smallest σ of the evaluations since [`Self::begin`] as a fraction of the largest: near 0 if one of them was
-    /// beside a singular pose. What the intermediate states of a step violate of A v = 0 acts there as 1/σ².
+    /// beside a singular pose. The effect of a violation of A v = 0 in the stages is proportional to 1/σ² there.
     pub(crate) fn clearance(&self) -> f64 {
         let [least, most] = self.range;
         if most > 0.0 {
@@ -76,7 +76,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         v: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, Fault> {
         let mut acceleration = SVector::zeros();
-        // The works of drives ask for b.
+        // b is needed for the works of drives.
         if !S::STRUCTURE.time_dependent {
             let correction = self.stabilisation(bench, t, q, v);
             let (system, pivot_loss) = (&bench.system, &mut self.pivot_loss);

@@ -6,11 +6,11 @@
 //! (W + h²/4 AᵀαA) v = W v* − h²/4 Aᵀα b,    (W + h²/4 AᵀαA) v̇ = W v̇* − h²/4 Aᵀα γ
 //! ```
 //!
-//! with W = M + h/2 C + h²/4 K. Newton's method finds positions, and v* and v̇* with them, that satisfy the position rows
-//! alone; the projections then remove from v* and v̇* what violates the rows of velocity and acceleration (Bayo & Ledesma,
-//! Nonlinear Dyn. 9, 1996, 113–130; Cuadrado, Cardenal, Bayo, Multibody Syst. Dyn. 1, 1997, 259–280; Cuadrado, Cardenal,
-//! Morer, Bayo, Multibody Syst. Dyn. 4, 2000, 55–73). The literature gives α a number that suits the step; here it is
-//! ξ m̄ · 4/h², so that ξ tells how much heavier than the masses the rows weigh in the matrix.
+//! with W = M + h/2 C + h²/4 K. Newton's method finds positions, and v* and v̇* with them, that satisfy the position
+//! rows alone; the projections then remove from v* and v̇* what violates the rows of velocity and acceleration (Bayo &
+//! Ledesma, Nonlinear Dyn. 9, 1996, 113–130; Cuadrado, Cardenal, Bayo, Multibody Syst. Dyn. 1, 1997, 259–280; Cuadrado,
+//! Cardenal, Morer, Bayo, Multibody Syst. Dyn. 4, 2000, 55–73). In the literature α is a number that depends on the
+//! step; here it is ξ m̄ · 4/h², so that ξ is the ratio of the rows to the masses in the matrix.
 
 use super::bench::Bench;
 use super::index1::Index1;

@@ -1,7 +1,7 @@
-//! Integrators of the literature on the same generated equations, as a yardstick.
+//! Integrators of the literature on the same generated equations, for comparison.
 //!
-//! Each is in the form its source gives and tuned as its users would; they share linear algebra and diagnostics with the
-//! two-level method.
+//! Each has the form of its source and the settings that its users would choose; they share linear algebra and
+//! diagnostics with the two-level method.
 
 mod adaptive;
 mod baumgarte;

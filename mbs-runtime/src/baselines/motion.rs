@@ -68,7 +68,8 @@ impl<const N: usize> Motion<N> {
         );
     }
 
-    /// F − (∂p/∂q) v − M v̇, after `balance` and `tangents` at the same place: what is missing of the motion without rows.
+    /// F − (∂p/∂q) v − M v̇, the residual of the equations without rows, after `balance` and `tangents` at the same
+    /// state.
     pub(crate) fn defect(
         &self,
         v: &SVector<f64, N>,
@@ -77,9 +78,10 @@ impl<const N: usize> Motion<N> {
         vector(|i| self.f[i] - dot(&self.p_q[i], v) - dot(&self.mass[i], acceleration))
     }
 
-    /// J = M + c (∂p/∂q − ∂F/∂v) − k ∂F/∂q, where positions follow with k and velocities with c.
+    /// J = M + c (∂p/∂q − ∂F/∂v) − k ∂F/∂q, with c = ∂v/∂v̇ and k = ∂q/∂v̇ of the method.
     ///
-    /// Of the tangents of (∂p/∂q) v and M v̇ it has what is at hand; the rest slows the iteration a little where M varies.
+    /// Some terms of the derivatives of (∂p/∂q) v and M v̇ are left out, so that the iteration is a little slower if M
+    /// varies.
     pub(crate) fn combine(&mut self, c: f64, k: f64) {
         for i in 0..N {
             for j in 0..N {
@@ -166,7 +168,7 @@ impl Progress {
         Ok(false)
     }
 
-    /// The iteration cannot go on: its matrix is singular or not finite.
+    /// The matrix of the iteration is singular or not finite.
     pub(crate) fn lost(&self) -> Fault {
         Fault::Flow {
             residual: self.last,

@@ -4,11 +4,11 @@
 //! ṗ = F − Aᵀ(k φ + c (A v + b)),    k = ξ m̄,  c = 2 ζ √ξ m̄
 //! ```
 //!
-//! with the effective mass m̄ = 1/(a M⁻¹aᵀ) of each row where the simulation starts, so that √ξ is its frequency and ζ its
-//! damping ratio (Bayo, García de Jalón, Serna, Comput. Methods Appl. Mech. Eng. 71, 1988, 183–195, use the same pair of
-//! numbers for every row). Nonholonomic rows have the damper alone, c = ξ m̄ · 1 s. Integrated by the implicit trapezoidal
-//! rule in momentum form. The rows are violated in proportion to 1/ξ; where rows are redundant or a pose is singular
-//! nothing special happens.
+//! with the effective mass m̄ = 1/(a M⁻¹aᵀ) of each row where the simulation starts, so that √ξ is its frequency and ζ
+//! its damping ratio (Bayo, García de Jalón, Serna, Comput. Methods Appl. Mech. Eng. 71, 1988, 183–195, use the same
+//! pair of numbers for every row). Nonholonomic rows have the damper alone, c = ξ m̄ · 1 s. Integrated by the implicit
+//! trapezoidal rule in momentum form. The rows are violated in proportion to 1/ξ; redundant rows and singular poses
+//! need no special treatment.
 
 use super::bench::Bench;
 use super::motion::{Motion, Progress, move_rows};
@@ -52,7 +52,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         } = self.settings;
         let lengths = bench.geometry.lengths_squared();
         let rows = &self.scale.lengths_squared;
-        // A row that vanishes where the simulation starts takes the strength of the longest, in comparable units.
+        // A row that is zero at the start gets the stiffness of the longest row, in comparable units.
         let longest = largest(&vector::<R>(|i| lengths[i] / rows[i]));
         std::array::from_fn(|i| {
             let longest = (longest * rows[i]).max(f64::MIN_POSITIVE);
@@ -168,7 +168,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
     }
 }
 
-/// −(k φ + c (A v + b)) where the bench is: the multipliers, as it were.
+/// −(k φ + c (A v + b)) at the state of the bench; these values correspond to multipliers.
 fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     bench: &Bench<S, Q, N, R>,
     rows: &[[f64; 2]; R],

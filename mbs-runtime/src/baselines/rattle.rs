@@ -5,9 +5,9 @@
 //! M v₁ = M v_b + A₁ᵀκ₂,   A₁ v₁ + b₁ = 0
 //! ```
 //!
-//! Andersen, J. Comput. Phys. 52, 1983, 24–34; Leimkuhler & Skeel, J. Comput. Phys. 112, 1994, 117–125. Φ is leapfrog where
-//! M is constant (with free flight of turning bodies), the implicit midpoint elsewhere. Both matrices are factored by plain
-//! elimination: dependent rows and singular poses are more than it can do.
+//! Andersen, J. Comput. Phys. 52, 1983, 24–34; Leimkuhler & Skeel, J. Comput. Phys. 112, 1994, 117–125. Φ is leapfrog
+//! where M is constant (with free flight of turning bodies), the implicit midpoint elsewhere. Both matrices are
+//! factored by plain elimination, which fails with dependent rows and at singular poses.
 
 use super::bench::Bench;
 use crate::alf3f::closing::{self, Closing, Limits};

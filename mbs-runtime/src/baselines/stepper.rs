@@ -1,4 +1,4 @@
-//! One face for the baselines.
+//! One interface for all baselines.
 
 use super::Works;
 use super::adaptive::Adaptive;
@@ -149,7 +149,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         &self.bench.system
     }
 
-    /// Where it stands.
+    /// The current state.
     pub fn state(&self) -> &State<Q, N, R> {
         &self.bench.state
     }
@@ -163,7 +163,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.bench.counters
     }
 
-    /// How independent the rows are where it stands; `None` where there is nothing to lose, or nobody to ask.
+    /// The rank margin of the rows at the current state; `None` if there are no rows, or if the method does not compute
+    /// it.
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         match &mut self.rule {
             Rule::Explicit(rule) => rule.rank_margin(&mut self.bench),
@@ -171,7 +172,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
     }
 
-    /// How much each row takes part in what is nearest to a loss of independence.
+    /// The weight of each row in the combination that is nearest to dependence.
     pub(crate) fn weakest_rows(&self) -> SVector<f64, R> {
         match &self.rule {
             Rule::Explicit(rule) => rule.weakest_rows(&self.bench),
@@ -187,7 +188,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
     }
 
-    /// What the last step has to tell: its works, with the rows evaluated at its end.
+    /// Results of the last step: its works, and the rows at its end.
     pub(crate) fn take_stock(&mut self) -> Result<Works, SimulationError> {
         let time = self.bench.state.time;
         let works = self.bench.works;

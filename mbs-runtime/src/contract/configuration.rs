@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 /// The configuration of a mechanism with Q coordinates and N velocities.
 pub trait Configuration<const Q: usize, const N: usize>: Clone {
-    /// For each unit quaternion, where its angular velocity begins in v.
+    /// For each unit quaternion the index in v at which its angular velocity begins.
     const ROTATIONS: &'static [usize];
 
     /// Declared guesses of q and v at time 0; they need not satisfy the constraints.

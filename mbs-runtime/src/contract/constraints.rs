@@ -1,4 +1,4 @@
-//! Constraint rows, and the products with them of which each step consists.
+//! Constraint rows, and the products with them that each step needs.
 
 use super::{Elimination, Inertia};
 use crate::MatrixSink;
@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 /// The R constraint rows of a mechanism with Q coordinates and N velocities.
 pub trait Constraints<const Q: usize, const N: usize, const R: usize>: Inertia<Q, N> {
-    /// Elimination without zeros, for large mechanisms to which it applies.
+    /// Sparse elimination, for large mechanisms to which it applies.
     const ELIMINATION: Option<&'static Elimination<N, R>> = None;
 
     /// φ(q, t), the holonomic rows only.
@@ -20,7 +20,7 @@ pub trait Constraints<const Q: usize, const N: usize, const R: usize>: Inertia<Q
         a: &mut impl MatrixSink,
         b: &mut SVector<f64, R>,
     );
-    /// The same with A in the array of K, where there is an [`Self::ELIMINATION`].
+    /// The same with A in the array of K, if there is an [`Self::ELIMINATION`].
     #[inline(always)]
     fn sparse_constraints(
         &self,
@@ -55,8 +55,8 @@ pub trait Constraints<const Q: usize, const N: usize, const R: usize>: Inertia<Q
         w: &SMatrix<f64, N, R>,
         delassus: &mut SMatrix<f64, R, R>,
     );
-    /// `w` = M⁻¹ a row by row and `delassus` = A M⁻¹ Aᵀ, where `a` is A(q, t) and `mass` the factor of M(q). Generated where
-    /// one fused function is cheaper than the two it stands for.
+    /// `w` = M⁻¹ a row by row and `delassus` = A M⁻¹ Aᵀ, where `a` is A(q, t) and `mass` the factor of M(q). Generated
+    /// if one fused function is cheaper than the two that it replaces.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
     fn metric(

@@ -1,4 +1,4 @@
-//! Elimination without zeros: the functions that generated code brings for large mechanisms.
+//! Sparse elimination: the generated functions for large mechanisms.
 
 use nalgebra::SVector;
 
@@ -9,9 +9,10 @@ use nalgebra::SVector;
 ///     [ A₁  0  ]
 /// ```
 ///
-/// in an order that was chosen when the mechanism was compiled. K, and then its factor, is an array of its entries and of
-/// the fill: in each column the pivot and what is below it. Above it stand the same places of another array, or the same
-/// entries where A₀ is A₁. The pivot of a row that depends on others is left out: its multiplier is zero.
+/// in an order that was chosen when the mechanism was compiled. K, and then its factor, is an array of its entries and
+/// of the fill: for each column the pivot and the entries below it. The entries above the diagonal are at the same
+/// indices of another array, or are the same if A₀ = A₁. The pivot of a row that depends on others is set to zero, and
+/// its multiplier is zero.
 pub struct Elimination<const N: usize, const R: usize> {
     /// N + R.
     pub unknowns: usize,
@@ -31,8 +32,8 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub rates: Rates<N, R>,
     /// Aᵀκ, from K.
     pub impulse: fn(&[f64], &SVector<f64, R>, &mut SVector<f64, N>),
-    /// Factors K where A₀ is A₁. Receives in the second array, by position, a M⁻¹aᵀ of each row before other rows were
-    /// eliminated; returns the largest ratio of these to the pivots (infinite where a row was left out).
+    /// Factors K if A₀ = A₁. Receives in the second array, by position, a M⁻¹aᵀ of each row before other rows were
+    /// eliminated; returns the largest ratio of these to the pivots (infinite if a row was left out).
     pub factor: fn(&mut [f64], &mut [f64]) -> f64,
     /// From a factor and the right-hand sides of the rows, by way of an array of N + R: adds δv and δκ.
     pub solve: fn(&[f64], &SVector<f64, R>, &mut [f64], &mut SVector<f64, N>, &mut SVector<f64, R>),

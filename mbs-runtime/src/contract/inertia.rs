@@ -1,12 +1,12 @@
-//! The mass matrix and what follows from it.
+//! The mass matrix and quantities that are computed from it.
 
 use crate::{MatrixSink, TensorSink};
 use nalgebra::SVector;
 
 /// M(q) of a mechanism with Q coordinates and N velocities.
 pub trait Inertia<const Q: usize, const N: usize>: Clone {
-    /// A factor of M(q): nothing where M is constant (its inverse is in the system), else D⁻¹ and the entries
-    /// of L of M = L D Lᵀ, or a Cholesky factor of a long one.
+    /// A factor of M(q): empty if M is constant (the system has its inverse), else D⁻¹ and the entries of L of M = L D
+    /// Lᵀ, or a Cholesky factor of a long one.
     type Mass: Clone;
 
     /// M(q), both triangles.
@@ -20,8 +20,8 @@ pub trait Inertia<const Q: usize, const N: usize>: Clone {
     /// Christoffel affinities of the first kind, Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i), and the structure
     /// constants of the rotations (ω × Jω), so that d(M v)/dt − ∂T/∂q = M v̇ + Γ_ijk v_j v_k.
     ///
-    /// Straight-line code where they take at most 2500 operations. Elsewhere they are read off ∂p/∂q and M at run time: for
-    /// checks, not for steps, as it allocates.
+    /// Straight-line code if they take at most 2500 operations. Otherwise they are computed from ∂p/∂q and M at run
+    /// time. This allocates, so use it for checks, not in steps.
     fn affinities(&self, q: &SVector<f64, Q>, gamma: &mut impl TensorSink);
     /// T(q, v), J.
     fn kinetic_energy(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64;

@@ -32,7 +32,7 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
     );
-    /// ∂F/∂q, ∂F/∂v and ∂p/∂q (the last is zero where M is constant).
+    /// ∂F/∂q, ∂F/∂v and ∂p/∂q (the last is zero if M is constant).
     fn force_tangents(
         &self,
         t: f64,
@@ -42,7 +42,7 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
     );
-    /// p and F at once: generated where M varies, so that what they share is computed once.
+    /// p and F together: generated if M varies, so that common subexpressions are computed once.
     #[inline(always)]
     fn balance(
         &self,
@@ -55,7 +55,7 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
         self.momentum(q, v, p);
         self.forces(t, q, v, f);
     }
-    /// M, ∂F/∂q, ∂F/∂v and ∂p/∂q at once: generated where M varies.
+    /// M, ∂F/∂q, ∂F/∂v and ∂p/∂q together: generated if M varies.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
     fn balance_tangents(
@@ -71,7 +71,8 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
         self.mass_matrix(q, mass);
         self.force_tangents(t, q, v, f_q, f_v, p_q);
     }
-    /// M⁻¹ f(q, t) of the applied forces, where M is constant and forces do not depend on velocities; zero elsewhere (it is not used there).
+    /// M⁻¹ f(q, t) of the applied forces, if M is constant and forces do not depend on velocities; otherwise zero and
+    /// not used.
     fn acceleration(&self, t: f64, q: &SVector<f64, Q>, acceleration: &mut SVector<f64, N>);
     /// V(q) of gravity and springs, J.
     fn potential_energy(&self, q: &SVector<f64, Q>) -> f64;

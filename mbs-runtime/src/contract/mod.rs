@@ -2,8 +2,8 @@
 //!
 //! `mechanism!` generates two types. The one that carries the declared name holds the **parameters** as public fields
 //! and implements [`Mechanism`](crate::Mechanism). [`Mechanism::prepare`](crate::Mechanism::prepare) turns it into a
-//! **system**, in which everything that depends on parameters alone has been computed once; it implements [`System`] and
-//! the traits of which it consists, one for each capability. Integrators see these traits, never the types.
+//! **system**, in which all quantities that depend only on parameters have been computed; it implements [`System`] and
+//! the traits of which it consists, one for each capability. Integrators use only these traits.
 //!
 //! | symbol | shape | meaning |
 //! |---|---|---|
@@ -21,8 +21,8 @@
 //! contiguous. So are those of W = M⁻¹Aᵀ and the rows of an R × R product. A [`MatrixSink`](crate::MatrixSink) takes entry
 //! (row, column) of the matrix that is named.
 //!
-//! Functions that fill matrices write structurally nonzero entries only: clear the matrix once, when it is made. None of
-//! them allocates, but [`Inertia::affinities`] where it says so.
+//! Functions that fill matrices write structurally nonzero entries only: clear the matrix once, when it is made. None
+//! of them allocates, except [`Inertia::affinities`] if it is computed at run time.
 
 mod configuration;
 mod constraints;

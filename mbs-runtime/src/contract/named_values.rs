@@ -5,11 +5,11 @@
 pub trait NamedValues: Copy + PartialEq + std::fmt::Debug {
     /// The values that `fill` writes into zeros.
     fn from_values(fill: impl FnOnce(&mut [f64])) -> Self;
-    /// Hands the values to `read`.
+    /// Passes the values to `read`.
     fn with_values<T>(&self, read: impl FnOnce(&[f64]) -> T) -> T;
 }
 
-/// None.
+/// No values.
 impl NamedValues for () {
     fn from_values(_: impl FnOnce(&mut [f64])) -> Self {}
 

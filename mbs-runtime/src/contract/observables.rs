@@ -1,4 +1,4 @@
-//! What is asked of a mechanism beside its motion.
+//! Outputs, events, points and reactions.
 
 use super::NamedValues;
 use nalgebra::SVector;

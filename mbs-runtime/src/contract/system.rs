@@ -9,9 +9,9 @@ use nalgebra::SVector;
 pub trait System<const Q: usize, const N: usize, const R: usize>:
     Configuration<Q, N> + Constraints<Q, N, R> + Loads<Q, N> + Observables<Q, N, R>
 {
-    /// What was modelled.
+    /// The summary of the model.
     const MODEL: &'static Model;
-    /// What the integrator may rely on.
+    /// Properties of the equations that integrators use.
     const STRUCTURE: Structure;
 
     /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`](crate::Model::mobility), or

@@ -1,4 +1,4 @@
-//! Which flow suits a mechanism.
+//! The choice of the flow.
 
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, dot, vector};
@@ -6,11 +6,13 @@ use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
 use nalgebra::SVector;
 
-/// h²λ of M⁻¹(−∂f/∂q) above which the explicit flow is left: its limit of stability is 4, and energy suffers before.
+/// h²λ of M⁻¹(−∂f/∂q) above which the explicit flow is not used: its limit of stability is 4, but the energy error
+/// is large below that already.
 const STIFF: f64 = 0.25;
 const POWER_ITERATIONS: usize = 30;
 
-/// The flow asked for, if it can be right; otherwise the one that the structure of the equations calls for.
+/// The flow of the settings, if the structure of the equations allows it; by default the flow that fits the
+/// structure.
 pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     state: &State<Q, N, R>,

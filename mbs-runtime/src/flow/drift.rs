@@ -1,11 +1,11 @@
-//! Free flight between the kicks of leapfrog, and how it passes kicks on.
+//! Free flight between the kicks of leapfrog, and its tangents.
 
 use crate::System;
 use crate::linear::RowMatrix;
 use nalgebra::SVector;
 
-/// Angle that a body turns in a step, rad, above which the factors of A₀M⁻¹A₀ᵀ are not worth trying: they take a kick to
-/// act unturned, and are wrong by half the angle.
+/// Rotation in a step, rad, above which the factors of A₀M⁻¹A₀ᵀ are not used: they neglect the rotation of a kick, and
+/// their relative error is half the angle.
 const SWIFT: f64 = 0.05;
 /// Change of the angle of a step by which the tangent of the flight is taken, rad: round-off leaves seven digits.
 const DIFFERENCE: f64 = 1e-8;
@@ -15,7 +15,7 @@ pub(crate) struct Drift<const Q: usize, const N: usize, const R: usize> {
     /// q and v before the flight, and after it.
     start: (SVector<f64, Q>, SVector<f64, N>),
     end: (SVector<f64, Q>, SVector<f64, N>),
-    /// Whether a body turns fast.
+    /// Whether a body turns by more than the angle above.
     pub(super) swift: bool,
     /// (∂q₁/∂v_a) w / h, row by row.
     directions: RowMatrix<N, R>,
@@ -67,8 +67,8 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
         &self.end.1
     }
 
-    /// The rows `w0` after the last flight. Bodies fly by themselves, so that three more flights, each with one component
-    /// of all angular velocities changed, give the tangents of all.
+    /// The rows `w0` after the last flight. The bodies are independent, so that three more flights, each with one
+    /// component of all angular velocities changed, give the tangents of all.
     pub(super) fn position_sensitivity<S: System<Q, N, R>>(
         &mut self,
         system: &S,

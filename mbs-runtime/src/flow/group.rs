@@ -1,4 +1,4 @@
-//! How ⊕ passes changes on where rotations turn by finite angles.
+//! The tangent of ⊕ for finite rotations.
 //!
 //! A change δθ of the rotation vector θ (body axes) turns the end of q ∘ exp(θ/2) by T(θ) δθ, in the body axes there:
 //!

@@ -31,7 +31,7 @@ pub(crate) fn trapezoid<S: System<Q, N, R>, const Q: usize, const N: usize, cons
 pub(crate) struct Implicit<const N: usize> {
     h: f64,
     t1: f64,
-    /// p₀ + h/2 F₀ and what else is known of the momentum balance.
+    /// p₀ + h/2 F₀ and the other known terms of the momentum balance.
     pub(crate) known: SVector<f64, N>,
     /// J, factored.
     pub(crate) jacobian: Pivoted<N>,
@@ -43,7 +43,7 @@ pub(crate) struct Implicit<const N: usize> {
     mass: RowMatrix<N, N>,
     force: SVector<f64, N>,
     momentum: SVector<f64, N>,
-    /// Whether J belongs to the step in hand.
+    /// Whether J is that of the present step.
     current: bool,
 }
 
@@ -75,7 +75,7 @@ impl<const N: usize> Implicit<N> {
         !self.current
     }
 
-    /// Asks for a new J: the iteration converges slowly.
+    /// Marks J to be factored anew, because the iteration converges slowly.
     pub(crate) fn invalidate(&mut self) {
         self.current = false;
     }
@@ -106,7 +106,7 @@ impl<const N: usize> Implicit<N> {
         system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
     }
 
-    /// −G at (q₁, v_b): what is missing of the momentum balance.
+    /// −G at (q₁, v_b), the residual of the momentum balance.
     pub(crate) fn defect<S: System<Q, N, R>, const Q: usize, const R: usize>(
         &mut self,
         system: &S,
@@ -190,7 +190,7 @@ impl<const N: usize> Implicit<N> {
             let stagnated = fresh
                 && has_stalled(size, last)
                 && size <= (STILL * speed).max(yardstick.imperceptible(&q1, self.h));
-            // At the rate of this correction the next one would be too small to matter.
+            // With this rate of convergence the next correction would be negligible.
             let rate = if last.is_finite() {
                 (size / last).min(1.0)
             } else {

@@ -4,9 +4,9 @@
 //! p(q_m, v_m) − h/2 F(q_m, v_m) = p(q₀, v_a),   q_m = q₀ ⊕ h/2 v_m,   q₁ = q₀ ⊕ h v_m,   p(q₁, v_b) = 2 p(q_m, v_m) − p(q₀, v_a)
 //! ```
 //!
-//! Half a step of the backward Euler method and half a step of the forward one: symmetric and symplectic as the trapezoid,
-//! whose halves follow in the other order. One evaluation of F less in a step; on Bricard's mechanism its error of energy
-//! is 0.77 times that of the trapezoid, its error of position 1.4 times.
+//! Half a step of the backward Euler method, then half a step of the forward one: symmetric and symplectic like the
+//! trapezoid, which has the two halves in the other order. It needs one evaluation of F less per step. On Bricard's
+//! mechanism its energy error is 0.77 times that of the trapezoid, its position error 1.4 times.
 //!
 //! J = M_m + h/2 (p_q − h/2 F_q) T − h/2 F_v, and
 //! ∂v_m/∂v_a = J⁻¹M₀.

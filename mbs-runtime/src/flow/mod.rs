@@ -53,7 +53,7 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
     fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R>;
     /// The multipliers, and with them v_a, are about to change by `change`.
     fn predict(&mut self, change: &SVector<f64, R>);
-    /// v_b, where `end` has the metric of the end already, and what the end of the step keeps for the next one.
+    /// v_b, where `end` has the metric of the end already; stores the quantities of the end for the next step.
     fn velocities(
         &mut self,
         system: &S,

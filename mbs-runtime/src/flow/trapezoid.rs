@@ -6,8 +6,8 @@
 //! K = −∂G/∂v_a = M₀ − h/2 (p_q₁ − h/2 F_q₁) T + h/2 F_v₀
 //! ```
 //!
-//! F = f + ∂T/∂q holds the affinities; T, the tangent of ⊕, is I but for rotations. ∂q₁/∂v_a = h/2 T (I + J⁻¹K) is what the multipliers of the first kick
-//! act through; h I in its place fails beside stiff springs.
+//! F = f + ∂T/∂q holds the affinities; T, the tangent of ⊕, is I but for rotations. The multipliers of the first kick
+//! change q₁ by ∂q₁/∂v_a = h/2 T (I + J⁻¹K); with h I instead the iteration fails with stiff springs.
 
 use super::KickFlow;
 use super::group::transport;
@@ -93,7 +93,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a RowMatrix<N, R>, Fault> {
         let h = self.h;
-        // The tangent is that of the end, and what is factored for it begins the next iteration.
+        // The tangent is that at the end; its factors are used for the first correction of the next iteration.
         self.solver.refresh(system, &self.q1, va, &self.vb)?;
         let f_v = &mut self.by_velocity;
         self.solver

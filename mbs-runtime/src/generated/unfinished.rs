@@ -7,7 +7,7 @@ use crate::{
 use nalgebra::{SMatrix, SVector};
 use std::marker::PhantomData;
 
-/// The system of a declaration that did not compile: it exists so that only the declaration's own errors are shown.
+/// The system of a declaration with errors, so that rustc shows only the errors of the declaration.
 #[derive(Debug, Clone, Default)]
 pub struct Unfinished<I, O>(PhantomData<(I, O)>);
 

@@ -11,16 +11,16 @@ pub(crate) struct DelassusFactor<const K: usize> {
     upper: Square<K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
-    /// Whether the last factorisation had to fall back on the proximal solve.
+    /// Whether the last factorisation is the proximal one.
     pub(crate) regularised: bool,
     /// Whether solutions of the last factorisation lose digits that an iteration on the residual restores.
     pub(crate) weak: bool,
     /// Whether a row has nearly lost its direction: beside a singular pose.
     pub(crate) beside: bool,
     pub(crate) thresholds: Thresholds,
-    /// Rows that follow from those before them wherever the mechanism is, as far as is known.
+    /// Rows that follow from those before them in all poses so far.
     redundant: Option<[bool; K]>,
-    /// Which of them did at the last factorisation: their multipliers are zero.
+    /// Which of them followed in the last factorisation: their multipliers are zero.
     skipped: [bool; K],
     /// Whether there are any.
     pub(crate) reduced: bool,
@@ -42,9 +42,9 @@ impl<const K: usize> DelassusFactor<K> {
         }
     }
 
-    /// Takes the rows that follow from others in `matrix` for redundant: from now on, where they still do, they get no
-    /// multiplier, and nothing else is done for their sake. (The proximal solve shares the load among rows, which matters
-    /// to reactions, not to motion.)
+    /// Marks the rows that follow from others in `matrix` as redundant: from now on their multipliers are zero, as long
+    /// as they still follow from others. (The proximal solve shares the load among rows, which matters to reactions,
+    /// not to motion.)
     #[inline(never)]
     pub(crate) fn expect_redundancy(&mut self, matrix: &SMatrix<f64, K, K>) {
         self.redundant = None;
@@ -92,7 +92,7 @@ impl<const K: usize> DelassusFactor<K> {
         self.eliminate_where(|_, _| false, matrix)
     }
 
-    /// The same past rows that still are redundant. Out of line: the other is the one to be unrolled.
+    /// The same past rows that still are redundant. Not inlined, so that the compiler unrolls only the other form.
     #[inline(never)]
     fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> bool {
         let (mut skipped, mut reduced) = ([false; K], false);
@@ -166,7 +166,7 @@ impl<const K: usize> DelassusFactor<K> {
         (0..K).any(|k| self.inverse_pivot[k] * matrix[k][k] > 1.0 / self.thresholds.beside)
     }
 
-    /// How independent the first `rows` rows of `matrix` are, which was factored last.
+    /// The rank margin of the first `rows` rows of `matrix`, which was factored last.
     #[inline]
     pub(crate) fn rank_margin(&mut self, matrix: &SMatrix<f64, K, K>, rows: usize) -> RankMargin {
         let matrix = &matrix.data.0;
@@ -219,8 +219,8 @@ impl<const K: usize> DelassusFactor<K> {
         }
     }
 
-    /// The combination of the first `rows` rows, each taken with unit length, that comes closest to none, as far as the
-    /// smallest pivot tells: a row and what it is made of. Asks for [`Self::independence`] of the same matrix before.
+    /// The combination of the first `rows` rows, each of unit length, that is nearest to zero, estimated from the
+    /// smallest pivot. Call [`Self::independence`] with the same matrix before.
     #[cold]
     #[inline(never)]
     pub(crate) fn combination(&self, matrix: &SMatrix<f64, K, K>, rows: usize) -> SVector<f64, K> {

@@ -8,12 +8,12 @@ use nalgebra::{SMatrix, SVector};
 /// B = A₁ W₀ factored: plain elimination while B is well conditioned, the proximal solve where it is not.
 ///
 /// B differs from the positive definite A₀M⁻¹A₀ᵀ by O(h), so that elimination needs no pivoting; a pivot that is small
-/// beside the effective mass of its row tells of a redundant row or of a singular pose.
+/// relative to a M⁻¹aᵀ of its row shows a redundant row or a singular pose.
 pub(crate) struct ProjectionLu<const K: usize> {
     lu: Square<K>,
     inverse_pivot: [f64; K],
     proximal: Proximal<K>,
-    /// Whether the last factorisation had to fall back on the proximal solve.
+    /// Whether the last factorisation is the proximal one.
     pub(crate) regularised: bool,
     pub(crate) thresholds: Thresholds,
 }
@@ -48,7 +48,7 @@ impl<const K: usize> ProjectionLu<K> {
         }
     }
 
-    /// Elimination past skipped rows. Out of line: the other is the one to be unrolled.
+    /// Elimination past skipped rows. Not inlined, so that the compiler unrolls only the other form.
     #[inline(never)]
     fn eliminate_but(
         &mut self,

@@ -1,7 +1,7 @@
 //! The proximal (augmented Lagrangian) solve in the dual: Bᵀ(BBᵀ + εI)⁻¹ on rows of unit length.
 //!
-//! It is one step of the augmented Lagrangian iteration with penalty 1/√ε, written for the multipliers: redundant rows
-//! receive the minimum-norm multiplier, and a row that has lost its direction receives none.
+//! It is one step of the augmented Lagrangian iteration with penalty 1/√ε, written for the multipliers: the
+//! multipliers of redundant rows are those of least norm, and that of a row without direction is zero.
 
 use super::dot_of as dot;
 use crate::singular::{PASSED, PASSES, PROXIMAL, SHRINKS};
@@ -26,7 +26,7 @@ impl<const K: usize> Proximal<K> {
         }
     }
 
-    /// Kept out of line: well conditioned steps never come here.
+    /// Not inlined, because well conditioned steps do not need it.
     #[cold]
     #[inline(never)]
     pub(super) fn factor(&mut self, matrix: &[[f64; K]; K], length_squared: &[f64; K]) {
@@ -54,7 +54,7 @@ impl<const K: usize> Proximal<K> {
                     sum -= self.factor[i][k] * self.factor[j][k];
                 }
                 self.factor[i][j] = if i == j {
-                    // Round-off of BBᵀ may eat a part of ε, never more than that.
+                    // Round-off of BBᵀ may cancel a part of ε, but not more.
                     sum.max(0.1 * PROXIMAL).sqrt()
                 } else {
                     sum / self.factor[j][j]
@@ -63,8 +63,8 @@ impl<const K: usize> Proximal<K> {
         }
     }
 
-    /// x ← Bᵀ(BBᵀ + εI)⁻¹ x, and again on what that leaves while it leaves much less: a direction with little inertia,
-    /// such as the axis of a slender rod, is weak but not lost.
+    /// x ← Bᵀ(BBᵀ + εI)⁻¹ x, repeated on the residual as long as it decreases much: a direction with little inertia,
+    /// such as the axis of a slender rod, has a small pivot but is not lost.
     #[cold]
     #[inline(never)]
     pub(super) fn solve(&self, x: &mut [f64; K]) {

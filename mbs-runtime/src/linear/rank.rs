@@ -1,4 +1,4 @@
-//! Which constraint rows depend on others, for verdicts; never on the path of a step.
+//! The constraint rows that depend on others, for the verdict of assembly; not used in steps.
 
 use super::dot;
 use crate::singular::NOTHING;
@@ -23,7 +23,7 @@ pub(crate) fn dependence<const N: usize, const R: usize>(
     for i in 0..R {
         let (mut row, mut lifted) = (a[i], w[i]);
         let length = dot(&row, &lifted).max(0.0).sqrt();
-        // The second pass restores the orthogonality that cancellation costs in the first.
+        // The second pass restores the orthogonality that the first loses by cancellation.
         for _ in 0..2 {
             for (unit, unit_lifted) in &basis {
                 let component = dot(&row, unit_lifted);

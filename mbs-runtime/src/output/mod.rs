@@ -1,4 +1,4 @@
-//! What a run leaves behind: a table ([`csv`]) and an animation ([`motion`]), both of the same recorded [`Frame`]s.
+//! The output of a run: a table ([`csv`]) and an animation ([`motion`]), both from the same recorded [`Frame`]s.
 
 pub mod csv;
 mod json;

@@ -5,8 +5,8 @@
 pub struct BaumgarteSettings {
     /// α = β, 1/s.
     pub gain: f64,
-    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or to
-    /// 1, if they are smaller); `None` for steps of the length that is asked for.
+    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or
+    /// to 1, if they are smaller); `None` for steps of the given length.
     pub adaptive: Option<f64>,
 }
 

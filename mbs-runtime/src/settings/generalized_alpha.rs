@@ -3,7 +3,8 @@
 /// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GeneralizedAlphaSettings {
-    /// ρ, the factor by which motion of infinite frequency shrinks in a step; from 0 to 1.
+    /// ρ, the factor by which the amplitude of motion of infinite frequency is multiplied in a
+    /// step; from 0 to 1.
     pub spectral_radius: f64,
     /// Whether velocities satisfy the rows as well: the stabilised form of index 2.
     pub stabilised: bool,

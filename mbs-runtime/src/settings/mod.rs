@@ -1,4 +1,4 @@
-//! What a user may choose about the integration.
+//! The settings of the integration.
 
 mod baumgarte;
 mod bdf;
@@ -18,10 +18,10 @@ pub use projections::ProjectionSettings;
 /// The orders of the two-level method.
 pub(crate) const ORDERS: [u8; 4] = [2, 4, 6, 8];
 
-/// Which integrator.
+/// The choice of the integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Method {
-    /// Two-level ALF-3F: positions and velocities have multipliers of their own.
+    /// Two-level ALF-3F: positions and velocities have separate multipliers.
     #[default]
     TwoLevel,
     /// Algorithm 1 of the paper.
@@ -31,10 +31,10 @@ pub enum Method {
     MAlf(PaperSettings),
     /// Explicit Runge–Kutta on the index-1 form with Baumgarte's stabilisation; of order 4, 6 or 8.
     Baumgarte(BaumgarteSettings),
-    /// The same without stabilisation: positions and velocities are projected onto the rows after each step, and steps
-    /// keep clear of singular poses ([`Settings::placement`]). Over some seconds, with few rows and forces that are not stiff
-    /// it often takes less processor time than [`Method::TwoLevel`] for the same accuracy; it is not symmetric, so that its
-    /// energy drifts over long times.
+    /// The same without stabilisation: positions and velocities are projected onto the rows after each step, and the
+    /// lengths of steps are chosen beside singular poses ([`Settings::placement`]). Over some seconds, with few rows
+    /// and forces that are not stiff it often takes less processor time than [`Method::TwoLevel`] for the same
+    /// accuracy; it is not symmetric, so that its energy drifts over long times.
     Projected,
     /// RATTLE without regularisation.
     Rattle,
@@ -130,41 +130,41 @@ impl Flow {
 pub struct Settings {
     /// The integrator.
     pub method: Method,
-    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 13 or 17 stages, some of which
-    /// run back in time: refused where forces depend on velocities, and for [`Method::Paper`]. Of the explicit Runge–Kutta
-    /// methods it chooses the one of order 4 (also for 2), 6 or 8.
+    /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 13 or 17 stages, some of
+    /// which run back in time; this is an error if forces depend on velocities, and for [`Method::Paper`]. For the
+    /// explicit Runge–Kutta methods it chooses order 4 (also for 2), 6 or 8.
     pub order: u8,
     /// Step h, s; with a tolerance the first one that is tried.
     pub step: f64,
-    /// Lets the runtime choose the steps of the two-level method: the error of two steps, in positions as far as the next
-    /// step will carry it, stays below a fiftieth of this part of the way they lead. A way counts in sizes of the
-    /// mechanism (the extent of its points at the start) and in radians, and no slower than at the greatest speed so far.
+    /// The runtime chooses the steps of the two-level method: the error of two steps, of positions and of velocities
+    /// times h, stays below a fiftieth of the tolerance times the motion in these steps. Motion is measured in sizes of
+    /// the mechanism (the extent of its points at the start) and in radians; it counts as at least the duration times
+    /// the greatest speed so far.
     ///
-    /// Errors add up over a run and grow with the motion's own instability; the fiftieth allows for both. Over the runs of
-    /// the scenes beside their references the largest error of a position, in sizes and radians, was 0.01 to 5 times the
-    /// tolerance, from 1e-3 to 1e-9 (at the order of [`Settings::for_tolerance`]; table in the book).
+    /// Errors add up over a run and grow with the motion's own instability; the factor 1/50 allows for both. In the
+    /// comparison of the scenes with their references the largest error of a position, in sizes and radians, was 0.01
+    /// to 5 times the tolerance, from 1e-3 to 1e-9 (at the order of [`Settings::for_tolerance`]; table in the book).
     ///
     /// Between 1e-12 and 0.1. [`Settings::for_tolerance`] chooses the order with it.
     pub tolerance: Option<f64>,
-    /// Whether a step of the two-level method that would land beside a singular pose is given another length (0.5 to
-    /// 1.15 times h), so that it does not. At second order only where the landing costs digits. Not with
-    /// [`Settings::fixed_iterations`].
-    /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event end where
-    /// they should.
+    /// Whether a step of the two-level method with a stage that would end beside a singular pose gets another length
+    /// (0.5 to 1.15 times h). At second order only if digits would be lost. Not with [`Settings::fixed_iterations`].
+    /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event still end
+    /// exactly there.
     pub placement: bool,
     /// The flow of the two-level step; `None` chooses it from the structure of the mechanism and the stiffness of its
     /// forces.
     pub flow: Option<Flow>,
     /// Tolerance of the position rows, as a distance relative to the size of the mechanism.
     pub constraint_tolerance: f64,
-    /// Iterations after which a step is given up.
+    /// Iterations after which a step fails.
     pub max_iterations: usize,
-    /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ through one factorisation, and
-    /// takes what they leave of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)) instead of going on or
-    /// failing; the next one starts from there and does not let it grow. [`Model::step_flops`] bounds the work. Steps are
-    /// not placed. For the leapfrog flow without nonholonomic rows; refused elsewhere, and with a tolerance.
+    /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ with one factorisation, and
+    /// accepts the residual of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)); the next stage reduces
+    /// it again, so that residuals do not grow. [`Model::step_flops`] bounds the work. There is no placement. For the
+    /// leapfrog flow without nonholonomic rows; otherwise, and with a tolerance, it is an error.
     ///
-    /// A loop at 1 kHz, in which a step never takes more than it always takes:
+    /// A loop at 1 kHz, in which every step has the same number of corrections:
     ///
     /// ```
     /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
@@ -213,7 +213,7 @@ impl Default for Settings {
 
 impl Settings {
     /// Steps chosen by a [tolerance](Settings::tolerance), at the order that reaches it with the least work: 4 down to
-    /// 3e-4, 6 down to 3e-6, then 8; always 2 where forces depend on velocities.
+    /// 3e-4, 6 down to 3e-6, then 8; always 2 if forces depend on velocities.
     ///
     /// ```
     /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};

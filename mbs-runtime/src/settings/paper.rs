@@ -1,6 +1,6 @@
-//! What Algorithm 1 leaves open, as settings.
+//! Settings for the choices that Algorithm 1 leaves open.
 
-/// Where line 3 of Algorithm 1 begins the multipliers μ of a step; the paper leaves it open.
+/// The start values of the multipliers μ in line 3 of Algorithm 1, which the paper does not specify.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MultiplierStart {
     /// With the change of μ over the last accepted step, scaled by h/h_last; at the start of a run with that of the
@@ -38,7 +38,7 @@ pub struct PaperSettings {
     pub penalty: f64,
     /// Factor τ > 1 by which the penalty of a row grows (line 22).
     pub penalty_growth: f64,
-    /// The penalty stops growing here.
+    /// The largest penalty.
     pub max_penalty: f64,
     /// A row satisfies the augmentation criterion (line 15) when |ψ̇| is below this fraction of its value before the
     /// last Newton block.
@@ -47,8 +47,8 @@ pub struct PaperSettings {
     pub max_newton_iterations: usize,
     /// j_max of line 28.
     pub max_augmentations: usize,
-    /// The least number of updates of q₁ (lines 6–32). The first one leaves an error of second order in each step where M
-    /// or the forces depend on q, which adds up to one of first order; the second one takes it away.
+    /// The least number of updates of q₁ (lines 6–32). If M or the forces depend on q, the first update leaves an error
+    /// of second order in each step, which adds up to one of first order; the second update removes it.
     pub min_updates: usize,
     /// k_max of line 32.
     pub max_updates: usize,
@@ -58,7 +58,7 @@ pub struct PaperSettings {
     pub mass_scale: f64,
     /// Frequency ω, rad/s, of a stabilisation k̄ = m̄ω², c̄ = 2m̄ω added to equation (20); 0 is the paper.
     pub stabilisation_frequency: f64,
-    /// Where line 3 begins μ.
+    /// The start values of μ in line 3.
     pub start: MultiplierStart,
     /// The direction c_R of each row.
     pub direction: RowDirection,
@@ -93,7 +93,8 @@ impl Default for PaperSettings {
 }
 
 impl PaperSettings {
-    /// Those that suit [`Method::MAlf`](crate::Method::MAlf): its penalty is a stiffness, N/m, of which h²/4 weighs against the masses.
+    /// Defaults for [`Method::MAlf`](crate::Method::MAlf): its penalty is a stiffness, N/m; h²/4 times it is compared
+    /// with the masses.
     pub fn m_alf() -> Self {
         PaperSettings {
             residual_tolerance: 1e-3,

@@ -19,9 +19,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         S::Inputs::from_values(|inputs| copy(current, inputs))
     }
 
-    /// The `Input`s as fields to be set: `simulation.inputs_mut().torque = 2.0`. They act from now on, as soon as the value
-    /// that this returns goes out of scope. A value that is NaN or infinite is refused by the next step, which returns the
-    /// error; [`Simulation::set_input`] returns it at once.
+    /// The `Input`s as fields to be set: `simulation.inputs_mut().torque = 2.0`. They take effect when the returned
+    /// value goes out of scope. If one of them is NaN or infinite, the next step returns the error;
+    /// [`Simulation::set_input`] returns it immediately.
     pub fn inputs_mut(&mut self) -> InputsMut<'_, S, Q, N, R> {
         InputsMut {
             values: self.inputs(),
@@ -69,7 +69,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.inputs_changed()
     }
 
-    /// Sets all inputs, in the order of [`Model::inputs`](crate::Model::inputs), or none where one of them is refused.
+    /// Sets all inputs, in the order of [`Model::inputs`](crate::Model::inputs), or none if one of them is NaN or
+    /// infinite.
     fn set_inputs(&mut self, values: &[f64]) -> Result<(), SimulationError> {
         let mut named = values.iter().zip(S::MODEL.inputs);
         if let Some((&value, input)) = named.find(|(value, _)| !value.is_finite()) {
@@ -85,7 +86,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn inputs_changed(&mut self) -> Result<(), SimulationError> {
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
-        // What lies behind was another motion.
+        // The last step belongs to the motion with the old input.
         self.behind.time = f64::INFINITY;
         Ok(())
     }

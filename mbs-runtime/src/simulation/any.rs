@@ -1,4 +1,4 @@
-//! Every simulation behind the object-safe face.
+//! The object-safe form of every simulation.
 
 use crate::any::methods_of_any_simulation;
 use crate::{

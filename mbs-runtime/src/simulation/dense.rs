@@ -1,8 +1,8 @@
 //! Instants between steps.
 //!
-//! The state between the ends of a step is what a shorter step from its beginning leads to: of the order of the method,
-//! on the constraints, with its energy balance, and joined to the next step without a gap. The steps themselves do not
-//! feel that somebody looked.
+//! The state at an instant within a step is computed by a shorter step from its beginning. It has the order of the
+//! method, satisfies the constraints, has an energy balance, and is continuous at the ends of the step. The steps
+//! themselves do not depend on it.
 
 use super::Simulation;
 use crate::{AnySimulation, SimulationError, System};
@@ -14,8 +14,8 @@ enum From {
     End,
 }
 
-/// Ways to an instant, where it lies beside a singular pose or a stage on the way does: from an end of the step, with the
-/// first part of the way as a step of its own.
+/// Ways to reach an instant, for instants and stages beside a singular pose: from which end of the step, and the
+/// fraction of the time for a first separate step.
 const WAYS: [(From, f64); 5] = [
     (From::Begin, 1.0),
     (From::End, 1.0),
@@ -23,7 +23,7 @@ const WAYS: [(From, f64); 5] = [
     (From::End, 0.4),
     (From::Begin, 0.7),
 ];
-/// Steps grow by up to this where they are placed, and are not divided for it.
+/// Placement lengthens steps up to this factor; such a step is not divided.
 const STRETCH: f64 = 1.2;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
@@ -32,7 +32,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// [`Simulation::look_at`] then shows any instant of the last step.
     ///
     /// # Errors
-    /// As [`Simulation::run_until`], which lands on `time`.
+    /// As [`Simulation::run_until`], which ends exactly at `time`.
     pub fn run_past(&mut self, time: f64, latest: f64) -> Result<(), SimulationError> {
         if time <= self.time() {
             return Ok(());
@@ -49,7 +49,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// Shows the simulation at an instant of its last step, and leaves it where it is.
+    /// Computes the state at an instant of the last step, passes it to the callback, and restores the state.
     ///
     /// ```
     /// # use mbs_runtime::{Settings, Simulation, mechanism};
@@ -100,7 +100,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         shown
     }
 
-    /// To an instant of the last step, on the first way that keeps clear of singular poses or else the best.
+    /// Moves to an instant of the last step, by the first of the ways with enough clearance, otherwise by the best.
     fn show(&mut self, time: f64) -> Result<(), SimulationError> {
         let mut best = (f64::NEG_INFINITY, WAYS[0]);
         let mut error = None;

@@ -1,19 +1,21 @@
-//! Steps that do not land beside singular poses.
+//! Placement: the choice of a step length such that no stage ends beside a singular pose.
 //!
-//! At a singular pose rows lose their independence, and with it a multiplier its direction. Passing over it does no harm;
-//! beginning or ending a stage right beside it does. A step that would is taken again with another length.
+//! At a singular pose rows are dependent, and a multiplier is not determined. A pose within a stage does no harm, but a
+//! stage that begins or ends beside the pose does. Such a step is repeated with another length.
 
 use super::Simulation;
 use crate::{Method, SimulationError, System, alf3f};
 
-/// Clearances as fractions of a step: a step with more than the first is left as it is, and one with the second is looked
-/// for. A step of second order passes nearly every landing unharmed, and another length costs more than it saves.
+/// Clearances as fractions of a step: a step with more than the first is accepted; otherwise a length with at least the
+/// second is searched. At second order nearly every clearance is harmless, and a repeated step costs more than it
+/// saves.
 const SECOND: [f64; 2] = [0.02, 0.15];
-/// Composed steps: they aim at the most, and content themselves with what they hit.
+/// Composed steps: the length with the largest predicted clearance is taken, and a clearance above the second value is
+/// accepted.
 const COMPOSED: [f64; 2] = [alf3f::CLEAR, 0.03];
 /// Explicit steps, whose stages lie at given fractions of a step.
 const EXPLICIT: [f64; 2] = [0.06, 0.1];
-/// How often composed steps aim, and at lengths between which fractions of the step.
+/// The number of lengths chosen for a composed step, and the bounds of the length as fractions of the step.
 const AIMS: usize = 3;
 const BOUNDS: [f64; 2] = [0.5, 1.15];
 /// Lengths that are tried, as fractions of the step.
@@ -23,7 +25,7 @@ const LENGTHS: [f64; 7] = [0.8, 0.64, 1.15, 0.9, 0.72, 0.5, 0.57];
 const REMAINDER: f64 = 0.1;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// A step of about h, of which `left` must not be exceeded, that keeps clear of singular poses; returns its length.
+    /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let length = self.placed(h, left)?;
         self.watch();
@@ -80,7 +82,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let (mut taken, mut aims) = (h, 0);
         for factor in LENGTHS {
-            // Composed steps know where to go, once they have seen the pose with all of their stages.
+            // After one attempt with all its stages the position of the pose is known, and the length of a composed
+            // step can be computed.
             let bounds = [BOUNDS[0] * h, (BOUNDS[1] * h).min(left)].map(|bound| bound / taken);
             let aimed = self.integrator.aim(bounds);
             let trial = match aimed {
@@ -114,7 +117,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(length)
     }
 
-    /// To where the step began.
+    /// Restores the state before the step.
     fn back(&mut self, (report, power): (crate::Report, f64)) -> Result<(), SimulationError> {
         self.integrator.state_mut().copy_from(&self.before);
         self.report = report;

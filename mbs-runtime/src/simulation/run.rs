@@ -5,16 +5,16 @@ use super::hermite::Hermite;
 use crate::{Report, SimulationError, System, UnknownName};
 use nalgebra::SVector;
 
-/// A remainder of this fraction of a step is merged with the last step instead of being taken as a sliver. It covers the
-/// rounding of a clock that has added up 1e8 steps.
+/// A remainder below this fraction of a step is added to the last step. It is larger than the rounding error of a sum
+/// of 1e8 steps.
 const SLIVER: f64 = 1e-6;
 /// Bisections on the cubic of a step: its own error is larger than what they leave.
 const BISECTIONS: usize = 40;
-/// By how much a correction of the foreseen instant is exaggerated.
+/// The factor by which a correction of the predicted instant is enlarged.
 const BEYOND: f64 = 1.5;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Runs to `time` and lands exactly on it: the last step is shortened.
+    /// Runs to `time` exactly: the last step is shortened.
     ///
     /// # Errors
     /// A time in the past or not finite; otherwise as [`Simulation::step`].
@@ -34,7 +34,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if !(wanted.is_finite() && wanted >= now - SLIVER * step) {
             return Err(SimulationError::Time { now, wanted });
         }
-        // Such a run would not end, and the clock would not feel its steps.
+        // Such a run would not end: its steps are below the round-off of the time.
         if wanted > now && step < 1e-13 * (wanted - now).max(now.abs()) {
             let wanted = "a step that the clock can count to the end of the run, above 1e-13 of its duration";
             return Err(SimulationError::Setting {
@@ -50,7 +50,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub(super) fn next_step(&self, time: f64) -> Option<f64> {
         let left = time - self.time();
         let step = self.nominal();
-        // Beside a large time the clock itself is coarser than a sliver.
+        // At large times the round-off of the time is larger than such a remainder.
         let sliver = (SLIVER * step).max(4.0 * f64::EPSILON * time.abs());
         if left <= sliver {
             None
@@ -70,7 +70,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// Runs until the expression of `event` changes sign, but not beyond `latest`; the time of the event, or `None`.
     ///
-    /// The state is then that just after the change: a further call looks for the next one.
+    /// The state is then that just after the change: a further call finds the next one.
     ///
     /// # Errors
     /// An unknown event; otherwise as [`Simulation::run_until`].
@@ -104,7 +104,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Steps again from the beginning of the last step, with shorter ones, until the sign change is bracketed to
-    /// round-off. Where to look first is seen on the cubic between the ends.
+    /// round-off. The first estimate is from the cubic between the ends.
     fn locate(
         &mut self,
         index: usize,
@@ -140,7 +140,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 guess = Some(current - BEYOND * value * (high - low) / (f_high - f_low));
             }
             let raised = before * value > 0.0;
-            // An end that stays for a second time loses weight.
+            // The value at an end that stays for the second time is halved.
             let weight = if last == Some(raised) { 0.5 } else { 1.0 };
             last = Some(raised);
             if raised {

@@ -1,4 +1,4 @@
-//! Singular poses on the way, found from how independent the rows are at the ends of steps.
+//! Detection of singular poses during the motion, from the rank margins at the ends of steps.
 
 use super::Simulation;
 use crate::singular::RankMargin;
@@ -6,9 +6,9 @@ use crate::{RankLoss, System};
 
 /// σ_min below which a pose counts as singular.
 const SINGULAR: f64 = 0.02;
-/// By how much σ_min has to be larger before and after: some mechanisms are never far from 0.
+/// The factor by which σ_min has to be larger before and after, because in some mechanisms σ_min is always small.
 const PROMINENT: f64 = 10.0;
-/// σ_min above which noise is not taken for motion.
+/// σ_min above which changes are larger than noise.
 const NOISE: f64 = 1e-3;
 /// Change of the slope of σ, relative to it, up to which it counts as straight.
 const STRAIGHT: f64 = 0.2;
@@ -46,7 +46,7 @@ pub(super) struct SingularityDetector {
     instants: [Instant; 3],
     /// Whether σ_min fell in the last step.
     falling: bool,
-    /// Rows without a direction of their own wherever the mechanism went.
+    /// The number of rows that were dependent in all poses so far.
     redundant: usize,
     /// The largest σ_min since the last loss.
     peak: f64,
@@ -115,7 +115,7 @@ impl SingularityDetector {
             return 0.0;
         }
         if now.dependent < self.redundant {
-            // What was taken to be redundant was lost.
+            // The row was not redundant: the start was a singular pose.
             let known = self.instants.iter_mut().filter(|i| i.time.is_finite());
             known.for_each(|instant| instant.sigma = 0.0);
             self.redundant = now.dependent;
@@ -172,7 +172,7 @@ impl SingularityDetector {
     }
 }
 
-/// Where σ passes zero, if it runs straight through it, with its sign changed behind.
+/// The zero of σ, if σ with its sign changed after the pose is linear in time.
 fn crossing(before: Instant, middle: Instant, after: Instant) -> Option<f64> {
     let slope = |a: Instant, b: Instant| (b.sigma - a.sigma) / (b.time - a.time);
     let behind = |instant: Instant| Instant {
@@ -258,7 +258,7 @@ mod tests {
         // At rest in a singular pose, with noise.
         let rest = |t: f64| 1e-9 * (1.0 + (1e3 * t).sin());
         assert!(noted(&mut SingularityDetector::new(), 0.05, rest).is_empty());
-        // Never far from one, and never nearer.
+        // σ is always small, and has no minimum.
         let small = |t: f64| 4e-3 + 2e-3 * t.sin();
         assert!(noted(&mut SingularityDetector::new(), 0.05, small).is_empty());
     }

@@ -7,13 +7,13 @@
 //! e ≤ share · tolerance · max(|Δq|, 2h · greatest speed so far)
 //! ```
 //!
-//! with h |Δv| counted like Δq, and its h is kept too until a comparison asks for a shorter one, or several in a row for
-//! a longer one: a symmetric method keeps its long-time behaviour as long as its steps do not follow the motion (E.
-//! Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are powers of 2^¼ times
-//! the first one.
+//! with h |Δv| counted like Δq. The length h stays the same until one comparison requires a shorter one, or several in
+//! a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step length does not
+//! follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
+//! powers of 2^¼ times the first one.
 //!
-//! A comparison that lands beside a singular pose has an error of its own. It is then made with two unequal steps, and
-//! after these with a shorter pair.
+//! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
+//! unequal steps, and after these with a shorter pair.
 
 use super::Simulation;
 use crate::linear::vector;
@@ -23,21 +23,22 @@ use nalgebra::SVector;
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
 const SHARE: f64 = 0.02;
 /// Comparisons in a row that allow a longer step before one is taken, at first and at most: twice as many after each
-/// longer step that was given back, so that the step settles where a motion recurs.
+/// longer step that had to be shortened again, so that the step becomes constant for periodic motion.
 const PATIENCE: [u32; 2] = [8, 4096];
 /// log₂ of the ratio of neighbouring lengths is one over this.
 const NOTCHES: f64 = 4.0;
 /// Notches by which a step is lengthened or shortened at once, at most.
 const LEAP: f64 = 8.0;
-/// Notches that a longer step has to promise, so that it is not given back soon.
+/// The least growth, in notches, for which the step is lengthened, so that it is not shortened again soon.
 const PROMISE: f64 = 2.0;
-/// A difference of this part of the way tells nothing of the order of an error.
+/// A difference above this fraction of the motion is too large for an error estimate by the order.
 const UNLIKE: f64 = 0.3;
-/// What a pair is compared with: a step of its whole length, then others that end with a landing elsewhere.
+/// The steps with which a pair is compared: one of its whole length, otherwise two unequal ones, divided at these
+/// fractions.
 const PARTITIONS: [f64; 4] = [1.0, 0.3, 0.7, 0.2];
-/// Steps whose error exceeds that of the pair by less than this part of it tell nothing.
+/// Other steps whose error is not larger than that of the pair by at least this fraction give no estimate.
 const TELLING: f64 = 0.2;
-/// Pairs that are tried where every comparison suffers from a singular pose, as fractions of h.
+/// Lengths of pairs, as fractions of h, that are tried if a singular pose spoils every comparison.
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
 const WEAKEST: f64 = 1e-5;
@@ -46,7 +47,7 @@ const SHORTEST: f64 = 1e-9;
 
 /// What a comparison found.
 struct Found {
-    /// Error over what is allowed; NaN where singular poses hide it.
+    /// The ratio of the error to the allowed error; NaN if singular poses prevent the estimate.
     excess: f64,
     /// The velocity whose coordinate is worst.
     worst: usize,
@@ -224,7 +225,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if size.is_nan() { f64::INFINITY } else { size }
     }
 
-    /// How far the other steps led from the pair, in sizes and radians, and the velocity that tells most.
+    /// The distance between the results of the other steps and of the pair, in sizes and radians, and the velocity with
+    /// the largest part.
     fn apart(&self, h: f64) -> (f64, usize) {
         let (pair, other) = (&self.before, self.state());
         let q = self.system().difference(&pair.positions, &other.positions);
@@ -254,7 +256,7 @@ impl StepController {
         }
     }
 
-    /// A step of h was too long by some (negative) notches.
+    /// Shortens the step after h was too long, by this (negative) number of notches.
     fn shorten(&mut self, h: f64, notches: f64) {
         self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
         if std::mem::take(&mut self.raised) {

@@ -6,11 +6,11 @@
 //! S λ = −γ − correction − A M⁻¹ (F − ṗ|_v),   S = A M⁻¹ Aᵀ
 //! ```
 //!
-//! M (where it varies) and S are factored for their pattern, without exchanges. A row that follows from others gets no
-//! multiplier: they do what it asks, and v̇ is the same as with any other division of the work. Which rows do so at generic
-//! poses is known by now; beside a singular pose a row is passed over where its pivot, the square of its independence, is
-//! below 1e-12 of its length. (The intermediate states of an explicit step violate the rows a little, so that a row which is
-//! redundant on the constraints is not quite so there: its pivot alone would not tell.)
+//! M (where it varies) and S are factored for their pattern, without exchanges. A row that follows from others gets the
+//! multiplier zero; v̇ is the same as with any other division of the load. Rows that are redundant at generic poses are
+//! known here. Beside a singular pose a row is left out if its pivot is below 1e-12 of its diagonal entry. (The
+//! intermediate states of an explicit step violate the rows a little, so that a row that is redundant on the
+//! constraints is not exactly redundant there, and its pivot alone is not a test.)
 
 use super::elimination::{Factor, Rank, Sparse, Upper};
 use super::kernels::{Rows, delassus, rows};
@@ -179,7 +179,7 @@ fn asked<'a, T>(derived: &'a Derived, list: &'a [T]) -> impl Iterator<Item = (us
     rows.filter(|(row, _)| !derived.redundant.contains(row))
 }
 
-/// λ ← S⁻¹ λ, and how weak each row is beside those before it.
+/// λ ← S⁻¹ λ, and the pivot loss of each row.
 fn solve(code: &mut Lowering, derived: &Derived, upper: Upper, lambda: &mut Sparse) {
     let (rows, redundant) = (derived.system.rows.len(), &derived.redundant);
     let factor = Factor::new(code, rows, upper, Rank::MayBeLost, "pivot");

@@ -33,7 +33,7 @@ impl Cost {
 }
 
 impl Function {
-    /// The operations of this function (negations are free: they melt into additions).
+    /// The operations of this function (negations are free: they become subtractions).
     pub fn cost(&self) -> Cost {
         let mut cost = Cost::default();
         for operation in &self.operations {

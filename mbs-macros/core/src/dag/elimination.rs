@@ -1,7 +1,8 @@
 //! Symmetric positive definite matrices of known pattern, factored in straight-line code.
 //!
 //! S = L D Lᵀ in an order chosen at compile time: the row with the fewest neighbours goes first, so that little is
-//! filled in. Rows that depend on those before them are passed over. (For the mass matrix of a tree this goes from the leaves to the root and fills in nothing.)
+//! filled in. Rows that depend on those before them are left out. (For the mass matrix of a tree this goes from the
+//! leaves to the root and fills in nothing.)
 
 use super::lower::Lowering;
 use super::{Operand, Operation};
@@ -99,7 +100,7 @@ impl Factor {
 
     /// What a pivot began with, divided by it: 1 where a row is orthogonal to those before it.
     pub(super) fn pivot_loss(&self, code: &mut Lowering, rank: Rank, k: usize) -> Operand {
-        // A row that may be lost may also be none.
+        // A row that can be dependent can also be zero.
         if self.untouched[k] && rank == Rank::Full {
             return Operand::number(1.0);
         }
@@ -223,7 +224,7 @@ impl Lowering<'_> {
 
     fn pivot_inverse(&mut self, pivot: Operand, whole: Operand) -> Operand {
         match pivot {
-            // What never changed is not round-off, unless there is no row.
+            // A pivot that the elimination did not change is not round-off, unless the row is zero.
             Operand::Number(number) if number.value() == 0.0 => pivot,
             _ => self.push(Operation::PivotInverse(pivot, whole)),
         }

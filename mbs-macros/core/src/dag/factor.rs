@@ -1,5 +1,5 @@
-//! A mass matrix that varies: factored, and solved with, without its zeros. M = L D Lᵀ, stored as D⁻¹ and what of L is
-//! not zero.
+//! A varying mass matrix: its factor and solutions, without its zeros. M = L D Lᵀ, stored as D⁻¹ and the nonzero
+//! entries of L.
 
 use super::elimination::{Factor, Rank, Sparse, Upper};
 use super::kernels::{LONGEST, rows};
@@ -37,7 +37,7 @@ pub(super) fn kernels(
     list
 }
 
-/// D⁻¹ and L at q, and how weak each pivot is beside its diagonal entry.
+/// D⁻¹ and L at q, and the ratio of each diagonal entry to its pivot.
 fn factor(code: &mut Lowering, derived: &Derived) -> Factor {
     let mass: Upper = derived
         .system

@@ -212,7 +212,7 @@ fn constant_mass(
 }
 
 /// A rotation, with the inertia of its free flight in constants: the block of M, where M is constant. (A body on a ball
-/// joint turns about the joint; where M varies, no flight is free, and the part's own inertia stands in.)
+/// joint turns about the joint; if M varies, there is no free flight, and the inertia of the part is used instead.)
 fn turning(
     graph: &mut Graph,
     hoisted: &mut Hoisted,

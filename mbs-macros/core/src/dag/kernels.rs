@@ -26,7 +26,7 @@ pub(super) fn kernels(
         let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
         list.push(maker.solve_mass(&inverse));
         let (weighted, delassus) = (maker.solve_mass_rows(&inverse), maker.delassus());
-        // Where the two are long, so is what replaces them.
+        // If these two are long, the function that replaces them is long, too.
         let separate = delassus
             .as_ref()
             .map(|delassus| weighted.cost().total() + delassus.cost().total())
@@ -99,8 +99,8 @@ impl Maker<'_> {
     /// S = A W, each entry the product of a row of A with a row of W; `None` if that is too long.
     fn delassus(&mut self) -> Option<Function> {
         let rows = self.rows();
-        // No two entries share an operation, so that the length is known without making them: a square number of
-        // operations is no trifle.
+        // No two entries share an operation, so that the length is known without making the operations, whose number
+        // is quadratic.
         let of_row = |row: &Vec<_>| (2 * row.len()).saturating_sub(1);
         if rows.len() * rows.iter().map(of_row).sum::<usize>() > LONGEST {
             return None;

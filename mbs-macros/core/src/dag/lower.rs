@@ -33,7 +33,7 @@ impl Hoisted {
         }
         let known = match graph.node(expr) {
             Node::Symbol(symbol) => symbol.is_parameter_like(),
-            // A law may have a memory of its own (a table, a counter): call it when its time comes.
+            // A law may have a state (a table, a counter), so that it is not hoisted.
             Node::Law { .. } => false,
             _ => {
                 let mut all = true;
@@ -216,7 +216,7 @@ impl<'a> Lowering<'a> {
                 None => constant,
             };
             let factor = self.operand(factor);
-            // The sign of a lone part goes outside, so that it can become a subtraction.
+            // The sign of a single term is moved outside, so that it can become a subtraction.
             let negative = parts.iter().all(|(_, negative)| *negative);
             let inner: Vec<_> = parts
                 .iter()

@@ -1,8 +1,8 @@
 //! Stage 5: derived quantities → straight-line programs.
 //!
 //! What depends on parameters alone is hoisted into constants, computed once per parameter set; what remains becomes
-//! binary operations, shared across all outputs of a function. AFTER THIS STAGE: every operation that will run is an
-//! [`Operation`], counted.
+//! binary operations, shared across all outputs of a function. AFTER THIS STAGE: every operation of the generated code
+//! is an [`Operation`], and is counted.
 
 mod accelerations;
 mod cost;
@@ -189,7 +189,7 @@ pub enum Operation {
     Divide(Operand, Operand),
     /// −a
     Negate(Operand),
-    /// 1/d of a pivot d that began as the second operand, a positive diagonal entry; 0 where d is round-off beside it.
+    /// 1/d of a pivot d whose diagonal entry was the second operand (positive); 0 if d is round-off relative to it.
     PivotInverse(Operand, Operand),
     /// An elementary function.
     Call(Elementary, Operand),
@@ -197,7 +197,7 @@ pub enum Operation {
     Atan2(Operand, Operand),
     /// a^exponent
     Power(Operand, Number),
-    /// A user's law: a value that only `Part` can take apart.
+    /// A user's law: value and partials together; `Part` selects one of them.
     Law(u32, Vec<Operand>),
     /// The value (`None`) or a partial of a law's result.
     Part(usize, Option<u32>),

@@ -1,4 +1,4 @@
-//! The interpreter of programs: the oracle between the symbolic interpreter and the compiled code.
+//! The interpreter of programs; tests compare it with the symbolic interpreter and with the compiled code.
 
 use super::{Function, Operand, Operation, Output};
 use crate::symbolic::{LawEvaluation, Symbol};

@@ -46,7 +46,7 @@ pub(super) fn kinetic(graph: &mut Graph, size: usize, mass: &Matrix) -> Expr {
     graph.sum(rows)
 }
 
-/// All affinities; `None` where they are long. What is too long is noticed on the way.
+/// All affinities; `None` where they are long. The derivation stops as soon as they are too long.
 pub(super) fn affinities(
     graph: &mut Graph,
     rotations: &[Rotation],
@@ -83,7 +83,7 @@ fn slopes(graph: &mut Graph, mass: &Matrix, length: &mut Length) -> Option<Affin
     Some(slopes)
 }
 
-/// Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i): what each slope of M contributes to, as there are few of them.
+/// Γ_ijk = ½ (∂M_ij/∂q_k + ∂M_ik/∂q_j − ∂M_jk/∂q_i): summed over the slopes of M, because few of them are not zero.
 fn christoffel(graph: &mut Graph, slopes: &Affinities) -> Affinities {
     let mut terms: BTreeMap<(usize, usize, usize), Vec<(Expr, f64)>> = BTreeMap::new();
     for (&(row, column, k), &slope) in slopes {
@@ -114,8 +114,8 @@ const PERMUTATIONS: [(usize, usize, usize, f64); 6] = [
     (1, 0, 2, -1.0),
 ];
 
-/// Adds p × ω to the generalized inertial forces of each rotation: what the momentum in body axes changes by because the
-/// axes turn (Boltzmann–Hamel equations).
+/// Adds p × ω to the generalized inertial forces of each rotation: the rate of the momentum in body axes due to the
+/// rotation of the axes (Boltzmann–Hamel equations).
 pub(super) fn turning_momentum(
     graph: &mut Graph,
     rotations: &[Rotation],

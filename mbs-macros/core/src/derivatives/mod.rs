@@ -35,8 +35,8 @@ pub struct Derived {
     pub momentum: Vec<Expr>,
     /// T = ½ v·M v.
     pub kinetic: Expr,
-    /// Affinities of the first kind, (i, j, k). `None` where they are long: no integrator needs them, as ∂T/∂q and ∂p/∂q
-    /// say the same, and the runtime reads them off ∂p/∂q.
+    /// Affinities of the first kind, (i, j, k). `None` if they are long: no integrator needs them, because ∂T/∂q and
+    /// ∂p/∂q are equivalent; the runtime computes them from ∂p/∂q.
     pub affinities: Option<Affinities>,
     /// Constraint Jacobian A.
     pub jacobian: Matrix,

@@ -58,7 +58,7 @@ impl Errors {
         Self::default()
     }
 
-    /// Records what is wrong at `place`; the message says what to do.
+    /// Records an error at `place`; the message says what to do.
     pub fn at(&mut self, place: impl Into<Place>, message: impl std::fmt::Display) {
         self.list.push(place.into().error(message));
     }
@@ -93,7 +93,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    /// A stage that stopped without recording why: a defect of the compiler, and it says so.
+    /// A stage that stopped without an error: a defect of the compiler, which the message states.
     pub fn unexplained() -> Self {
         let message = "the compiler stopped without saying why; please report this declaration";
         Failure {
@@ -132,7 +132,7 @@ pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .into_iter()
         .map(|candidate| (distance(name, candidate), candidate))
         .min()?;
-    // Another name of the same one letter is no likely meaning.
+    // Names of one letter are not suggested for each other.
     (distance <= 1 + length / 3 && distance < length).then_some(candidate)
 }
 

@@ -1,10 +1,10 @@
-//! What emitted items are called, and how they are shown.
+//! Names, visibility and documentation of emitted items.
 
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// The visibility that was declared; `pub` where none was.
+/// The declared visibility; by default `pub`.
 pub(super) fn visibility(declaration: &Declaration) -> TokenStream {
     let declared = declaration.visibility.as_ref();
     declared.map_or_else(|| quote! { pub }, |visibility| quote! { #visibility })

@@ -1,4 +1,4 @@
-//! The functions of the contract as Rust: one for each function of the program, and loops where that would be too long.
+//! The functions of the contract as Rust: one for each function of the program, and loops if that would be too long.
 
 use super::body::Body;
 use super::{motion, sparse};
@@ -7,7 +7,7 @@ use crate::dag::{Function, Program};
 use crate::symbolic::Graph;
 use std::fmt::Write;
 
-/// Functions of F, and the functions of f that compute the same where M is constant.
+/// Functions of F, and the functions of f that can compute the same if M is constant.
 const SAME_WHERE_MASS_IS_CONSTANT: &[(&str, &str)] = &[
     ("forces", "applied_forces"),
     ("force_tangents", "applied_force_tangents"),
@@ -57,7 +57,7 @@ fn write_method(out: &mut String, graph: &Graph, program: &Program, method: &Met
             };
             put(out, program, method, "", call);
         }
-        // The trait has one.
+        // The trait has a default body.
         (None, Origin::Program) => {}
     }
 }
@@ -89,7 +89,7 @@ pub(super) fn arrays(method: &Method, body: &str) -> String {
         .fold(String::new(), |text, line| text + &line + "\n")
 }
 
-/// The function of f that computes the same: where M is constant ∂T/∂q is zero, and F is f.
+/// The function of f, if it computes the same: if M is constant, ∂T/∂q is zero.
 fn applied(program: &Program, method: &Method, function: &Function) -> Option<&'static Method> {
     let mut pairs = SAME_WHERE_MASS_IS_CONSTANT.iter();
     let (_, applied) = pairs.find(|(total, _)| *total == method.name)?;
@@ -97,7 +97,7 @@ fn applied(program: &Program, method: &Method, function: &Function) -> Option<&'
     (program.structure.constant_mass && same).then(|| Method::named(applied))?
 }
 
-/// Temporaries, and how the function gives what it has computed.
+/// Temporaries, and the statements that write or return the results.
 fn straight_line(graph: &Graph, method: &Method, function: &Function) -> String {
     let body = Body::of_method(graph, function);
     let statements = body.statements();
@@ -124,7 +124,7 @@ fn straight_line(graph: &Graph, method: &Method, function: &Function) -> String 
     statements + &end
 }
 
-/// Functions that are not those of the program: what stands before, and the body.
+/// Functions that are not in the program: attributes and comments before them, and the body.
 fn written(graph: &Graph, program: &Program, method: &Method) -> Option<(String, String)> {
     let body = match method.name {
         "inputs" => "&self.inputs".to_owned(),
@@ -148,7 +148,7 @@ fn written(graph: &Graph, program: &Program, method: &Method) -> Option<(String,
     Some((inline.to_owned(), body))
 }
 
-/// The factor of M: nothing where M is constant, straight-line code where that is short, else by loops.
+/// The factor of M: empty if M is constant, straight-line code if that is short, otherwise loops.
 fn factor_mass(graph: &Graph, program: &Program) -> (String, String) {
     let inline = "#[inline]\n".to_owned();
     match (&program.constant_mass, program.factor_entries()) {

@@ -1,4 +1,5 @@
-//! Motion along velocities: `advance`, `difference` and `free_flight`, which know where rotations are stored.
+//! Motion along velocities: `advance`, `difference` and `free_flight`, which depend on the positions of
+//! rotations in q and v.
 
 use super::body::Body;
 use crate::dag::{Function, Program};
@@ -88,7 +89,7 @@ fn rotations(program: &Program, line: impl Fn(usize, usize, usize) -> String) ->
     })
 }
 
-/// Joint angles are counted on from what they were.
+/// Joint angles are counted from their last values.
 fn count(graph: &Graph, program: &Program, q: &str) -> String {
     let function = program
         .functions

@@ -83,7 +83,7 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
     out + &names(outline, &program.reactions)
 }
 
-/// What a simulation is asked for, and told, by name.
+/// Reading and setting of values by name.
 fn names(outline: &Outline, reactions: &[(String, String, String)]) -> String {
     let with_unit = |name: &str, unit: &str| match unit {
         "" => format!("`{name}`"),

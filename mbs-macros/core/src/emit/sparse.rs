@@ -1,6 +1,6 @@
 //! Elimination without zeros as Rust: one loop for each stretch of columns that repeats.
 //!
-//! The functions know every place as a number: in a loop as a number within a window that moves along.
+//! Every index is a number in the functions; in a loop it is a number within a moving window.
 
 mod columns;
 mod windows;

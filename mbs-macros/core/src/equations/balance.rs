@@ -30,7 +30,7 @@ impl Balance<'_> {
         graph.sum(terms)
     }
 
-    /// The multiplier of a row that was solved: it is counted after those of all other rows.
+    /// The multiplier of an eliminated row; its index comes after those of all other rows.
     pub fn multiplier(&self, solved: usize) -> Symbol {
         Symbol::Multiplier((self.rows.len() + solved) as u32)
     }
@@ -89,7 +89,7 @@ impl Balance<'_> {
         graph.cross(omega, spin)
     }
 
-    /// The multipliers of the rows that were solved, λ_r = Σ_c (∂c/∂r) f_c: f_c is the force that solved coordinate c
+    /// The multipliers of the eliminated rows, λ_r = Σ_c (∂c/∂r) f_c: f_c is the force that solved coordinate c
     /// needs, and ∂c/∂r by how much c moves where row r is off by one.
     pub fn recovered(&self, graph: &mut Graph) -> Vec<Expr> {
         let coordinates = &self.model.solved.coordinates;
@@ -103,7 +103,8 @@ impl Balance<'_> {
         sums.into_iter().map(|terms| graph.sum(terms)).collect()
     }
 
-    /// What all that moved with a coordinate, before it followed from others, needs from the rows that were solved.
+    /// The force that an eliminated coordinate, with all local coordinates that it stands for, needs from the
+    /// eliminated rows.
     fn needed_along(&self, graph: &mut Graph, coordinate: u32) -> Expr {
         let along = Symbol::LocalVelocity(coordinate);
         let mut terms = Vec::new();

@@ -124,8 +124,8 @@ fn add(graph: &mut Graph, mass: &mut LocalMass, slot: (u32, u32), value: Expr) {
     mass.insert(slot, sum);
 }
 
-/// The upper triangle of M: entries of coordinates that the reduction merged add up, those of constants drop out, and
-/// those of coordinates that follow from others count with their slopes.
+/// The upper triangle of M: entries of merged coordinates are added, those of constants are omitted, and those of
+/// coordinates that depend on others are multiplied by their slopes.
 pub(super) fn global_mass(
     graph: &mut Graph,
     reduction: &mut Substitution,

@@ -5,7 +5,8 @@ use crate::model::Model;
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// T, where a tree carries parts: ½ (m v·v + ω·Jω) of each, and ½ ṡ·M ṡ of the parts beside it.
+/// T for joint coordinates: ½ (m v·v + ω·Jω) of each part of the tree, and ½ ṡ·M ṡ of all other
+/// parts.
 pub(super) fn energy(
     graph: &mut Graph,
     reduction: &mut Substitution,

@@ -1,9 +1,9 @@
 //! Joint reactions.
 //!
-//! A joint with rows transmits what its multipliers say. A joint that the reduction dissolved has no multiplier; what it
-//! transmits is what the ends on the child's side need from their surroundings: inertia minus everything else that acts
-//! on them, taken in the parts' own coordinates, where the ends are still apart. The multiplier of a row that was solved
-//! is what the coordinate needs that followed from it.
+//! The reaction of a joint with rows follows from its multipliers. A joint whose points were merged has no multiplier.
+//! Its reaction is the force that the ends on the child's side need: their inertia forces minus all other forces on
+//! them, in the local coordinates of the parts, in which the ends are still separate. The multiplier of an eliminated
+//! row is the force that the eliminated coordinate needs.
 
 use super::balance::Balance;
 use super::rows::multipliers;
@@ -21,7 +21,7 @@ fn tree_reactions(
     joint: &TreeJoint,
 ) -> Vec<Reaction> {
     let model = balance.model;
-    // What the partner that was declared second is held by, at its own point.
+    // The force on the partner that was declared second, at its own point.
     let (held, sign) = match joint.mobilizer.forwards {
         true => (&joint.mobilizer.child, 1.0),
         false => (&joint.mobilizer.parent, -1.0),

@@ -7,7 +7,7 @@ use crate::model::{Model, Solved};
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
-/// What becomes of a row of a joint.
+/// The status of a row of a joint.
 enum RowStatus {
     Stays,
     /// It is zero in every pose, and left out.
@@ -75,8 +75,9 @@ pub(super) fn solved_rows(joints: &[(String, Joint)], solved: &Solved) -> Vec<Ex
     rows.collect()
 }
 
-/// The multiplier of each row of each joint, (joint, its row): the index among all rows, and after them among those that
-/// were solved. One that is left out has none: what it could transmit is counted with the joints that are coordinates.
+/// The multiplier of each row of each joint, (joint, its row): the index among all rows, and after them among those
+/// that were solved. A row that is left out has none: its force is a part of the reactions of the joints that are
+/// coordinates.
 pub(super) fn multipliers(model: &Model, rows: usize) -> BTreeMap<(usize, usize), u32> {
     let mut indices = BTreeMap::new();
     let mut next = 0;

@@ -1,8 +1,9 @@
 //! The start where declared guesses contradict a row that was solved.
 //!
-//! Of all states that fulfil the rows the one that changes the guess least, weighted by mass, is also the one closest to
-//! the guess's projection onto those that fulfil the solved rows. With q = T q' + c and the guess g of all coordinates
-//! this projection is q' = g' + M'⁻¹ Tᵀ M (g − T g' − c): nothing changes where the guess fulfils these rows.
+//! Of all states that satisfy the rows, the one nearest to the guess (weighted by mass) is also nearest to the
+//! projection of the guess onto the states that satisfy the eliminated rows. With q = T q' + c and the guess g of all
+//! coordinates this projection is q' = g' + M'⁻¹ Tᵀ M (g − T g' − c): nothing changes where the guess fulfils these
+//! rows.
 
 use super::inertia::{LocalMass, slopes};
 use super::inverse_mass::InverseMass;

@@ -12,7 +12,7 @@ pub struct System {
     pub graph: Graph,
     /// Number of velocities N.
     pub size: usize,
-    /// T of joint coordinates, body by body; elsewhere M says it all.
+    /// T of joint coordinates, body by body; for other coordinates M determines T.
     pub kinetic: Option<Kinetic>,
     /// Upper triangle of M, structurally nonzero entries only.
     pub mass: BTreeMap<(usize, usize), Expr>,
@@ -61,14 +61,14 @@ pub struct Row {
     pub(super) local: Expr,
 }
 
-/// A row that is left out, because joints that have become coordinates hold what it says.
+/// A row that is left out, because joint coordinates satisfy it in every pose.
 #[derive(Debug, Clone)]
 pub struct VacuousRow {
     /// Its name: joint and component.
     pub name: String,
     /// The entry it comes from.
     pub entry: String,
-    /// The joints that hold what it says.
+    /// The joints whose coordinates satisfy it.
     pub follows_from: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! Rows that are left out, with the joints that hold what they say.
+//! Rows that are left out, and the joints whose coordinates satisfy them.
 
 use super::system::VacuousRow;
 use crate::model::Model;

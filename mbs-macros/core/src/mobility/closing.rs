@@ -1,9 +1,9 @@
 //! A guess that could not be assembled: is there a pose at all?
 //!
 //! The squared residual ½|φ|² is minimised (Levenberg–Marquardt) from the guess and from poses all around it. If every
-//! descent ends where the gradient vanishes and the residual does not, and the lowest of these places is found more than
-//! once, the rows contradict each other, and the residual says which pull apart. Anything less certain is left to assembly
-//! at run time.
+//! descent ends where the gradient vanishes and the residual does not, and the lowest of these minima is found more
+//! than once, the rows contradict each other, and the largest residuals show which rows. Otherwise the decision is left
+//! to assembly at run time.
 
 use super::numbers::{ASSEMBLED, Numbers, Random, largest};
 use super::rows::norm;
@@ -26,7 +26,7 @@ const NAMES: usize = 4;
 /// Rows that cannot be fulfilled together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Open {
-    /// The entry to blame.
+    /// The entry at which the error is reported.
     pub entry: String,
     /// By how much they are open where they are closest to being fulfilled, in words, the worst first.
     pub gaps: Vec<String>,
@@ -66,7 +66,7 @@ pub(super) fn close(numbers: &Numbers, guess: Vec<f64>) -> Result<Option<Vec<f64
     }
 }
 
-/// A pose that has nothing to do with the guess but its size.
+/// A random pose of the size of the guess.
 fn anywhere(numbers: &Numbers, guess: &[f64], seed: u64) -> Vec<f64> {
     let layout = &numbers.system.layout;
     let mut random = Random(seed + 101);
@@ -185,7 +185,7 @@ fn describe(numbers: &Numbers, pose: &[f64]) -> Open {
     let worst = gaps.first().map_or(0.0, |(gap, ..)| *gap);
     gaps.retain(|(gap, ..)| *gap > NAMED * worst);
     gaps.truncate(NAMES);
-    // The later of two that contradict each other is to blame, and a joint rather than a bar.
+    // Of two rows that contradict each other the later one is reported, and a joint rather than a bar.
     let parts = &numbers.outline.parts;
     let is_joint = |row: usize| parts.iter().all(|part| part.name != rows[row].entry);
     let named = gaps.iter().map(|&(_, row, _)| row);

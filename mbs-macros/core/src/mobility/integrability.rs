@@ -1,4 +1,4 @@
-//! Nonholonomic rows that are holonomic in disguise: Frobenius' test.
+//! Integrable nonholonomic rows: Frobenius' test.
 //!
 //! A row N v + n = 0 is a differential form θ = N_k σ^k + n dt, where σ^k are the forms of the velocities: dq for
 //! translations, and for a rotation those of the angular velocity in body axes, whose fields have the brackets of so(3),
@@ -6,10 +6,10 @@
 //!
 //! dθ(u, w) = ∂_u N · w + ∂_u n w_t − ∂_w N · u − ∂_w n u_t − N · [u, w] = 0 for all u, w in D.
 //!
-//! The derivatives along u are the rate of A with the velocities u. dθ = 0 holds by itself for holonomic rows; so the
-//! largest set is built up from them: rows that are integrable with those found so far join them until none does, and at
-//! last the rest is tried as a whole. Tested at several poses, on the branch of the guess, at different times where time
-//! appears.
+//! The derivatives along u are the rate of A with the velocities u. dθ = 0 holds by itself for holonomic rows. So the
+//! largest set is built from them: rows that are integrable with those found so far are added until there is none, and
+//! finally the rest is tested as a whole. Tested at several poses, on the branch of the guess, at different times where
+//! time appears.
 
 use super::numbers::Numbers;
 use super::rows::{DEPENDENT, Rows, norm};
@@ -32,7 +32,7 @@ pub(super) fn integrable(numbers: &Numbers, poses: &[Vec<f64>]) -> Vec<usize> {
                 time: 0.17 * (index + 1) as f64,
                 ..*numbers
             };
-            // Where drives have moved on, the pose follows.
+            // At another time drives have moved, and the pose is assembled again.
             Some(Forms::new(&timed, timed.assemble(pose.clone())?))
         })
         .collect();

@@ -1,13 +1,13 @@
-//! Rank, mobility, and the redundant rows by name: what only numbers can tell, told at compile time.
+//! Rank, mobility, and the names of redundant rows, computed numerically at compile time.
 //!
 //! Between stages 3 and 4 the constraint Jacobian A is evaluated by the interpreter at a few poses near the declared
-//! guess, with default parameters. The guess is assembled, then moved at random along what its rows leave free, and
-//! assembled again: so the poses stay on the branch of the guess, and a guess that happens to be singular does not count
-//! for the mechanism. Rows are orthogonalised in their order: one that adds nothing to those
-//! before it is redundant, and the coefficients say on which of them it depends. (A parameter that tilts an axis can change
-//! the rank; assembly at run time repeats the check.)
+//! guess, with default parameters. The guess is assembled, then moved at random along the free velocities, and
+//! assembled again. So the poses stay on the branch of the guess, and a singular guess does not decide. Rows are
+//! orthogonalised in their order: one that adds nothing to those before it is redundant, and the coefficients say on
+//! which of them it depends. (A parameter that tilts an axis can change the rank; assembly at run time repeats the
+//! check.)
 //!
-//! A guess that cannot be assembled is looked at again: see `closing`.
+//! A guess that cannot be assembled is examined further: see `closing`.
 
 mod closing;
 mod integrability;
@@ -25,12 +25,12 @@ use rows::DEPENDENT;
 pub use closing::Open;
 pub use words::{redundancies, summary};
 
-/// Poses to look at.
+/// The number of poses.
 const POSES: u64 = 3;
 /// A row depends on those before it whose coefficient exceeds this.
 const INVOLVED: f64 = 1e-7;
 
-/// What the rows leave free.
+/// Rank and free velocities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mobility {
     /// Rank of A at generic poses.
@@ -41,8 +41,8 @@ pub struct Mobility {
     pub redundant: Vec<Redundancy>,
     /// Those of them that are not left out.
     pub dependent: Vec<usize>,
-    /// Joints whose reactions the redundancy leaves open: those that have a multiplier of a redundant row, or of one that
-    /// it follows from.
+    /// Joints whose reactions are not determined: those that have a multiplier of a redundant row, or of one that it
+    /// follows from.
     pub undetermined: Vec<String>,
     /// Nonholonomic rows that are conditions on positions in disguise (Frobenius): with the holonomic ones, and those
     /// before them in this list, they are the differentials of functions.
@@ -56,7 +56,7 @@ pub struct Redundancy {
     pub row: String,
     /// The entry of the declaration it comes from.
     pub entry: String,
-    /// It is left out, as joints that have become coordinates hold what it says.
+    /// It is left out, because joint coordinates satisfy it.
     pub vacuous: bool,
     /// Entries of the declaration whose rows it follows from.
     pub follows_from: Vec<String>,
@@ -67,7 +67,7 @@ pub struct Redundancy {
 /// The mobility of a mechanism; `None` if no pose near the guess could be assembled.
 ///
 /// # Errors
-/// The rows cannot be fulfilled together, whatever the pose.
+/// No pose satisfies all rows.
 pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, Open> {
     let mut redundant: Vec<Redundancy> =
         system.vacuous.iter().map(Redundancy::of_vacuous).collect();
@@ -94,7 +94,7 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
     };
     let moved = (0..POSES).filter_map(|seed| numbers.generic_pose(&home, seed));
     let mut poses: Vec<Vec<f64>> = moved.collect();
-    // Along a branch rank is lost by accident only: the pose of the highest rank is the generic one. (A mechanism that
+    // On a branch the rank is lower only at single poses: the pose with the highest rank is generic. (A mechanism that
     // cannot move has no other pose than its home.)
     poses.push(home);
     let rows = poses
@@ -160,7 +160,7 @@ fn undetermined(system: &System, open: &[usize]) -> Vec<String> {
     joints
 }
 
-/// The rows that count in the combination that a dependent row is, and the row itself at the end.
+/// The rows with significant coefficients in the combination that equals a dependent row, and then the row itself.
 fn combined(row: usize, independent: &[usize], coefficients: &[f64]) -> Vec<usize> {
     let others = independent.iter().zip(coefficients);
     let others = others.filter(|(_, coefficient)| coefficient.abs() > INVOLVED);

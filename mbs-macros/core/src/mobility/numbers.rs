@@ -6,10 +6,11 @@ use crate::equations::System;
 use crate::model::Outline;
 use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
 
-/// How far poses are moved, in units of the largest coordinate, from bold to timid: the first that arrives counts.
+/// Distances by which poses are moved, in units of the largest coordinate, in decreasing order: the first that can be
+/// assembled counts.
 const MOVES: [f64; 3] = [0.1, 0.02, 0.002];
-/// A row whose remainder is below this fraction of its length adds nothing while a pose is assembled: off the solution,
-/// redundant rows differ a little from those they follow from, and must not be forced.
+/// A row whose remainder is below this fraction of its length adds nothing while a pose is assembled: away from the
+/// solution, redundant rows are not exactly dependent, and must be left out.
 const NEARLY_DEPENDENT: f64 = 1e-3;
 /// Assembly of a pose: residual to reach, and iterations to reach it in.
 pub(super) const ASSEMBLED: f64 = 1e-11;

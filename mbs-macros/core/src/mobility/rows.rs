@@ -136,7 +136,7 @@ impl Direction {
         Direction { entries, span }
     }
 
-    /// Takes the part along this unit vector out of another, and tells how long it was.
+    /// Removes the part along this unit vector from another, and returns the length of the part.
     fn remove_from(&self, vector: &mut [f64]) -> f64 {
         let e = &self.entries[self.span.clone()];
         let v = &mut vector[self.span.clone()];
@@ -145,7 +145,7 @@ impl Direction {
         along
     }
 
-    /// Takes the part along a unit vector out of this one, and tells how long it was.
+    /// Removes the part along a unit vector from this one, and returns the length of the part.
     fn orthogonalise(&mut self, e: &Direction) -> f64 {
         if self.span.end <= e.span.start || e.span.end <= self.span.start {
             return 0.0;

@@ -1,5 +1,5 @@
-//! Counted joint angles after the reduction: the angle of a joint of the tree is its coordinate, which counts full turns
-//! by itself; only the others need a memory.
+//! Counted joint angles after the reduction: the angle of a joint of the tree is its coordinate, which is not limited
+//! to one turn; only the other angles need a stored value.
 
 use super::resolver::Resolver;
 use super::tree::Tree;

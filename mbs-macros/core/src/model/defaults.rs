@@ -5,7 +5,7 @@ use super::resolver::Resolver;
 use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
 
 impl Resolver<'_> {
-    /// Zero, where an expression of parameters is zero but for rounding, whatever their values.
+    /// Zero, if an expression of parameters is zero except for rounding, for all of their values.
     pub(super) fn settled(&mut self, expr: Expr) -> Expr {
         match vanishes(&self.graph, &self.parameters, expr, 1e-12) {
             true => self.graph.zero(),
@@ -24,7 +24,7 @@ pub(super) fn by_default(graph: &Graph, parameters: &[Quantity], expr: Expr) -> 
     at_parameters(graph, expr, |index| parameters[index].default)
 }
 
-/// Whether an expression of parameters is zero but for rounding, whatever their values.
+/// Whether an expression of parameters is zero except for rounding, for all of their values.
 pub(super) fn vanishes(graph: &Graph, parameters: &[Quantity], expr: Expr, rounding: f64) -> bool {
     let samples = [(1.0, 0.0), (1.1, 0.013), (0.8, 0.029)];
     samples.into_iter().all(|(factor, shift)| {

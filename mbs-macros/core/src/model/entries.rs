@@ -1,4 +1,4 @@
-//! Names and the values of their entries: evaluated when first asked for, so that entries may stand in any order.
+//! Names and the values of their entries: evaluated at their first use, so that entries may be in any order.
 
 use super::arguments::Arguments;
 use super::geometry::{Owner, Point, Vector};
@@ -125,7 +125,7 @@ impl<'d> Resolver<'d> {
         ) || self.has_frames(entry)
     }
 
-    /// Whether every entry that has a value has been asked for it.
+    /// Whether every entry that has a value has been evaluated.
     pub(super) fn is_evaluated(&self) -> bool {
         let states = self.states.iter();
         states

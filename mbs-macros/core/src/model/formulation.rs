@@ -42,7 +42,7 @@ pub const OF_BODIES: [Formulation; 2] = [Formulation::Reference, Formulation::Jo
 /// One description of a mechanism.
 #[derive(Debug, Clone)]
 pub struct Description {
-    /// The coordinates of parts that ask for none of their own.
+    /// The coordinates of parts without their own `coordinates =`.
     pub formulation: Formulation,
     /// Joints of which no row is solved.
     pub keep: Vec<String>,
@@ -60,12 +60,12 @@ impl From<Formulation> for Description {
     }
 }
 
-/// What the world asks for by `coordinates =`; `None` is `Auto`.
+/// The `coordinates =` of the world; `None` is `Auto`.
 pub fn requested(declaration: &Declaration, errors: &mut Errors) -> Option<Formulation> {
     asked(declaration.world.as_ref()?, &ALL, errors)
 }
 
-/// What an entry asks for, of what is possible; `None` is `Auto`.
+/// The `coordinates =` of an entry, one of those possible; `None` is `Auto`.
 pub(super) fn asked(
     entry: &Entry,
     possible: &[Formulation],

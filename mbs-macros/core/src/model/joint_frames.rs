@@ -1,4 +1,5 @@
-//! Where a spatial joint takes hold of its partners: two frames that coincide in the home pose, z along the joint's axis.
+//! The two frames of a spatial joint, one on each partner: they coincide in the home pose, with z along the joint's
+//! axis.
 
 use super::geometry::{Attachment, Owner, Point};
 use super::mobilizer::{Freedom, Mobilizer};

@@ -11,7 +11,7 @@ pub(super) enum JointVariable {
     Speed,
 }
 
-/// A variable that some expression has asked for.
+/// A variable that an expression uses.
 #[derive(Debug)]
 pub(super) struct AskedVariable {
     pub joint: String,
@@ -20,8 +20,8 @@ pub(super) struct AskedVariable {
     pub expr: Expr,
 }
 
-/// A joint angle that is counted over full turns: `atan2` answers within one turn, and the coordinate that remembers the
-/// last angle says which.
+/// A joint angle that is counted over full turns: `atan2` gives the angle within one turn, and the stored last angle
+/// determines the number of turns.
 #[derive(Debug, Clone)]
 pub struct UnwrappedAngle {
     /// The joint.

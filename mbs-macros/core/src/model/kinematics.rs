@@ -38,8 +38,8 @@ pub(super) struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    /// Replaces the locals of all parts that the tree carries, and answers their velocities. What the tree leaves to parts
-    /// themselves (roots, own rotations, joint coordinates) has to be replaced already.
+    /// Replaces the locals of all parts that the tree carries, and returns their velocities. What the tree leaves to
+    /// parts themselves (roots, own rotations, joint coordinates) has to be replaced already.
     pub(super) fn run(&mut self, tree: &Tree) -> Vec<BodyTwist> {
         let mut states: BTreeMap<usize, State> = BTreeMap::new();
         let mut twists = Vec::new();

@@ -1,5 +1,5 @@
-//! The generalized coordinates as they are stored, and the velocities: where a rotation occurs, four of the former stand
-//! against three of the latter.
+//! The generalized coordinates as they are stored, and the velocities: a rotation has four coordinates and three
+//! velocities.
 
 use super::geometry::Tensor;
 use super::initial_pose::Guesses;

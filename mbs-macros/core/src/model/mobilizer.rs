@@ -1,10 +1,10 @@
-//! What a joint leaves free between its partners.
+//! The freedoms of a joint between its partners.
 
 use super::geometry::{Attachment, Axes, Point};
 use crate::symbolic::Expr;
 
-/// The motions that a joint leaves free, in order: they lead from the frame on the parent to that on the child. Kinematics,
-/// home pose and spanning tree walk along this list; a joint that can be written so can become coordinates.
+/// The motions that a joint allows, in order, from the frame on the parent to that on the child. Kinematics, home pose
+/// and spanning tree use this list; a joint with such a list can become coordinates.
 ///
 /// Slides come before turns: a slide along the axis of a turn may be written on either side of it.
 #[derive(Debug, Clone)]
@@ -13,22 +13,22 @@ pub struct Mobilizer {
     pub parent: Attachment,
     /// The frame on the child.
     pub child: Attachment,
-    /// The motions, in order; none for a joint that holds everything.
+    /// The motions, in order; none for a joint that allows no motion.
     pub freedoms: Vec<Freedom>,
-    /// In the plane, the angle of the child against the parent where it is held, in the order of the declaration.
+    /// In the plane, the angle of the child relative to the parent if it is held, in the order of the declaration.
     pub offset: Option<Expr>,
-    /// Whether the partners stand in the order of the declaration.
+    /// Whether the partners have the order of the declaration.
     pub forwards: bool,
 }
 
-/// A motion that a joint leaves free, in the axes that the motions before it have reached.
+/// A motion that a joint allows, in the axes that result from the motions before it.
 #[derive(Debug, Clone)]
 pub enum Freedom {
-    /// A turn about z; for a turn about another axis, about the third of these axes, which the frame takes on before.
+    /// A turn about z. With axes, the frame is first turned to these axes, and the turn is about the third of them.
     Turn(Option<Axes>),
     /// A slide along x, y or z.
     Slide(usize),
-    /// A turn about z with a slide along z of so much per radian.
+    /// A turn about z with a slide along z of this length per radian.
     Helix(Expr),
     /// Any rotation: the child keeps its own orientation. It comes last.
     Rotation,
@@ -68,13 +68,13 @@ impl Mobilizer {
         matches!(last, Some(Freedom::Rotation))
     }
 
-    /// The same joint with the partners exchanged: its coordinates change sign. The turns follow each other in the other
-    /// order; slides stay before them, along the axes of the other partner.
+    /// The same joint with the partners exchanged: its coordinates change sign. The order of the turns is reversed;
+    /// slides stay before them, along the axes of the other partner.
     pub(super) fn reversed(&self) -> Mobilizer {
         let mut freedoms = self.freedoms.clone();
         let first = freedoms.partition_point(|freedom| !freedom.turns());
         let turns = &mut freedoms[first..];
-        // Axes stand between two turns: those before the later one lead back before what was the earlier one.
+        // Axes belong between two turns: those of the later turn are transposed and become those of the earlier one.
         let between = turns.iter().skip(1).map(|turn| match turn {
             Freedom::Turn(Some(axes)) => Some(transposed(axes)),
             _ => None,

@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use syn::Expr as Syntax;
 
 /// The names whose angle a joint, force or condition uses. Natural coordinates have no angle that counts full turns, so
-/// that such a bar takes reference coordinates. (Outputs, events and drives make do with the direction.)
+/// that such a bar takes reference coordinates. (Outputs, events and drives need only the direction.)
 pub(super) fn needs_angle(declaration: &Declaration, kinds: &Kinds) -> HashSet<String> {
     let mut names = HashSet::new();
     for entry in &declaration.entries {

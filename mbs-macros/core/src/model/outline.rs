@@ -7,7 +7,7 @@ use super::quantities::{Law, Local, Quantity};
 use super::tree::Tree;
 use crate::schema::World;
 
-/// What later stages need of a model besides its equations: names, parts, and what was done with them.
+/// Data of a model for later stages besides its equations: names, parts, and the reductions.
 #[derive(Debug)]
 pub struct Outline {
     /// The name given to `mechanism!`.

@@ -1,4 +1,4 @@
-//! The passes of stage 2, in order, each with what is true after it.
+//! The passes of stage 2, in order, with the conditions that hold after each.
 
 use super::elements::JointEntry;
 use super::elements::kinds::kinds;
@@ -16,7 +16,7 @@ use crate::syntax::Declaration;
 /// Resolves a declaration in one of its descriptions.
 ///
 /// # Errors
-/// Everything that is wrong with it is recorded in `errors`, and there is no model.
+/// All of its errors are recorded in `errors`, and there is no model.
 pub fn resolve(
     declaration: &Declaration,
     description: &Description,
@@ -69,16 +69,17 @@ pub fn resolve(
     // Vacuous rows. AFTER THIS POINT: every row that is neither solved nor vacuous depends on the motion (or an error is
     // recorded).
     let vacuous = vacuous::rows(resolver, &joints, &tree, &mut reduction);
-    // A joint coordinate moves all that comes after it.
+    // A joint coordinate moves all parts after its joint.
     if tree.joints.is_empty() {
         check::massive(resolver, &reduction);
     }
 
-    // The layout. AFTER THIS POINT: every generalized coordinate has its place in q, and every velocity its coordinate.
+    // The layout. AFTER THIS POINT: every generalized coordinate has its position in q, and every velocity its
+    // coordinate.
     let layout = layout::layout(resolver, &reduction, &guesses);
     debug_assert_eq!(layout.slots.len(), layout.velocities.len());
 
-    // AFTER THIS POINT: no user error is left to find.
+    // AFTER THIS POINT: all errors of the declaration have been found.
     let drawing = resolver.drawing(&joints, &forces);
     let up = resolver.up(gravity);
     if !resolver.errors.is_empty() {

@@ -68,7 +68,7 @@ pub(super) fn reduce(
     let mut leaders: BTreeMap<u32, u32> = BTreeMap::new();
     let mut fixed: BTreeMap<u32, Vector> = BTreeMap::new();
     for cluster in &clusters.list {
-        // Of joined clusters one is left empty.
+        // After two clusters are joined one of them is empty.
         let Some(&leader) = cluster.ends.iter().min() else {
             continue;
         };

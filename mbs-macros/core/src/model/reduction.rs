@@ -10,8 +10,8 @@ use crate::symbolic::{Graph, Substitution, Symbol};
 pub struct MergedJoint {
     /// The joint's name.
     pub joint: String,
-    /// The force on the child is what these points need from their surroundings: the first local coordinates of the
-    /// ends of parts on the child's side. Empty where the child is the ground; then `parent` is taken with the opposite sign.
+    /// The force on the child is the force that these points need: the first local coordinates of the ends of parts on
+    /// the child's side. Empty where the child is the ground; then `parent` is taken with the opposite sign.
     pub child: Vec<u32>,
     /// The same for the parent's side.
     pub parent: Vec<u32>,

@@ -1,4 +1,4 @@
-//! What stage 2 knows while it resolves names: the state that its files share.
+//! The state of stage 2 while it resolves names, shared by its files.
 
 use super::formulation::Formulation;
 use super::geometry::Owner;
@@ -13,7 +13,7 @@ use crate::symbolic::Graph;
 use crate::syntax::{Declaration, Entry};
 use std::collections::{HashMap, HashSet};
 
-/// The value of an entry: it is evaluated when it is first asked for.
+/// The value of an entry: it is evaluated at its first use.
 pub(super) enum State {
     Waiting,
     Working,
@@ -35,9 +35,9 @@ pub struct Resolver<'d> {
     pub(super) laws: Vec<Law>,
     /// Joint angles that are counted over full turns, by the name of their joint.
     pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
-    /// Variables of joints that some expression has asked for.
+    /// Variables of joints that an expression uses.
     pub(super) joint_variables: Vec<AskedVariable>,
-    /// Names that some expression has asked for.
+    /// Names that an expression uses.
     pub(super) used: HashSet<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
     pub(super) misplaced: HashSet<String>,
@@ -46,7 +46,7 @@ pub struct Resolver<'d> {
     pub(super) names: HashMap<String, usize>,
     pub(super) states: Vec<State>,
     pub(super) silent: bool,
-    /// How many evaluations are under way, each for the sake of the one before.
+    /// Depth of the nested evaluations.
     pub(super) depth: usize,
 }
 
@@ -81,7 +81,7 @@ impl<'d> Resolver<'d> {
         }
     }
 
-    /// Records an error, and answers with nothing.
+    /// Records an error, and returns `None`.
     pub(super) fn fail<T>(
         &mut self,
         place: impl Into<Place>,
@@ -116,7 +116,7 @@ impl<'d> Resolver<'d> {
         self.kinds.kind(self.world, &entry.kind.to_string())
     }
 
-    /// Whether an entry takes hold of its two partners by frames: joints of space, and elastic ones.
+    /// Whether an entry connects its two partners by frames: joints of space, and elastic joints.
     pub(super) fn has_frames(&self, entry: &Entry) -> bool {
         self.world == World::Spatial
             && self.kind_of(entry).is_some_and(|kind| {

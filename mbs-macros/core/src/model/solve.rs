@@ -17,10 +17,10 @@ use crate::symbolic::{
 };
 use std::collections::BTreeSet;
 
-/// A coefficient below this fraction of the largest is zero but for rounding.
+/// A coefficient below this fraction of the largest is zero except for rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// What there is to observe.
+/// Conditions for the elimination.
 pub(super) struct Conditions<'a> {
     /// Joints whose rows stay.
     pub keep: &'a [String],
@@ -43,7 +43,7 @@ struct Row<'a> {
 /// Rows that are affine, with their indices.
 type Rows = Vec<(usize, Affine)>;
 
-/// Solves the rows of `joints`; `merged` says which local coordinates stand for others.
+/// Solves the rows of `joints`; `merged`: the local coordinates that stand for others.
 pub(super) fn solve(
     resolver: &mut Resolver,
     joints: &[JointEntry],
@@ -116,7 +116,7 @@ fn rows<'a>(
     rows
 }
 
-/// All rows but those that `stay`, solved as far as they go; or more rows that have to stay.
+/// All rows but those that `stay`, solved as far as they go; or further rows that must not be eliminated.
 fn eliminated(
     resolver: &mut Resolver,
     rows: &[Row],
@@ -151,8 +151,8 @@ fn eliminated(
     }
 }
 
-/// A row as an affine one, where it is such with the values of unknowns in their places: with what it is off by if those
-/// values are.
+/// A row as an affine one, where it is such with the values of unknowns in their places: with its residual if those
+/// values have residuals.
 fn affine(
     graph: &mut Graph,
     reader: &mut AffineReader,
@@ -209,8 +209,8 @@ fn size(graph: &Graph, parameters: &[Quantity], rows: &[(usize, Affine)]) -> f64
     })
 }
 
-/// The rows that have to stay: those that depend on each other, those without which another one would not depend on
-/// anything that moves, and all, where nothing could move.
+/// The rows that must not be eliminated: rows that depend on each other; rows whose elimination would leave another row
+/// without coordinates; and all rows, if nothing could move.
 fn refused(
     resolver: &mut Resolver,
     rows: &[Row],
@@ -248,7 +248,8 @@ fn refused(
     refused
 }
 
-/// By how much the guesses of position and velocity of an unknown exceed those that follow; zero but for rounding is zero.
+/// By how much the guesses of position and velocity of an unknown exceed those that follow; zero except for rounding is
+/// zero.
 fn gap(
     resolver: &mut Resolver,
     conditions: &Conditions,

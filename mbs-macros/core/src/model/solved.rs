@@ -1,5 +1,5 @@
-//! Rows solved away: a holonomic row that is affine in the coordinates, with coefficients that are constant, gives one of
-//! them in terms of the others. Both leave the equations, and as velocities follow by the same coefficients, a constant M
+//! Eliminated rows: a holonomic row that is affine in the coordinates, with constant coefficients, gives one of them in
+//! terms of the others. Row and coordinate are eliminated. As the velocities have the same coefficients, a constant M
 //! stays constant.
 //!
 //! How they are found: see `solve`.
@@ -26,7 +26,7 @@ pub struct SolvedCoordinate {
     pub local: u32,
     /// Its value in terms of those that remain.
     pub value: Affine,
-    /// How it answers to what each of the solved rows is off by; in local coordinates.
+    /// Its derivatives with respect to the residuals of the eliminated rows, in local coordinates.
     pub answers: Vec<Expr>,
     /// By how much its own guesses of position and velocity exceed those that follow.
     pub gap: [Expr; 2],
@@ -60,7 +60,7 @@ pub(super) fn local_symbols(local: u32) -> [Symbol; 3] {
     ]
 }
 
-/// Position, velocity and acceleration of a coordinate that follows from others, whose symbols `symbols` tells.
+/// Position, velocity and acceleration of a coordinate that follows from others, whose symbols are given by `symbols`.
 pub(super) fn combination(
     graph: &mut Graph,
     value: &Affine,

@@ -1,9 +1,9 @@
 //! Which joints carry the parts, and which are cut to close the loops.
 //!
-//! A loop of joints with f₁, f₂, … freedoms has Σ f − f_cut coordinates and leaves the rows of the joint that is cut: the
-//! joint with the most freedoms is the best to cut, and of equals the one that leaves the shortest chains. The search
-//! begins with the tree that reaches each part as early as possible, and exchanges joints along the loops while that is
-//! of use. Cuts that look equally good are left to the count of operations.
+//! A loop of joints with f₁, f₂, … freedoms has Σ f − f_cut coordinates and leaves the rows of the joint that is cut:
+//! the joint with the most freedoms is the best to cut, and of equals the one that leaves the shortest chains. The
+//! search begins with the tree of the shortest chains, and exchanges joints along the loops as long as this is better.
+//! Between equally good cuts the count of operations decides.
 
 use super::elements::JointEntry;
 use super::formulation::Formulation;
@@ -50,17 +50,17 @@ struct Carrier {
     rows: usize,
 }
 
-/// The joints that can carry, and what they find.
+/// The joints that can carry a part, and the parts.
 struct Spanning {
     carriers: Vec<Carrier>,
     parts: Vec<Carried>,
 }
 
-/// What matters of a part here.
+/// Properties of a part for the search.
 struct Carried {
     /// Joints have merged its points, or it is a coordinate by itself.
     settled: bool,
-    /// It has a place and axes, from which a joint can go on.
+    /// Its pose is known, so that it can carry other parts.
     has_frame: bool,
     /// A joint can carry it.
     by_any: bool,

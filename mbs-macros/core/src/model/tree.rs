@@ -1,5 +1,5 @@
-//! Joint coordinates: a tree of joints from the ground, each of which brings the motions that it allows. The pose and the
-//! velocity of a part follow from those of the part before it, body by body; nothing is expanded.
+//! Joint coordinates: a tree of joints from the ground, each of which has coordinates for its freedoms. The pose and
+//! the velocity of a part follow from those of the part before it, body by body; nothing is expanded.
 //!
 //! | joint | coordinates of the child | kept of its own |
 //! |---|---|---|
@@ -37,7 +37,7 @@ pub struct TreeJoint {
 pub struct Tree {
     /// Its joints, parents before children.
     pub joints: Vec<TreeJoint>,
-    /// Joints beside it that could have been of it: they close the loops.
+    /// Joints that could be in the tree but are cut: they close the loops.
     pub cut: Vec<String>,
     /// Other cuts that leave as few rows and chains as short.
     pub alternatives: Vec<Vec<String>>,

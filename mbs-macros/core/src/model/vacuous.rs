@@ -1,9 +1,9 @@
-//! Rows that no motion can fulfil or break.
+//! Rows that do not depend on the motion.
 //!
-//! In joint coordinates a joint beside the tree may hold what the tree holds already: the second hinge of a door, the rows
-//! across the plane of a loop that is planar. Such a row is zero in every pose, whatever the parameters, and is left out.
-//! It is told by numbers, because rounding in the axes can leave 1e-17 where an exact zero should be. A row that no motion
-//! changes and that is not zero, or only for some values of the parameters, is an error.
+//! In joint coordinates a row of a cut joint may be satisfied by the tree in every pose: the second hinge of a door,
+//! the rows across the plane of a loop that is planar. Such a row is zero in every pose, whatever the parameters, and
+//! is left out. This is tested numerically, because rounding in the axes can give 1e-17 instead of an exact zero. A row
+//! that no motion changes and that is not zero, or only for some values of the parameters, is an error.
 
 use super::elements::JointEntry;
 use super::reduction::Reduction;
@@ -29,7 +29,7 @@ struct Candidate {
     dimension: Option<Dimension>,
 }
 
-/// The rows to leave out; a row that is stuck otherwise is an error.
+/// The rows to leave out; another row that does not depend on the motion is an error.
 pub(super) fn rows(
     resolver: &mut Resolver,
     joints: &[JointEntry],
@@ -91,7 +91,7 @@ fn vanishing(
     candidates: &[Candidate],
     varied: bool,
 ) -> Vec<bool> {
-    // The places of a joint say how large its rows could be.
+    // The positions of a joint give the scale of its rows.
     let mut places = vec![Vec::new(); joints.len()];
     for candidate in candidates {
         let points = &joints[candidate.element].joint.points;

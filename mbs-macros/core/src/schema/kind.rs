@@ -47,7 +47,7 @@ pub struct Kind {
     pub joint: Option<JointTraits>,
 }
 
-/// What names and messages have to know of a joint besides its fields.
+/// Data of a joint for names and messages, besides its fields.
 #[derive(Debug, Clone, Copy)]
 pub struct JointTraits {
     /// It has `angle` and `rate`; joints of space.
@@ -143,7 +143,7 @@ pub enum Expects {
     PartAngle,
     /// A direction: `X`, `Y`, `Z`, or components.
     Axis,
-    /// A part together with `at =`, a point, or a frame: where a spatial joint takes hold.
+    /// A part together with `at =`, a point, or a frame, to which a spatial joint is attached.
     Attachment,
     /// A joint.
     Joint,

@@ -1,5 +1,5 @@
-//! The one table of the language: kinds, their fields, defaults, dimensions and documentation. Values, parts and forces have
-//! their rows here; the row of a joint stands in its own file.
+//! The one table of the language: kinds, their fields, defaults, dimensions and documentation. Values, parts and forces
+//! have their rows here; the row of a joint is in its own file.
 //!
 //! It drives the checks of arguments, the hints in error messages and the reference page of the book.
 

@@ -1,8 +1,8 @@
 //! Affine expressions, and the exact elimination of unknowns from systems of them.
 //!
-//! The unknowns are local positions; their coefficients depend on parameters at most. Each row carries the symbol of its
-//! own multiplier as what it is off by, so that a solution also says how it answers to that: this is what recovers the
-//! multipliers of rows that were solved.
+//! The unknowns are local positions; their coefficients depend on parameters at most. Each row has the symbol of its
+//! multiplier as its residual, so that the solution also contains the derivatives with respect to the residuals; from
+//! these the multipliers of eliminated rows are computed.
 
 use super::{Expr, Graph, Map, Node, Symbol};
 use std::collections::BTreeMap;
@@ -132,15 +132,16 @@ pub struct Elimination {
     pub pivots: Vec<(usize, Symbol)>,
     /// The unknowns in terms of those that remain, and of the residuals of the rows.
     pub values: BTreeMap<Symbol, Affine>,
-    /// Of rows that say nothing about any unknown after the others: these others and themselves.
+    /// Rows without a pivot: each with the rows on which it depends.
     pub dependent: Vec<Vec<usize>>,
 }
 
-/// Gauss–Jordan elimination of as many rows = 0 as have a pivot, each with a number as its name. Divisions are by numbers alone, so that no choice of
-/// parameters makes one fail: a row whose coefficients all depend on parameters stays.
+/// Gauss–Jordan elimination of as many rows = 0 as have a pivot, each with a number as its name. Divisors are numbers
+/// only, so that no division fails for any parameters; a row whose coefficients all depend on parameters is not
+/// eliminated.
 ///
 /// The pivot is a coefficient ±1 if there is one, else the largest number, and of several the last. `vanishes` tells a
-/// coefficient that is zero but for rounding.
+/// coefficient that is zero except for rounding.
 pub fn eliminate(
     graph: &mut Graph,
     rows: &[(usize, Affine)],

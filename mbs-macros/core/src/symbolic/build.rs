@@ -74,7 +74,7 @@ impl Graph {
         }
         collect(&mut flat);
         self.pythagoras(&mut flat, &mut constant);
-        // 3 (x + y) − 2 (x + y) is x + y, flat: coefficients may have become ±1 only now.
+        // 3 (x + y) − 2 (x + y) becomes x + y: a coefficient may be ±1 only after the terms were collected.
         while flat.iter().any(|&(term, c)| self.dissolves(term, c)) {
             for (term, coefficient) in std::mem::take(&mut flat) {
                 self.flatten_term(term, coefficient, &mut constant, &mut flat);
@@ -116,7 +116,7 @@ impl Graph {
         coefficient.abs() == 1.0 && matches!(self.node(term), Node::Sum { .. })
     }
 
-    /// A nested sum is dissolved where that costs no multiplication: coefficient ±1, or a single scaled term.
+    /// A nested sum is flattened if this needs no multiplication: coefficient ±1, or a single scaled term.
     fn flatten_term(
         &mut self,
         term: Expr,

@@ -56,7 +56,8 @@ impl Graph {
                 partial,
                 arguments,
             } => {
-                // Laws supply first partials; a second one cannot be asked for (model::check refuses laws in rows).
+                // Laws give first partials only; second ones are not needed, because laws are refused in rows
+                // (model::check).
                 let mut terms = Vec::new();
                 for (slot, &argument) in arguments.iter().enumerate() {
                     let inner = self.derivative(argument, symbol);

@@ -1,4 +1,4 @@
-//! The interpreter: numbers for symbols. Slow and simple, the oracle against which generated code is tested.
+//! The interpreter: numbers for symbols. Slow and simple; tests compare generated code with it.
 
 use super::{Expr, Function, Graph, Map, Node, Symbol};
 

@@ -1,4 +1,4 @@
-//! Gradients by the reverse mode: all derivatives of a scalar for the price of a few times itself, however many there are.
+//! Gradients by the reverse mode: all derivatives of a scalar cost a few times the scalar, for any number of symbols.
 //!
 //! Forward derivatives cost as much as the expression, once for each symbol. Where one scalar is differentiated along all
 //! coordinates (∂T/∂q of a chain of n bodies), going backwards keeps the cost linear in n.

@@ -1,8 +1,8 @@
 //! Maps with small keys (indices, symbols, nodes).
 //!
-//! Procedural macros run unoptimised in users' builds, where the standard hasher, made to withstand an attacker, takes
-//! most of the time of a derivation. A multiplication and a rotation per word serve as well here, and make every run
-//! the same.
+//! Procedural macros run unoptimised in users' builds, where the standard hasher, which is secure but slow, takes most
+//! of the time of a derivation. A multiplication and a rotation per word serve as well here, and make every run the
+//! same.
 
 use std::collections::{HashMap, HashSet};
 use std::hash::{BuildHasher, BuildHasherDefault, Hasher};
@@ -34,12 +34,12 @@ impl Hasher for Mixer {
     }
 
     fn write_u64(&mut self, word: u64) {
-        // An odd number without pattern: the fraction of π.
+        // An odd number without a pattern: the hexadecimal digits of π after the point.
         self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x243f_6a88_85a3_08d3);
     }
 
     fn finish(&self) -> u64 {
-        // Multiplication mixes upwards; tables look at the low bits, too.
+        // Multiplication mixes upwards; tables use the low bits, too.
         self.0.rotate_left(26)
     }
 }

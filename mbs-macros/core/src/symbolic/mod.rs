@@ -60,7 +60,7 @@ pub enum Symbol {
     Coordinate(u32),
     /// The same of a generalized rotation, by the index of its first velocity.
     Rotation(u32, u8),
-    /// What a joint angle was when it was last counted: it tells the full turns.
+    /// The last value of a counted joint angle, which determines the full turns.
     UnwrappedAngle(u32),
     /// An element of q as it is stored: what the three above become in generated code.
     Stored(u32),
@@ -155,7 +155,7 @@ pub enum Function {
     Step,
     /// The nearest integer
     Round,
-    /// Its argument: marks what the reduction may know by a shorter name. No substitution leaves it.
+    /// Its argument: marks an expression that the reduction can replace by a coordinate. Substitution removes it.
     Same,
 }
 
@@ -253,7 +253,7 @@ impl Graph {
             && let [(opposite, sign)] = **terms
             && sign.value() == -1.0
         {
-            // What will be computed is the opposite.
+            // The value that will be computed is the negative.
             self.hints
                 .entry(opposite)
                 .or_insert_with(|| format!("minus_{name}"));

@@ -2,7 +2,7 @@
 //! n = (−sin α, cos α): their scalar product depends on differences of angles only.
 //!
 //! Two bars, the second in an angle θ against the first, have cos β cos(β + θ) + sin β sin(β + θ) in their mass matrix,
-//! which is cos θ. No rule about sums and products alone finds that.
+//! which is cos θ. The rules for sums and products do not find this.
 
 use super::{Expr, Function, Graph, Node};
 use std::collections::BTreeMap;

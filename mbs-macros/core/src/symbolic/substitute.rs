@@ -49,7 +49,7 @@ impl Graph {
                     .collect();
                 self.product(&factors)
             }
-            // The mark has done its work: see `Substitution::equate`.
+            // The mark is not needed any more: see `Substitution::equate`.
             Node::Function(Function::Same, x) => self.substitute(x, substitution),
             Node::Function(function, x) => {
                 let x = self.substitute(x, substitution);

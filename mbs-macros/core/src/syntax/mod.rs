@@ -14,7 +14,7 @@ pub use parse::parse;
 /// How deep expressions may be nested: deeper ones would exhaust the stack of the compiler.
 pub const MAX_DEPTH: usize = 400;
 
-/// What is said of deeper ones.
+/// The message for deeper ones.
 pub const TOO_DEEP: &str =
     "this is nested too deeply; name parts of it by `Let`, and declare names before their use";
 
@@ -33,7 +33,7 @@ pub struct Declaration {
     pub deny_redundant: bool,
     /// All other entries, in order.
     pub entries: Vec<Entry>,
-    /// Names of entries that could not be read but seem to be parameters: the user's program knows their fields.
+    /// Names of entries that could not be read but seem to be parameters: the user's program uses their fields.
     pub lost: Vec<Ident>,
     /// The tokens, as text.
     pub text: String,

@@ -1,4 +1,4 @@
-//! The parser: entries are split at commas first, so that one broken entry does not hide the others.
+//! The parser: entries are split at commas first, so that an error in one entry does not hide errors in others.
 
 use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
 use crate::diagnostics::{Errors, Place, did_you_mean, nearest};
@@ -69,7 +69,7 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
     Some(declaration)
 }
 
-/// Whether the entry has found its place.
+/// Whether the entry was stored.
 fn place(entry: Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) -> bool {
     if schema::RESERVED.contains(&entry.name.to_string().as_str()) {
         errors.at(
@@ -148,7 +148,7 @@ fn place(entry: Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mu
     true
 }
 
-/// The name of the mechanism, wherever the rest goes wrong.
+/// The name of the mechanism, also if other parts have errors.
 fn name_of(tokens: &TokenStream) -> Option<Ident> {
     tokens.clone().into_iter().find_map(|token| match token {
         TokenTree::Ident(name) => syn::parse2(name.into_token_stream()).ok(),

@@ -9,10 +9,10 @@
 //!
 //! The impulse of a row over a step is that of the last term of (21), [M̄μ] + h/2 Σ (c̄μ + k̄λ − f̄).
 //!
-//! The modified augmented Lagrangian (M-ALF) that section 7.2 compares with is the same algorithm with other coefficients
-//! ([`RowMotion::Static`]). Its rows feel λ alone, so that λ₁ follows μ₁ within Newton's method, multipliers are never
-//! reset, and the first ones are those of the equations at acceleration level. The term Ξφ of λ̄ is left out: where ψ̇ = 0
-//! decides, it would only displace λ.
+//! The modified augmented Lagrangian (M-ALF) that section 7.2 compares with is the same algorithm with other
+//! coefficients ([`RowMotion::Static`]). The force of its rows depends on λ alone. So λ₁ is updated with μ₁ within
+//! Newton's method, multipliers are never reset, and the first ones are those of the equations at acceleration level.
+//! The term Ξφ of λ̄ is left out: as ψ̇ = 0 is the condition, it would only shift λ.
 //!
 //! The numbers in the comments are the lines of Algorithm 1. At singular poses the impulse acts along the row of
 //! mid-step and the row is tested at the end of the step: with tight tolerances or long steps no multiplier satisfies it.
@@ -97,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         Ok(stepper)
     }
 
-    /// Advances by h seconds, in smaller steps where Algorithm 1 asks for them.
+    /// Advances by h seconds, in smaller steps if Algorithm 1 halves them.
     ///
     /// # Errors
     /// [`SimulationError::StepUnderflow`] with the row that cannot be satisfied.
@@ -106,7 +106,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, self.state.time, h))
     }
 
-    /// Where it stands.
+    /// The current state.
     pub fn state(&self) -> &State<Q, N, R> {
         &self.state
     }
@@ -151,7 +151,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         Ok(())
     }
 
-    /// Lines 1 and 2 with the step control around the algorithm: halve on failure, double back after success.
+    /// Lines 1 and 2 with the step control of the algorithm: the step is halved after a failure and doubled again after
+    /// a success.
     fn advance(&mut self, h: f64) -> Result<(), Fault> {
         if !(h.is_finite() && h > 0.0) {
             return Err(Fault::NonFinite("step"));
@@ -172,7 +173,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             match self.try_step(trial) {
                 Ok(()) => {
                     let fields = &mut self.state.fields;
-                    // What is left of the nominal step may be less.
+                    // The remainder of the nominal step may be shorter.
                     fields.shortest = fields.shortest.min(size);
                     left -= trial;
                     if left < 1e-9 * h {

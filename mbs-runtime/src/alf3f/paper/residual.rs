@@ -1,4 +1,4 @@
-//! What is left of the equations (75) and of the rows, and whether line 32 of Algorithm 1 is content with it.
+//! The residuals of the equations (75) and of the rows, and the test of line 32 of Algorithm 1.
 
 use super::PaperStepper;
 use super::rows::{RowMotion, Unknowns};
@@ -6,8 +6,8 @@ use crate::System;
 use crate::linear::{dot, largest, vector};
 use nalgebra::SVector;
 
-/// What Newton's iteration leaves of ψ̇, relative to its tolerance: its last correction is smaller than the one before by
-/// more than this.
+/// The residual ψ̇ after Newton's iteration, relative to its tolerance: the last correction reduces the one before by
+/// more than this factor.
 const NEWTON_NOISE: f64 = 1e-2;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperStepper<S, Q, N, R> {
@@ -32,7 +32,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
             dot(x, &y).sqrt()
         };
         let scale = dot(self.end.mechanical_momentum(), &x.v).sqrt() + h * size(self.end.force());
-        // Newton's tolerance leaves a ψ̇ that the penalty multiplies: no smaller residual can be asked for.
+        // Newton's method leaves a residual ψ̇, which is multiplied by the penalty: a smaller ℜ cannot be reached.
         let floor = NEWTON_NOISE * self.settings.newton_tolerance * self.heaviest_penalty(h, x);
         size(&residual) <= self.settings.residual_tolerance.max(floor) * scale
     }
@@ -46,8 +46,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         weights.fold(0.0, f64::max)
     }
 
-    /// What is left of the rows over a step, as velocities: ψ̇ where a row has no stiffness of its own, else the discrete
-    /// form of (31), [m̄ψ̇] + h/2 Σ (c̄ψ̇ + k̄φ) divided by m̄ + h/2 c̄. The latter lets φ move, and brings it back.
+    /// The residuals of the rows over a step, as velocities: ψ̇ where a row has no stiffness of its own, else the
+    /// discrete form of (31), [m̄ψ̇] + h/2 Σ (c̄ψ̇ + k̄φ) divided by m̄ + h/2 c̄. The latter allows φ ≠ 0 and reduces
+    /// it.
     pub(super) fn defects(&self, h: f64, v: &SVector<f64, N>) -> SVector<f64, R> {
         let (start, end) = (&self.start, &self.end);
         let rates = end.geometry.velocity_rows(&self.system, v);

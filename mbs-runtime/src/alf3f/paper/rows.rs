@@ -1,4 +1,4 @@
-//! The constraints as the paper sees them: rows with mass, damping and stiffness of their own, (18)–(20).
+//! The constraints as in the paper: rows with mass, damping and stiffness of their own, (18)–(20).
 
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;

@@ -1,4 +1,4 @@
-//! Line 3 of Algorithm 1: what a step begins from, and its first estimates.
+//! Line 3 of Algorithm 1: the start values of a step, and its first estimates.
 
 use super::rows::{Instant, RowMotion, Unknowns};
 use crate::dynamics::Dynamics;
@@ -46,9 +46,9 @@ impl<const N: usize, const R: usize> Origin<N, R> {
 
 /// v⁰, μ⁰, q⁰, λ⁰ and ξ⁰ of a step of h.
 ///
-/// The change of μ over a step is the impulse of its row, so that it scales with h. M-ALF, whose rows feel λ alone, starts
-/// at λ₀, that is with μ = −μ₀: λ₁ = λ₀ + h/2 (μ₀ + μ₁). At λ₀ + h μ₀ an error of μ would come back with the opposite
-/// sign in each step.
+/// The change of μ over a step is the impulse of its row, so that it scales with h. M-ALF, in which the force of the
+/// rows depends on λ alone, starts at λ₀, that is with μ = −μ₀: λ₁ = λ₀ + h/2 (μ₀ + μ₁). With λ₀ + h μ₀ an error of μ
+/// would change its sign in each step and not decay.
 pub(super) fn estimate<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &PaperSettings,

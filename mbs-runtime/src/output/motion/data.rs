@@ -1,4 +1,4 @@
-//! What a page knows of a run, as JSON.
+//! The data of a run for the page, as JSON.
 //!
 //! A quantity over time is a *column*: an array with a value per frame, or one number where it never changes.
 
@@ -10,7 +10,7 @@ use crate::{Model, World};
 /// Frames beyond this number are thinned out: a screen shows no more, and the file stays small.
 const MOST_FRAMES: usize = 2001;
 
-/// Numbers beyond this number are thinned out too, as far as a motion stays one.
+/// If there are more numbers than this, frames are thinned out further, as long as the motion stays smooth.
 const MOST_NUMBERS: usize = 400_000;
 const FEWEST_FRAMES: usize = 1000;
 
@@ -115,7 +115,7 @@ fn column(
     }
 }
 
-/// One point for each of the different ways through space, and for each point the index of its way.
+/// One point for each different path in space, and for each point the index of its path.
 fn tracks(model: &Model, frames: &[Frame]) -> (Vec<usize>, Vec<usize>) {
     let tolerance = SAME * extent(frames.iter().flat_map(|f| f.points.iter().flatten()));
     let same = |a: usize, b: usize| {

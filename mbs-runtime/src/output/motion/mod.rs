@@ -22,7 +22,7 @@ const PROGRAM: [&str; 5] = [
 
 /// Writes the animation of `frames`.
 ///
-/// `title` heads the page; `stopped` says why the run ended before its end, if it did.
+/// `title` is the heading of the page; `stopped` is the reason if the run ended early.
 ///
 /// # Errors
 /// `out` cannot be written.

@@ -1,4 +1,4 @@
-//! Elimination without zeros, for systems too large for dense arrays.
+//! Sparse elimination, for systems too large for dense arrays.
 //!
 //! The kicks and projections of a step are solutions with
 //!
@@ -7,8 +7,8 @@
 //!     [ A₁  0  ]      [ −κ ]   [ r ]
 //! ```
 //!
-//! which is as sparse as the mechanism, while M⁻¹, and with it A₁M⁻¹A₀ᵀ, is full for a chain. The order of elimination and
-//! with it the place of every entry and of all fill are chosen here, once; the code that runs knows no indices.
+//! which is as sparse as the mechanism, while M⁻¹, and with it A₁M⁻¹A₀ᵀ, is full for a chain. The order of elimination,
+//! and so the index of every entry and of all fill, is chosen here; the generated code has no index arrays.
 
 mod order;
 mod stretches;
@@ -29,9 +29,9 @@ const SOLUTIONS: usize = 3;
 /// The elimination of a sparse symmetric pattern.
 #[derive(Debug, Clone)]
 pub struct Elimination {
-    /// Where each unknown stands in the order: the velocities, then the rows.
+    /// The position of each unknown in the order: the velocities, then the rows.
     pub positions: Vec<usize>,
-    /// What each turn eliminates.
+    /// The columns, in the order of elimination.
     pub columns: Vec<Column>,
     /// Length of the array of entries: of each column the pivot, then what is below it.
     pub slots: usize,
@@ -132,7 +132,7 @@ impl Elimination {
         for (position, &unknown) in order.iter().enumerate() {
             positions[unknown] = position;
         }
-        // What a column holds below its first entry, that entry's column holds too: fill.
+        // Fill: the entries of a column below its first one are also entries of the column of the first one.
         let mut below: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); order.len()];
         for (position, &unknown) in order.iter().enumerate() {
             let later = neighbours[unknown].iter().map(|&other| positions[other]);

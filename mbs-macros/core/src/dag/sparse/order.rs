@@ -2,17 +2,17 @@
 
 use std::collections::BTreeSet;
 
-/// Minimum degree: at each turn the unknown that couples the fewest of those left, of equals the first.
+/// Minimum degree: each time the unknown with the fewest couplings to the remaining unknowns; of equals the first.
 ///
-/// A row waits for all velocities that it couples. Then every leading part of the matrix is that of a mechanism with
-/// whole rows, whose pivots are those of M (positive) and of the rows' Schur complement (negative), and a row's pivot
-/// vanishes only where rows lose their independence.
+/// A row comes after all velocities that it couples. Then every leading part of the matrix is that of a mechanism
+/// with whole rows, whose pivots are those of M (positive) and of the rows' Schur complement (negative), and a row's
+/// pivot vanishes only where rows lose their independence.
 pub(super) fn minimum_degree(
     mut neighbours: Vec<BTreeSet<usize>>,
     velocities: usize,
 ) -> Vec<usize> {
     let count = neighbours.len();
-    // Fill makes rows neighbours of more velocities than they couple.
+    // With fill a row has more neighbours than the velocities that it couples.
     let coupled = neighbours.clone();
     let mut waits_for: Vec<usize> = (0..count)
         .map(|unknown| match unknown < velocities {

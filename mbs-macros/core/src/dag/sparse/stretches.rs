@@ -4,7 +4,7 @@ use super::Elimination;
 
 /// Longest group of columns that is looked for.
 const LONGEST: usize = 32;
-/// With fewer repetitions a loop is not worth its window.
+/// With fewer repetitions a loop has no advantage.
 const FEWEST: usize = 3;
 
 /// Columns that follow each other.
@@ -26,7 +26,7 @@ struct Shape {
     targets: Vec<usize>,
 }
 
-/// Splits the columns into stretches, the longest loops first come, first served.
+/// Splits the columns into stretches: at each column the longest loop that begins there.
 pub(super) fn find(elimination: &Elimination) -> Vec<Stretch> {
     let shapes: Vec<Shape> = (0..elimination.columns.len())
         .map(|position| shape(elimination, position))

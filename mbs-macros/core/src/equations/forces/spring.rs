@@ -4,7 +4,7 @@ use super::action::Action;
 use crate::model::elements::force::{Characteristic, Load};
 use crate::symbolic::{Expr, Graph};
 
-/// The action against a growing deflection.
+/// The action that opposes a growing deflection.
 pub(super) fn action(
     graph: &mut Graph,
     characteristic: &Characteristic,

@@ -1,4 +1,4 @@
-//! The frames by which a spatial joint takes hold of its partners, as declared.
+//! The frames of a spatial joint on its partners, as declared.
 
 use super::Arguments;
 use crate::diagnostics::Place;

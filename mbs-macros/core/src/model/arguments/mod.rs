@@ -1,4 +1,4 @@
-//! The arguments of an entry, read as what the schema says they are.
+//! The arguments of an entry, read according to the schema.
 
 mod attachments;
 mod checks;
@@ -14,8 +14,8 @@ use crate::symbolic::{Expr, Graph};
 use crate::syntax::Entry;
 use syn::Expr as Syntax;
 
-/// Reads the arguments of one entry. Every reader answers `None` where the argument is absent or wrong (and then the
-/// error is recorded).
+/// Reads the arguments of one entry. Every reader returns `None` if the argument is absent or wrong (then the error
+/// is recorded).
 pub struct Arguments<'r, 'd> {
     resolver: &'r mut Resolver<'d>,
     entry: &'r Entry,

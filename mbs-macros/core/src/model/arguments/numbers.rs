@@ -8,7 +8,7 @@ use crate::symbolic::Expr;
 use syn::Expr as Syntax;
 
 impl Arguments<'_, '_> {
-    /// A scalar of the dimension that the schema asks for.
+    /// A scalar of the dimension in the schema.
     pub fn scalar(&mut self, field: &str) -> Option<Expr> {
         let syntax = self.syntax(field)?;
         let (expr, dimension) = self.resolver.scalar(syntax)?;

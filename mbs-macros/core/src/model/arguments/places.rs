@@ -10,7 +10,7 @@ use crate::symbolic::Expr;
 use syn::Expr as Syntax;
 
 impl Arguments<'_, '_> {
-    /// A vector of the dimension that the schema asks for.
+    /// A vector of the dimension in the schema.
     pub fn vector(&mut self, field: &str) -> Option<Vector> {
         let syntax = self.syntax(field)?;
         let (vector, dimension) = self.resolver.vector(syntax)?;

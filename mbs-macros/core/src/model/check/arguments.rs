@@ -83,7 +83,7 @@ fn entry_arguments(resolver: &mut Resolver, entry: &Entry, kind: &Kind) {
         }
     }
     if misplaced {
-        // What seems to be missing may be what stands in the wrong place, and what is wrong besides may follow from it.
+        // A missing argument may be one in the wrong position, which may also cause the other errors.
         resolver.misplaced.insert(entry.name.to_string());
         return;
     }

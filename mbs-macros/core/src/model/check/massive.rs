@@ -7,7 +7,7 @@ use crate::symbolic::{Graph, Symbol};
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 
-/// Something moves, and with every coordinate moves some mass.
+/// There is at least one coordinate, and every coordinate moves a mass.
 pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) {
     if !resolver.errors.is_empty() {
         return;
@@ -20,7 +20,7 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) 
         .flat_map(|part| heavy_locals(graph, part))
         .filter_map(|local| coordinate(&local))
         .collect();
-    // Of the parts that share a massless coordinate the first answers for it.
+    // Of the parts that share a massless coordinate the first gets the error.
     let mut known = heavy.clone();
     let mut massless: Vec<(Span, String)> = Vec::new();
     for part in &resolver.parts {

@@ -11,7 +11,7 @@ pub struct JointEntry {
     pub name: String,
     /// Where it is declared.
     pub span: Span,
-    /// What it says.
+    /// Its data.
     pub joint: Joint,
 }
 
@@ -20,6 +20,6 @@ pub struct JointEntry {
 pub struct ForceEntry {
     /// The name of its entry.
     pub name: String,
-    /// What it does.
+    /// Its data.
     pub force: Force,
 }

@@ -4,14 +4,14 @@ use crate::model::geometry::Tensor;
 use crate::model::geometry::{Axes, Owner, Point, Vector};
 use crate::symbolic::Expr;
 
-/// A force element: where it acts, and what it is.
+/// A force element: its points and parts, and its sort.
 #[derive(Debug, Clone)]
 pub struct Force {
     /// The points it acts on.
     pub points: Vec<Point>,
-    /// Parts it acts on otherwise than by points.
+    /// Parts on which it acts without points.
     pub owners: Vec<Owner>,
-    /// What it is.
+    /// Its sort.
     pub element: ForceElement,
 }
 
@@ -20,14 +20,14 @@ pub struct Force {
 pub enum ForceElement {
     /// A spring and damper along the line between two points.
     Spring {
-        /// From here.
+        /// The first point.
         from: Vector,
-        /// To here.
+        /// The second point.
         to: Vector,
         /// Its tension.
         characteristic: Characteristic,
     },
-    /// A spring and damper against turning.
+    /// A rotational spring and damper.
     TorsionSpring {
         /// The angle of the child and of the parent.
         angles: [Expr; 2],
@@ -38,7 +38,7 @@ pub enum ForceElement {
     },
     /// A force and a torque, given by components.
     Wrench {
-        /// Where the force acts.
+        /// The point on which the force acts.
         at: Vector,
         /// The force in components of `axes`.
         force: Vector,
@@ -47,14 +47,14 @@ pub enum ForceElement {
         /// The axes of the components.
         axes: Axes,
     },
-    /// Scalar forces against rates.
+    /// Scalar forces with their rates.
     Loads(Vec<Load>),
     /// Springs and dampers in all six directions.
     Bushing(Box<Bushing>),
 }
 
-/// A scalar force against the rate it works on: its power is their product, its generalized force on coordinate i
-/// is force · ∂rate/∂vᵢ.
+/// A scalar force and a rate: its power is their product, its generalized force on coordinate i is force ·
+/// ∂rate/∂vᵢ.
 #[derive(Debug, Clone, Copy)]
 pub struct Load {
     /// Linear in the velocities.
@@ -63,7 +63,7 @@ pub struct Load {
     pub force: Expr,
 }
 
-/// How a spring and damper answers to a deflection: linearly, or by a user's law of [deflection, rate].
+/// The characteristic of a spring and damper: linear, or a user's law of [deflection, rate].
 #[derive(Debug, Clone)]
 pub enum Characteristic {
     /// Stiffness · (deflection − free) + damping · rate.
@@ -72,7 +72,7 @@ pub enum Characteristic {
         stiffness: Expr,
         /// Force per rate.
         damping: Expr,
-        /// The deflection without force.
+        /// The deflection at which the force is zero.
         free: Expr,
     },
     /// By its index.
@@ -86,16 +86,16 @@ pub struct Bushing {
     pub origins: [Vector; 2],
     /// The axes of the parent's and of the child's frame.
     pub axes: [Axes; 2],
-    /// Angular velocity of the child against the parent, in the ground's axes.
+    /// Angular velocity of the child relative to the parent, in the ground's axes.
     pub spin: Vector,
-    /// Against displacement.
+    /// Stiffness for displacements.
     pub stiffness: Tensor,
-    /// Against velocity.
+    /// Damping for velocities.
     pub damping: Tensor,
-    /// Against turning.
+    /// Stiffness for rotations.
     pub torsion_stiffness: Tensor,
-    /// Against angular velocity.
+    /// Damping for angular velocities.
     pub torsion_damping: Tensor,
-    /// Force against turning, and torque against displacement.
+    /// Coupling of forces with rotations and of torques with displacements.
     pub cross_stiffness: Tensor,
 }

@@ -5,22 +5,23 @@ use crate::model::geometry::{Owner, Point};
 use crate::model::mobilizer::Mobilizer;
 use crate::symbolic::Expr;
 
-/// What a joint or constraint says of its partners.
+/// The conditions of a joint or constraint on its partners, and its reaction.
 #[derive(Debug, Clone, Default)]
 pub struct Joint {
-    /// What it demands.
+    /// Its conditions.
     pub conditions: Vec<Condition>,
     /// The force and torque on the child.
     pub reactions: Vec<ReactionComponent>,
     /// The points it holds; its reaction acts on the last.
     pub points: Vec<Point>,
-    /// Parts that it holds otherwise than by points.
+    /// Parts that it holds without points.
     pub owners: Vec<Owner>,
-    /// Two points that coincide (guesses are carried along such pairs).
+    /// Two points that coincide (guesses are propagated along such pairs).
     pub coincident: Option<[Point; 2]>,
-    /// Parent and child point, if the joint says no more than that they coincide: then they may be merged.
+    /// Parent and child point, if the joint has no other condition than their coincidence: then they may
+    /// be merged.
     pub merges: Option<[Point; 2]>,
-    /// What it leaves free between its partners, if joint coordinates can take its place.
+    /// The freedoms between its partners, if they can become joint coordinates.
     pub mobilizer: Option<Mobilizer>,
 }
 
@@ -37,7 +38,7 @@ pub struct Condition {
     pub dimension: Option<Dimension>,
 }
 
-/// At which level a condition is given.
+/// The level of a condition.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Level {
     /// φ(q, t) = 0.

@@ -1,5 +1,4 @@
-//! Joints, conditions and force elements, as data: what each says of parts and their points. What they mean as equations is
-//! stage 3.
+//! Joints, conditions and force elements, as data in terms of parts and their points. Stage 3 derives their equations.
 
 mod element;
 pub mod force;

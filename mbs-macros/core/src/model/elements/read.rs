@@ -8,7 +8,7 @@ use crate::model::resolver::Resolver;
 use crate::schema::Group;
 
 impl Resolver<'_> {
-    /// All joints, conditions and force elements, in the order of the declaration; bars keep their lengths after them.
+    /// All joints, conditions and force elements, in the order of the declaration, and then the lengths of bars.
     pub(in crate::model) fn elements(&mut self) -> (Vec<JointEntry>, Vec<ForceEntry>) {
         let (mut found_joints, mut found_forces) = (Vec::new(), Vec::new());
         for entry in &self.declaration.entries {
@@ -49,7 +49,7 @@ impl Resolver<'_> {
                 );
             }
         }
-        // The length of a bar in natural coordinates is a row of its own.
+        // The length of a bar in natural coordinates is a separate row.
         for part in &self.parts {
             if let (Representation::Natural, Some(length)) = (&part.representation, part.length) {
                 let joint = joints::bar_length(part, length, &mut self.graph);

@@ -71,7 +71,7 @@ impl Resolver<'_> {
                     World::Spatial => Value::Vector(product, dimension),
                 })
             }
-            // What is left of a vector without its part along another.
+            // The part of a vector that is perpendicular to another.
             "reject" => {
                 let [a, from] = self.take(arguments, name, span)?;
                 let ((a, dimension), (from, _)) = (self.vector(a)?, self.vector(from)?);

@@ -1,7 +1,7 @@
 //! Initial poses in the plane: what was declared, carried along the joints from the ground outwards.
 //!
-//! A part is placed when its angle and one of its points are known, or two of its points; then all its points are known
-//! and place its neighbours. What stays unknown starts at angle 0 and position 0; assembly has the last word.
+//! The pose of a part is known if its angle and one of its points are known, or two of its points; then all its points
+//! are known, and its neighbours follow. Unknown angles and positions start at 0; assembly corrects all of them.
 
 use super::guesses::Guesses;
 use crate::model::elements::JointEntry;

@@ -9,8 +9,8 @@ use crate::model::parts::{Part, Representation};
 use crate::model::resolver::Resolver;
 use crate::model::tree::Tree;
 
-/// The home pose as initial guess. Velocities that were not declared are carried along the joints from the ground
-/// outwards; what stays unknown starts at rest, and assembly has the last word.
+/// The home pose as initial guess. Velocities that were not declared are computed along the joints from the ground
+/// outwards. Unknown ones start at zero, and assembly corrects all of them.
 pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tree) -> Guesses {
     let mut guesses = Guesses::default();
     let parts = resolver.parts.clone();

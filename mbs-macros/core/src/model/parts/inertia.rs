@@ -58,7 +58,7 @@ impl Arguments<'_, '_> {
         Some((self.shape_inertia(shape, mass), Some(shape)))
     }
 
-    /// A slender bar has its ends only: these arguments would say more.
+    /// A slender bar has only its ends, so that these arguments do not apply.
     pub fn slender_bar(&mut self, fields: &[&str]) -> Option<()> {
         match fields.iter().find(|field| self.has(field)) {
             Some(field) => self.fail(field, format!("a slender bar takes its velocities from its joints; for `{field}` give it a `radius =` or `inertia =`")),

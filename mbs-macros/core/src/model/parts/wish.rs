@@ -1,4 +1,4 @@
-//! What a part asks for by `coordinates =`.
+//! The `coordinates =` of a part.
 
 use crate::diagnostics::Place;
 use crate::model::formulation::{COORDINATES, Formulation, asked};
@@ -6,7 +6,7 @@ use crate::model::resolver::Resolver;
 use crate::syntax::Entry;
 
 impl Resolver<'_> {
-    /// What a part asks for by `coordinates =`, of what is possible for it; `None` is what the mechanism takes.
+    /// The `coordinates =` of a part, one of those possible for it; `None` is the choice of the mechanism.
     pub(super) fn wish(&mut self, entry: &Entry, possible: &[Formulation]) -> Option<Formulation> {
         entry.named(COORDINATES)?;
         if let Some(frame) = entry.named("frame") {

@@ -1,4 +1,4 @@
-//! How a spring and damper answers, as declared.
+//! The characteristic of a spring and damper, as declared.
 
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::Characteristic;

@@ -14,7 +14,7 @@ pub(in crate::model) fn bar_length(part: &Part, length: Expr, graph: &mut Graph)
         *x = graph.sub(b, a);
     }
     let expr = half_square_difference(graph, difference, length);
-    // The multiplier is a physical force only where the bar has no inertia of its own: its tension, −λ L.
+    // The multiplier is a physical force only if the bar has no inertia: its tension, −λ L.
     let reactions = match graph.is_zero(part.mass) {
         true => {
             let coefficient = graph.neg(length);

@@ -42,7 +42,8 @@ pub(super) fn moves(arguments: &mut Arguments, expr: Expr) -> bool {
         .depends_on(expr, Symbol::is_local_position)
 }
 
-/// A condition on positions may not have velocities, inputs, or laws (whose second derivatives nobody supplies).
+/// A condition on positions may not have velocities, inputs, or laws, whose second derivatives are not
+/// available.
 pub(super) fn check(arguments: &mut Arguments, field: &str) -> Option<()> {
     arguments.refuse(
         field,

@@ -1,5 +1,5 @@
 //! Joints and constraints as they are declared, one file each. Joints of one world are in `planar` and `spatial`,
-//! conditions of both here.
+//! those of both worlds here.
 
 mod bar_length;
 mod conditions;

@@ -25,7 +25,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         }
     }
     let [parent, child] = owners.map(|owner| arguments.frame(owner));
-    // Parts that turn against a spring have an angle: see `model::needs_angle`.
+    // Parts with a rotational spring have an angle: see `model::needs_angle`.
     let zero = arguments.graph().zero();
     let angle_of = |angle: Option<Expr>| angle.unwrap_or(zero);
     Some(Force {

@@ -39,8 +39,7 @@ pub(super) fn read(arguments: &mut Arguments, parent: &Point, child: &Point) -> 
 }
 
 impl Alignment {
-    /// What is left free between two points whose frames keep this angle: sliding along `axis`, a direction in the parent's
-    /// axes, or nothing.
+    /// The freedoms of two points whose frames keep this angle: sliding along `axis` (in the parent's axes), or none.
     pub(super) fn mobilizer(
         &self,
         graph: &mut Graph,
@@ -67,8 +66,8 @@ impl Alignment {
         }
     }
 
-    /// θ_child − θ_parent − angle where both frames have an angle; else sin of the same from the directions. Either way
-    /// the multiplier is the torque on the child.
+    /// θ_child − θ_parent − angle if both frames have an angle; otherwise its sine, from the directions. Either way the
+    /// multiplier is the torque on the child.
     pub(super) fn condition(&self, graph: &mut Graph) -> Condition {
         let expr = match (self.parent.angle, self.child.angle) {
             (Some(parent), Some(child)) => {

@@ -1,4 +1,4 @@
-//! The angles of two parts against the ground keep a ratio.
+//! The angles of two parts relative to the ground have a constant ratio.
 
 use super::held::torque;
 use crate::dimension::Dimension;

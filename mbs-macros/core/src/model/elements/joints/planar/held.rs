@@ -1,4 +1,5 @@
-//! Conditions that joints of the plane share, with what their multipliers do to the child.
+//! Conditions that joints of the plane share, with the forces and torques of their multipliers on
+//! the child.
 
 use crate::dimension::Dimension;
 use crate::model::elements::joint::{Condition, Joint, ReactionComponent};

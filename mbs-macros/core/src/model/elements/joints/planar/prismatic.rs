@@ -1,4 +1,4 @@
-//! The child slides along an axis of the parent and does not turn against it.
+//! The child slides along an axis of the parent and does not rotate relative to it.
 
 use super::alignment;
 use super::held::{across, torque};

@@ -1,4 +1,4 @@
-//! Conditions between two frames, with what their multipliers do to the child.
+//! Conditions between two frames, with the forces and torques of their multipliers on the child.
 
 use crate::dimension::Dimension;
 use crate::model::elements::joint::{Condition, Joint, ReactionComponent};
@@ -6,7 +6,8 @@ use crate::model::geometry::Vector;
 use crate::model::joint_frames::JointFrames;
 use crate::symbolic::{Expr, Graph};
 
-/// Collects conditions between two frames p (parent) and c (child), with what their multipliers λ do to the child.
+/// Collects conditions between two frames p (parent) and c (child), with the force and the torque of their multipliers
+/// λ on the child.
 ///
 /// | condition | φ | force on the child | torque on the child |
 /// |---|---|---|---|
@@ -14,8 +15,8 @@ use crate::symbolic::{Expr, Graph};
 /// | [`on_plane`](Builder::on_plane) | p_k · d | λ p_k | |
 /// | [`square`](Builder::square) | p_i · c_j | | λ c_j × p_i |
 ///
-/// Conditions are named by the direction that they hold: `x` or `rotation_x` where that is X in the home pose, `u`, `v`, `w`
-/// for the joint's own axes where those are none of the ground's.
+/// The name of a condition is the direction that it holds: `x` or `rotation_x` if this is X in the home pose; `u`, `v`,
+/// `w` for the joint's own axes if these are not axes of the ground.
 pub(super) struct Builder<'g> {
     pub graph: &'g mut Graph,
     frames: &'g JointFrames,
@@ -41,14 +42,14 @@ impl<'g> Builder<'g> {
         self.graph.vector_sub(child.position, parent.position)
     }
 
-    /// Another condition; answers which.
+    /// Adds a condition; returns its index.
     pub fn push(&mut self, suffix: &str, expr: Expr, dimension: Dimension) -> usize {
         let condition = Condition::position(suffix, expr, dimension);
         self.joint.conditions.push(condition);
         self.joint.conditions.len() - 1
     }
 
-    /// What λ of a condition does to the child.
+    /// The force and the torque of λ of a condition on the child.
     pub fn acts(&mut self, condition: usize, force: Option<Vector>, torque: Option<Vector>) {
         for (components, vector) in [(&mut self.force, force), (&mut self.torque, torque)] {
             for (component, x) in components.iter_mut().zip(vector.into_iter().flatten()) {

@@ -1,4 +1,4 @@
-//! Two points coincide, and the partners turn about their axes at the same rate whatever the angle between these.
+//! Two points coincide, and the partners turn about their axes at the same rate for every angle between these.
 
 use super::builder::Builder;
 use crate::dimension::Dimension;

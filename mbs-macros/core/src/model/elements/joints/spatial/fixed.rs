@@ -1,4 +1,4 @@
-//! The child neither moves nor turns against the parent.
+//! The child neither moves nor rotates relative to the parent.
 
 use super::builder::Builder;
 use crate::model::arguments::Arguments;

@@ -1,4 +1,4 @@
-//! The angles of two joints keep a ratio.
+//! The angles of two joints have a constant ratio.
 
 use super::relation::{Relation, turning};
 use crate::dimension::Dimension;

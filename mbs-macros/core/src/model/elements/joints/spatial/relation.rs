@@ -1,4 +1,4 @@
-//! Two joints whose angles or strokes a third relates.
+//! Two joints whose angles or strokes are related by a third one.
 
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;

@@ -26,7 +26,7 @@ pub(super) const KIND: JointKind = JointKind {
 
 fn read(arguments: &mut Arguments) -> Option<Joint> {
     let frames = arguments.own_frames()?;
-    // The partners' points as they were given, where they were: ends of slender bars can be merged.
+    // The points of the partners, if they were given as points: ends of slender bars can be merged.
     let points = match arguments.has("at") {
         true => None,
         false => arguments.given_points(),
