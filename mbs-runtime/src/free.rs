@@ -13,7 +13,7 @@ pub(crate) fn free<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     q: &SVector<f64, Q>,
     v: &SVector<f64, N>,
 ) -> SVector<f64, N> {
-    let mut result = SVector::zeros();
+    let mut result = crate::linear::zeros();
     if S::STRUCTURE.constant_mass && !S::STRUCTURE.velocity_forces && S::ROTATIONS.is_empty() {
         system.acceleration(t, q, &mut result);
         return result;

@@ -22,6 +22,11 @@ pub(crate) trait Closing {
     fn factor(&mut self) -> Result<bool, Fault>;
     /// One correction; returns whether the velocities have converged.
     fn solve(&mut self) -> bool;
+    /// Whether the last correction itself was round-off: a residual that is small by chance in one iteration, and larger
+    /// in the next, has not stalled.
+    fn is_settled(&self) -> bool {
+        false
+    }
     /// The residual to be reached, at most 1.
     fn enough(&self) -> f64 {
         1.0
@@ -101,7 +106,9 @@ pub(crate) fn close<C: Closing>(
         } else {
             fresh = false;
         }
-        if rows.solve() && C::VELOCITIES && (residual <= 1.0 || has_stalled(rows, residual, last)) {
+        let converged = rows.solve();
+        let stalled = has_stalled(rows, residual, last) && rows.is_settled();
+        if C::VELOCITIES && ((converged && residual <= 1.0) || stalled) {
             return Ok(Some(closed));
         }
         last = residual;

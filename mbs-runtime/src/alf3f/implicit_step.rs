@@ -103,9 +103,10 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             h,
             q: q0,
             vb: v0,
-            defect: SVector::zeros(),
-            change: SVector::zeros(),
+            defect: crate::linear::zeros(),
+            change: crate::linear::zeros(),
             size: f64::NAN,
+            settled: false,
         };
         let closed = closing::close(&mut rows, limits, false)?;
         let Balance {
@@ -212,8 +213,8 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             step: self,
             v,
             weights,
-            total: SVector::zeros(),
-            rates: SVector::zeros(),
+            total: crate::linear::zeros(),
+            rates: crate::linear::zeros(),
         };
         refine(&mut rows, passes, 0.0);
         Ok(rows.total)
@@ -238,6 +239,8 @@ struct Balance<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     change: SVector<f64, N>,
     /// Size of the last correction.
     size: f64,
+    /// Whether it was round-off.
+    settled: bool,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Balance<'_, S, Q, N, R> {
@@ -345,8 +348,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         }
         // The next correction, at the rate of this one.
         let next = size * (size / last).min(1.0);
-        next <= (ROUND_OFF * speed).max(yardstick.imperceptible(&self.q, self.h))
-            || (has_stalled(size, last) && size <= STILL * speed)
+        let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(&self.q, self.h));
+        let stalled = has_stalled(size, last) && size <= STILL * speed;
+        self.settled = size <= round_off || stalled;
+        next <= round_off || stalled
+    }
+
+    #[inline(always)]
+    fn is_settled(&self) -> bool {
+        self.settled
     }
 
     fn is_stale(&self) -> bool {

@@ -54,8 +54,8 @@ where
         kappa,
         va,
         q,
-        v: SVector::zeros(),
-        defect: SVector::zeros(),
+        v: crate::linear::zeros(),
+        defect: crate::linear::zeros(),
     };
     let closed = closing::close(&mut rows, limits, false)?;
     let Rows { kappa, q, v, .. } = rows;
@@ -229,7 +229,7 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         work,
         v,
         weights,
-        rates: SVector::zeros(),
+        rates: crate::linear::zeros(),
     };
     refine(&mut rows, passes, 0.0);
 }
@@ -275,7 +275,7 @@ fn remove_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     if holonomic == 0 {
         return;
     }
-    let mut multiplier = SVector::zeros();
+    let mut multiplier = crate::linear::zeros();
     for i in 0..holonomic {
         multiplier[i] = -dot(&end.a[i], x);
     }

@@ -27,8 +27,8 @@ impl<const Q: usize, const N: usize, const R: usize> Leapfrog<Q, N, R> {
         Leapfrog {
             h: 0.0,
             t1: 0.0,
-            base: SVector::zeros(),
-            half_kick: SVector::zeros(),
+            base: crate::linear::zeros(),
+            half_kick: crate::linear::zeros(),
             drift: (!S::ROTATIONS.is_empty()).then(Drift::new),
         }
     }

@@ -47,10 +47,10 @@ impl<const Q: usize, const N: usize, const R: usize> Midpoint<Q, N, R> {
         Box::new(Midpoint {
             h: 0.0,
             t0: 0.0,
-            q0: SVector::zeros(),
-            start: SVector::zeros(),
-            middle: SVector::zeros(),
-            vm: SVector::zeros(),
+            q0: crate::linear::zeros(),
+            start: crate::linear::zeros(),
+            middle: crate::linear::zeros(),
+            vm: crate::linear::zeros(),
             solver: Implicit::new(),
             yardstick: *yardstick,
             slopes: RowMatrix::zeros(),
@@ -88,7 +88,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     ) -> Result<(), Fault> {
         system.momentum(&self.q0, va, &mut self.start);
         self.solver.known = self.start;
-        let at_rest = SVector::zeros();
+        let at_rest = crate::linear::zeros();
         self.middle =
             self.solver
                 .solve(system, &self.yardstick, &self.q0, &at_rest, &mut self.vm)?;
@@ -102,7 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         _: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a RowMatrix<N, R>, Fault> {
-        let at_rest = SVector::zeros();
+        let at_rest = crate::linear::zeros();
         self.solver
             .refresh(system, &self.middle, &at_rest, &self.vm)?;
         for r in 0..R {
@@ -137,7 +137,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         _: &SVector<f64, Q>,
         end: &mut ConstraintGeometry<S, Q, N, R>,
     ) -> SVector<f64, N> {
-        let mut vb = SVector::zeros();
+        let mut vb = crate::linear::zeros();
         system.momentum(&self.middle, &self.vm, &mut vb);
         for i in 0..N {
             vb[i] = 2.0 * vb[i] - self.start[i];
