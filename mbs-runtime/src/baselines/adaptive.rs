@@ -98,9 +98,9 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         let [turn, change] = self.stages.error(h);
         let (q, v) = (bench.state.positions, bench.state.velocities);
         let yardstick = &bench.yardstick;
-        // From rest the speed to which the acceleration leads on the length of the mechanism.
-        let fall = yardstick.measure(self.stages.first_acceleration()).sqrt();
-        let scales = [yardstick.farthest(&q), yardstick.measure(&v).max(fall)];
+        // At rest, the speed that the acceleration gives in the step.
+        let gained = h.abs() * yardstick.measure(self.stages.first_acceleration());
+        let scales = [yardstick.farthest(&q), yardstick.measure(&v).max(gained)];
         let square = |x: &SVector<f64, N>, scale: f64| match scale > 0.0 {
             true => yardstick.square(x) / (scale * scale),
             false => 0.0,
