@@ -92,11 +92,13 @@ pub(crate) fn close<C: Closing>(
         // A new factor is needed if the corrections that cost as much as it would not be enough at the present rate.
         let slow = !(residual.powi(C::PATIENCE + 1) <= last.powi(C::PATIENCE) || residual <= 1.0);
         let slow = slow && iterations > 0 && (limits.fixed.is_none() || !residual.is_finite());
-        if !factored || slow || rows.is_stale() {
+        // Powers of a residual that diverges overflow, and tell no rate.
+        let spent = iterations >= limits.most && limits.fixed.is_none();
+        if !factored || slow || spent || rows.is_stale() {
             if fresh && !C::VELOCITIES && has_stalled(rows, residual, last) {
                 return Ok(Some(closed));
             }
-            if (iterations >= limits.most && limits.fixed.is_none()) || !residual.is_finite() {
+            if spent || !residual.is_finite() {
                 return Err(rows.fault(iterations));
             }
             if !rows.factor()? {
