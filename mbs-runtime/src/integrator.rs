@@ -2,7 +2,7 @@
 
 use crate::alf3f::{Counters, StepMonitor};
 use crate::singular::RankMargin;
-use crate::stepper::{AnyStepper, MakeStepper};
+use crate::stepper::{AnyStepper, MakeStepper, Trace};
 use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
 use nalgebra::SVector;
 
@@ -143,12 +143,4 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
             Integrator::Other(stepper) => stepper.counters(),
         }
     }
-}
-
-/// Quantities after a step, for the report.
-pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
-    /// φ.
-    pub(crate) phi: &'a SVector<f64, R>,
-    /// A v + b.
-    pub(crate) rates: SVector<f64, R>,
 }
