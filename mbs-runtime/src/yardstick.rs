@@ -71,8 +71,8 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
 
     /// The index of the largest entry, as in [`Self::measure`].
     pub(crate) fn worst(&self, x: &SVector<f64, N>) -> usize {
-        let sizes = self.sizes(x).map(f64::abs);
-        let larger = |i: &usize, j: &usize| sizes[*i].total_cmp(&sizes[*j]);
+        let sizes = self.sizes(x);
+        let larger = |i: &usize, j: &usize| sizes[*i].abs().total_cmp(&sizes[*j].abs());
         (0..N).max_by(larger).unwrap_or(0)
     }
 
@@ -100,12 +100,18 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         largest(&sizes).max(1.0)
     }
 
+    /// Round-off of positions in these units.
+    #[inline(always)]
+    pub(crate) fn round_off_of_positions(&self, q: &SVector<f64, Q>) -> f64 {
+        ROUND_OFF * self.farthest(q)
+    }
+
     /// A velocity, in lengths of the mechanism and radians per second, that changes the positions at the end of a step
     /// of h by no more than their round-off. At rest the corrections stay of this size: the rate 2φ/h of a row has this
     /// error, and a smaller step makes it larger.
     #[inline(always)]
     pub(crate) fn imperceptible(&self, q: &SVector<f64, Q>, h: f64) -> f64 {
-        ROUND_OFF * self.farthest(q) / (0.5 * h).abs()
+        self.round_off_of_positions(q) / (0.5 * h).abs()
     }
 }
 

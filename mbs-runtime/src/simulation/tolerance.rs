@@ -44,6 +44,8 @@ const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 const WEAKEST: f64 = 1e-5;
 /// Steps shorter than this part of the first one are not tried.
 const SHORTEST: f64 = 1e-9;
+/// The least step, as a part of the first one, with which a mechanism can be at rest.
+const PACED: f64 = 1e-5;
 
 /// What a comparison found.
 struct Found {
@@ -87,7 +89,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
-            let found = self.compare(tolerance, h, left, (step_controller.speed, sigma), last);
+            let found = self.compare(tolerance, h, left, (&step_controller, sigma), last);
             let (excess, error) = match found {
                 Ok(found) => {
                     let notches = notches(self.settings.order, found.excess);
@@ -140,12 +142,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         tolerance: f64,
         h: f64,
         left: f64,
-        (speed, sigma): (f64, f64),
+        (controller, sigma): (&StepController, f64),
         last: bool,
     ) -> Result<Found, SimulationError> {
         let first = self.place(h, left)?;
         let second = self.place(h.min(left - first), left - first)?;
-        let noise = self.settings.constraint_tolerance / self.sigma().min(sigma).max(WEAKEST);
+        let exact = (self.yardstick).round_off_of_positions(self.positions());
+        let noise =
+            self.settings.constraint_tolerance.max(exact) / self.sigma().min(sigma).max(WEAKEST);
         self.before.copy_from(self.integrator.state());
         let kept = (self.report, self.power, self.rank_margin);
 
@@ -159,10 +163,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             speed: self.size(&moved) / length,
             even: first == h && second == h,
         };
-        let way = length * found.speed.max(speed);
+        let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
         let order = i32::from(self.settings.order);
         let error = |steps: [f64; 2]| steps.map(|h| h.powi(order + 1)).iter().sum::<f64>();
+        // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
+        let paced = controller.step >= PACED * self.settings.step;
+        let still = if paced { noise } else { 0.0 };
         let mut converged = false;
         for fraction in PARTITIONS {
             let steps = [fraction * length, (1.0 - fraction) * length];
@@ -175,7 +182,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             converged = true;
             let (apart, worst) = self.apart(h);
-            let excess = match apart > UNLIKE * way {
+            let excess = match apart > (UNLIKE * way).max(still) {
                 true => LEAP.exp2(),
                 false => apart / (ratio * allowed),
             };

@@ -3,7 +3,7 @@
 use super::groups::Groups;
 use super::shape::{Member, Shape};
 use super::{Parts, Run};
-use crate::dag::{Function, Operand, Place};
+use crate::dag::{Function, Operand, Output, Place};
 use crate::symbolic::Map;
 
 /// A shape of fewer groups is rare.
@@ -45,7 +45,7 @@ pub(super) fn of(
         places.end_batch();
     }
     let outputs = function.outputs.iter();
-    let outputs = outputs.filter(|output| !is_absent(output.place, output.value));
+    let outputs = outputs.filter(|output| !is_absent(output));
     let outputs: Vec<_> = outputs
         .map(|output| (*output, places.read(output.value) as usize))
         .collect();
@@ -58,9 +58,11 @@ pub(super) fn of(
     }
 }
 
-/// Zeros of matrices are not written.
-fn is_absent(place: Place, value: Operand) -> bool {
-    matches!(place, Place::Entry(..) | Place::Tensor(..)) && value == Operand::number(0.0)
+/// Zeros of matrices that are written through a sink are not written.
+fn is_absent(output: &Output) -> bool {
+    let whole = ["points", "w", "delassus"].contains(&output.sink);
+    let is_entry = matches!(output.place, Place::Entry(..) | Place::Tensor(..));
+    is_entry && !whole && output.value == Operand::number(0.0)
 }
 
 /// Shapes of so few groups that a table would not make the code shorter.
@@ -217,7 +219,7 @@ impl Places {
         for output in &function.outputs {
             match output.value {
                 Operand::Value(value) => last[value] = ALWAYS,
-                _ if is_absent(output.place, output.value) => {}
+                _ if is_absent(output) => {}
                 other => input(other),
             }
         }
