@@ -10,6 +10,7 @@
 //! once. No operation is added, removed or regrouped, so that the digits are those of the straight-line code.
 
 mod groups;
+mod kind;
 mod labels;
 mod schedule;
 mod shape;

@@ -5,6 +5,7 @@
 //! with the same form are rows of one table.
 
 use super::groups::Groups;
+use super::kind::{commutes, kind};
 use crate::dag::{Function, Operand, Operation, Output, Place};
 use crate::symbolic::{Map, Symbol, hash};
 
@@ -234,25 +235,4 @@ fn mapped(operation: &Operation, mut map: impl FnMut(Operand) -> Operand) -> Ope
         next.set(next.get() + 1);
         operands[next.get() - 1]
     })
-}
-
-fn commutes(operation: &Operation) -> bool {
-    matches!(operation, Operation::Add(..) | Operation::Multiply(..))
-}
-
-/// What an operation is, without its operands.
-pub(super) fn kind(operation: &Operation) -> (u8, u64) {
-    match operation {
-        Operation::Add(..) => (0, 0),
-        Operation::Subtract(..) => (1, 0),
-        Operation::Multiply(..) => (2, 0),
-        Operation::Divide(..) => (3, 0),
-        Operation::Negate(_) => (4, 0),
-        Operation::PivotInverse(..) => (5, 0),
-        Operation::Call(function, _) => (6, *function as u64),
-        Operation::Atan2(..) => (7, 0),
-        Operation::Power(_, exponent) => (8, exponent.value().to_bits()),
-        Operation::Law(law, arguments) => (9, u64::from(*law) << 32 | arguments.len() as u64),
-        Operation::Part(_, partial) => (10, partial.map_or(0, |p| u64::from(p) + 1)),
-    }
 }
