@@ -7,7 +7,7 @@
 
 use super::body::Body;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
-use crate::dag::{Function, LONGEST_BODY, Operation, Output, Parts, Place, Program, Shape};
+use crate::dag::{Function, LONGEST_BODY, Operation, Output, Parts, Place, Program};
 use crate::symbolic::{Graph, Map};
 use std::fmt::Write;
 
@@ -18,8 +18,15 @@ pub(super) struct LongFunctions {
     numbers: Vec<Vec<usize>>,
     /// The different shapes, as (function, index).
     shapes: Vec<(usize, usize)>,
-    /// The length of the array of values: a power of two, so that no index needs a check.
-    length: usize,
+    /// For each function the length of its array of values: a power of two, so that no index needs a check.
+    lengths: Vec<usize>,
+    word: Word,
+}
+
+/// A word of a table: u16, or u32 where the array is longer than u16 can count.
+#[derive(Clone, Copy)]
+struct Word {
+    bytes: usize,
 }
 
 impl LongFunctions {
@@ -31,7 +38,11 @@ impl LongFunctions {
         let functions: Vec<(&'static str, Parts)> = long
             .map(|function| (function.name, Parts::of(function, &program.labels)))
             .collect();
-        let mut known: Map<(&[Operation], &[Output]), usize> = Map::default();
+        let lengths: Vec<usize> = functions
+            .iter()
+            .map(|(_, parts)| parts.places.next_power_of_two())
+            .collect();
+        let mut known: Map<(usize, &[Operation], &[Output]), usize> = Map::default();
         let mut shapes = Vec::new();
         let mut numbers = Vec::new();
         for (at, (_, parts)) in functions.iter().enumerate() {
@@ -42,7 +53,7 @@ impl LongFunctions {
                     return shapes.len() - 1;
                 }
                 *known
-                    .entry((&code.operations, &code.outputs))
+                    .entry((lengths[at], &code.operations, &code.outputs))
                     .or_insert_with(|| {
                         shapes.push((at, index));
                         shapes.len() - 1
@@ -50,11 +61,14 @@ impl LongFunctions {
             });
             numbers.push(own.collect());
         }
-        let longest = functions.iter().map(|(_, parts)| parts.places).max();
+        let longest = lengths.iter().max().copied().unwrap_or(0);
         LongFunctions {
             numbers,
             shapes,
-            length: longest.unwrap_or(0).next_power_of_two(),
+            lengths,
+            word: Word {
+                bytes: if longest > 1 << 16 { 4 } else { 2 },
+            },
             functions,
         }
     }
@@ -72,7 +86,7 @@ impl LongFunctions {
             .iter()
             .position(|(name, _)| *name == method.name)?;
         let (function, parts) = (program.function(method.name)?, &self.functions[at].1);
-        let mut out = format!("let mut values = [0.0; {}];\n", self.length);
+        let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
         let body = Body::of_method(graph, function);
         let sources: Vec<String> = parts
             .inputs
@@ -89,13 +103,13 @@ impl LongFunctions {
             "::mbs_runtime::generated::compute_parts(&Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
             method.name.to_uppercase()
         );
-        self.write_outputs(&mut out, parts, method);
+        self.write_outputs(&mut out, at, method);
         Some(out)
     }
 
-    fn write_outputs(&self, out: &mut String, parts: &Parts, method: &Method) {
+    fn write_outputs(&self, out: &mut String, at: usize, method: &Method) {
         let mut sinks: Vec<(&str, usize, Vec<u8>)> = Vec::new();
-        for (output, place) in &parts.outputs {
+        for (output, place) in &self.functions[at].1.outputs {
             let indices: &[usize] = match output.place {
                 Place::Value | Place::Constant(_) => {
                     let _ = write!(out, "values[{place}]");
@@ -115,12 +129,12 @@ impl LongFunctions {
                 indices
                     .iter()
                     .chain([place])
-                    .for_each(|&index| put(table, index));
+                    .for_each(|&index| self.word.put(table, index));
             }
         }
         let last = method.arguments.last().map(|last| last.shape);
         for (sink, count, table) in sinks {
-            let value = "values[place % LENGTH]".replace("LENGTH", &self.length.to_string());
+            let value = "values[place % LENGTH]".replace("LENGTH", &self.lengths[at].to_string());
             let (pattern, statement) = match (count, last) {
                 (1, Some(Argument::Values)) => (
                     "[i, place]",
@@ -144,7 +158,7 @@ impl LongFunctions {
             let _ = writeln!(
                 out,
                 "for {pattern} in ::mbs_runtime::generated::rows_of({}) {{ {statement} }}",
-                words(&table)
+                self.word.list(&table)
             );
         }
         if method.returns == Returns::Available {
@@ -157,15 +171,15 @@ impl LongFunctions {
         if self.functions.is_empty() {
             return String::new();
         }
-        let (mut out, length) = (String::new(), self.length);
+        let mut out = String::new();
         for (at, (name, parts)) in self.functions.iter().enumerate() {
             // Each function has its own list: a program that does not call the function does not compile its parts.
-            let list = self.list(at);
+            let (list, length) = (self.list(at), self.lengths[at]);
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
             let _ = writeln!(
                 out,
-                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&mut [f64; {length}], &[u16]); {2}] = [{3}];\nconst {1}_TABLE: &'static [u16] = {4};",
+                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&mut [f64; {length}], &[{5}]); {2}] = [{3}];\nconst {1}_TABLE: &'static [{5}] = {4};",
                 parts
                     .shapes
                     .iter()
@@ -174,19 +188,47 @@ impl LongFunctions {
                 name.to_uppercase(),
                 names.len(),
                 names.join(", "),
-                words(&self.table(at, &list))
+                self.word.list(&self.table(at, &list)),
+                self.word.name()
             );
         }
-        for (number, &(at, index)) in self.shapes.iter().enumerate() {
-            part(
-                &mut out,
-                graph,
-                number,
-                &self.functions[at].1.shapes[index],
-                length,
-            );
+        for number in 0..self.shapes.len() {
+            self.write_part(&mut out, graph, number);
         }
         out
+    }
+
+    /// The code of one shape: a loop over rows of places, or a block if there is one row.
+    fn write_part(&self, out: &mut String, graph: &Graph, number: usize) {
+        let (at, index) = self.shapes[number];
+        let shape = &self.functions[at].1.shapes[index];
+        let (length, word) = (self.lengths[at], self.word.name());
+        let function = &shape.function;
+        let only = match shape.table.as_slice() {
+            [row] => Some(row.as_slice()),
+            _ => None,
+        };
+        let width = shape.table.first().map_or(0, Vec::len);
+        let place = |k: usize| match only {
+            Some(row) => format!("values[{}]", row[k]),
+            None => format!("values[at[{k}] as usize & {}]", length - 1),
+        };
+        let body = Body::of_part(graph, function, place);
+        let values = body.values().into_iter().enumerate();
+        let writes = values.fold(String::new(), |text, (k, value)| {
+            let place = place(width - function.outputs.len() + k);
+            text + &format!("{place} = {value};\n")
+        });
+        let code = body.statements() + &writes;
+        let code = match only {
+            Some(_) => code,
+            None => format!("for at in rows.as_chunks::<{width}>().0 {{ {code} }}"),
+        };
+        let _ = writeln!(
+            out,
+            "/// {}\nfn part_{number}(values: &mut [f64; {length}], rows: &[{word}]) {{ {code} }}",
+            function.cost(),
+        );
     }
 
     /// The numbers of the shapes of a function, in order.
@@ -207,11 +249,11 @@ impl LongFunctions {
             };
             let length = rows.iter().map(Vec::len).sum::<usize>();
             let index = list.binary_search(&self.numbers[at][run.shape]);
-            put(&mut table, index.unwrap_or_default());
-            put(&mut table, length & 0xffff);
-            put(&mut table, length >> 16);
+            self.word.put(&mut table, index.unwrap_or_default());
+            self.word.put(&mut table, length & 0xffff);
+            self.word.put(&mut table, length >> 16);
             let places = rows.iter().flatten();
-            places.for_each(|&place| put(&mut table, place as usize));
+            places.for_each(|&place| self.word.put(&mut table, place as usize));
         }
         table
     }
@@ -241,49 +283,28 @@ pub(super) fn part_of_another(program: &Program, function: &Function) -> Option<
     (function.operations.len() > LONGEST_BODY).then_some(call)
 }
 
-/// The code of one shape: a loop over rows of places, or a block if there is one row.
-fn part(out: &mut String, graph: &Graph, number: usize, shape: &Shape, length: usize) {
-    let function = &shape.function;
-    let only = match shape.table.as_slice() {
-        [row] => Some(row.as_slice()),
-        _ => None,
-    };
-    let width = shape.table.first().map_or(0, Vec::len);
-    let place = |k: usize| match only {
-        Some(row) => format!("values[{}]", row[k]),
-        None => format!("values[at[{k}] as usize & {}]", length - 1),
-    };
-    let body = Body::of_part(graph, function, place);
-    let values = body.values().into_iter().enumerate();
-    let writes = values.fold(String::new(), |text, (k, value)| {
-        let place = place(width - function.outputs.len() + k);
-        text + &format!("{place} = {value};\n")
-    });
-    let code = body.statements() + &writes;
-    let code = match only {
-        Some(_) => code,
-        None => format!("for at in rows.as_chunks::<{width}>().0 {{ {code} }}"),
-    };
-    let _ = writeln!(
-        out,
-        "/// {}\nfn part_{number}(values: &mut [f64; {length}], rows: &[u16]) {{ {code} }}",
-        function.cost(),
-    );
+impl Word {
+    fn name(self) -> String {
+        format!("u{}", 8 * self.bytes)
+    }
+
+    /// Adds a number, the lowest byte first.
+    fn put(self, table: &mut Vec<u8>, number: usize) {
+        table.extend(&(number as u64).to_le_bytes()[..self.bytes]);
+    }
+
+    /// The words of a table as an expression.
+    fn list(self, table: &[u8]) -> String {
+        let (count, bytes) = (table.len() / self.bytes, literal(table));
+        let name = self.name();
+        format!("&::mbs_runtime::generated::words_of_{name}::<{count}>({bytes})")
+    }
 }
 
-/// Two bytes, the least significant first.
-fn put(table: &mut Vec<u8>, number: usize) {
-    table.extend((number as u16).to_le_bytes());
-}
-
-/// Words as an expression.
-fn words(table: &[u8]) -> String {
-    let mut out = String::with_capacity(4 * table.len() + 80);
-    let _ = write!(
-        out,
-        "&::mbs_runtime::generated::words::<{}>(b\"",
-        table.len() / 2
-    );
+/// A string of bytes.
+fn literal(table: &[u8]) -> String {
+    let mut out = String::with_capacity(4 * table.len() + 3);
+    out.push_str("b\"");
     for &byte in table {
         match byte {
             b'"' | b'\\' => {
@@ -297,6 +318,6 @@ fn words(table: &[u8]) -> String {
             }
         }
     }
-    out.push_str("\")");
+    out.push('"');
     out
 }
