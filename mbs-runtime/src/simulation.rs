@@ -227,8 +227,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         left: u32,
         monitor: &mut StepMonitor,
     ) -> Result<(), SimulationError> {
+        let start = (self.state().time, self.state().clock);
         match self.integrator.step(h, monitor) {
             Ok(()) => {
+                self.integrator.state_mut().count(start, h);
                 self.keep_books(monitor);
                 Ok(())
             }

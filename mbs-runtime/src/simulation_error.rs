@@ -73,6 +73,13 @@ pub enum SimulationError {
         /// The quantity.
         what: &'static str,
     },
+    /// The expression of an event is not a number, so that its sign cannot change.
+    Event {
+        /// Time, s.
+        time: f64,
+        /// The event.
+        event: &'static str,
+    },
     /// The mass matrix is not positive definite.
     Mass {
         /// Time, s.
@@ -105,6 +112,13 @@ pub enum SimulationError {
         /// The input.
         name: String,
         /// The value.
+        value: f64,
+    },
+    /// A declared guess that is not finite.
+    Guess {
+        /// What is wrong: a coordinate, a velocity.
+        what: &'static str,
+        /// Its value.
         value: f64,
     },
     /// A state that a simulation cannot resume from.
@@ -224,6 +238,11 @@ impl fmt::Display for SimulationError {
                 "the {what} became infinite or NaN in the step from t = {} s; use a smaller step, or look for a force that grows without bound",
                 clock(*time)
             ),
+            Event { time, event } => write!(
+                out,
+                "the event `{event}` is NaN at t = {} s; keep its expression within its domain, for example by `max`",
+                clock(*time)
+            ),
             Mass { time } => write!(
                 out,
                 "the mass matrix is not positive definite at t = {} s: something moves without mass there",
@@ -251,6 +270,10 @@ impl fmt::Display for SimulationError {
                     "input `{name}` cannot be {value}; give it a finite value"
                 )
             }
+            Guess { what, value } => write!(
+                out,
+                "cannot start from the declared guess: {what} is {value}; give finite initial values, and parameters that make them finite"
+            ),
             State { what, value } => write!(
                 out,
                 "cannot resume from this state: {what} is {value:.3e}; pass a state taken from a simulation of the same mechanism and parameters"
