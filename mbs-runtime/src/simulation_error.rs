@@ -80,6 +80,18 @@ pub enum SimulationError {
         /// The event.
         event: &'static str,
     },
+    /// The motion has gained many times the energy that it can have: the steps are too long for it, and the results
+    /// before are doubtful.
+    EnergyGain {
+        /// Time at the end of the step, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// The error of the energy balance, J.
+        gained: f64,
+        /// The energy that start and works have given, J.
+        available: f64,
+    },
     /// The mass matrix is not positive definite.
     Mass {
         /// Time, s.
@@ -241,6 +253,16 @@ impl fmt::Display for SimulationError {
             Event { time, event } => write!(
                 out,
                 "the event `{event}` is NaN at t = {} s; keep its expression within its domain, for example by `max`",
+                clock(*time)
+            ),
+            EnergyGain {
+                time,
+                step,
+                gained,
+                available,
+            } => write!(
+                out,
+                "the motion has gained {gained:.1e} J up to t = {} s with steps of {step} s, where start and works have given it {available:.1e} J: the steps are too long for this motion; use a smaller step, a tolerance, or the implicit flow for stiff springs, and check what came before",
                 clock(*time)
             ),
             Mass { time } => write!(
