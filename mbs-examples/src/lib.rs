@@ -7,3 +7,6 @@ pub mod reference;
 pub mod scene;
 pub mod scenes;
 pub mod table;
+
+mod start;
+pub use start::start;

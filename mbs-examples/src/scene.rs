@@ -35,7 +35,8 @@ pub struct Reference {
     pub columns: &'static [(&'static str, &'static str)],
 }
 
-/// The [`Build`] function of a mechanism type, from its default parameters or from others.
+/// The [`Build`] function of a mechanism type, from its default parameters or from others. Which methods are compiled
+/// with it is the choice of `start` of the crate.
 #[macro_export]
 macro_rules! build_scene {
     ($mechanism:ty) => {
@@ -51,8 +52,7 @@ macro_rules! build_scene {
                 ::mbs_runtime::Mechanism::set_parameter(&mut mechanism, name, *value)
                     .map_err(::mbs_runtime::SimulationError::UnknownName)?;
             }
-            let simulation = ::mbs_runtime::Simulation::with_settings(mechanism, settings)?;
-            Ok(::std::boxed::Box::new(simulation))
+            $crate::start(mechanism, settings)
         }
     };
 }

@@ -4,11 +4,13 @@ use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::Dependence;
-use crate::linear::{DelassusFactor, RowMatrix, accumulate, dependence, dot, largest};
+use crate::linear::{
+    DelassusFactor, RowMatrix, accumulate, dependence, dot, largest, negative, vector,
+};
 use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Coordinate, Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Coordinate, Model, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -123,12 +125,8 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let mut mass = crate::linear::RowMatrix::<N, N>::zeros();
     system.mass_matrix(q, &mut mass);
     let total: f64 = (0..N).map(|i| mass[i][i]).sum();
-    let mut worst: Vec<_> = (0..S::STRUCTURE.holonomic_rows)
-        .map(|i| (i, scale.displacement_of(i, phi[i])))
-        .collect();
-    worst.sort_by(|a, b| b.1.total_cmp(&a.1));
-    worst.retain(|(_, displacement)| *displacement > scale.tolerance);
-    worst.truncate(8);
+    let displacements: SVector<f64, R> = vector(|i| scale.displacement_of(i, phi[i]));
+    let worst = worst_rows(S::MODEL, displacements.as_slice(), scale.tolerance);
     AssemblyVerdict {
         residual_before,
         residual: largest(phi),
@@ -138,16 +136,29 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             0.0
         },
         rank: rows.rank,
-        redundant_rows: rows
-            .dependent
-            .iter()
-            .filter_map(|&i| Some(S::MODEL.rows.get(i)?.name))
-            .collect(),
-        worst_rows: worst
-            .iter()
-            .filter_map(|&(i, _)| Some((S::MODEL.rows.get(i)?.name, phi[i])))
-            .collect(),
+        redundant_rows: names(S::MODEL, &rows.dependent),
+        worst_rows: worst.iter().map(|&(i, name)| (name, phi[i])).collect(),
     }
+}
+
+/// The holonomic rows that are farthest from satisfied, the worst first. (Not generic: compiled once.)
+fn worst_rows(model: &Model, displacements: &[f64], tolerance: f64) -> Vec<(usize, &'static str)> {
+    let displacements = displacements.iter().copied().zip(model.rows);
+    let mut worst: Vec<_> = displacements
+        .enumerate()
+        .take(model.structure.holonomic_rows)
+        .collect();
+    worst.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
+    worst.retain(|(_, (displacement, _))| *displacement > tolerance);
+    worst.truncate(8);
+    worst.iter().map(|(i, (_, row))| (*i, row.name)).collect()
+}
+
+/// The names of these rows.
+fn names(model: &Model, rows: &[usize]) -> Vec<&'static str> {
+    rows.iter()
+        .filter_map(|&i| Some(model.rows.get(i)?.name))
+        .collect()
 }
 
 /// The rows that do not depend on others. A row that is zero except for round-off is dependent.
@@ -182,7 +193,7 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             return Ok(());
         }
         solver.factor(&holonomic_delassus(geometry));
-        let mut multiplier = phi.map(|residual| -residual);
+        let mut multiplier = negative(phi);
         solver.solve(&mut multiplier);
         let mut factor = 1.0;
         loop {
@@ -237,7 +248,7 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
             return;
         }
-        let mut multiplier = rates.map(|rate| -rate);
+        let mut multiplier = negative(&rates);
         solver.solve(&mut multiplier);
         accumulate(v, &geometry.w, &multiplier);
     }

@@ -49,6 +49,33 @@ where
     S: System<Q, N, R>,
     T: Send,
 {
+    let start = |member: &M| Simulation::with_settings(member.clone(), settings);
+    over_all_cores(members, |member| run(&mut start(member)?))
+}
+
+/// The same with any [`Method`](crate::Method), as [`Simulation::with_any_method`].
+///
+/// # Errors
+/// Each member has its own: that of [`Simulation::with_any_method`], or what `run` returns. The others run on.
+pub fn simulate_ensemble_with_any_method<M, S, T, const Q: usize, const N: usize, const R: usize>(
+    members: &[M],
+    settings: Settings,
+    run: impl Fn(&mut Simulation<S, Q, N, R>) -> Result<T, SimulationError> + Sync,
+) -> Vec<Result<T, SimulationError>>
+where
+    M: Mechanism<System = S> + Sync,
+    S: System<Q, N, R>,
+    T: Send,
+{
+    let start = |member: &M| Simulation::with_any_method(member.clone(), settings);
+    over_all_cores(members, |member| run(&mut start(member)?))
+}
+
+/// The results of `run` for all members, in their order.
+fn over_all_cores<M: Sync, T: Send>(
+    members: &[M],
+    run: impl Fn(&M) -> Result<T, SimulationError> + Sync,
+) -> Vec<Result<T, SimulationError>> {
     let next = AtomicUsize::new(0);
     let work = || {
         let mut done = Vec::new();
@@ -57,11 +84,7 @@ where
             let Some(member) = members.get(index) else {
                 return done;
             };
-            let simulation = Simulation::with_settings(member.clone(), settings);
-            done.push((
-                index,
-                simulation.and_then(|mut simulation| run(&mut simulation)),
-            ));
+            done.push((index, run(member)));
         }
     };
     let cores = thread::available_parallelism().map_or(1, NonZero::get);

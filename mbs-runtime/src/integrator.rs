@@ -1,35 +1,35 @@
 //! One interface for all integrators.
 
-use crate::alf3f::{Counters, PaperStepper, StepMonitor};
+use crate::alf3f::{Counters, StepMonitor};
 use crate::singular::RankMargin;
-use crate::{
-    BaselineStepper, Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper,
-};
+use crate::stepper::{AnyStepper, MakeStepper, Trace};
+use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
 use nalgebra::SVector;
 
-/// The integrator of a simulation.
+/// The integrator of a simulation: the two-level method, or one that only some programs compile.
 pub(crate) enum Integrator<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     TwoLevel(TwoLevelStepper<S, Q, N, R>),
-    Paper(PaperStepper<S, Q, N, R>),
-    Baseline(BaselineStepper<S, Q, N, R>),
+    Other(AnyStepper<S, Q, N, R>),
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integrator<S, Q, N, R> {
+    /// With `other` for the methods other than the two-level one.
     pub(crate) fn new(
         system: S,
         state: State<Q, N, R>,
         settings: &Settings,
+        other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
-        match settings.method {
-            Method::TwoLevel => {
+        match (settings.method, other) {
+            (Method::TwoLevel, _) => {
                 let placed = settings.placement && settings.fixed_iterations.is_none();
                 TwoLevelStepper::for_steps(system, state, settings, placed)
                     .map(Integrator::TwoLevel)
             }
-            Method::Paper(_) | Method::MAlf(_) => {
-                PaperStepper::new(system, state, settings).map(Integrator::Paper)
-            }
-            _ => BaselineStepper::new(system, state, settings).map(Integrator::Baseline),
+            (_, Some(other)) => other(system, state, settings).map(Integrator::Other),
+            (method, None) => Err(SimulationError::NotCompiled {
+                method: method.name(),
+            }),
         }
     }
 
@@ -40,33 +40,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     ) -> Result<(), SimulationError> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.pass(h, monitor),
-            Integrator::Paper(stepper) => {
-                stepper.step(h)?;
-                let State {
-                    time,
-                    positions,
-                    velocities,
-                    ..
-                } = stepper.state();
-                let power = stepper
-                    .system
-                    .nonconservative_power(*time, positions, velocities);
-                monitor.nonconservative_work += 0.5 * h * (monitor.power + power);
-                monitor.power = power;
-                monitor.drive_work += stepper.drive().iter().sum::<f64>();
-                Ok(())
-            }
-            Integrator::Baseline(stepper) => {
-                stepper.step(h)?;
-                let works = stepper.take_stock()?;
-                monitor.nonconservative_work += works.nonconservative;
-                monitor.drive_work += works.drive;
-                if monitor.rank_margin.is_some() {
-                    monitor.rank_margin = stepper.rank_margin();
-                    monitor.clearance = monitor.clearance.min(stepper.clearance());
-                }
-                Ok(())
-            }
+            Integrator::Other(stepper) => stepper.step(h, monitor),
         }
     }
 
@@ -75,8 +49,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.rank_margin(),
-            Integrator::Baseline(stepper) => stepper.rank_margin(),
-            Integrator::Paper(_) => None,
+            Integrator::Other(stepper) => stepper.rank_margin(),
         }
     }
 
@@ -84,7 +57,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn aim(&self, bounds: [f64; 2]) -> Option<(f64, f64)> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.aim(bounds),
-            _ => None,
+            Integrator::Other(_) => None,
         }
     }
 
@@ -92,40 +65,35 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.weakest_rows(),
-            Integrator::Baseline(stepper) => stepper.weakest_rows(),
-            Integrator::Paper(_) => SVector::zeros(),
+            Integrator::Other(stepper) => stepper.weakest_rows(),
         }
     }
 
     pub(crate) fn system(&self) -> &S {
         match self {
             Integrator::TwoLevel(stepper) => &stepper.context.system,
-            Integrator::Paper(stepper) => &stepper.system,
-            Integrator::Baseline(stepper) => &stepper.bench.system,
+            Integrator::Other(stepper) => stepper.system(),
         }
     }
 
     pub(crate) fn system_mut(&mut self) -> &mut S {
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.context.system,
-            Integrator::Paper(stepper) => &mut stepper.system,
-            Integrator::Baseline(stepper) => &mut stepper.bench.system,
+            Integrator::Other(stepper) => stepper.system_mut(),
         }
     }
 
     pub(crate) fn state(&self) -> &State<Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => &stepper.context.state,
-            Integrator::Paper(stepper) => &stepper.state,
-            Integrator::Baseline(stepper) => &stepper.bench.state,
+            Integrator::Other(stepper) => stepper.state(),
         }
     }
 
     pub(crate) fn state_mut(&mut self) -> &mut State<Q, N, R> {
         match self {
             Integrator::TwoLevel(stepper) => &mut stepper.context.state,
-            Integrator::Paper(stepper) => &mut stepper.state,
-            Integrator::Baseline(stepper) => &mut stepper.bench.state,
+            Integrator::Other(stepper) => stepper.state_mut(),
         }
     }
 
@@ -133,8 +101,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn refresh(&mut self, settings: &Settings) -> Result<(), SimulationError> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.refresh(),
-            Integrator::Paper(stepper) => stepper.refresh(),
-            Integrator::Baseline(stepper) => stepper.refresh(),
+            Integrator::Other(stepper) => stepper.refresh(),
         }
         .map_err(|fault| {
             SimulationError::from_fault(fault, S::MODEL, self.state().time, settings.step)
@@ -151,19 +118,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
                     rates: stepper.rates(),
                 }
             }
-            Integrator::Paper(stepper) => Trace {
-                phi: stepper.phi(),
-                rates: stepper.rates(),
-            },
-            Integrator::Baseline(stepper) => {
-                let bench = &stepper.bench;
-                Trace {
-                    phi: &bench.phi,
-                    rates: bench
-                        .geometry
-                        .velocity_rows(&bench.system, &bench.state.velocities),
-                }
-            }
+            Integrator::Other(stepper) => stepper.trace(),
         }
     }
 
@@ -171,34 +126,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         match self {
             Integrator::TwoLevel(stepper) => stepper.multipliers(),
-            Integrator::Paper(stepper) => stepper.multipliers(),
-            Integrator::Baseline(stepper) => stepper.multipliers(),
+            Integrator::Other(stepper) => stepper.multipliers(),
         }
     }
 
     pub(crate) fn flow(&self) -> Flow {
         match self {
             Integrator::TwoLevel(stepper) => stepper.flow(),
-            // It uses the trapezoidal rule, with the multipliers among its unknowns.
-            Integrator::Paper(_) => Flow::Implicit,
-            // They have no flow between kicks.
-            Integrator::Baseline(_) => Flow::Leapfrog,
+            Integrator::Other(stepper) => stepper.flow(),
         }
     }
 
     pub(crate) fn counters(&self) -> Counters {
         match self {
             Integrator::TwoLevel(stepper) => stepper.counters(),
-            Integrator::Paper(stepper) => stepper.counters(),
-            Integrator::Baseline(stepper) => stepper.counters(),
+            Integrator::Other(stepper) => stepper.counters(),
         }
     }
-}
-
-/// Quantities after a step, for the report.
-pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
-    /// φ.
-    pub(crate) phi: &'a SVector<f64, R>,
-    /// A v + b.
-    pub(crate) rates: SVector<f64, R>,
 }

@@ -46,7 +46,8 @@
 //! | [`Method::Penalty`] | rows as stiff springs and dampers |
 //!
 //! All except the first are methods of the literature for comparison, on the same generated equations and with the same
-//! diagnostics.
+//! diagnostics. They are compiled for a mechanism only where a program calls [`Simulation::with_any_method`],
+//! [`Simulation::resume_with_any_method`] or [`simulate_ensemble_with_any_method`]; the other constructors refuse them.
 //!
 //! The two-level step chooses the flow between its kicks from the structure of the equations ([`Structure`]):
 //!
@@ -92,6 +93,7 @@ mod simulation_error;
 mod singular;
 mod sink;
 mod state;
+mod stepper;
 mod yardstick;
 
 pub use alf3f::{PaperStepper, TwoLevelStepper};
@@ -99,7 +101,7 @@ pub use any::AnySimulation;
 pub use baselines::BaselineStepper;
 pub use contract::{Configuration, Constraints, Inertia, Loads, NamedValues, Observables, System};
 pub use dynamics::Dynamics;
-pub use ensemble::simulate_ensemble;
+pub use ensemble::{simulate_ensemble, simulate_ensemble_with_any_method};
 pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::mechanism;
 pub use mechanism::Mechanism;

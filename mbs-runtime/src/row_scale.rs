@@ -41,7 +41,7 @@ impl<const R: usize> RowScale<R> {
             }
         });
         Ok(RowScale {
-            weights: lengths_squared.map(|square| 1.0 / (tolerance * tolerance * square)),
+            weights: vector(|i| 1.0 / (tolerance * tolerance * lengths_squared[i])),
             lengths_squared,
             lost: (LEFT_OPEN / tolerance).powi(2).max(STAGNATED),
             tolerance,

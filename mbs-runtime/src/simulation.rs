@@ -19,6 +19,7 @@ use crate::integrator::Integrator;
 use crate::linear::largest;
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
+use crate::stepper::{MakeStepper, other};
 use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
@@ -77,20 +78,28 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A simulation with the given settings, assembled from the declared guess.
     ///
     /// # Errors
-    /// As [`Simulation::new`], and settings that cannot be used.
+    /// As [`Simulation::new`], and settings that cannot be used. For a method other than the two-level one it is
+    /// [`SimulationError::NotCompiled`]: [`Simulation::with_any_method`] accepts it.
     pub fn with_settings<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
     ) -> Result<Self, SimulationError> {
-        settings.check()?;
-        let system = mechanism.prepare()?;
-        let (state, assembly) = assemble(&system, &settings)?;
-        Self::start(system, settings, state, assembly)
+        Self::assembled(mechanism, settings, None)
     }
 
-    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same, and the
-    /// method has no memory besides the state. ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3
-    /// projections do, and begin anew.)
+    /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes more
+    /// than twice as long as the two-level method alone.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`], settings that cannot be used, and a method that cannot integrate this mechanism.
+    pub fn with_any_method<M: Mechanism<System = S>>(
+        mechanism: M,
+        settings: Settings,
+    ) -> Result<Self, SimulationError> {
+        Self::assembled(mechanism, settings, Some(other))
+    }
+
+    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same.
     ///
     /// # Errors
     /// As [`Simulation::with_settings`], and a state that is not finite or violates the constraints.
@@ -99,10 +108,45 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings: Settings,
         state: State<Q, N, R>,
     ) -> Result<Self, SimulationError> {
+        Self::resumed(mechanism, settings, state, None)
+    }
+
+    /// The same for any [`Method`](crate::Method), if it has no memory besides the state.
+    /// ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3 projections do, and begin anew.)
+    ///
+    /// # Errors
+    /// As [`Simulation::with_any_method`], and a state that is not finite or violates the constraints.
+    pub fn resume_with_any_method<M: Mechanism<System = S>>(
+        mechanism: M,
+        settings: Settings,
+        state: State<Q, N, R>,
+    ) -> Result<Self, SimulationError> {
+        Self::resumed(mechanism, settings, state, Some(other))
+    }
+
+    /// With `other` for the methods other than the two-level one, from the declared guess.
+    fn assembled<M: Mechanism<System = S>>(
+        mechanism: M,
+        settings: Settings,
+        other: Option<MakeStepper<S, Q, N, R>>,
+    ) -> Result<Self, SimulationError> {
+        settings.check()?;
+        let system = mechanism.prepare()?;
+        let (state, assembly) = assemble(&system, &settings)?;
+        Self::start(system, settings, state, assembly, other)
+    }
+
+    /// The same from a state.
+    fn resumed<M: Mechanism<System = S>>(
+        mechanism: M,
+        settings: Settings,
+        state: State<Q, N, R>,
+        other: Option<MakeStepper<S, Q, N, R>>,
+    ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
         let verdict = crate::assembly::inspect(&system, &settings, &state)?;
-        let simulation = Self::start(system, settings, state, verdict)?;
+        let simulation = Self::start(system, settings, state, verdict, other)?;
         let rates = simulation.integrator.trace().rates;
         let yardstick = &simulation.yardstick;
         let scale = RowScale::new(simulation.system(), yardstick, &settings)
@@ -126,12 +170,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings: Settings,
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
+        other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         let report = Report {
             rank: assembly.rank,
             ..Report::default()
         };
-        let integrator = Integrator::new(system, state, &settings)?;
+        let integrator = Integrator::new(system, state, &settings, other)?;
         let stages = crate::alf3f::stages(settings.order).len();
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let mut simulation = Simulation {

@@ -37,6 +37,11 @@ pub enum SimulationError {
         /// Why not.
         because: &'static str,
     },
+    /// A method that this simulation was not compiled with.
+    NotCompiled {
+        /// The method of the settings.
+        method: &'static str,
+    },
     /// An order that the method does not reach with this mechanism.
     Order {
         /// The order of the settings.
@@ -207,6 +212,10 @@ impl fmt::Display for SimulationError {
             Method { method, because } => write!(
                 out,
                 "the method {method} cannot integrate this mechanism: {because}; use two-level"
+            ),
+            NotCompiled { method } => write!(
+                out,
+                "method `{method}` is not compiled into this simulation; construct it with `Simulation::with_any_method`, or resume it with `Simulation::resume_with_any_method`"
             ),
             Order { order, because } => write!(
                 out,

@@ -71,8 +71,8 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
 
     /// The index of the largest entry, as in [`Self::measure`].
     pub(crate) fn worst(&self, x: &SVector<f64, N>) -> usize {
-        let sizes = self.sizes(x).map(f64::abs);
-        let larger = |i: &usize, j: &usize| sizes[*i].total_cmp(&sizes[*j]);
+        let sizes = self.sizes(x);
+        let larger = |i: &usize, j: &usize| sizes[*i].abs().total_cmp(&sizes[*j].abs());
         (0..N).max_by(larger).unwrap_or(0)
     }
 

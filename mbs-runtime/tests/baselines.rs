@@ -29,7 +29,7 @@ fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     settings: Settings,
     time: f64,
 ) -> Run<T, Q, N, R> {
-    let mut simulation = Simulation::with_settings(Parameters(scene), settings).unwrap();
+    let mut simulation = Simulation::with_any_method(Parameters(scene), settings).unwrap();
     simulation.run_until(time).unwrap();
     simulation
 }
@@ -333,10 +333,10 @@ fn what_a_method_cannot_do_is_refused() {
     };
     for name in ["rattle", "index3-projections"] {
         let settings = by_name(name, 2, 1e-2);
-        refused(Simulation::with_settings(Parameters(Sleigh::default()), settings).err());
+        refused(Simulation::with_any_method(Parameters(Sleigh::default()), settings).err());
     }
     let settings = by_name("rattle", 2, 1e-2);
-    refused(Simulation::with_settings(Parameters(DampedSliderCrank), settings).err());
+    refused(Simulation::with_any_method(Parameters(DampedSliderCrank), settings).err());
 }
 
 /// Errors shrink with the tolerance, and steps grow where they may.

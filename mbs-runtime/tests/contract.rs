@@ -19,7 +19,7 @@ fn new<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     settings: Settings,
 ) -> Result<Simulation<Hand<T, Q, N, R>, Q, N, R>, SimulationError> {
-    Simulation::with_settings(Parameters(scene), settings)
+    Simulation::with_any_method(Parameters(scene), settings)
 }
 
 fn allocations<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -75,7 +75,8 @@ fn resumes<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     whole.run_until(0.1).unwrap();
     let state = whole.state().clone();
     whole.run_until(0.2).unwrap();
-    let mut resumed = Simulation::resume(Parameters(scene), settings, state).unwrap();
+    let mut resumed =
+        Simulation::resume_with_any_method(Parameters(scene), settings, state).unwrap();
     resumed.run_until(0.2).unwrap();
     assert_eq!(whole.state(), resumed.state());
     assert_eq!(whole.energy(), resumed.energy());

@@ -1,8 +1,7 @@
 //! Steps of known cost: the calls they make, the bound they keep, what they leave of the rows, and where they are refused.
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
@@ -44,7 +43,7 @@ mechanism!(Damped {
     ),
 });
 
-type Calls = Rc<RefCell<BTreeMap<&'static str, usize>>>;
+type Calls = Arc<Mutex<BTreeMap<&'static str, usize>>>;
 
 /// A system that counts what is asked of it.
 #[derive(Clone)]
@@ -57,7 +56,7 @@ macro_rules! forward {
     ($($name:ident($($argument:ident: $kind:ty),*) $(-> $result:ty)?;)*) => {
         $(#[allow(clippy::too_many_arguments)]
         fn $name(&self, $($argument: $kind),*) $(-> $result)? {
-            *self.calls.borrow_mut().entry(stringify!($name)).or_default() += 1;
+            *self.calls.lock().unwrap().entry(stringify!($name)).or_default() += 1;
             self.inner.$name($($argument),*)
         })*
     };
@@ -165,9 +164,9 @@ where
         function.map(|f| f.additions + f.multiplications + 5 * f.divisions + 20 * f.calls)
     };
     for _ in 0..1500 {
-        calls.borrow_mut().clear();
+        calls.lock().unwrap().clear();
         stepper.step(1e-3).unwrap();
-        let calls = calls.borrow();
+        let calls = calls.lock().unwrap();
         let times = |name: &str| calls.get(name).copied().unwrap_or(0);
         assert_eq!(times("constraints"), corrections + 1);
         assert_eq!(times("metric"), 1);

@@ -21,7 +21,7 @@ fn start<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         method: Method::Paper(paper),
         ..Settings::default()
     };
-    Simulation::with_settings(Parameters(scene), settings).unwrap()
+    Simulation::with_any_method(Parameters(scene), settings).unwrap()
 }
 
 fn tolerance(velocity_tolerance: f64) -> PaperSettings {
@@ -128,7 +128,8 @@ fn step_multipliers_are_the_constraint_forces() {
             method,
             ..Settings::default()
         };
-        let mut simulation = Simulation::with_settings(Parameters(SliderCrank), settings).unwrap();
+        let mut simulation =
+            Simulation::with_any_method(Parameters(SliderCrank), settings).unwrap();
         simulation.run_until(0.2).unwrap();
         let expected = simulation.reactions().unwrap().multipliers;
         let own = simulation.step_multipliers().unwrap();
@@ -181,7 +182,7 @@ fn second_order_with_loose_tolerances_of_the_rows() {
                 ..Settings::default()
             };
             let scene = Parameters(SliderCrankAngles);
-            let mut simulation = Simulation::with_settings(scene, settings).unwrap();
+            let mut simulation = Simulation::with_any_method(scene, settings).unwrap();
             simulation.run_until(0.2).unwrap();
             *simulation.positions()
         });

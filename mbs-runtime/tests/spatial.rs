@@ -39,7 +39,7 @@ fn run<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     settings: Settings,
     time: f64,
 ) -> Run<T, Q, N, R> {
-    let mut simulation = Simulation::with_settings(Parameters(scene), settings).unwrap();
+    let mut simulation = Simulation::with_any_method(Parameters(scene), settings).unwrap();
     simulation.run_until(time).unwrap();
     let (flow, order, step) = (simulation.flow().name(), settings.order, settings.step);
     println!("{flow} order {order} h = {step}: {:?}", simulation.report());

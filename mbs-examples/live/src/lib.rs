@@ -34,7 +34,9 @@ mod mechanisms;
 mod refusal;
 #[path = "../../src/scene.rs"]
 pub mod scene;
+mod start;
 
 pub use figure::{Figure, HEAD, METHODS, STEPS};
 pub use mechanisms::{MECHANISMS, Mechanism};
 pub use refusal::Refusal;
+pub(crate) use start::start;

@@ -19,7 +19,7 @@ use super::step_context::{REFINEMENTS, StepContext};
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{vector, zeros};
+use crate::linear::{negative, scaled, vector, zeros};
 use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
 use nalgebra::SVector;
@@ -350,7 +350,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             ..
         } = &mut *self.kicks;
         let rate = -1.0 / self.h;
-        let rates = self.context.work.phi.map(|phi| rate * phi);
+        let rates = scaled(rate, &self.context.work.phi);
         let to = (&mut self.kick.va, &mut self.kick.kappa);
         match self.kick.factor {
             Factor::Start => start.solve(plan, &rates, x, to),
@@ -392,7 +392,7 @@ impl<const N: usize, const R: usize> Refining for Rates<'_, N, R> {
 
     #[inline(always)]
     fn correct(&mut self) {
-        let rates = self.rates.map(|rate| -rate);
+        let rates = negative(&self.rates);
         let to = (&mut *self.v, &mut *self.kappa);
         self.matrix.solve(self.plan, &rates, self.x, to);
     }

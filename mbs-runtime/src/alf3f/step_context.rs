@@ -95,7 +95,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         }
         context.refresh()?;
         (context.work.delassus).expect_redundancy(&context.start.delassus);
-        if S::STRUCTURE.holonomic_rows < R {
+        if const { S::STRUCTURE.holonomic_rows < R } {
             context.refresh()?;
         }
         Ok(context)
@@ -111,7 +111,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             ..
         } = self;
         start.evaluate(system, state.time, &state.positions, &mut work.phi)?;
-        if S::STRUCTURE.holonomic_rows == R {
+        if const { S::STRUCTURE.holonomic_rows == R } {
             work.delassus.factor(&start.delassus);
         } else {
             factor_holonomic(start, work);

@@ -51,7 +51,7 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    if S::STRUCTURE.holonomic_rows == R {
+    if const { S::STRUCTURE.holonomic_rows == R } {
         kicks::step(context, flow, h)
     } else {
         mixed_kicks::step(context, flow, h)
@@ -105,7 +105,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let yardstick = &*context.yardstick.clone();
         let flow = match flow {
-            Flow::Leapfrog => {
+            // Constants: the flows that this mechanism cannot have are not compiled for it.
+            Flow::Leapfrog if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
                 // The bound of the cost is for dense arrays, which steps beside singular poses need.
                 let free = settings.fixed_iterations.is_none();
                 match free.then(|| SparseKicks::new(&mut context)).flatten() {
@@ -113,9 +114,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                     None => Stepping::Leapfrog(Leapfrog::new::<S>()),
                 }
             }
-            Flow::Midpoint => Stepping::Midpoint(Midpoint::new(yardstick)),
-            Flow::Trapezoid => Stepping::Trapezoid(Trapezoid::new(yardstick)),
-            Flow::Implicit => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
+            Flow::Midpoint if const { S::STRUCTURE.allows(Flow::Midpoint) } => {
+                Stepping::Midpoint(Midpoint::new(yardstick))
+            }
+            Flow::Trapezoid if const { S::STRUCTURE.allows(Flow::Trapezoid) } => {
+                Stepping::Trapezoid(Trapezoid::new(yardstick))
+            }
+            // Every mechanism can have it.
+            _ => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
         };
         Ok(TwoLevelStepper {
             context,
@@ -281,14 +287,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
         let context = &mut self.context;
         match &mut self.flow {
-            Stepping::Leapfrog(flow) => kick_flow_kick(context, flow, h),
-            Stepping::Sparse(kicks, flow) => kicks.step(context, flow, h),
-            Stepping::Midpoint(flow) => kick_flow_kick(context, &mut **flow, h),
+            Stepping::Leapfrog(flow) if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
+                kick_flow_kick(context, flow, h)
+            }
+            Stepping::Sparse(kicks, flow) if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
+                kicks.step(context, flow, h)
+            }
+            Stepping::Midpoint(flow) if const { S::STRUCTURE.allows(Flow::Midpoint) } => {
+                kick_flow_kick(context, &mut **flow, h)
+            }
             Stepping::Trapezoid(flow) => kick_flow_kick(context, &mut **flow, h),
             Stepping::Implicit(step, kicks) => match step.step(context, h)? {
                 Outcome::Done => Ok(()),
                 Outcome::Lost => kick_flow_kick(context, &mut **kicks, h),
             },
+            Stepping::Leapfrog(_) | Stepping::Sparse(..) | Stepping::Midpoint(_) => {
+                unreachable!("`choose` refuses flows that the mechanism cannot have")
+            }
         }
     }
 
@@ -306,7 +321,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             }
             _ => self.impulse,
         };
-        (self.length != 0.0).then(|| impulse.map(|kappa| kappa / self.length))
+        (self.length != 0.0).then(|| vector(|i| impulse[i] / self.length))
     }
 
     /// The current state.

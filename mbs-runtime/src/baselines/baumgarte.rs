@@ -17,7 +17,7 @@ use crate::BaumgarteSettings;
 use crate::alf3f::closing::{self, Closing, Limits};
 use crate::alf3f::{not_converged, residual_of};
 use crate::fault::Fault;
-use crate::linear::accumulate;
+use crate::linear::{accumulate, negative};
 use crate::row_scale::RowScale;
 use crate::singular::{EXACT, RankMargin};
 use crate::yardstick::Yardstick;
@@ -173,10 +173,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         v: &mut SVector<f64, N>,
     ) {
         for _ in 0..2 {
-            let mut multiplier = bench
-                .geometry
-                .velocity_rows(&bench.system, v)
-                .map(|rate| -rate);
+            let mut multiplier = negative(&bench.geometry.velocity_rows(&bench.system, v));
             self.delassus.solve(&mut multiplier);
             accumulate(v, &bench.geometry.w, &multiplier);
         }
@@ -227,7 +224,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
 
     #[inline(always)]
     fn solve(&mut self) -> bool {
-        let mut change = self.bench.phi.map(|residual| -residual);
+        let mut change = negative(&self.bench.phi);
         self.equations.delassus.solve(&mut change);
         let mut way = SVector::zeros();
         accumulate(&mut way, &self.bench.geometry.w, &change);

@@ -25,7 +25,7 @@ use crate::BdfSettings;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{dot, finite, vector};
+use crate::linear::{dot, finite, scaled, vector};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
@@ -234,7 +234,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             for i in 0..N {
                 v[i] += change[i];
             }
-            lambda = rows.map(|row| alpha * row);
+            lambda = scaled(alpha, &rows);
             let size = bench.yardstick.measure(&change) / alpha;
             ended = size <= NEWTON * bound;
             if !ended && !(size < 2.0 * last) {

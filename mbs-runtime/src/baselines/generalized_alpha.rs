@@ -20,7 +20,7 @@ use crate::GeneralizedAlphaSettings;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::pull_back;
-use crate::linear::{RowMatrix, accumulate, dot, vector};
+use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
 use nalgebra::SVector;
 
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
@@ -150,9 +150,9 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             for i in 0..R {
                 lambda[i] += rows[i];
             }
-            let mut step = change.map(|x| to_v * x);
+            let mut step = scaled(to_v, &change);
             if self.stabilised {
-                let along = change.map(|x| to_q * x);
+                let along = scaled(to_q, &change);
                 let moved = self.close(bench, &turn, &along)?;
                 for i in 0..N {
                     shift[i] += moved[i];

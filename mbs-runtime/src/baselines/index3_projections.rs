@@ -19,7 +19,7 @@ use crate::ProjectionSettings;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::pull_back;
-use crate::linear::{Pivoted, RowMatrix, accumulate, dot, vector};
+use crate::linear::{Pivoted, RowMatrix, accumulate, dot, scaled, vector};
 use crate::sink::Discard;
 use nalgebra::SVector;
 
@@ -77,7 +77,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         bench.settle()?;
         // ξ m̄, that is h²/4 α.
         let lengths = bench.geometry.lengths_squared();
-        let weights = lengths.map(|length| self.penalty / length.max(f64::MIN_POSITIVE));
+        let weights = vector(|i| self.penalty / lengths[i].max(f64::MIN_POSITIVE));
         let quarter = 0.25 * h * h;
         let (q0, v0, t0) = (
             bench.state.positions,
@@ -133,7 +133,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             for i in 0..N {
                 after[i] += change[i];
             }
-            let step = change.map(|x| 0.5 * h * x);
+            let step = scaled(0.5 * h, &change);
             let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
             let floor = bench.yardstick.imperceptible(&q, h);
             if progress.settles(sizes, floor, bench.max_iterations)? {

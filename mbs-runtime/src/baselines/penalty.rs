@@ -16,7 +16,7 @@ use crate::PenaltySettings;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::{pull_back, trapezoid};
-use crate::linear::{Pivoted, RowMatrix, largest, vector};
+use crate::linear::{Pivoted, RowMatrix, array, largest, scaled, vector};
 use crate::row_scale::RowScale;
 use nalgebra::SVector;
 
@@ -54,7 +54,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         let rows = &self.scale.lengths_squared;
         // A row that is zero at the start gets the stiffness of the longest row, in comparable units.
         let longest = largest(&vector::<R>(|i| lengths[i] / rows[i]));
-        std::array::from_fn(|i| {
+        array(|i| {
             let longest = (longest * rows[i]).max(f64::MIN_POSITIVE);
             let length = if lengths[i] > 1e-8 * longest {
                 lengths[i]
@@ -185,5 +185,5 @@ fn pull<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     weight: f64,
     force: &SVector<f64, R>,
 ) {
-    crate::linear::accumulate(x, &bench.geometry.a, &force.map(|force| weight * force));
+    crate::linear::accumulate(x, &bench.geometry.a, &scaled(weight, force));
 }

@@ -15,7 +15,7 @@ use crate::alf3f::{not_converged, residual_of};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{KickFlow, Leapfrog, Midpoint};
-use crate::linear::{Pivoted, RowMatrix, accumulate};
+use crate::linear::{Pivoted, RowMatrix, accumulate, negative, scaled, vector};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
@@ -85,7 +85,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
     ) -> Result<(), Fault> {
         bench.settle()?;
         let t1 = bench.state.time + h;
-        let kappa = self.force.map(|force| h * force);
+        let kappa = scaled(h, &self.force);
         let mut va = bench.state.velocities;
         accumulate(&mut va, &bench.geometry.w, &kappa);
         let (t0, q) = (bench.state.time, bench.state.positions);
@@ -124,7 +124,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         let end = &mut self.end;
         end.metric(system, t1, &q)?;
         let mut v = flow.velocities(system, &va, &q, end);
-        let mut multiplier = end.velocity_rows(system, &v).map(|rate| -rate);
+        let mut multiplier = negative(&end.velocity_rows(system, &v));
         if !self.factors.factor(&end.delassus) {
             self.force = SVector::zeros();
             return Err(not_converged(
@@ -138,7 +138,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         let drive: f64 = (0..R)
             .map(|i| -kappa[i] * start.b[i] - multiplier[i] * end.b[i])
             .sum();
-        self.force = kappa.map(|kappa| kappa / h);
+        self.force = vector(|i| kappa[i] / h);
         std::mem::swap(start, end);
         bench.works.drive += drive;
         bench.commit(t1, q, v, true)
@@ -192,7 +192,7 @@ where
 
     #[inline(always)]
     fn solve(&mut self) -> bool {
-        let mut change = self.bench.phi.map(|residual| -residual / self.h);
+        let mut change = vector(|i| -self.bench.phi[i] / self.h);
         self.rows.factors.solve(&mut change);
         self.kappa += change;
         accumulate(&mut self.va, &self.bench.geometry.w, &change);

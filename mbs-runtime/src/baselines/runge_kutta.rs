@@ -9,7 +9,7 @@ use super::tableau::Tableau;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::vector;
+use crate::linear::{scaled, vector};
 use nalgebra::SVector;
 
 /// Room for the stages of a step.
@@ -116,7 +116,7 @@ pub(crate) fn classical<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     let mut sum = slope;
     for (c, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
         let (t, step) = (t0 + c * h, c * h);
-        let turn = slope[0].map(|rate| step * rate);
+        let turn = scaled(step, &slope[0]);
         let mut v = vector(|i| v0[i] + step * slope[1][i]);
         let q = bench.system.advance(&q0, &turn, 1.0);
         let acceleration = equations.evaluate(bench, t, &q, &v)?;

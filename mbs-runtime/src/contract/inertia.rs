@@ -7,7 +7,7 @@ use nalgebra::SVector;
 pub trait Inertia<const Q: usize, const N: usize>: Clone {
     /// A factor of M(q): empty if M is constant (the system has its inverse), else D⁻¹ and the entries of L of M = L D
     /// Lᵀ, or a Cholesky factor of a long one.
-    type Mass: Clone;
+    type Mass: Clone + Send + Sync + 'static;
 
     /// M(q), both triangles.
     fn mass_matrix(&self, q: &SVector<f64, Q>, mass: &mut impl MatrixSink);

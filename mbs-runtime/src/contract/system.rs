@@ -7,7 +7,13 @@ use nalgebra::SVector;
 /// The equations of a mechanism for one set of parameters, with Q coordinates, N velocities and R constraint
 /// rows.
 pub trait System<const Q: usize, const N: usize, const R: usize>:
-    Configuration<Q, N> + Constraints<Q, N, R> + Loads<Q, N> + Observables<Q, N, R>
+    Configuration<Q, N>
+    + Constraints<Q, N, R>
+    + Loads<Q, N>
+    + Observables<Q, N, R>
+    + Send
+    + Sync
+    + 'static
 {
     /// The summary of the model.
     const MODEL: &'static Model;

@@ -38,7 +38,7 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
             ))
         }
         Some(flow) => Ok(flow),
-        None if natural == Flow::Leapfrog && S::STRUCTURE.position_forces => {
+        None if const { S::STRUCTURE.allows(Flow::Leapfrog) && S::STRUCTURE.position_forces } => {
             let stiffness = stiffness(system, state, settings.step).map_err(|fault| {
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
             })?;
@@ -50,6 +50,18 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
             })
         }
         None => Ok(natural),
+    }
+}
+
+impl Structure {
+    /// Whether such a mechanism can have this flow. Where the answer is a constant of the mechanism, the others are not
+    /// compiled for it.
+    pub(crate) const fn allows(&self, flow: Flow) -> bool {
+        match flow {
+            Flow::Leapfrog => self.constant_mass && !self.velocity_forces,
+            Flow::Midpoint | Flow::Trapezoid => !self.velocity_forces,
+            Flow::Implicit => true,
+        }
     }
 }
 
@@ -92,7 +104,7 @@ fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         if !(size > 0.0 && size.is_finite()) {
             break;
         }
-        x = x.map(|value| value / size);
+        x = vector(|i| x[i] / size);
         let mut next: SVector<f64, N> = vector(|i| -dot(&f_q[i], &x));
         system.solve_mass(&mass, &mut next);
         eigenvalue = yardstick.measure(&next);

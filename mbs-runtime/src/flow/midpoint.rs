@@ -17,7 +17,7 @@ use super::implicit::Implicit;
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{RowMatrix, vector};
+use crate::linear::{RowMatrix, scaled, vector};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
@@ -117,7 +117,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
             return Ok(&self.slopes);
         }
         *self.directions = *self.slopes;
-        let turn = self.vm.map(|v| self.h * v);
+        let turn = scaled(self.h, &self.vm);
         transport::<S, Q, N, R>(&turn, self.directions.rows_mut());
         Ok(&self.directions)
     }

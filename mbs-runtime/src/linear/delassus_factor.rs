@@ -82,7 +82,7 @@ impl<const K: usize> DelassusFactor<K> {
         self.regularised = !regular;
         if self.regularised {
             (self.weak, self.beside) = (true, self.thresholds.beside > 0.0);
-            let diagonal = core::array::from_fn(|i| entries[i][i]);
+            let diagonal = super::array(|i| entries[i][i]);
             self.proximal.factor(entries, &diagonal);
         }
     }
@@ -227,7 +227,7 @@ impl<const K: usize> DelassusFactor<K> {
         let matrix = &matrix.data.0;
         let mut combination = [0.0; K];
         let (mut weakest, mut least) = (None, f64::INFINITY);
-        let counts: [bool; K] = std::array::from_fn(|k| {
+        let counts: [bool; K] = super::array(|k| {
             let relative = self.upper[k][k] / matrix[k][k];
             let counts = k < rows && relative > round_off(least);
             if counts && relative < least {

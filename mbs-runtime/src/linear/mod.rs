@@ -14,7 +14,7 @@ pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
 pub(crate) use vector::{
-    accumulate, dot, dot_of, finite, largest, largest_of, negative, vector, zeros,
+    accumulate, array, dot, dot_of, finite, largest, largest_of, negative, scaled, vector, zeros,
 };
 
 /// The entries of a matrix inside a solver, row by row.

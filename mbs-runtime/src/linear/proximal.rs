@@ -68,7 +68,7 @@ impl<const K: usize> Proximal<K> {
     #[cold]
     #[inline(never)]
     pub(super) fn solve(&self, x: &mut [f64; K]) {
-        let mut rest: [f64; K] = std::array::from_fn(|i| self.scale[i] * x[i]);
+        let mut rest: [f64; K] = super::array(|i| self.scale[i] * x[i]);
         let mut multiplier = [0.0; K];
         let enough = PASSED * super::largest_of(&rest);
         let mut last = f64::INFINITY;
@@ -89,7 +89,7 @@ impl<const K: usize> Proximal<K> {
             }
             last = size;
         }
-        *x = std::array::from_fn(|j| self.scale[j] * multiplier[j]);
+        *x = super::array(|j| self.scale[j] * multiplier[j]);
     }
 
     /// One proximal step on scaled rows.

@@ -7,7 +7,26 @@ use nalgebra::{SMatrix, SVector};
 /// The vector with these entries.
 #[inline(always)]
 pub(crate) fn vector<const N: usize>(entry: impl FnMut(usize) -> f64) -> SVector<f64, N> {
-    SVector::from(std::array::from_fn(entry))
+    SVector::from(array(entry))
+}
+
+/// The array with these entries. (The loop is a few lines where `std::array::from_fn` is hundreds, for every mechanism and
+/// every closure, that the optimiser has to remove.)
+#[inline(always)]
+pub(crate) fn array<T: Copy + Default, const N: usize>(
+    mut entry: impl FnMut(usize) -> T,
+) -> [T; N] {
+    let mut entries = [T::default(); N];
+    for i in 0..N {
+        entries[i] = entry(i);
+    }
+    entries
+}
+
+/// s x.
+#[inline(always)]
+pub(crate) fn scaled<const N: usize>(scale: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
+    vector(|i| scale * x[i])
 }
 
 /// The vector of zeros.

@@ -5,7 +5,7 @@
 //! looked for on it; [`Simulation::look_at`](super::Simulation::look_at) gives states that satisfy the constraints.
 
 use crate::flow::{transport, unroll};
-use crate::linear::vector;
+use crate::linear::{scaled, vector};
 use crate::{State, System};
 use nalgebra::SVector;
 
@@ -29,14 +29,14 @@ impl<const Q: usize, const N: usize> Hermite<Q, N> {
     ) -> Self {
         let length = end.time - begin.time;
         let moved = system.difference(&begin.positions, &end.positions);
-        let mut last = end.velocities.map(|v| length * v);
+        let mut last = scaled(length, &end.velocities);
         unroll::<S, Q, N, R>(&moved, &mut last);
         Hermite {
             time: begin.time,
             length,
             begin: begin.positions,
             moved,
-            rates: [begin.velocities.map(|v| length * v), last],
+            rates: [scaled(length, &begin.velocities), last],
         }
     }
 

@@ -1,6 +1,7 @@
 //! Detection of singular poses during the motion, from the rank margins at the ends of steps.
 
 use super::Simulation;
+use crate::linear::{array, largest_of};
 use crate::singular::RankMargin;
 use crate::{RankLoss, System};
 
@@ -206,17 +207,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     #[inline(never)]
     fn record(&mut self, time: f64, sigma: f64) {
-        let weights = self.integrator.weakest_rows().map(f64::abs);
-        let most = crate::linear::largest(&weights);
-        let mut order: [usize; R] = std::array::from_fn(|i| i);
-        order.sort_unstable_by(|&i, &j| weights[j].total_cmp(&weights[i]));
-        let involved = order
-            .into_iter()
-            .filter(|&i| weights[i] >= INVOLVED * most && most > 0.0)
-            .filter_map(|i| Some(S::MODEL.rows.get(i)?.entry));
+        let mut weights = self.integrator.weakest_rows();
+        let mut order: [usize; R] = array(|i| i);
+        let involved = strongest(weights.as_mut_slice(), &mut order);
+        let involved = involved
+            .iter()
+            .filter_map(|&i| Some(S::MODEL.rows.get(i)?.entry));
         let loss = RankLoss::new(time, sigma, involved);
         self.singularities.losses.push(loss);
     }
+}
+
+/// The part of `order` with the weights that are not small, the largest first. (Not generic: compiled once.)
+fn strongest<'a>(weights: &mut [f64], order: &'a mut [usize]) -> &'a [usize] {
+    for weight in weights.iter_mut() {
+        *weight = weight.abs();
+    }
+    let most = largest_of(weights);
+    order.sort_unstable_by(|&i, &j| weights[j].total_cmp(&weights[i]));
+    let involved = |&i: &usize| weights[i] >= INVOLVED * most && most > 0.0;
+    let count = order.iter().take_while(|i| involved(i)).count();
+    &order[..count]
 }
 
 #[cfg(test)]

@@ -16,7 +16,9 @@ use mbs_runtime::{
 };
 
 /// The equations of a scene, in arrays; the rest is filled in by [`Hand`], tangents by central differences.
-pub trait Scene<const Q: usize, const N: usize, const R: usize>: Clone + Default {
+pub trait Scene<const Q: usize, const N: usize, const R: usize>:
+    Clone + Default + Send + Sync + 'static
+{
     const STRUCTURE: Structure;
     const ROWS: &'static [Row] = &[];
     /// Where the angular velocities begin in v; a unit quaternion stands in their place in q.

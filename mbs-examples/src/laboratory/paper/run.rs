@@ -34,7 +34,7 @@ macro_rules! subject {
                     $($given)*
                     ..$mechanism::default()
                 };
-                Ok(Box::new(Simulation::with_settings(mechanism, settings)?))
+                Ok(Box::new(Simulation::with_any_method(mechanism, settings)?))
             },
             sketch: $sketch,
         }

@@ -121,7 +121,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// The mean forces of the rows over the last step; `None` before the first one.
     pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
-        (self.length > 0.0).then(|| self.impulse.map(|impulse| impulse / self.length))
+        (self.length > 0.0).then(|| vector(|i| self.impulse[i] / self.length))
     }
 
     pub(crate) fn phi(&self) -> &SVector<f64, R> {

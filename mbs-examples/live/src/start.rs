@@ -1,0 +1,15 @@
+//! Which methods are compiled for the scenes: all that the page can compare.
+
+use mbs_runtime::{AnySimulation, Mechanism, Settings, Simulation, SimulationError, System};
+
+/// A simulation of a scene, with any method.
+pub(crate) fn start<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    settings: Settings,
+) -> Result<Box<dyn AnySimulation>, SimulationError>
+where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    Ok(Box::new(Simulation::with_any_method(mechanism, settings)?))
+}

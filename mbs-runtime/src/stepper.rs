@@ -1,0 +1,199 @@
+//! The methods other than the two-level one behind one object-safe trait.
+//!
+//! A simulation calls them through a table of functions, which only [`other`] fills: a program that never passes it to
+//! an integrator does not compile them.
+
+use crate::alf3f::{Counters, PaperStepper, StepMonitor};
+use crate::fault::Fault;
+use crate::singular::RankMargin;
+use crate::{BaselineStepper, Flow, Method, Settings, SimulationError, State, System};
+use nalgebra::SVector;
+
+/// A method as a simulation uses it; the functions are those of the enumeration `Integrator`.
+pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>:
+    Send + Sync
+{
+    fn step(&mut self, h: f64, monitor: &mut StepMonitor) -> Result<(), SimulationError>;
+    fn rank_margin(&mut self) -> Option<RankMargin>;
+    fn weakest_rows(&self) -> SVector<f64, R>;
+    fn system(&self) -> &S;
+    fn system_mut(&mut self) -> &mut S;
+    fn state(&self) -> &State<Q, N, R>;
+    fn state_mut(&mut self) -> &mut State<Q, N, R>;
+    fn refresh(&mut self) -> Result<(), Fault>;
+    fn trace(&self) -> Trace<'_, Q, N, R>;
+    fn multipliers(&self) -> Option<SVector<f64, R>>;
+    fn flow(&self) -> Flow;
+    fn counters(&self) -> Counters;
+}
+
+/// Quantities after a step, for the report.
+pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
+    /// φ.
+    pub(crate) phi: &'a SVector<f64, R>,
+    /// A v + b.
+    pub(crate) rates: SVector<f64, R>,
+}
+
+/// A boxed method.
+pub(crate) type AnyStepper<S, const Q: usize, const N: usize, const R: usize> =
+    Box<dyn Stepper<S, Q, N, R>>;
+
+/// Makes the stepper of any method but the two-level one.
+pub(crate) type MakeStepper<S, const Q: usize, const N: usize, const R: usize> =
+    fn(S, State<Q, N, R>, &Settings) -> Result<AnyStepper<S, Q, N, R>, SimulationError>;
+
+/// The stepper of the method of the settings.
+pub(crate) fn other<S, const Q: usize, const N: usize, const R: usize>(
+    system: S,
+    state: State<Q, N, R>,
+    settings: &Settings,
+) -> Result<AnyStepper<S, Q, N, R>, SimulationError>
+where
+    S: System<Q, N, R>,
+{
+    Ok(match settings.method {
+        Method::Paper(_) | Method::MAlf(_) => Box::new(PaperStepper::new(system, state, settings)?),
+        _ => Box::new(BaselineStepper::new(system, state, settings)?),
+    })
+}
+
+impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
+    for PaperStepper<S, Q, N, R>
+where
+    S: System<Q, N, R>,
+{
+    fn step(&mut self, h: f64, monitor: &mut StepMonitor) -> Result<(), SimulationError> {
+        PaperStepper::step(self, h)?;
+        let State {
+            time,
+            positions,
+            velocities,
+            ..
+        } = &self.state;
+        let power = self
+            .system
+            .nonconservative_power(*time, positions, velocities);
+        monitor.nonconservative_work += 0.5 * h * (monitor.power + power);
+        monitor.power = power;
+        monitor.drive_work += self.drive().iter().sum::<f64>();
+        Ok(())
+    }
+
+    fn rank_margin(&mut self) -> Option<RankMargin> {
+        None
+    }
+
+    fn weakest_rows(&self) -> SVector<f64, R> {
+        SVector::zeros()
+    }
+
+    fn system(&self) -> &S {
+        &self.system
+    }
+
+    fn system_mut(&mut self) -> &mut S {
+        &mut self.system
+    }
+
+    fn state(&self) -> &State<Q, N, R> {
+        &self.state
+    }
+
+    fn state_mut(&mut self) -> &mut State<Q, N, R> {
+        &mut self.state
+    }
+
+    fn refresh(&mut self) -> Result<(), Fault> {
+        PaperStepper::refresh(self)
+    }
+
+    fn trace(&self) -> Trace<'_, Q, N, R> {
+        Trace {
+            phi: self.phi(),
+            rates: self.rates(),
+        }
+    }
+
+    fn multipliers(&self) -> Option<SVector<f64, R>> {
+        PaperStepper::multipliers(self)
+    }
+
+    /// It uses the trapezoidal rule, with the multipliers among its unknowns.
+    fn flow(&self) -> Flow {
+        Flow::Implicit
+    }
+
+    fn counters(&self) -> Counters {
+        PaperStepper::counters(self)
+    }
+}
+
+impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
+    for BaselineStepper<S, Q, N, R>
+where
+    S: System<Q, N, R>,
+{
+    fn step(&mut self, h: f64, monitor: &mut StepMonitor) -> Result<(), SimulationError> {
+        BaselineStepper::step(self, h)?;
+        let works = self.take_stock()?;
+        monitor.nonconservative_work += works.nonconservative;
+        monitor.drive_work += works.drive;
+        if monitor.rank_margin.is_some() {
+            monitor.rank_margin = BaselineStepper::rank_margin(self);
+            monitor.clearance = monitor.clearance.min(self.clearance());
+        }
+        Ok(())
+    }
+
+    fn rank_margin(&mut self) -> Option<RankMargin> {
+        BaselineStepper::rank_margin(self)
+    }
+
+    fn weakest_rows(&self) -> SVector<f64, R> {
+        BaselineStepper::weakest_rows(self)
+    }
+
+    fn system(&self) -> &S {
+        &self.bench.system
+    }
+
+    fn system_mut(&mut self) -> &mut S {
+        &mut self.bench.system
+    }
+
+    fn state(&self) -> &State<Q, N, R> {
+        &self.bench.state
+    }
+
+    fn state_mut(&mut self) -> &mut State<Q, N, R> {
+        &mut self.bench.state
+    }
+
+    fn refresh(&mut self) -> Result<(), Fault> {
+        BaselineStepper::refresh(self)
+    }
+
+    fn trace(&self) -> Trace<'_, Q, N, R> {
+        let bench = &self.bench;
+        Trace {
+            phi: &bench.phi,
+            rates: bench
+                .geometry
+                .velocity_rows(&bench.system, &bench.state.velocities),
+        }
+    }
+
+    fn multipliers(&self) -> Option<SVector<f64, R>> {
+        BaselineStepper::multipliers(self)
+    }
+
+    /// They have no flow between kicks.
+    fn flow(&self) -> Flow {
+        Flow::Leapfrog
+    }
+
+    fn counters(&self) -> Counters {
+        BaselineStepper::counters(self)
+    }
+}
