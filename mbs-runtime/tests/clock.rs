@@ -20,7 +20,7 @@ mechanism!(Pendulum {
 fn simulation(
     settings: Settings,
 ) -> Result<Simulation<impl mbs_runtime::System<1, 1, 0>, 1, 1, 0>, SimulationError> {
-    Simulation::with_settings(Pendulum::default(), settings)
+    Simulation::with_any_method(Pendulum::default(), settings)
 }
 
 #[test]

@@ -18,7 +18,7 @@ mechanism!(SliderCrank {
 
 /// Some steps, one by one: the end of a run that takes them all is refused.
 fn steps(settings: Settings) -> Result<(), SimulationError> {
-    let mut simulation = Simulation::with_settings(SliderCrank::default(), settings)?;
+    let mut simulation = Simulation::with_any_method(SliderCrank::default(), settings)?;
     (0..30).try_for_each(|_| simulation.step())
 }
 
