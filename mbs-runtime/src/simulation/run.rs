@@ -54,9 +54,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let left = time - self.time();
         let step = self.nominal();
         // At large times the round-off of the time is larger than such a remainder.
-        let sliver = (SLIVER * step).max(4.0 * f64::EPSILON * time.abs());
+        let rounding = 4.0 * f64::EPSILON * time.abs();
+        let sliver = (SLIVER * step).max(rounding);
         if left <= sliver {
             None
+        } else if (left - step).abs() <= rounding {
+            // A whole step, as those before.
+            Some(step)
         } else if left <= step + sliver {
             Some(left)
         } else {
