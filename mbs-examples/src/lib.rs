@@ -1,6 +1,9 @@
 //! Scenes with references, and the code of the command line `mbs`, which runs and shows them.
 
+pub mod absent;
+#[cfg(feature = "laboratory")]
 pub mod laboratory;
+#[cfg(feature = "laboratory")]
 pub mod pages;
 pub mod plot;
 pub mod reference;

@@ -2,10 +2,10 @@
 
 use mbs_runtime::{AnySimulation, Mechanism, Settings, Simulation, SimulationError, System};
 
-/// A simulation of a scene, with any method.
+/// A simulation of a scene: with any method in builds with the feature `laboratory`, otherwise with the two-level one.
 ///
 /// # Errors
-/// As [`Simulation::with_any_method`].
+/// As [`Simulation::with_any_method`], or [`Simulation::with_settings`].
 pub fn start<M, S, const Q: usize, const N: usize, const R: usize>(
     mechanism: M,
     settings: Settings,
@@ -14,5 +14,9 @@ where
     M: Mechanism<System = S>,
     S: System<Q, N, R>,
 {
-    Ok(Box::new(Simulation::with_any_method(mechanism, settings)?))
+    #[cfg(feature = "laboratory")]
+    let simulation = Simulation::with_any_method(mechanism, settings)?;
+    #[cfg(not(feature = "laboratory"))]
+    let simulation = Simulation::with_settings(mechanism, settings)?;
+    Ok(Box::new(simulation))
 }

@@ -1,6 +1,7 @@
 //! Every command line in the README and the book is run: here, by `cargo test --workspace`, or by the script of the
 //! checks.
 
+use mbs_examples::absent::{COMMANDS, SCENES};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -71,7 +72,8 @@ fn is_a_part_of_the_tests(command: &str) -> bool {
 
 #[test]
 fn command_lines_work() {
-    const MBS: &str = "cargo run --release -p mbs-examples -- ";
+    const FIRST: &str = "cargo run --release -p mbs-examples -- ";
+    const MBS: &str = "cargo mbs ";
     // Files that they write go to a folder of their own.
     let place = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     fs::create_dir_all(&place).expect("a folder");
@@ -81,7 +83,16 @@ fn command_lines_work() {
     for file in files {
         for command in commands(&file) {
             let at = format!("{}: `{command}`", file.display());
-            if let Some(arguments) = command.strip_prefix(MBS) {
+            let first = command.strip_prefix(FIRST);
+            if let Some(arguments) = first {
+                let words: Vec<&str> = arguments.split_whitespace().collect();
+                let absent = |word: &&str| SCENES.contains(word) || COMMANDS.contains(word);
+                assert!(
+                    !words.iter().any(absent) && !words.contains(&"--method"),
+                    "{at} needs `cargo mbs`"
+                );
+            }
+            if let Some(arguments) = first.or_else(|| command.strip_prefix(MBS)) {
                 let output = Command::new(env!("CARGO_BIN_EXE_mbs"))
                     .args(arguments.split_whitespace())
                     .current_dir(&place)

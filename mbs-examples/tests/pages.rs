@@ -17,7 +17,7 @@ fn root() -> PathBuf {
 
 #[test]
 fn pages_are_what_their_data_render_to() {
-    const COMMAND: &str = "cargo run --release -p mbs-examples -- pages";
+    const COMMAND: &str = "cargo mbs pages";
     let updates = updates(&root(), ENTRIES).unwrap_or_else(|problems| panic!("{problems}"));
     let stale: Vec<String> = updates
         .iter()

@@ -387,6 +387,193 @@ fn long_chains_of_names_are_answered() {
     });
 }
 
+#[test]
+fn expressions_deeper_than_later_stages_can_follow_are_refused() {
+    let lets: String = (0..2000)
+        .map(|i| format!("a{}: Let(1.0 + 2.0 * a{i} * bar.rate * 1.0_s),", i + 1))
+        .collect();
+    let text = format!(
+        "Chain {{ world: Planar(), bar: Bar(mass = 1.0_kg, length = 1.0_m, free = true), \
+         a0: Let(bar.angle), {lets} motor: Torque(bar, value = 1.0_Nm * a2000) }}"
+    );
+    on_compiler_stack(move || {
+        let messages = rejected(&text);
+        assert!(
+            matches!(messages.as_slice(), [one] if one.contains("operations deep")),
+            "{messages:?}"
+        );
+    });
+}
+
+#[test]
+fn long_sums_and_long_documentation_are_accepted() {
+    let sines = |from: usize| -> String {
+        (from..from + 30)
+            .map(|i| format!(" + sin({i}.0 * bar.angle)"))
+            .collect()
+    };
+    let groups: String = (0..30)
+        .map(|k| format!("g{k}: Let(1.0{}),", sines(30 * k)))
+        .collect();
+    let sum: Vec<String> = (0..30).map(|k| format!("g{k}")).collect();
+    let lines = "#[doc = \"One line.\"] ".repeat(1000);
+    let text = format!(
+        "{lines} Sum {{ world: Planar(), {lines} bar: Bar(mass = 1.0_kg, length = 1.0_m, free = true), \
+         {groups} motor: Torque(bar, value = 1.0_Nm * ({})) }}",
+        sum.join(" + ")
+    );
+    on_compiler_stack(move || {
+        let tokens = text.parse().expect("these are tokens");
+        assert!(matches!(answer(tokens), Answer::Accepted));
+    });
+}
+
+#[test]
+fn many_unknown_names_are_answered_soon() {
+    let outputs: String = (0..2000)
+        .map(|i| format!("name_{i}: Output(nome_{i}),"))
+        .collect();
+    let start = std::time::Instant::now();
+    let messages = rejected(&format!("Wrong {{ world: Planar(), {outputs} }}"));
+    assert!(messages.len() >= 2000, "{}", messages.len());
+    assert!(
+        messages[0].contains("did you mean `name_0`?"),
+        "{}",
+        messages[0]
+    );
+    // Without a bound it took minutes.
+    assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
+}
+
+#[test]
+fn home_poses_are_compared_on_the_scale_of_the_parts() {
+    let turned = |size: f64| {
+        format!(
+            "Turned {{ world: Spatial(), n: Let(unit([0.9, 0.35, 0.6])), q: Param(0.2_rad),
+            body: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, orientation = turn(n, q),
+                center_of_mass = [{0:e}, {1:e}, {2:e}]),
+            pivot: Revolute(ground, body, at = [0.0, 0.0, 0.0], axis = n) }}",
+            0.16 * size,
+            0.2 * size,
+            0.02 * size
+        )
+    };
+    // The loop of a four-bar in all sizes: assembled with the same relative accuracy.
+    let loop_of = |size: f64| {
+        format!(
+            "Loop {{ world: Planar(), a: Param({0:e}_m), b: Param({1:e}_m),
+            crank: Bar(mass = 1.0_kg, length = a, angle = 1.0_rad), rod: Bar(mass = 1.0_kg, length = b), rocker: Bar(mass = 1.0_kg, length = b),
+            p1: Revolute(ground.origin, crank.a), p2: Revolute(crank.b, rod.a), p3: Revolute(rod.b, rocker.b),
+            p4: Revolute(rocker.a, ground.point(b, 0.0)) }}",
+            size,
+            2.0 * size
+        )
+    };
+    for exponent in [-9, -6, -3, 0, 3, 6] {
+        for text in [turned(10f64.powi(exponent)), loop_of(10f64.powi(exponent))] {
+            let answer = answer(text.parse().expect("these are tokens"));
+            assert!(matches!(answer, Answer::Accepted), "{answer:?}\n{text}");
+        }
+    }
+}
+
+/// A law would be called where the compiler needs a number.
+#[test]
+fn laws_are_refused_where_the_motion_has_not_started() {
+    let plane = |arguments: &str, joint: &str, world: &str| {
+        format!(
+            "Lawful {{ world: Planar({world}), k: Param(1.0), body: Body({arguments}), pivot: {joint}, out: Output(k) }}"
+        )
+    };
+    let space = |arguments: &str, joint: &str| {
+        format!(
+            "Lawful {{ world: Spatial(), k: Param(1.0), body: Body({arguments}), pivot: {joint}, out: Output(k) }}"
+        )
+    };
+    let sound = "mass = 1.0_kg, inertia = 0.1_kg_m2";
+    let pin = "Revolute(ground.origin, body.origin)";
+    let hinge = "Revolute(ground, body, at = [0.0, 0.0, 0.0], axis = X)";
+    for text in [
+        plane("mass = 1.0_kg * law(f, k), inertia = 0.1_kg_m2", pin, ""),
+        plane("mass = 1.0_kg, inertia = 0.1_kg_m2 * law(f, k)", pin, ""),
+        plane(
+            sound,
+            "Revolute(ground.origin, body.point(law(f, k), 0.0))",
+            "coordinates = Joint",
+        ),
+        plane(
+            sound,
+            "Distance(ground.origin, body.origin, length = 1.0_m * law(f, k))",
+            "",
+        ),
+        plane(sound, pin, "gravity = [0.0, law(f, k)]"),
+        space(
+            "mass = 1.0_kg, inertia = diag(0.1_kg_m2 * law(f, k), 0.1, 0.1)",
+            hinge,
+        ),
+        space(
+            "mass = 1.0_kg, inertia = Cuboid(law(f, k), 0.1, 0.1)",
+            hinge,
+        ),
+        space(
+            sound,
+            "Revolute(ground, body, at = [law(f, k), 0.0, 0.0], axis = X)",
+        ),
+        space(
+            sound,
+            "Revolute(ground, body, at = [0.0, 0.0, 0.0], axis = [1.0, law(f, k), 0.0])",
+        ),
+        space(
+            sound,
+            "Revolute(ground.frame([law(f, k), 0.0, 0.0], X), body.frame([0.0, 0.0, 0.0], X))",
+        ),
+        space(
+            "mass = 1.0_kg, inertia = 0.1_kg_m2, orientation = turn(X, law(f, k))",
+            hinge,
+        ),
+    ] {
+        let messages = rejected(&text);
+        assert!(
+            matches!(messages.as_slice(), [one] if one.contains("a law is called during the motion")),
+            "{messages:?}\n{text}"
+        );
+    }
+}
+
+/// Joints given by frames are at angle zero in the home pose, whatever the axes across theirs are.
+#[test]
+fn frames_of_joints_have_no_twist_in_the_home_pose() {
+    for orientation in [
+        "turn(Z, 0.7)",
+        "turn(Z, q)",
+        "[turn(X, 0.5), turn(Z, -2.0)]",
+    ] {
+        let axis = match orientation.starts_with('[') {
+            true => "[0.0, -sin(0.5), cos(0.5)]",
+            false => "Z",
+        };
+        let text = format!(
+            "Framed {{ world: Spatial(coordinates = Joint), q: Param(0.7_rad),
+            body: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, orientation = {orientation}),
+            hinge: Revolute(ground.frame([0.0, 0.0, 0.0], {axis}), body.frame([0.0, 0.0, 0.0], Z)),
+            out: Output(hinge.angle + q) }}"
+        );
+        let (_, outcome) = analyse(text.parse().expect("these are tokens"));
+        let analysis = outcome.unwrap_or_else(|failure| panic!("{:?}", failure.messages()));
+        let system = &analysis.derived.system;
+        let parameters = &analysis.outline.parameters;
+        let symbols = |symbol| match symbol {
+            mbs_macros_core::symbolic::Symbol::Parameter(i) => parameters[i as usize].default,
+            other => panic!("{other:?} in a guess"),
+        };
+        let laws = |_: u32, _: &[f64]| (0.0, Vec::new());
+        let mut numbers = mbs_macros_core::symbolic::Evaluator::new(&system.graph, &symbols, &laws);
+        assert_eq!(system.layout.coordinates.len(), 1);
+        let guess = numbers.value(system.layout.coordinates[0].guess);
+        assert!(guess.abs() < 1e-12, "{orientation}: {guess}");
+    }
+}
+
 /// The one message about an output.
 fn refusal(expression: &str) -> String {
     let mut messages = rejected(&with_output(expression));

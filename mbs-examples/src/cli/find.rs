@@ -1,5 +1,6 @@
 //! Finds items by name; for an unknown name the message suggests a similar one.
 
+use mbs_examples::absent;
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
 
@@ -7,9 +8,33 @@ use super::failure::Failure;
 
 /// The scene of this name.
 pub fn scene(name: &str) -> Result<&'static Scene, Failure> {
-    let names = || scenes().iter().map(|scene| scene.name);
+    // A name of either sort may be what was meant.
+    let names = || {
+        let built = scenes().iter().map(|scene| scene.name);
+        let absent = absent::SCENES.iter().copied();
+        built.chain(absent.filter(|_| !cfg!(feature = "laboratory")))
+    };
     let found = scenes().iter().find(|scene| scene.name == name);
-    found.ok_or_else(|| Failure(unknown("scene", name, names())))
+    found.ok_or_else(|| {
+        // A build with all scenes has found those.
+        Failure(match absent::SCENES.contains(&name) {
+            true => absent(&format!("the scene `{name}`")),
+            false => unknown("scene", name, names()),
+        })
+    })
+}
+
+/// The message for something that this build does not have, with the command line that has it.
+pub fn absent(what: &str) -> String {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    absent::message(what, arguments.iter().map(String::as_str))
+}
+
+/// Below the help: the commands that this build does not have.
+#[cfg(not(feature = "laboratory"))]
+pub fn in_laboratory() -> String {
+    let commands = absent::COMMANDS.join(", ");
+    absent::message(&format!("Each of {commands}"), ["COMMAND"])
 }
 
 /// `no scene is named …; did you mean …? There are: …`

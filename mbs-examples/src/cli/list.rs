@@ -1,6 +1,7 @@
 //! `mbs list`: the scenes and the size of their models.
 
 use clap::Args;
+use mbs_examples::absent;
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
 use mbs_runtime::{Quantity, Settings};
@@ -23,9 +24,13 @@ impl List {
     pub fn run(&self) -> Result<(), Failure> {
         if self.json {
             let scenes: Value = scenes().iter().map(object).collect();
+            // Not part of the array, but not silent either.
+            if let Some(more) = absent::more() {
+                eprint!("{}", more.trim_start());
+            }
             print(&format!("{scenes:#}\n"))
         } else {
-            print(&text())
+            print(&(text() + &absent::more().unwrap_or_default()))
         }
     }
 }

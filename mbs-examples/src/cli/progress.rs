@@ -38,10 +38,12 @@ impl Progress {
 }
 
 /// The number of points of a chart that are done, and the time for the rest.
+#[cfg(feature = "laboratory")]
 pub struct Points {
     bar: ProgressBar,
 }
 
+#[cfg(feature = "laboratory")]
 impl Points {
     /// A bar for this number of points.
     pub fn new(chart: &'static str, points: u64) -> Self {

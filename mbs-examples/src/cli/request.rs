@@ -4,7 +4,7 @@ use mbs_examples::scene::Scene;
 use mbs_runtime::{AnySimulation, Method, Settings};
 
 use super::failure::Failure;
-use super::find::unknown;
+use super::find::{absent, unknown};
 use super::simulate::Simulate;
 
 /// A run whose arguments were checked.
@@ -106,7 +106,12 @@ fn tolerance(text: &str) -> Result<f64, Failure> {
 
 fn method(name: &str) -> Result<Method, Failure> {
     let known = Method::NAMES.iter().copied();
-    Method::by_name(name).ok_or_else(|| Failure(unknown("method", name, known)))
+    let method = Method::by_name(name).ok_or_else(|| Failure(unknown("method", name, known)))?;
+    match method {
+        Method::TwoLevel => Ok(method),
+        _ if cfg!(feature = "laboratory") => Ok(method),
+        _ => Err(Failure(absent(&format!("the method `{name}`")))),
+    }
 }
 
 fn positive(option: &str, text: Option<&str>, default: f64) -> Result<f64, Failure> {

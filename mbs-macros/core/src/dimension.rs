@@ -175,7 +175,6 @@ pub const UNITS: &[(&str, f64, Dimension)] = &[
     ("ms", 1e-3, Dimension::TIME),
     ("min", 60.0, Dimension::TIME),
     ("h", 3600.0, Dimension::TIME),
-    ("Hz", 1.0, Dimension::RATE),
     ("rad", 1.0, Dimension::NONE),
     ("deg", std::f64::consts::PI / 180.0, Dimension::NONE),
     ("rev", 2.0 * std::f64::consts::PI, Dimension::NONE),
@@ -194,6 +193,44 @@ pub const UNITS: &[(&str, f64, Dimension)] = &[
     ("V", 1.0, Dimension([2, 1, -3, -1])),
     ("ohm", 1.0, Dimension([2, 1, -3, -2])),
 ];
+
+/// Units that people may write and that are no units here: name, what it is, and what to write instead.
+const FOREIGN: &[(&str, &str)] = &[
+    ("in", "inches are not known here; one is `25.4_mm`"),
+    ("inch", "inches are not known here; one is `25.4_mm`"),
+    ("ft", "feet are not known here; one is `304.8_mm`"),
+    ("lb", "pounds are not known here; one is `0.45359237_kg`"),
+    ("lbm", "pounds are not known here; one is `0.45359237_kg`"),
+    (
+        "lbf",
+        "pounds of force are not known here; one is `4.4482216152605_N`",
+    ),
+    ("oz", "ounces are not known here; one is `28.349523125_g`"),
+    (
+        "psi",
+        "pounds per square inch are not known here; one is `6894.757293168_Pa`",
+    ),
+    ("bar", "bars are not known here; one is `1e5_Pa`"),
+    (
+        "kgf",
+        "kilograms of force are not known here; one is `9.80665_N`",
+    ),
+    ("um", "micrometres are not known here; one is `1e-6_m`"),
+    ("mN", "millinewtons are not known here; one is `1e-3_N`"),
+    (
+        "Hz",
+        "it does not say whether turns or radians are counted: an angular rate is in `rev_per_s`, `rpm` or `rad_per_s`, another frequency in `per_s`",
+    ),
+];
+
+/// What to write instead of a unit that is not known here, if one is in a suffix.
+pub fn foreign(suffix: &str) -> Option<&'static str> {
+    suffix.split('_').find_map(|token| {
+        let name = token.trim_end_matches(|c: char| c.is_ascii_digit());
+        let unit = FOREIGN.iter().find(|(unit, _)| *unit == name);
+        unit.map(|(_, advice)| *advice)
+    })
+}
 
 fn base_unit(name: &str) -> Option<(f64, Dimension)> {
     UNITS

@@ -100,6 +100,9 @@ fn takes(expects: Expects) -> String {
         Expects::Moving(dimension) => format!("{dimension}{moving}"),
         Expects::MovingAny | Expects::Driven => format!("a number{moving}"),
         Expects::MovingVector(dimension) => format!("vector of {dimension}{moving}"),
+        Expects::FollowingVector(dimension) => {
+            format!("vector of {dimension}; an expression of coordinates and parameters")
+        }
         Expects::Anything => "an expression or a list".to_owned(),
         Expects::Point => "a point".to_owned(),
         Expects::Part | Expects::PartAngle => "a part or `ground`".to_owned(),

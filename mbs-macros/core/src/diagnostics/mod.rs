@@ -68,6 +68,11 @@ impl Errors {
         self.list.push(error);
     }
 
+    /// The number of errors so far.
+    pub fn count(&self) -> usize {
+        self.list.len()
+    }
+
     /// Whether nothing went wrong so far.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
@@ -128,8 +133,11 @@ pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str
 /// The candidate that `name` may be a misspelling of.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = name.chars().count();
+    // The distance is no less than the difference of the lengths.
+    let is_near = |candidate: &&str| candidate.chars().count().abs_diff(length) <= 1 + length / 3;
     let (distance, candidate) = candidates
         .into_iter()
+        .filter(is_near)
         .map(|candidate| (distance(name, candidate), candidate))
         .min()?;
     // Names of one letter are not suggested for each other.

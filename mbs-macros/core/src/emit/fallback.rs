@@ -2,6 +2,7 @@
 //! program keeps resolving and the only errors shown are those of the declaration.
 
 use super::items::{self, visibility};
+use crate::schema::PRIMITIVES;
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -10,6 +11,10 @@ use quote::quote;
 pub fn fallback(declaration: &Declaration) -> TokenStream {
     let visibility = visibility(declaration);
     let name = &declaration.name;
+    // A type of this name would only bring errors about its own fields.
+    if PRIMITIVES.contains(&name.to_string().as_str()) {
+        return TokenStream::new();
+    }
     let of_kind = |kind: &'static str| -> Vec<&Ident> {
         let entries = declaration.entries.iter();
         let own = entries.filter(|entry| entry.kind == kind);

@@ -12,7 +12,11 @@ pub(super) fn visibility(declaration: &Declaration) -> TokenStream {
 
 /// The name of the hidden type.
 pub(super) fn system(declaration: &Declaration) -> Ident {
-    format_ident!("{}System", declaration.name, span = declaration.name.span())
+    format_ident!(
+        "{}Equations",
+        declaration.name,
+        span = declaration.name.span()
+    )
 }
 
 /// The name of the simulation.

@@ -78,7 +78,7 @@ impl Names {
             };
             let name = match symbol {
                 Symbol::VectorEntry(i) => format!("x{i}"),
-                _ => identifier(&graph.name(symbol)),
+                _ => binding(symbol, &graph.name(symbol)),
             };
             let name = claim(&name, &mut taken);
             bound.insert(symbol, (name, source));
@@ -125,6 +125,17 @@ impl Names {
 fn is_numbered(name: &str) -> bool {
     name.strip_prefix('t')
         .is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
+}
+
+/// The variable of a symbol. A name of one word is the user's own word: a constant or a unit struct of that name in the
+/// user's module would make the binding a pattern, and hygiene does not help, as constants are items.
+fn binding(symbol: Symbol, name: &str) -> String {
+    let own = !name.contains(['.', '\'']);
+    match symbol {
+        Symbol::Input(_) => format!("input_{}", identifier(name)),
+        _ if own => format!("q_{}", identifier(name)),
+        _ => identifier(name),
+    }
 }
 
 /// `crank.b.x'` → `crank_b_x_dot`.

@@ -64,9 +64,13 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
         .iter()
         .map(|coordinate| format!("`{}`", coordinate.name))
         .collect::<Vec<_>>();
+    let noun = match coordinates.len() {
+        1 => "coordinate",
+        _ => "coordinates",
+    };
     let _ = writeln!(
         out,
-        "A mechanism with {} generalized coordinates: {}.",
+        "A mechanism with {} generalized {noun}: {}.",
         coordinates.len(),
         coordinates.join(", ")
     );

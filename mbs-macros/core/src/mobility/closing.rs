@@ -5,7 +5,7 @@
 //! than once, the rows contradict each other, and the largest residuals show which rows. Otherwise the decision is left
 //! to assembly at run time.
 
-use super::numbers::{ASSEMBLED, Numbers, Random, largest};
+use super::numbers::{AREA, ASSEMBLED, Numbers, Random, largest};
 use super::rows::norm;
 
 /// Descents besides the one from the guess.
@@ -14,12 +14,10 @@ const STARTS: u64 = 8;
 const STEPS: usize = 150;
 /// A gradient below this fraction of |A| |φ| vanishes.
 const STATIONARY: f64 = 1e-7;
-/// A residual above this, in units of the largest coordinate, is clearly not zero.
+/// A residual above this, in units of what is large for its rows, is clearly not zero.
 const CLEARLY_OPEN: f64 = 1e-4;
 /// Rows are named if they are open by more than this fraction of the worst.
 const NAMED: f64 = 0.1;
-/// The unit of such rows.
-const AREA: &str = "m^2";
 /// Names in a message.
 const NAMES: usize = 4;
 
@@ -48,8 +46,8 @@ pub(super) fn close(numbers: &Numbers, guess: Vec<f64>) -> Result<Option<Vec<f64
             End::Closed(pose) if seed == 0 => return Ok(Some(pose)),
             End::Closed(_) | End::Underway => return Ok(None),
             End::Stationary(pose) => {
-                let size = norm(&numbers.residual(&pose));
-                if !(size > CLEARLY_OPEN * numbers.size) {
+                let size = norm(&numbers.relative(&numbers.residual(&pose)));
+                if !(size > CLEARLY_OPEN) {
                     return Ok(None);
                 }
                 ends.push((size, pose));
@@ -95,7 +93,7 @@ fn descend(numbers: &Numbers, mut q: Vec<f64>) -> End {
         let scale = norm(&a.concat()) * norm(&phi);
         if norm(&gradient) <= STATIONARY * scale {
             // Near a solution the gradient is small, too.
-            return match largest(&phi) > 1e3 * ASSEMBLED * numbers.size {
+            return match largest(&numbers.relative(&phi)) > 1e3 * ASSEMBLED {
                 true => End::Stationary(q),
                 false => End::Underway,
             };

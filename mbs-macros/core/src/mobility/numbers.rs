@@ -14,6 +14,8 @@ const MOVES: [f64; 3] = [0.1, 0.02, 0.002];
 const NEARLY_DEPENDENT: f64 = 1e-3;
 /// Assembly of a pose: residual to reach, and iterations to reach it in.
 pub(super) const ASSEMBLED: f64 = 1e-11;
+/// The unit of rows that are half the difference of two squares of lengths.
+pub(super) const AREA: &str = "m^2";
 const ITERATIONS: usize = 40;
 
 /// The equations as numbers, with default parameters and inputs.
@@ -27,6 +29,8 @@ pub(super) struct Numbers<'a> {
     pub time: f64,
     /// The largest coordinate of the guess, or 1.
     pub size: f64,
+    /// The largest length of the mechanism; `size` where there is none.
+    pub length: f64,
 }
 
 impl<'a> Numbers<'a> {
@@ -44,6 +48,7 @@ impl<'a> Numbers<'a> {
             rows,
             time: 0.0,
             size: 1.0,
+            length: 1.0,
         };
         let coordinates = &system.layout.coordinates;
         let guess = numbers.values(&[], coordinates.iter().map(|stored| stored.guess));
@@ -51,6 +56,15 @@ impl<'a> Numbers<'a> {
         if size > 0.0 {
             numbers.size = size;
         }
+        let places = coordinates.iter().zip(&guess);
+        let places = places.filter(|(stored, _)| stored.unit == "m");
+        let declared = outline.parts.iter().flat_map(|part| {
+            let lengths = part.center.into_iter().chain(part.length);
+            numbers.values(&[], lengths)
+        });
+        let lengths = places.map(|(_, &place)| place).chain(declared);
+        let length = lengths.fold(0.0f64, |length, x| length.max(x.abs()));
+        numbers.length = if length > 0.0 { length } else { numbers.size };
         (numbers, guess)
     }
 
@@ -113,9 +127,21 @@ impl<'a> Numbers<'a> {
         self.values(q, rows.iter().map(|row| row.expr))
     }
 
+    /// The residual, each row in units of what is large for it.
+    pub fn relative(&self, phi: &[f64]) -> Vec<f64> {
+        let rows = phi.iter().zip(&self.system.rows);
+        let relative = rows.map(|(phi, row)| match row.unit.as_str() {
+            "m" => phi / self.length,
+            AREA => phi / (self.length * self.length),
+            // An angle is of order 1 in mechanisms of any size, and its rounding, too.
+            _ => phi / self.size.max(1.0),
+        });
+        relative.collect()
+    }
+
     /// Whether a residual counts as zero.
     pub fn assembled(&self, phi: &[f64]) -> bool {
-        largest(phi) <= ASSEMBLED * self.size.max(1e-3)
+        largest(&self.relative(phi)) <= ASSEMBLED
     }
 
     /// A pose on the branch of `home`: moved at random along what the rows leave free, and assembled again.

@@ -12,6 +12,10 @@ use crate::symbolic::{Graph, Symbol};
 use crate::syntax::Entry;
 use proc_macro2::Span;
 
+/// Errors up to which names like an unknown one are searched: each search compares with all names, and nobody reads so
+/// many hints.
+const SEARCHED: usize = 50;
+
 impl<'d> Resolver<'d> {
     /// Notes the names of all entries.
     pub(super) fn declare(&mut self) {
@@ -76,14 +80,10 @@ impl<'d> Resolver<'d> {
             _ => {}
         }
         let Some(&index) = self.names.get(name) else {
-            let known: Vec<&str> = self.names.keys().map(String::as_str).collect();
-            let mut known: Vec<&str> = known
-                .into_iter()
-                .chain(["ground", "t", "X", "Y", "Z", "pi"])
-                .filter(|name| *name != "Z" || self.world == World::Spatial)
-                .collect();
-            known.sort_unstable();
-            let hint = did_you_mean(name, known);
+            let hint = match self.errors.count() < SEARCHED {
+                true => self.name_like(name),
+                false => String::new(),
+            };
             return self.fail(span, format!("nothing here is named `{name}`{hint}"));
         };
         if !self.silent {
@@ -115,6 +115,17 @@ impl<'d> Resolver<'d> {
             }
             State::Waiting | State::Working => None,
         }
+    }
+
+    /// What an unknown name may be a misspelling of, in words.
+    fn name_like(&self, name: &str) -> String {
+        let own = self.names.keys().map(String::as_str);
+        let mut known: Vec<&str> = own
+            .chain(["ground", "t", "X", "Y", "Z", "pi"])
+            .filter(|name| *name != "Z" || self.world == World::Spatial)
+            .collect();
+        known.sort_unstable();
+        did_you_mean(name, known)
     }
 
     fn is_value(&self, entry: &Entry) -> bool {

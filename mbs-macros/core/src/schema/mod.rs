@@ -25,6 +25,15 @@ impl World {
 /// Names that no entry may take.
 pub const RESERVED: &[&str] = &["ground", "t", "X", "Y", "Z", "pi"];
 
+/// Types of Rust that are no items: a mechanism of such a name would take their place in its own module.
+pub const PRIMITIVES: &[&str] = &[
+    "bool", "char", "f32", "f64", "i8", "i16", "i32", "i64", "i128", "isize", "str", "u8", "u16",
+    "u32", "u64", "u128", "usize",
+];
+
+/// Endings of the types that a mechanism has beside its own.
+pub const SUFFIXES: &[&str] = &["Equations", "Simulation", "Inputs", "Outputs"];
+
 /// The world of this name.
 pub fn world(name: &str) -> Option<World> {
     World::ALL

@@ -2,7 +2,9 @@
 
 use super::common::{COORDINATES, FREE, OWN_COORDINATES};
 use super::kind::Absent::{Assumed, Required};
-use super::kind::Expects::{Frame, Known, KnownVector, Law, Moving, MovingVector, Part, PartAngle};
+use super::kind::Expects::{
+    FollowingVector, Frame, Known, KnownVector, Law, Moving, Part, PartAngle,
+};
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
 
@@ -135,7 +137,7 @@ pub const KINDS: &[Kind] = &[
             VELOCITY_GUESS,
             field(
                 "position",
-                MovingVector(Dimension::LENGTH),
+                FollowingVector(Dimension::LENGTH),
                 Assumed("coordinates of its own"),
                 "position as an expression of `Coordinate`s",
             ),

@@ -3,8 +3,8 @@
 use super::common::{COORDINATES, FREE, OWN_COORDINATES};
 use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
-    Attachment, Axis, Gains, Inertia, Joint, Known, KnownVector, Law, MovingVector, Orientation,
-    Part, Point, Shape,
+    Attachment, Axis, FollowingVector, Gains, Inertia, Joint, Known, KnownVector, Law,
+    MovingVector, Orientation, Part, Point, Shape,
 };
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
@@ -182,7 +182,7 @@ pub const KINDS: &[Kind] = &[
             VELOCITY,
             field(
                 "position",
-                MovingVector(Dimension::LENGTH),
+                FollowingVector(Dimension::LENGTH),
                 Assumed("coordinates of its own"),
                 "position as an expression of `Coordinate`s",
             ),

@@ -14,8 +14,13 @@ impl Graph {
             Node::Symbol(symbol) => reach_of(symbol),
             _ => 0,
         };
-        self.for_each_operand(expr, |operand| reach |= self.reach[operand.0 as usize]);
+        let mut levels = 0;
+        self.for_each_operand(expr, |operand| {
+            reach |= self.reach[operand.0 as usize];
+            levels = levels.max(self.levels[operand.0 as usize] + 1);
+        });
         self.reach.push(reach);
+        self.levels.push(levels);
         expr
     }
 

@@ -198,6 +198,8 @@ pub struct Graph {
     nodes: Vec<Node>,
     /// For each node, one bit for each symbol it may depend on. Symbols share bits: a bit that is not set is certain.
     reach: Vec<u128>,
+    /// For each node, the number of operations from it down to its lowest symbol.
+    levels: Vec<u32>,
     index: Map<Node, Expr>,
     derivatives: Map<(Expr, Symbol), Expr>,
     names: Map<Symbol, String>,
@@ -208,6 +210,11 @@ impl Graph {
     /// The node of an expression.
     pub fn node(&self, expr: Expr) -> &Node {
         &self.nodes[expr.0 as usize]
+    }
+
+    /// The number of operations from an expression down to its lowest symbol.
+    pub fn levels(&self, expr: Expr) -> u32 {
+        self.levels[expr.0 as usize]
     }
 
     /// The number of nodes.

@@ -14,7 +14,11 @@ pub use parse::parse;
 /// How deep expressions may be nested: deeper ones would exhaust the stack of the compiler.
 pub const MAX_DEPTH: usize = 400;
 
-/// The message for deeper ones.
+/// How deep an expression may be, counted through the names that it uses: later stages follow it to its end, for its
+/// value and its derivatives.
+pub const MAX_LEVELS: u32 = 1200;
+
+/// The message for expressions nested deeper than `MAX_DEPTH`.
 pub const TOO_DEEP: &str =
     "this is nested too deeply; name parts of it by `Let`, and declare names before their use";
 

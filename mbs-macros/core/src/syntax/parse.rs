@@ -32,6 +32,7 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
             return found.map(Declaration::nameable);
         }
     };
+    check_name(&name, errors);
     let mut declaration = Declaration {
         visibility,
         doc,
@@ -146,6 +147,26 @@ fn place(entry: Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mu
     }
     declaration.entries.push(entry);
     true
+}
+
+/// Refuses names of mechanisms that generated code could not live with.
+fn check_name(name: &Ident, errors: &mut Errors) {
+    let text = name.to_string();
+    if schema::PRIMITIVES.contains(&text.as_str()) {
+        errors.at(
+            name.span(),
+            format!("`{text}` is a type of Rust; choose another name for the mechanism"),
+        );
+    }
+    // So that no two mechanisms can have types of the same name.
+    let mut stems = schema::SUFFIXES.iter();
+    let stem = stems.find_map(|suffix| text.strip_suffix(suffix));
+    if let Some(stem) = stem.filter(|stem| !stem.is_empty()) {
+        errors.at(
+            name.span(),
+            format!("a mechanism `{stem}` would have a type `{text}` beside its own; choose another name for this mechanism"),
+        );
+    }
 }
 
 /// The name of the mechanism, also if other parts have errors.
@@ -389,6 +410,8 @@ fn height(tokens: &TokenStream, limit: usize) -> syn::Result<usize> {
                     (term, inside) = (0, 0);
                 }
                 '+' | '-' | '*' | '/' | '.' => term += 1,
+                // Attributes, such as lines of documentation, stand one after the other.
+                '#' => {}
                 _ => sums += 1,
             },
             TokenTree::Group(group) => {

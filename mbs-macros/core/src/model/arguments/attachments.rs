@@ -32,6 +32,36 @@ impl Resolver<'_> {
         })))
     }
 
+    /// A frame turned about its axis, so that the joint has the angle zero in the home pose: a frame is declared by its
+    /// place and its axis, and nothing says where its other axes point.
+    fn without_twist(&mut self, frame: Attachment, home: &Axes, triad: &Axes) -> Attachment {
+        let axis = self.graph.turn(home, frame.local[2]);
+        let [along, across] =
+            [frame.local[0], frame.local[1]].map(|axis| self.graph.turn(home, axis));
+        let twist = self.graph.dot(across, triad[0]);
+        let same = self.graph.dot(along, triad[0]);
+        let twist = self.settled(twist);
+        let upright = self.graph.is_zero(twist) && self.by_default(same) > 0.0;
+        let cosine = self.graph.dot(axis, triad[2]);
+        // Axes that are far apart are an error of the home pose, which is found later.
+        if upright || !(self.by_default(cosine) > 0.5) {
+            return frame;
+        }
+        let part = self.graph.dot(triad[0], axis);
+        let part = self.graph.vector_scale(part, axis);
+        let first = self.graph.vector_sub(triad[0], part);
+        let first = self.graph.unit(first);
+        let second = self.graph.cross(axis, first);
+        let [first, second] = [first, second].map(|axis| self.graph.components(home, axis));
+        let Point {
+            owner,
+            local,
+            label,
+            ..
+        } = frame.point;
+        self.attach(owner, local, [first, second, frame.local[2]], label)
+    }
+
     /// The frame of a part at a place of its own, with axes of its own.
     pub(in crate::model) fn attach(
         &mut self,
@@ -97,7 +127,7 @@ impl Arguments<'_, '_> {
             let home = resolver.home(hold.owner());
             let axes = triad.map(|axis| resolver.graph.components(&home.axes, axis));
             Some(match hold {
-                Hold::Frame(frame) => frame,
+                Hold::Frame(frame) => resolver.without_twist(frame, &home.axes, &triad),
                 Hold::Point(owner, local, label) => resolver.attach(owner, local, axes, label),
                 Hold::Part(owner) => {
                     let at = at?;

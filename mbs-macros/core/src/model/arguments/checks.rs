@@ -3,6 +3,7 @@
 use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
+use crate::model::resolver::Resolver;
 use crate::symbolic::{Expr, Symbol};
 use syn::Expr as Syntax;
 
@@ -74,10 +75,15 @@ impl Arguments<'_, '_> {
                 format!("`{field}` must be known before the motion starts: it may use numbers and parameters only{hint}"),
             );
         }
-        Some(())
+        self.resolver.known_without_laws(syntax, exprs, field)
     }
 
-    pub(super) fn check_configuration(&mut self, syntax: &Syntax, exprs: &[Expr]) -> Option<()> {
+    pub(super) fn check_configuration(
+        &mut self,
+        field: &str,
+        syntax: &Syntax,
+        exprs: &[Expr],
+    ) -> Option<()> {
         let wrong =
             |symbol: Symbol| !symbol.is_local_position() && !matches!(symbol, Symbol::Parameter(_));
         if exprs
@@ -87,9 +93,37 @@ impl Arguments<'_, '_> {
             let place = self.resolver.blame(syntax, &wrong);
             return self.resolver.fail(
                 place,
-                "a frame follows coordinates and parameters only; to prescribe a motion in time use a `Drive`",
+                format!("`{field}` follows coordinates and parameters only; to prescribe a motion in time use a `Drive`"),
+            );
+        }
+        // The rows of velocities and accelerations need its second partials.
+        if exprs.iter().any(|&x| self.resolver.graph.contains_law(x)) {
+            let place = self.resolver.blame_law(syntax);
+            return self.resolver.fail(
+                place,
+                "a law gives value and first partials, and what follows a coordinate needs more: write the expression out",
             );
         }
         Some(())
+    }
+}
+
+impl Resolver<'_> {
+    /// Refuses laws in a value that is known before the motion: the compiler checks it with the defaults of all
+    /// parameters, and cannot call functions of the program.
+    pub(in crate::model) fn known_without_laws(
+        &mut self,
+        syntax: &Syntax,
+        exprs: &[Expr],
+        what: &str,
+    ) -> Option<()> {
+        if !exprs.iter().any(|&x| self.graph.contains_law(x)) {
+            return Some(());
+        }
+        let place = self.blame_law(syntax);
+        self.fail(
+            place,
+            format!("`{what}` must be known before the motion starts, and a law is called during the motion: make this a `Param` and let the program compute it, or write the expression out"),
+        )
     }
 }

@@ -15,7 +15,10 @@ impl Arguments<'_, '_> {
         let syntax = self.syntax(field)?;
         let (vector, dimension) = self.resolver.vector(syntax)?;
         let expects = self.expects(field)?;
-        if let Expects::KnownVector(expected) | Expects::MovingVector(expected) = expects {
+        if let Expects::KnownVector(expected)
+        | Expects::MovingVector(expected)
+        | Expects::FollowingVector(expected) = expects
+        {
             self.check_dimension(field, dimension, expected, Place::of(syntax))?;
         }
         if matches!(expects, Expects::KnownVector(_)) {
@@ -198,7 +201,7 @@ impl Arguments<'_, '_> {
             (&call.args[0], position.to_vec()),
             (&call.args[1], vec![angle]),
         ] {
-            self.check_configuration(syntax, &exprs)?;
+            self.check_configuration(field, syntax, &exprs)?;
         }
         Some((position, angle))
     }
@@ -207,7 +210,7 @@ impl Arguments<'_, '_> {
     pub fn prescribed_position(&mut self, field: &str) -> Option<Vector> {
         let position = self.vector(field)?;
         let syntax = self.syntax(field)?;
-        self.check_configuration(syntax, &position)?;
+        self.check_configuration(field, syntax, &position)?;
         Some(position)
     }
 

@@ -16,7 +16,7 @@ pub(in crate::model) fn home_poses(
     guesses: &Guesses,
 ) {
     let mut found: Vec<Disagreement> = Vec::new();
-    let mut size = 0.0f64;
+    let mut size = size_of_parts(resolver);
     for element in joints {
         let declaration = resolver.declaration;
         let mut entries = declaration.entries.iter();
@@ -37,6 +37,17 @@ pub(in crate::model) fn home_poses(
             resolver.fail::<()>(disagreement.span, message);
         }
     }
+}
+
+/// The largest coordinate that the parts give: a joint in the origin has none, yet its rows carry the rounding of the
+/// places of the parts.
+fn size_of_parts(resolver: &Resolver) -> f64 {
+    let lengths = resolver.parts.iter().flat_map(|part| {
+        let origin = part.home.map(|home| home.origin);
+        let places = origin.into_iter().chain([part.center]).flatten();
+        places.chain(part.length)
+    });
+    lengths.fold(0.0, |size, x| size.max(resolver.by_default(x).abs()))
 }
 
 /// How far the partners of a joint are from where it holds them.

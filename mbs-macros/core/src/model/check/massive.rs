@@ -32,7 +32,15 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) 
             .collect();
         if !light.is_empty() {
             let turns_only = part.representation == Representation::Reference && light.len() == 1;
-            massless.push((part.span, massless_message(part, turns_only)));
+            let follower = follower(graph, &resolver.parts, &light);
+            let message = match follower {
+                Some(follower) => format!(
+                    "only `{follower}` follows `{}`, and without mass: give `{follower}` a positive `mass =`",
+                    part.name
+                ),
+                None => massless_message(part, turns_only),
+            };
+            massless.push((part.span, message));
         }
     }
     if known.is_empty() {
@@ -81,6 +89,21 @@ fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
                 .collect()
         }
     }
+}
+
+/// A part that follows one of these coordinates, but moves no mass with it.
+fn follower<'a>(graph: &Graph, parts: &'a [Part], light: &[u32]) -> Option<&'a str> {
+    let mut followers = parts.iter().filter(|part| {
+        let place = part.frame.origin.into_iter().chain(part.frame.angle);
+        let symbols = graph.directions(place);
+        part.representation == Representation::Prescribed
+            && symbols.iter().any(
+                |symbol| matches!(symbol, Symbol::LocalPosition(local) if light.contains(local)),
+            )
+    });
+    let first = followers.next()?;
+    // Parts with mass that do not move with it have a message of their own.
+    (graph.is_zero(first.mass) && followers.next().is_none()).then_some(first.name.as_str())
 }
 
 fn massless_message(part: &Part, turns_only: bool) -> String {

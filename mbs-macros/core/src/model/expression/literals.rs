@@ -1,7 +1,7 @@
 //! Numbers with their units.
 
 use crate::diagnostics::{Place, did_you_mean};
-use crate::dimension::{UNITS, unit};
+use crate::dimension::{UNITS, foreign, unit};
 use crate::model::resolver::Resolver;
 use crate::model::value::Value;
 use syn::Lit;
@@ -34,6 +34,12 @@ impl Resolver<'_> {
         }
         let Some((factor, dimension)) = unit(&suffix) else {
             let name = suffix.trim_start_matches('_');
+            if let Some(advice) = foreign(name) {
+                return self.fail(
+                    Place::of(literal),
+                    format!("there is no unit `{name}`: {advice}"),
+                );
+            }
             let known = UNITS.iter().map(|(name, ..)| *name);
             let hint = did_you_mean(name, known.clone());
             return self.fail(

@@ -197,6 +197,7 @@ impl Resolver<'_> {
                     "a point is fixed in its part: its coordinates may use parameters only",
                 );
             }
+            self.known_without_laws(argument, &[x], "point")?;
         }
         let slender = matches!(owner, Owner::Part(part) if self.world == World::Spatial
             && self.parts[part].representation == Representation::Natural);
@@ -234,6 +235,7 @@ impl Resolver<'_> {
                     "a frame is fixed in its part: it may use parameters only",
                 );
             }
+            self.known_without_laws(syntax, &vector, "frame")?;
         }
         if direction.iter().all(|&x| self.by_default(x) == 0.0) {
             return self.no_direction(axis);

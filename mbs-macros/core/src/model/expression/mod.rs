@@ -11,8 +11,8 @@ use super::value::Value;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::schema::World;
-use crate::symbolic::{Expr, Node, Symbol};
-use crate::syntax::{MAX_DEPTH, TOO_DEEP};
+use crate::symbolic::{Expr, Graph, Node, Symbol};
+use crate::syntax::{MAX_DEPTH, MAX_LEVELS, TOO_DEEP};
 use syn::spanned::Spanned;
 use syn::{Expr as Syntax, Member, UnOp};
 
@@ -45,6 +45,14 @@ impl Resolver<'_> {
             return self.fail(
                 Place::of(syntax),
                 "the result of this is no finite number; check its arguments",
+            );
+        }
+        let levels = value.expressions().into_iter();
+        let levels = levels.map(|x| self.graph.levels(x)).max();
+        if let Some(levels) = levels.filter(|&levels| levels > MAX_LEVELS) {
+            return self.fail(
+                Place::of(syntax),
+                format!("this expression is {levels} operations deep, counted through the names that it uses, and {MAX_LEVELS} are the most; write part of it in closed form or as a law"),
             );
         }
         Some(value)
@@ -170,11 +178,28 @@ impl Resolver<'_> {
         }
     }
 
-    /// The smallest subexpression for whose value `predicate` holds.
+    /// The smallest subexpression that depends on a symbol for which `predicate` holds.
     pub(in crate::model) fn blame(
         &mut self,
         syntax: &Syntax,
         predicate: &dyn Fn(Symbol) -> bool,
+    ) -> Place {
+        self.blame_value(syntax, &|value, graph| value.depends_on(graph, predicate))
+    }
+
+    /// The smallest subexpression that calls a law.
+    pub(in crate::model) fn blame_law(&mut self, syntax: &Syntax) -> Place {
+        self.blame_value(syntax, &|value, graph| {
+            let expressions = value.expressions();
+            expressions.into_iter().any(|x| graph.contains_law(x))
+        })
+    }
+
+    /// The smallest subexpression for whose value `predicate` holds.
+    fn blame_value(
+        &mut self,
+        syntax: &Syntax,
+        predicate: &dyn Fn(&Value, &Graph) -> bool,
     ) -> Place {
         let children: Vec<&Syntax> = match syntax {
             Syntax::Paren(inner) => vec![&inner.expr],
@@ -189,9 +214,9 @@ impl Resolver<'_> {
         };
         for child in children {
             if let Some(value) = self.silently(|resolver| resolver.evaluate(child))
-                && value.depends_on(&self.graph, predicate)
+                && predicate(&value, &self.graph)
             {
-                return self.blame(child, predicate);
+                return self.blame_value(child, predicate);
             }
         }
         Place::of(syntax)
