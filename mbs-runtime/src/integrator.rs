@@ -7,6 +7,8 @@ use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStep
 use nalgebra::SVector;
 
 /// The integrator of a simulation: the two-level method, or one that only some programs compile.
+// One per simulation, and no box between a simulation and its usual method.
+#[allow(clippy::large_enum_variant)]
 pub(crate) enum Integrator<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     TwoLevel(TwoLevelStepper<S, Q, N, R>),
     Other(AnyStepper<S, Q, N, R>),

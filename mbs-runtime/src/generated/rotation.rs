@@ -32,6 +32,20 @@ pub(super) fn cosine_and_sine(x: f64) -> (f64, f64) {
     (cosine, sinc * x)
 }
 
+/// 1 − cos x, with all its digits where x is small, and sin x.
+#[inline]
+pub(super) fn versine_and_sine(x: f64) -> (f64, f64) {
+    let s = x * x;
+    if s < SMALL {
+        let versine = s * (0.5 - s * (1.0 / 24.0 - s * (1.0 / 720.0 - s * (1.0 / 40_320.0))));
+        let (_, sinc) = cosine_and_sinc(s);
+        (versine, sinc * x)
+    } else {
+        let (sine, cosine) = x.sin_cos();
+        (1.0 - cosine, sine)
+    }
+}
+
 /// a ∘ b.
 #[inline]
 pub(super) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
@@ -47,12 +61,14 @@ pub(super) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
 #[inline]
 pub(super) fn normalised(q: [f64; 4]) -> [f64; 4] {
     let square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    let scale = if (square - 1.0).abs() < 1e-8 {
-        1.5 - 0.5 * square
+    if (square - 1.0).abs() < 1e-8 {
+        // A rounded scale would be rounded up or down in many steps.
+        let missing = 0.5 - 0.5 * square;
+        q.map(|value| value + missing * value)
     } else {
-        1.0 / square.sqrt()
-    };
-    q.map(|value| scale * value)
+        let scale = 1.0 / square.sqrt();
+        q.map(|value| scale * value)
+    }
 }
 
 /// q ∘ exp(h ω/2), renormalised: the rotation q (w, x, y, z) after h seconds of the angular velocity ω in body axes,

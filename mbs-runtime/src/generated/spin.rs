@@ -1,7 +1,7 @@
 //! The free rotation of a rigid body.
 
 use super::principal::principal_axes;
-use super::rotation::{cosine_and_sine, exponential, normalised, product};
+use super::rotation::{cosine_and_sine, exponential, normalised, product, versine_and_sine};
 use crate::ParameterError;
 
 /// Principal moments that differ by less than this part of them count as equal.
@@ -131,30 +131,36 @@ fn splitting(
     omega: [f64; 3],
     h: f64,
 ) -> ([f64; 4], [f64; 3]) {
-    let mut l: [f64; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
+    let start: [f64; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
+    let mut l = start;
     turn::<0>(&mut q, &mut l, 0.25 * h * inverse[0]);
     turn::<1>(&mut q, &mut l, 0.25 * h * inverse[1]);
     turn::<2>(&mut q, &mut l, 0.5 * h * inverse[2]);
     turn::<1>(&mut q, &mut l, 0.25 * h * inverse[1]);
     turn::<0>(&mut q, &mut l, 0.25 * h * inverse[0]);
-    (q, std::array::from_fn(|i| inverse[i] * l[i]))
+    // The change of ω: moments and their reciprocals have products that are off by the same round-off in every step.
+    let changed = |i: usize| omega[i] + inverse[i] * (l[i] - start[i]);
+    (q, std::array::from_fn(changed))
 }
 
 /// Turns the body about its axis I; `half` times L_I is half the angle. L stays in space.
+///
+/// Changes are added, so that what is rounded is a sum, by chance up or down. A rounded cosine would be the same in
+/// many steps, and change lengths each time in the same way.
 #[inline(always)]
 fn turn<const I: usize>(q: &mut [f64; 4], l: &mut [f64; 3], half: f64) {
     let (j, k) = ((I + 1) % 3, (I + 2) % 3);
-    let (cosine, sine) = cosine_and_sine(half * l[I]);
+    let (versine, sine) = versine_and_sine(half * l[I]);
     let [w, i] = [q[0], q[I + 1]];
-    q[0] = cosine * w - sine * i;
-    q[I + 1] = cosine * i + sine * w;
+    q[0] = w - (versine * w + sine * i);
+    q[I + 1] = i + (sine * w - versine * i);
     let (y, z) = (q[j + 1], q[k + 1]);
-    q[j + 1] = cosine * y + sine * z;
-    q[k + 1] = cosine * z - sine * y;
-    let (sin, cos) = (2.0 * sine * cosine, 1.0 - 2.0 * sine * sine);
+    q[j + 1] = y + (sine * z - versine * y);
+    q[k + 1] = z - (versine * z + sine * y);
+    let (sin, versine) = (2.0 * sine * (1.0 - versine), 2.0 * sine * sine);
     let (y, z) = (l[j], l[k]);
-    l[j] = cos * y + sin * z;
-    l[k] = cos * z - sin * y;
+    l[j] = y + (sin * z - versine * y);
+    l[k] = z - (versine * z + sin * y);
 }
 
 #[cfg(test)]
