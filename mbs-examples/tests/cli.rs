@@ -194,6 +194,64 @@ fn simulate_writes_its_files_and_says_where() {
     }
 }
 
+/// A killed run leaves whole rows, and no picture that looks complete.
+#[test]
+fn a_killed_run_leaves_whole_rows() {
+    let out = directory("killed");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mbs"))
+        .args(["simulate", "pendulum", "--time", "10000", "--step", "1e-5"])
+        .args(["--out", text(&out)])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .expect("mbs starts");
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    let table = std::fs::read_to_string(out.join("trajectory.csv")).expect("a table");
+    assert!(table.ends_with('\n'));
+    let columns = |row: &str| row.split(',').count();
+    let wide = table.lines().next().map(columns);
+    for row in table.lines().filter(|row| !row.starts_with('#')) {
+        assert_eq!(Some(columns(row)), wide, "{row}");
+    }
+    assert!(!out.join("motion.html").exists());
+}
+
+/// Two runs into one directory: the table is that of one run, and the other one says that its own is lost.
+#[test]
+fn two_runs_into_one_directory_do_not_mix() {
+    let out = directory("twice");
+    let run = |time: &str| {
+        Command::new(env!("CARGO_BIN_EXE_mbs"))
+            .args(["simulate", "pendulum", "--step", "1e-5", "--time", time])
+            .args(["--out", text(&out)])
+            .stdout(std::process::Stdio::null())
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .expect("mbs starts")
+    };
+    let first = run("60");
+    std::thread::sleep(std::time::Duration::from_millis(200));
+    let second = run("0.5");
+    let [first, second] = [first, second].map(|run| run.wait_with_output().expect("it ends"));
+    assert!(second.status.success(), "{}", stderr(&second));
+    assert!(stderr(&first).contains("--out"), "{}", stderr(&first));
+    let table = std::fs::read_to_string(out.join("trajectory.csv")).expect("a table");
+    let times: Vec<f64> = table
+        .lines()
+        .skip(1)
+        .map(|row| {
+            row.split(',')
+                .next()
+                .expect("a cell")
+                .parse()
+                .expect("a time")
+        })
+        .collect();
+    assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
+    assert_eq!(times.last(), Some(&0.5));
+}
+
 #[test]
 fn json_leaves_no_files() {
     for name in names() {

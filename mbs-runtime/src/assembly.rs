@@ -10,7 +10,7 @@ use crate::linear::{
 use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Model, Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Coordinate, Model, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -32,8 +32,8 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     settings: &Settings,
 ) -> Result<(State<Q, N, R>, AssemblyVerdict), SimulationError> {
     let (guess, mut v) = system.guess();
-    check_finite("guess of a coordinate", guess.as_slice())?;
-    check_finite("guess of a velocity", v.as_slice())?;
+    check_guess(S::MODEL.coordinates, guess.as_slice())?;
+    check_guess(S::MODEL.velocities, v.as_slice())?;
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
@@ -270,6 +270,17 @@ fn not_unit(value: f64) -> SimulationError {
     SimulationError::State {
         what: "length of a unit quaternion",
         value,
+    }
+}
+
+/// The declared guess, by the names of its coordinates or velocities.
+fn check_guess(named: &[Coordinate], values: &[f64]) -> Result<(), SimulationError> {
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(i) => Err(SimulationError::Guess {
+            what: named.get(i).map_or("a coordinate", |named| named.name),
+            value: values[i],
+        }),
+        None => Ok(()),
     }
 }
 

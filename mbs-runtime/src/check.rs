@@ -8,12 +8,18 @@ use crate::{
 
 /// The range of tolerances: larger ones give no accuracy, smaller ones are below round-off.
 const TOLERANCES: [f64; 2] = [1e-12, 0.1];
+/// The range of steps: powers of others overflow or vanish.
+const STEPS: [f64; 2] = [1e-100, 1e100];
+/// The least tolerance of rows, and of methods that control their error. It is far below round-off, and its powers are
+/// numbers.
+const LEAST: f64 = 1e-30;
 
 impl Settings {
     /// Returns an error for values that cannot be used.
     pub(crate) fn check(&self) -> Result<(), SimulationError> {
-        positive("step", self.step)?;
-        positive("constraint_tolerance", self.constraint_tolerance)?;
+        let counted = (STEPS[0]..=STEPS[1]).contains(&self.step);
+        require("step", self.step, counted, "a value from 1e-100 to 1e100")?;
+        tolerance("constraint_tolerance", self.constraint_tolerance)?;
         positive("max_iterations", self.max_iterations as f64)?;
         let known = ORDERS.contains(&self.order);
         require("order", self.order.into(), known, "2, 4, 6 or 8")?;
@@ -23,17 +29,12 @@ impl Settings {
             require("fixed_iterations", count as f64, free, wanted)?;
             require("fixed_iterations", count as f64, count > 0, "1 or more")?;
         }
-        if let Some(tolerance) = self.tolerance {
-            let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&tolerance);
-            require(
-                "tolerance",
-                tolerance,
-                possible,
-                "a value from 1e-12 to 0.1",
-            )?;
+        if let Some(wished) = self.tolerance {
+            let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&wished);
+            require("tolerance", wished, possible, "a value from 1e-12 to 0.1")?;
             let paced = matches!(self.method, Method::TwoLevel);
             let wanted = "`None` with this method: only the two-level one chooses its steps";
-            require("tolerance", tolerance, paced, wanted)?;
+            require("tolerance", wished, paced, wanted)?;
         }
         match &self.method {
             Method::TwoLevel | Method::Projected => Ok(()),
@@ -71,9 +72,9 @@ impl Settings {
 
 impl PaperSettings {
     fn check(&self) -> Result<(), SimulationError> {
-        positive("newton_tolerance", self.newton_tolerance)?;
-        positive("velocity_tolerance", self.velocity_tolerance)?;
-        positive("residual_tolerance", self.residual_tolerance)?;
+        tolerance("newton_tolerance", self.newton_tolerance)?;
+        tolerance("velocity_tolerance", self.velocity_tolerance)?;
+        tolerance("residual_tolerance", self.residual_tolerance)?;
         positive("penalty", self.penalty)?;
         positive("max_penalty", self.max_penalty)?;
         positive("augmentation_ratio", self.augmentation_ratio)?;
@@ -112,7 +113,7 @@ impl PenaltySettings {
 
 impl BdfSettings {
     fn check(&self) -> Result<(), SimulationError> {
-        positive("tolerance", self.tolerance)?;
+        tolerance("tolerance", self.tolerance)?;
         require(
             "max_order",
             self.max_order.into(),
@@ -131,12 +132,21 @@ impl BaumgarteSettings {
             "zero or a positive finite value",
         )?;
         self.adaptive
-            .map_or(Ok(()), |tolerance| positive("adaptive", tolerance))
+            .map_or(Ok(()), |wanted| tolerance("adaptive", wanted))
     }
 }
 
 fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
     require(name, value, value > 0.0, "a positive finite value")
+}
+
+fn tolerance(name: &'static str, value: f64) -> Result<(), SimulationError> {
+    require(
+        name,
+        value,
+        value >= LEAST,
+        "a finite value of at least 1e-30",
+    )
 }
 
 fn require(

@@ -8,12 +8,15 @@ use nalgebra::{SMatrix, SVector};
 
 pub use crate::contract::{Elimination, Rates};
 pub use crate::singular::DEPENDENT;
+pub use crate::sink::Discard;
 pub use cholesky::{Cholesky, positive};
+pub use parts::{compute_parts, rows_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 pub use unfinished::{UNFINISHED, Unfinished};
 
 mod cholesky;
+mod parts;
 mod principal;
 mod rotation;
 mod spin;

@@ -3,12 +3,14 @@
 mod access;
 mod any;
 mod dense;
+mod energy_guard;
 mod hermite;
 mod placement;
 mod run;
 mod singularity_detector;
 mod tolerance;
 
+use self::energy_guard::EnergyGuard;
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::StepMonitor;
 use crate::assembly::{RESUMABLE, assemble};
@@ -46,6 +48,9 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// The rank margin of the rows at the current state, if the last step computed it; otherwise the next step computes
     /// it.
     rank_margin: Option<RankMargin>,
+    /// The energy balance after the last step.
+    balance: Energy,
+    energy_guard: EnergyGuard,
     /// Singular poses passed.
     singularities: SingularityDetector,
     /// The state before the step that is being tried.
@@ -173,6 +178,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let integrator = Integrator::new(system, state, &settings, other)?;
         let stages = crate::alf3f::stages(settings.order).len();
+        let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_room(stages)),
             pair: Box::new(integrator.state().with_room(stages)),
@@ -180,7 +186,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 time: f64::INFINITY,
                 ..integrator.state().with_room(stages)
             }),
-            yardstick: Box::new(Yardstick::new(integrator.system(), settings.step)),
+            balance: Energy::default(),
+            energy_guard: EnergyGuard::new(
+                integrator.system(),
+                integrator.state(),
+                &yardstick,
+                settings.step,
+            ),
+            yardstick,
             integrator,
             settings,
             assembly,
@@ -197,6 +210,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let ledger = &mut simulation.integrator.state_mut().ledger;
             ledger.initial = Some(energy.kinetic + energy.potential);
         }
+        simulation.energy_guard.gained(&simulation.energy());
         simulation.rank_margin = simulation.integrator.rank_margin();
         simulation.watch();
         Ok(simulation)
@@ -272,8 +286,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         left: u32,
         monitor: &mut StepMonitor,
     ) -> Result<(), SimulationError> {
+        let start = (self.state().time, self.state().clock);
         match self.integrator.step(h, monitor) {
             Ok(()) => {
+                self.integrator.state_mut().count(start, h);
                 self.keep_books(monitor);
                 Ok(())
             }
@@ -303,7 +319,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let ledger = &mut self.integrator.state_mut().ledger;
         ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
         ledger.drive_work += std::mem::take(&mut monitor.drive_work);
-        self.report.energy_error = self.report.energy_error.max(self.energy().error.abs());
+        self.balance = self.energy();
+        self.report.energy_error = self.report.energy_error.max(self.balance.error.abs());
     }
 
     /// Quantities of the current instant for the energy balance of the next step.

@@ -78,6 +78,25 @@ pub enum SimulationError {
         /// The quantity.
         what: &'static str,
     },
+    /// The expression of an event is not a number, so that its sign cannot change.
+    Event {
+        /// Time, s.
+        time: f64,
+        /// The event.
+        event: &'static str,
+    },
+    /// The motion has gained many times the energy that it can have: the steps are too long for it, and the results
+    /// before are doubtful.
+    EnergyGain {
+        /// Time at the end of the step, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// The error of the energy balance, J.
+        gained: f64,
+        /// The energy that start and works have given, J.
+        available: f64,
+    },
     /// The mass matrix is not positive definite.
     Mass {
         /// Time, s.
@@ -110,6 +129,13 @@ pub enum SimulationError {
         /// The input.
         name: String,
         /// The value.
+        value: f64,
+    },
+    /// A declared guess that is not finite.
+    Guess {
+        /// What is wrong: a coordinate, a velocity.
+        what: &'static str,
+        /// Its value.
         value: f64,
     },
     /// A state that a simulation cannot resume from.
@@ -233,6 +259,21 @@ impl fmt::Display for SimulationError {
                 "the {what} became infinite or NaN in the step from t = {} s; use a smaller step, or look for a force that grows without bound",
                 clock(*time)
             ),
+            Event { time, event } => write!(
+                out,
+                "the event `{event}` is NaN at t = {} s; keep its expression within its domain, for example by `max`",
+                clock(*time)
+            ),
+            EnergyGain {
+                time,
+                step,
+                gained,
+                available,
+            } => write!(
+                out,
+                "the motion has gained {gained:.1e} J up to t = {} s with steps of {step} s, where start and works have given it {available:.1e} J: the steps are too long for this motion; use a smaller step, a tolerance, or the implicit flow for stiff springs, and check what came before",
+                clock(*time)
+            ),
             Mass { time } => write!(
                 out,
                 "the mass matrix is not positive definite at t = {} s: something moves without mass there",
@@ -260,6 +301,10 @@ impl fmt::Display for SimulationError {
                     "input `{name}` cannot be {value}; give it a finite value"
                 )
             }
+            Guess { what, value } => write!(
+                out,
+                "cannot start from the declared guess: {what} is {value}; give finite initial values, and parameters that make them finite"
+            ),
             State { what, value } => write!(
                 out,
                 "cannot resume from this state: {what} is {value:.3e}; pass a state taken from a simulation of the same mechanism and parameters"

@@ -54,7 +54,7 @@ impl<const N: usize> TensorSink for [[[f64; N]; N]; N] {
 }
 
 /// A sink that ignores the matrix.
-pub(crate) struct Discard;
+pub struct Discard;
 
 impl MatrixSink for Discard {
     #[inline(always)]

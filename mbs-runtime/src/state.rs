@@ -10,6 +10,8 @@ use nalgebra::SVector;
 pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// Time, s.
     pub time: f64,
+    /// What the rounding of `time` has left out, s; the next step makes up for it, so that steps are counted exactly.
+    pub clock: f64,
     /// q.
     pub positions: SVector<f64, Q>,
     /// v.
@@ -68,6 +70,14 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         }
     }
 
+    /// Sets the time h seconds after `start`, where it was `clock` behind: compensated summation.
+    #[inline]
+    pub(crate) fn count(&mut self, (start, clock): (f64, f64), h: f64) {
+        let passed = h + clock;
+        self.time = start + passed;
+        self.clock = passed - (self.time - start);
+    }
+
     /// Prepares for steps of this many stages.
     pub(crate) fn make_room(&mut self, stages: usize) {
         if stages == 1 || self.stage_multipliers.len() != stages {
@@ -88,7 +98,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// Copies `other`, without allocation if the capacity is sufficient.
     #[inline]
     pub(crate) fn copy_from(&mut self, other: &Self) {
-        self.time = other.time;
+        (self.time, self.clock) = (other.time, other.clock);
         self.positions = other.positions;
         self.velocities = other.velocities;
         self.multipliers = other.multipliers;
@@ -128,6 +138,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     pub fn new(time: f64, positions: SVector<f64, Q>, velocities: SVector<f64, N>) -> Self {
         State {
             time,
+            clock: 0.0,
             positions,
             velocities,
             multipliers: SVector::zeros(),

@@ -498,3 +498,123 @@ mechanism!(Vice {
     turned: Output(thread.angle),
     sliding: Output(left.speed),
 });
+
+// A chain whose forces and tangents are too long for one function each: links, stays and discs repeat.
+mechanism!(Spine {
+    doc: "Ten links in space between stays with a law and discs.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+
+    link0: Body(
+        at = [0.0_m, 0.0, 0.0],
+        mass = 1.0_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link1: Body(
+        at = [0.5_m, 0.0, 0.0],
+        mass = 1.1_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link2: Body(
+        at = [1.0_m, 0.0, 0.0],
+        mass = 1.2_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link3: Body(
+        at = [1.5_m, 0.0, 0.0],
+        mass = 1.3_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link4: Body(
+        at = [2.0_m, 0.0, 0.0],
+        mass = 1.4_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link5: Body(
+        at = [2.5_m, 0.0, 0.0],
+        mass = 1.5_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link6: Body(
+        at = [3.0_m, 0.0, 0.0],
+        mass = 1.6_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link7: Body(
+        at = [3.5_m, 0.0, 0.0],
+        mass = 1.7_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link8: Body(
+        at = [4.0_m, 0.0, 0.0],
+        mass = 1.8_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    link9: Body(
+        at = [4.5_m, 0.0, 0.0],
+        mass = 1.9_kg,
+        inertia = diag(0.02, 0.03, 0.01) * 1.0_kg_m2,
+        center_of_mass = [0.25_m, 0.0, 0.0],
+    ),
+    joint0: Revolute(ground, link0, at = [0.0_m, 0.0, 0.0], axis = Y),
+    joint1: Revolute(link0, link1, at = [0.5_m, 0.0, 0.0], axis = Z),
+    joint2: Revolute(link1, link2, at = [1.0_m, 0.0, 0.0], axis = Y),
+    joint3: Revolute(link2, link3, at = [1.5_m, 0.0, 0.0], axis = Z),
+    joint4: Revolute(link3, link4, at = [2.0_m, 0.0, 0.0], axis = Y),
+    joint5: Revolute(link4, link5, at = [2.5_m, 0.0, 0.0], axis = Z),
+    joint6: Revolute(link5, link6, at = [3.0_m, 0.0, 0.0], axis = Y),
+    joint7: Revolute(link6, link7, at = [3.5_m, 0.0, 0.0], axis = Z),
+    joint8: Revolute(link7, link8, at = [4.0_m, 0.0, 0.0], axis = Y),
+    joint9: Revolute(link8, link9, at = [4.5_m, 0.0, 0.0], axis = Z),
+    stay3: SpringDamper(
+        ground.point(1.8_m, 1.0, 0.5),
+        link3.center,
+        law = laws::stiffening
+    ),
+    stay6: SpringDamper(
+        ground.point(3.3_m, 1.0, 0.5),
+        link6.center,
+        law = laws::stiffening
+    ),
+    stay9: SpringDamper(
+        ground.point(4.8_m, 1.0, 0.5),
+        link9.center,
+        law = laws::stiffening
+    ),
+    disc2: Bushing(
+        link1,
+        link3,
+        at = [1.2_m, 0.0, 0.0],
+        stiffness = [100.0_N_per_m, 200.0, 300.0],
+        damping = [1.0_N_s_per_m, 2.0, 3.0],
+        torsion_stiffness = 10.0_Nm,
+        torsion_damping = 0.1_N_m_s,
+    ),
+    disc5: Bushing(
+        link4,
+        link6,
+        at = [2.7_m, 0.0, 0.0],
+        stiffness = [100.0_N_per_m, 200.0, 300.0],
+        damping = [1.0_N_s_per_m, 2.0, 3.0],
+        torsion_stiffness = 10.0_Nm,
+        torsion_damping = 0.1_N_m_s,
+    ),
+    disc8: Bushing(
+        link7,
+        link9,
+        at = [4.2_m, 0.0, 0.0],
+        stiffness = [100.0_N_per_m, 200.0, 300.0],
+        damping = [1.0_N_s_per_m, 2.0, 3.0],
+        torsion_stiffness = 10.0_Nm,
+        torsion_damping = 0.1_N_m_s,
+    ),
+    tip: Output(link9.point(0.5_m, 0.0, 0.0)),
+});

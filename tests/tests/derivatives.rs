@@ -131,6 +131,7 @@ mechanisms! {
     workshop: fixtures::Workshop;
     whip: fixtures::Whip;
     vice: fixtures::Vice;
+    spine: fixtures::Spine;
     spherical_pendulum: scenes::spherical_pendulum::SphericalPendulum;
     heavy_top: scenes::heavy_top::HeavyTop;
     bricard: scenes::bricard::Bricard;

@@ -411,3 +411,16 @@ mod program {
             .collect()
     }
 }
+
+/// What vanishes for one leg of a platform vanishes for the others, whose directions are other numbers.
+#[test]
+fn sums_that_cancel_but_for_their_round_off_are_zero() {
+    assert_ne!(0.1 + 0.2 - 0.3, 0.0);
+    let mut graph = Graph::default();
+    let x = graph.symbol(Symbol::Coordinate(0));
+    let terms = [0.1, 0.2, -0.3].map(|c| graph.linear(c, &[(x, c)]));
+    let sum = graph.sum(terms);
+    assert!(graph.is_zero(sum), "{}", graph.text(sum));
+    let small = graph.linear(1e-20, &[(x, 1e-20)]);
+    assert!(!graph.is_zero(small));
+}

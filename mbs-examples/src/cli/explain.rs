@@ -7,6 +7,7 @@ use mbs_examples::pages::candidates::considered;
 use mbs_examples::scene::Scene;
 use mbs_runtime::{AnySimulation, Coordinate, Model, Quantity, RowKind, Settings};
 
+use super::cost::cost;
 use super::failure::Failure;
 use super::find;
 use super::print::print;
@@ -22,6 +23,9 @@ pub struct Explain {
     /// Print the equations in LaTeX instead.
     #[arg(long)]
     latex: bool,
+    /// Print the size of each generated function instead.
+    #[arg(long, conflicts_with = "latex")]
+    cost: bool,
 }
 
 impl Explain {
@@ -30,6 +34,9 @@ impl Explain {
         let scene = find::scene(&self.scene)?;
         if self.latex {
             return print(&latex(scene.model)?);
+        }
+        if self.cost {
+            return print(&cost(scene.model)?);
         }
         let mut text = String::new();
         // Writing to a String cannot fail.

@@ -3,6 +3,8 @@
 #[cfg(feature = "laboratory")]
 mod chart;
 #[cfg(feature = "laboratory")]
+mod cost;
+#[cfg(feature = "laboratory")]
 mod explain;
 mod failure;
 mod find;

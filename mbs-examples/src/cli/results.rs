@@ -1,7 +1,7 @@
 //! The files of a run.
 
 use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use mbs_examples::plot;
@@ -21,69 +21,109 @@ pub const FILES: [&str; 4] = [
     "motion.html",
 ];
 
+/// Bytes of whole rows that are kept before they are written.
+const ROOM: usize = 1 << 12;
+
 /// The directory of a run in progress.
+///
+/// The trajectory holds whole rows at any instant, even if the run is killed or the disk is full. Pictures appear when
+/// they are complete. A run that finds its trajectory replaced by that of another run ends with an error.
 pub struct Results {
     directory: PathBuf,
-    trajectory: CsvWriter<BufWriter<File>>,
+    file: File,
+    /// Rows that are not written yet.
+    rows: CsvWriter<Vec<u8>>,
+    /// Bytes of whole rows in the file.
+    written: u64,
 }
 
 impl Results {
     /// Makes the directory and begins the trajectory.
     pub fn create(directory: &Path, scene: &Scene) -> Result<Self, Failure> {
         fs::create_dir_all(directory).map_err(|e| Failure::writing(directory, e))?;
-        // Files of an earlier run are removed: if this run is interrupted, they must not look like its results.
-        for name in &FILES[1..] {
+        // Files of an earlier run are removed: if this run is interrupted, they must not look like its results. A run
+        // that still writes keeps its own trajectory, without a name.
+        for name in &FILES {
             let _ = fs::remove_file(directory.join(name));
         }
         let path = directory.join(FILES[0]);
-        let trajectory = File::create(&path)
-            .and_then(|file| CsvWriter::new(BufWriter::new(file), scene.model))
-            .map_err(|e| Failure::writing(&path, e))?;
-        Ok(Results {
+        let file = File::create(&path).map_err(|e| Failure::writing(&path, e))?;
+        let rows =
+            CsvWriter::new(Vec::new(), scene.model).map_err(|e| Failure::writing(&path, e))?;
+        let mut results = Results {
             directory: directory.to_owned(),
-            trajectory,
-        })
+            file,
+            rows,
+            written: 0,
+        };
+        results.write()?;
+        Ok(results)
     }
 
     /// Writes one instant.
     pub fn record(&mut self, frame: &Frame) -> Result<(), Failure> {
-        let written = self.trajectory.write(frame);
-        written.map_err(|e| Failure::writing(&self.directory.join(FILES[0]), e))
+        let path = || self.directory.join(FILES[0]);
+        let kept = self.rows.write(frame);
+        kept.map_err(|e| Failure::writing(&path(), e))?;
+        match self.rows.get_ref().len() < ROOM {
+            true => Ok(()),
+            false => self.write(),
+        }
+    }
+
+    /// Writes the rows; what a failure leaves of a row is cut off.
+    fn write(&mut self) -> Result<(), Failure> {
+        let rows = self.rows.get_mut();
+        if let Err(error) = self.file.write_all(rows) {
+            let _ = self.file.set_len(self.written);
+            return Err(Failure::writing(&self.directory.join(FILES[0]), error));
+        }
+        self.written += rows.len() as u64;
+        rows.clear();
+        Ok(())
     }
 
     /// Ends the trajectory and writes the pictures.
     pub fn finish(mut self, run: &Run) -> Result<(), Failure> {
-        let [trajectory, energy, constraints, motion] = FILES.map(|name| self.directory.join(name));
+        let [trajectory, energy, constraints, motion] = FILES;
         let stopped = run.stopped.as_ref().map(ToString::to_string);
-        let marked = match &stopped {
-            Some(reason) => self.trajectory.stopped(run.simulation.time(), reason),
-            None => Ok(()),
-        };
-        marked
-            .and_then(|()| self.trajectory.finish())
-            .map_err(|e| Failure::writing(&trajectory, e))?;
+        if let Some(reason) = &stopped {
+            let marked = self.rows.stopped(run.simulation.time(), reason);
+            marked.map_err(|e| Failure::writing(&self.directory.join(trajectory), e))?;
+        }
+        self.write()?;
+        let found = fs::metadata(self.directory.join(trajectory)).map(|file| file.len());
+        if found.ok() != Some(self.written) {
+            return Err(Failure(format!(
+                "{} now holds the trajectory of another run, and that of this one is lost; give each run a directory with --out",
+                self.directory.display()
+            )));
+        }
 
         let title = match stopped {
             Some(_) => format!("{} (stopped early)", run.scene.title),
             None => run.scene.title.to_owned(),
         };
-        let picture = plot::energy(&title, &run.frames)?;
-        fs::write(&energy, picture).map_err(|e| Failure::writing(&energy, e))?;
+        self.place(energy, plot::energy(&title, &run.frames)?.as_bytes())?;
         let picture = plot::constraints(&title, &run.frames)?;
-        fs::write(&constraints, picture).map_err(|e| Failure::writing(&constraints, e))?;
-        File::create(&motion)
-            .map(BufWriter::new)
-            .and_then(|mut out| {
-                let model = run.scene.model;
-                write_motion(
-                    &mut out,
-                    model,
-                    &run.frames,
-                    run.scene.title,
-                    stopped.as_deref(),
-                )?;
-                out.flush()
-            })
-            .map_err(|e| Failure::writing(&motion, e))
+        self.place(constraints, picture.as_bytes())?;
+        let (model, mut page) = (run.scene.model, Vec::new());
+        let title = run.scene.title;
+        write_motion(&mut page, model, &run.frames, title, stopped.as_deref())
+            .map_err(|e| Failure::writing(&self.directory.join(motion), e))?;
+        self.place(motion, &page)
+    }
+
+    /// Writes a file that has its name only when it is complete.
+    fn place(&self, name: &str, content: &[u8]) -> Result<(), Failure> {
+        let path = self.directory.join(name);
+        let unfinished = self
+            .directory
+            .join(format!(".{name}.{}", std::process::id()));
+        let placed = fs::write(&unfinished, content).and_then(|()| fs::rename(&unfinished, &path));
+        placed.map_err(|error| {
+            let _ = fs::remove_file(&unfinished);
+            Failure::writing(&path, error)
+        })
     }
 }

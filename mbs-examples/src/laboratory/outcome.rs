@@ -72,9 +72,9 @@ impl Outcome {
         match error {
             SimulationError::StepUnderflow { .. } => Outcome::StepUnderflow,
             SimulationError::NotConverged { .. } => Outcome::NoConvergence,
-            SimulationError::NonFinite { .. } | SimulationError::Mass { .. } => {
-                Outcome::EnergyGrowth
-            }
+            SimulationError::NonFinite { .. }
+            | SimulationError::Mass { .. }
+            | SimulationError::EnergyGain { .. } => Outcome::EnergyGrowth,
             _ => Outcome::Refused,
         }
     }

@@ -9,6 +9,7 @@ pub mod block;
 mod calls;
 pub mod candidates;
 pub mod charts;
+mod compile_times;
 mod compositions;
 pub mod data;
 mod derivation;

@@ -2,8 +2,8 @@
 
 use super::data::Data;
 use super::{
-    calls, candidates, charts, compositions, derivation, instructions, model_size, orders, paper,
-    phases, rival, rows, scenes, springs, tolerances, tuning, which,
+    calls, candidates, charts, compile_times, compositions, derivation, instructions, model_size,
+    orders, paper, phases, rival, rows, scenes, springs, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -63,6 +63,7 @@ const WHICH: &str = "book/src/results/which-method.md";
 const WORK_PRECISION: &str = "book/src/results/work-precision.md";
 const STABILITY: &str = "book/src/results/stability.md";
 const MODEL_SIZE: &str = "book/src/results/model-size.md";
+const COMPILE_TIMES: &str = "book/src/results/compile-times.md";
 
 /// All of them.
 pub const ENTRIES: &[Entry] = &[
@@ -88,6 +89,7 @@ pub const ENTRIES: &[Entry] = &[
     block(TWO_LEVELS, "corrections", rows::corrections),
     block(TWO_LEVELS, "redundant rows", instructions::redundant),
     block(MODEL_SIZE, "models", model_size::table),
+    block(COMPILE_TIMES, "compile times", compile_times::table),
     block(FIGURES[0], "runs", paper::runs_1),
     block(FIGURES[0], "deviations", paper::deviations),
     block(FIGURES[1], "runs", paper::runs_2),

@@ -55,7 +55,11 @@ where
         v = close_again(context, flow, h, &mut kick)?;
     }
     let weak = weak_start || context.work.delassus.weak || context.work.projection.regularised;
-    context.commit(t1, h, kick.q, v, weak)
+    context.commit(t1, h, kick.q, v, weak)?;
+    if context.work.delassus.reduced {
+        context.relieve_redundant();
+    }
+    Ok(())
 }
 
 /// The velocities at the end of the step, on the rows there.

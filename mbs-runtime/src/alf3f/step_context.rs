@@ -4,7 +4,7 @@ use super::closing::residual_of;
 use super::closing::{Refining, refine};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative};
+use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative, vector};
 use crate::row_scale::RowScale;
 use crate::singular::Thresholds;
 use crate::yardstick::Yardstick;
@@ -143,6 +143,30 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
+    }
+
+    /// Moves what redundant rows carry at the beginning of a step to the rows that they follow from: the same force
+    /// Aᵀκ. A step beside a singular pose leaves multipliers on them; as no row answers to a combination without force,
+    /// the extrapolation of multipliers would let it grow, a thousand times the forces in some hundred short steps.
+    #[inline]
+    pub(crate) fn relieve_redundant(&mut self) {
+        let StepContext {
+            state, start, work, ..
+        } = self;
+        let Some(skipped) = work.delassus.skipped() else {
+            return;
+        };
+        let carried = &state.multipliers;
+        if (0..R).all(|i| !skipped[i] || carried[i] == 0.0) {
+            return;
+        }
+        let mut relieved: SVector<f64, R> =
+            vector(|i| (0..R).map(|j| start.delassus[i][j] * carried[j]).sum());
+        work.delassus.solve(&mut relieved);
+        for i in 0..R {
+            state.multiplier_changes[i] += relieved[i] - state.multipliers[i];
+        }
+        state.multipliers = relieved;
     }
 
     /// Projects v onto A v + b = 0 at the end of the step and stores the multiplier κ₂.

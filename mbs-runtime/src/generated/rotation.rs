@@ -47,12 +47,14 @@ pub(super) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
 #[inline]
 pub(super) fn normalised(q: [f64; 4]) -> [f64; 4] {
     let square = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-    let scale = if (square - 1.0).abs() < 1e-8 {
-        1.5 - 0.5 * square
+    if (square - 1.0).abs() < 1e-8 {
+        // A rounded scale would be rounded up or down in many steps.
+        let missing = 0.5 - 0.5 * square;
+        q.map(|value| value + missing * value)
     } else {
-        1.0 / square.sqrt()
-    };
-    q.map(|value| scale * value)
+        let scale = 1.0 / square.sqrt();
+        q.map(|value| scale * value)
+    }
 }
 
 /// q ∘ exp(h ω/2), renormalised: the rotation q (w, x, y, z) after h seconds of the angular velocity ω in body axes,

@@ -131,16 +131,22 @@ fn splitting(
     omega: [f64; 3],
     h: f64,
 ) -> ([f64; 4], [f64; 3]) {
-    let mut l: [f64; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
+    let start: [f64; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
+    let mut l = start;
     turn::<0>(&mut q, &mut l, 0.25 * h * inverse[0]);
     turn::<1>(&mut q, &mut l, 0.25 * h * inverse[1]);
     turn::<2>(&mut q, &mut l, 0.5 * h * inverse[2]);
     turn::<1>(&mut q, &mut l, 0.25 * h * inverse[1]);
     turn::<0>(&mut q, &mut l, 0.25 * h * inverse[0]);
-    (q, std::array::from_fn(|i| inverse[i] * l[i]))
+    // The change of ω: moments and their reciprocals have products that are off by the same round-off in every step.
+    let changed = |i: usize| omega[i] + inverse[i] * (l[i] - start[i]);
+    (q, std::array::from_fn(changed))
 }
 
 /// Turns the body about its axis I; `half` times L_I is half the angle. L stays in space.
+///
+/// Its changes are added, so that what is rounded is a sum, by chance up or down. A rounded cosine would be the same in
+/// many steps, and change the length of L each time in the same way. (That of q is restored.)
 #[inline(always)]
 fn turn<const I: usize>(q: &mut [f64; 4], l: &mut [f64; 3], half: f64) {
     let (j, k) = ((I + 1) % 3, (I + 2) % 3);
@@ -151,10 +157,10 @@ fn turn<const I: usize>(q: &mut [f64; 4], l: &mut [f64; 3], half: f64) {
     let (y, z) = (q[j + 1], q[k + 1]);
     q[j + 1] = cosine * y + sine * z;
     q[k + 1] = cosine * z - sine * y;
-    let (sin, cos) = (2.0 * sine * cosine, 1.0 - 2.0 * sine * sine);
+    let (sin, versine) = (2.0 * sine * cosine, 2.0 * sine * sine);
     let (y, z) = (l[j], l[k]);
-    l[j] = cos * y + sin * z;
-    l[k] = cos * z - sin * y;
+    l[j] = y + (sin * z - versine * y);
+    l[k] = z - (versine * z + sin * y);
 }
 
 #[cfg(test)]

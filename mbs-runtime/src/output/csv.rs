@@ -1,5 +1,6 @@
 //! A trajectory as a table: one row per frame, units in the header (`crank.b.x_dot_m_per_s`).
 
+use std::fmt::Write as _;
 use std::io::{self, Write};
 
 use super::Frame;
@@ -17,16 +18,16 @@ impl<W: Write> CsvWriter<W> {
     /// # Errors
     /// `out` cannot be written.
     pub fn new(mut out: W, model: &Model) -> io::Result<Self> {
-        writeln!(out, "{}", header(model).join(","))?;
+        out.write_all((header(model).join(",") + "\n").as_bytes())?;
         Ok(CsvWriter { out })
     }
 
-    /// Writes one row; every number reads back to the same bits.
+    /// Writes one row, at once: behind a buffer, too, an interrupted run leaves whole rows. Every number reads back to the same bits.
     ///
     /// # Errors
     /// `out` cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
-        write!(self.out, "{:?}", frame.time)?;
+        let mut row = format!("{:?}", frame.time);
         let energy = &frame.energy;
         let balance = [energy.kinetic, energy.potential, energy.error];
         let errors = [frame.holonomic_error, frame.velocity_error];
@@ -38,9 +39,11 @@ impl<W: Write> CsvWriter<W> {
             .chain(&balance)
             .chain(&errors);
         for value in columns {
-            write!(self.out, ",{value:?}")?;
+            // Writing to a string cannot fail.
+            let _ = write!(row, ",{value:?}");
         }
-        writeln!(self.out)
+        row.push('\n');
+        self.out.write_all(row.as_bytes())
     }
 
     /// Marks the table of a run that did not reach its end, with a last line `# stopped at t = …`.
@@ -50,7 +53,18 @@ impl<W: Write> CsvWriter<W> {
     pub fn stopped(&mut self, time: f64, reason: &str) -> io::Result<()> {
         // A comment is one line.
         let reason = reason.split_whitespace().collect::<Vec<_>>().join(" ");
-        writeln!(self.out, "# stopped at t = {time:?} s: {reason}")
+        self.out
+            .write_all(format!("# stopped at t = {time:?} s: {reason}\n").as_bytes())
+    }
+
+    /// The writer.
+    pub fn get_ref(&self) -> &W {
+        &self.out
+    }
+
+    /// The writer, to take out what it holds.
+    pub fn get_mut(&mut self) -> &mut W {
+        &mut self.out
     }
 
     /// Writes what is still buffered and returns the writer.

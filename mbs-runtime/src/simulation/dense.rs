@@ -37,6 +37,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if time <= self.time() {
             return Ok(());
         }
+        if time.is_nan() {
+            self.check_target(time)?;
+        }
         let latest = latest.max(time);
         self.check_target(latest)?;
         while self.time() < time
@@ -91,7 +94,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let kept = (self.report, self.power, self.rank_margin);
         let shown = self.show(time);
         if shown.is_ok() {
-            self.integrator.state_mut().time = time;
+            let state = self.integrator.state_mut();
+            (state.time, state.clock) = (time, 0.0);
             look(self);
         }
         self.integrator.state_mut().copy_from(&self.before);

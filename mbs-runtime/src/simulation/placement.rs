@@ -28,8 +28,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let length = self.placed(h, left)?;
+        if let Some(available) = self.energy_guard.gained(&self.balance) {
+            return Err(self.nonsense(length, available));
+        }
         self.watch();
         Ok(length)
+    }
+
+    #[cold]
+    fn nonsense(&self, step: f64, available: f64) -> SimulationError {
+        SimulationError::EnergyGain {
+            time: self.time(),
+            step,
+            gained: self.balance.error,
+            available,
+        }
     }
 
     /// The clearance below which a step suffers from a singular pose.

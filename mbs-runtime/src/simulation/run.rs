@@ -20,6 +20,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A time in the past or not finite; otherwise as [`Simulation::step`].
     pub fn run_until(&mut self, time: f64) -> Result<(), SimulationError> {
         self.check_target(time)?;
+        if time <= self.time() {
+            return Ok(());
+        }
         while let Some(h) = self.next_step(time) {
             self.forward(h, time - self.time())?;
         }
@@ -51,9 +54,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let left = time - self.time();
         let step = self.nominal();
         // At large times the round-off of the time is larger than such a remainder.
-        let sliver = (SLIVER * step).max(4.0 * f64::EPSILON * time.abs());
+        let rounding = 4.0 * f64::EPSILON * time.abs();
+        let sliver = (SLIVER * step).max(rounding);
         if left <= sliver {
             None
+        } else if (left - step).abs() <= rounding {
+            // A whole step, as those before.
+            Some(step)
         } else if left <= step + sliver {
             Some(left)
         } else {
@@ -64,7 +71,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Removes the rounding of the sum of steps from the clock.
     pub(super) fn land(&mut self, time: f64) {
         if self.next_step(time).is_none() {
-            self.integrator.state_mut().time = time;
+            let state = self.integrator.state_mut();
+            (state.time, state.clock) = (time, 0.0);
         }
     }
 
@@ -85,13 +93,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .position(|name| *name == event)
             .ok_or_else(|| UnknownName::new("event", event, known.iter().copied()))?;
         self.check_target(latest)?;
-        let mut before = self.event(index);
+        let mut before = self.event(index)?;
         while let Some(h) = self.next_step(latest) {
             self.behind.copy_from(self.integrator.state());
             let report = self.report;
             self.forward(h, latest - self.time())?;
             self.land(latest);
-            let after = self.event(index);
+            let after = self.event(index)?;
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
                 self.locate(index, report, before, after)?;
                 // The end of the step, where it led to, is no longer ahead.
@@ -134,7 +142,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             self.rewind(report)?;
             self.reach(current)?;
-            let value = self.event(index);
+            let value = self.event(index)?;
             if iteration == 0 {
                 // The cubic is off by a little: a step beyond its own error brackets the change tightly.
                 guess = Some(current - BEYOND * value * (high - low) / (f_high - f_low));
@@ -187,9 +195,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The value of an event expression now.
-    fn event(&mut self, index: usize) -> f64 {
+    fn event(&mut self, index: usize) -> Result<f64, SimulationError> {
         let (t, q, v) = (self.time(), *self.positions(), *self.velocities());
-        self.event_at(index, t, &q, &v)
+        let value = self.event_at(index, t, &q, &v);
+        match value.is_nan() {
+            true => Err(SimulationError::Event {
+                time: t,
+                event: S::MODEL.events[index],
+            }),
+            false => Ok(value),
+        }
     }
 
     fn event_at(&mut self, index: usize, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64 {

@@ -113,7 +113,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 }
                 Err(
                     error @ (SimulationError::NotConverged { .. }
-                    | SimulationError::NonFinite { .. }),
+                    | SimulationError::NonFinite { .. }
+                    | SimulationError::EnergyGain { .. }),
                 ) => (LEAP.exp2(), error),
                 Err(error) => return Err(error),
             };
@@ -121,11 +122,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.integrator.state_mut().copy_from(&self.pair);
             (self.report, self.power, self.rank_margin) = (report, power, None);
             self.integrator.refresh(&self.settings)?;
-            if excess.is_nan() {
+            if excess.is_nan() && !last {
                 sidestep += 1;
                 continue;
             }
             sidestep = 0;
+            let excess = if excess.is_nan() { LEAP.exp2() } else { excess };
             step_controller.shorten(h, notches(self.settings.order, excess));
             let clock = 1e-13 * self.pair.time.abs();
             if !(step_controller.step > SHORTEST * self.settings.step
@@ -166,7 +168,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
         let order = i32::from(self.settings.order);
-        let error = |steps: [f64; 2]| steps.map(|h| h.powi(order + 1)).iter().sum::<f64>();
+        // Relative to the length: powers of a short step vanish.
+        let power = |h: f64| (h / length).powi(order + 1);
+        let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();
         // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
         let paced = controller.step >= PACED * self.settings.step;
         let still = if paced { noise } else { 0.0 };

@@ -155,6 +155,7 @@ pub fn lower(derived: &Derived) -> Program {
             .collect(),
         structure,
         sparse,
+        labels: super::Labels::new(system),
     }
 }
 

@@ -24,16 +24,18 @@ pub(super) fn kernels(
     let mut list = Vec::new();
     if derived.constant_mass {
         let inverse = InverseMass::new(derived.system.size, &derived.system.mass);
-        list.push(maker.solve_mass(&inverse));
+        list.extend(maker.solve_mass(&inverse));
         let (weighted, delassus) = (maker.solve_mass_rows(&inverse), maker.delassus());
         // If these two are long, the function that replaces them is long, too.
-        let separate = delassus
-            .as_ref()
-            .map(|delassus| weighted.cost().total() + delassus.cost().total())
-            .filter(|&total| total <= LONGEST);
-        list.push(weighted);
+        let separate = match (&weighted, &delassus) {
+            (Some(weighted), Some(delassus)) => {
+                Some(weighted.cost().total() + delassus.cost().total())
+            }
+            _ => None,
+        };
+        list.extend(weighted);
         list.extend(delassus);
-        if let Some(separate) = separate {
+        if let Some(separate) = separate.filter(|&total| total <= LONGEST) {
             let metric = maker.metric(&inverse);
             list.extend((metric.cost().total() < separate).then_some(metric));
         }
@@ -64,9 +66,18 @@ impl Maker<'_> {
         rows(self.derived)
     }
 
-    /// x ← M⁻¹ x.
-    fn solve_mass(&mut self, inverse: &InverseMass) -> Function {
+    /// x ← M⁻¹ x; `None` if that is too long.
+    fn solve_mass(&mut self, inverse: &InverseMass) -> Option<Function> {
         let size = self.derived.system.size;
+        let coupled = |i: usize| (0..size).filter(move |&j| inverse.couples(i, j)).count();
+        // At least one operation for each entry of M⁻¹ but the first of a row.
+        if (0..size)
+            .map(|i| coupled(i).saturating_sub(1))
+            .sum::<usize>()
+            > LONGEST
+        {
+            return None;
+        }
         let mut lowering = self.start();
         for i in 0..size {
             let coupled = (0..size).filter(|&j| inverse.couples(i, j));
@@ -74,12 +85,22 @@ impl Maker<'_> {
             let value = inverse_product(lowering.graph(), inverse, i, terms);
             lowering.output("x", Place::Element(i), value);
         }
-        lowering.finish("solve_mass")
+        Some(lowering.finish("solve_mass"))
     }
 
-    /// w = M⁻¹ a, row by row.
-    fn solve_mass_rows(&mut self, inverse: &InverseMass) -> Function {
+    /// w = M⁻¹ a, row by row; `None` if that is too long.
+    fn solve_mass_rows(&mut self, inverse: &InverseMass) -> Option<Function> {
         let (size, rows) = (self.derived.system.size, self.rows());
+        let mut operations = 0;
+        for row in &rows {
+            let coupled = |i: usize| row.iter().filter(|&&(j, _)| inverse.couples(i, j)).count();
+            operations += (0..size)
+                .map(|i| coupled(i).saturating_sub(1))
+                .sum::<usize>();
+            if operations > LONGEST {
+                return None;
+            }
+        }
         let mut lowering = self.start();
         for (r, row) in rows.iter().enumerate() {
             for i in 0..size {
@@ -93,7 +114,7 @@ impl Maker<'_> {
                 }
             }
         }
-        lowering.finish("solve_mass_rows")
+        Some(lowering.finish("solve_mass_rows"))
     }
 
     /// S = A W, each entry the product of a row of A with a row of W; `None` if that is too long.

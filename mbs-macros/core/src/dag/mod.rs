@@ -11,6 +11,7 @@ mod factor;
 mod functions;
 mod kernels;
 mod lower;
+mod parts;
 mod reciprocals;
 mod run;
 mod sparse;
@@ -20,6 +21,7 @@ use crate::symbolic::{Function as Elementary, Number, Symbol};
 
 pub use cost::Cost;
 pub use functions::lower;
+pub use parts::{LONGEST_BODY, Labels, Parts, Run as PartRun, Shape};
 pub use run::Run;
 pub use sparse::{Elimination, Sparse, Stretch};
 
@@ -54,6 +56,8 @@ pub struct Program {
     pub structure: Structure,
     /// Elimination without zeros, where that is the cheaper.
     pub sparse: Option<Sparse>,
+    /// The parts and joints that coordinates, velocities and rows belong to.
+    pub labels: Labels,
 }
 
 impl Program {
@@ -131,7 +135,7 @@ impl Function {
 }
 
 /// A value that a function writes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Output {
     /// Which argument receives it.
     pub sink: &'static str,
@@ -142,7 +146,7 @@ pub struct Output {
 }
 
 /// A place in an output argument.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Place {
     /// The function's return value.
     Value,

@@ -38,6 +38,21 @@ impl<'a> Body<'a> {
         Self::new(graph, function, "self.", "self.parameters.")
     }
 
+    /// The body of a part of a long function; `place` is where it finds a value.
+    pub(super) fn of_part(
+        graph: &'a Graph,
+        function: &'a Function,
+        place: impl Fn(usize) -> String,
+    ) -> Self {
+        let mut body = Self::of_method(graph, function);
+        for (symbol, (_, source)) in &mut body.names.bound {
+            if let Symbol::Place(index) = symbol {
+                *source = place(*index as usize);
+            }
+        }
+        body
+    }
+
     /// The body of a function in which constants are variables and parameters come from `self`.
     pub(super) fn of_preparation(graph: &'a Graph, function: &'a Function) -> Self {
         Self::new(graph, function, "", "self.")
@@ -168,6 +183,17 @@ impl<'a> Body<'a> {
             Operand::Symbol(symbol) => self.symbol(symbol),
             Operand::Value(slot) if self.named[slot] => self.names.temporaries[slot].clone(),
             Operand::Value(slot) => self.operation(slot, outer),
+        }
+    }
+
+    /// An argument or constant where it stands, without a binding.
+    pub(super) fn source(&self, operand: Operand) -> String {
+        match operand {
+            Operand::Symbol(symbol) => match self.names.bound.get(&symbol) {
+                Some((_, source)) => source.clone(),
+                None => self.symbol(symbol),
+            },
+            other => self.operand(other, Precedence::Sum),
         }
     }
 

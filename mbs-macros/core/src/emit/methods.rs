@@ -1,6 +1,7 @@
 //! The functions of the contract as Rust: one for each function of the program, and loops if that would be too long.
 
 use super::body::Body;
+use super::parts::LongFunctions;
 use super::{motion, sparse};
 use crate::contract::{Capability, METHODS, Method, Origin, Returns, Shape};
 use crate::dag::{Function, Program};
@@ -14,18 +15,29 @@ const SAME_WHERE_MASS_IS_CONSTANT: &[(&str, &str)] = &[
 ];
 
 /// The functions of one trait, as text.
-pub(super) fn bodies(graph: &Graph, program: &Program, capability: Capability) -> String {
+pub(super) fn bodies(
+    graph: &Graph,
+    program: &Program,
+    long: &LongFunctions,
+    capability: Capability,
+) -> String {
     let mut out = String::new();
     for method in METHODS
         .iter()
         .filter(|method| method.capability == capability)
     {
-        write_method(&mut out, graph, program, method);
+        write_method(&mut out, graph, program, long, method);
     }
     out
 }
 
-fn write_method(out: &mut String, graph: &Graph, program: &Program, method: &Method) {
+fn write_method(
+    out: &mut String,
+    graph: &Graph,
+    program: &Program,
+    long: &LongFunctions,
+    method: &Method,
+) {
     if sparse::replaces(out, graph, program, method) {
         return;
     }
@@ -39,7 +51,10 @@ fn write_method(out: &mut String, graph: &Graph, program: &Program, method: &Met
             let cost = format!("/// {}\n#[inline]\n", function.cost());
             let body = match applied(program, method, function) {
                 Some(applied) => applied.call(),
-                None => straight_line(graph, method, function),
+                None => match long.body(graph, program, method) {
+                    Some(parts) => parts,
+                    None => straight_line(graph, method, function),
+                },
             };
             put(out, program, method, &cost, &body);
         }

@@ -12,6 +12,7 @@ mod methods;
 mod motion;
 mod names;
 mod parameters;
+mod parts;
 mod sparse;
 mod system;
 mod text;

@@ -9,10 +9,12 @@ use std::collections::{BTreeMap, HashSet};
 /// collide with.
 const TAKEN: &[&str] = &[
     "factor",
+    "at",
     "entries",
     "entries_mut",
     "rows",
     "rows_mut",
+    "values",
     "as",
     "async",
     "await",
@@ -74,10 +76,12 @@ impl Names {
                 Symbol::Input(i) => format!("self.inputs[{i}]"),
                 // The kernel overwrites its argument: read all of it first.
                 Symbol::VectorEntry(i) => format!("x[{i}]"),
+                Symbol::Place(i) => format!("place {i}"),
                 _ => continue,
             };
             let name = match symbol {
                 Symbol::VectorEntry(i) => format!("x{i}"),
+                Symbol::Place(i) => format!("a{i}"),
                 _ => binding(symbol, &graph.name(symbol)),
             };
             let name = claim(&name, &mut taken);

@@ -1,6 +1,7 @@
 //! The prepared system: its fields, and the implementation of `System`.
 
 use super::items::{self, visibility};
+use super::parts::LongFunctions;
 use super::text::{doc, tokens};
 use super::{metadata, methods, sparse};
 use crate::contract::Capability;
@@ -82,8 +83,10 @@ pub(super) fn emit(
         });
         tokens(&blocks.collect::<String>())
     };
-    let full = implementations(&|capability| methods::bodies(graph, program, capability));
+    let long = LongFunctions::new(program);
+    let full = implementations(&|capability| methods::bodies(graph, program, &long, capability));
     let stubs = implementations(&|capability| methods::stubs(program, capability));
+    let eliminating = eliminating + &long.items(graph);
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
         quote! {

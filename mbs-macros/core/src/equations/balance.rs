@@ -45,6 +45,9 @@ impl Balance<'_> {
         terms.push(graph.derivative(self.potential, Symbol::LocalPosition(local)));
         for load in self.loads {
             let lever = graph.derivative(load.rate, Symbol::LocalVelocity(local));
+            if graph.is_zero(lever) {
+                continue;
+            }
             let force = graph.mul(load.force, lever);
             terms.push(graph.neg(force));
         }
@@ -55,6 +58,9 @@ impl Balance<'_> {
                 Symbol::LocalVelocity(local)
             };
             let slope = graph.derivative(row.local, by);
+            if graph.is_zero(slope) {
+                continue;
+            }
             let multiplier = graph.symbol(Symbol::Multiplier(index as u32));
             let force = graph.mul(slope, multiplier);
             terms.push(graph.neg(force));

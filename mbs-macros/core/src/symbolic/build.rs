@@ -72,7 +72,7 @@ impl Graph {
 
     /// constant + Σ coefficient · term.
     pub fn linear(&mut self, constant: f64, terms: &[(Expr, f64)]) -> Expr {
-        let mut constant = constant;
+        let mut constant = Total::of(constant);
         let mut flat: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
         for &(term, coefficient) in terms {
             self.flatten_term(term, coefficient, &mut constant, &mut flat);
@@ -87,6 +87,7 @@ impl Graph {
             collect(&mut flat);
             self.pythagoras(&mut flat, &mut constant);
         }
+        let constant = constant.value();
         match flat.as_slice() {
             [] => return self.constant(constant),
             [(term, 1.0)] if constant == 0.0 => return *term,
@@ -126,19 +127,19 @@ impl Graph {
         &mut self,
         term: Expr,
         coefficient: f64,
-        constant: &mut f64,
+        constant: &mut Total,
         flat: &mut Vec<(Expr, f64)>,
     ) {
         if coefficient == 0.0 {
             return;
         }
         match self.node(term) {
-            Node::Constant(number) => *constant += coefficient * number.value(),
+            Node::Constant(number) => constant.add(coefficient * number.value()),
             Node::Sum {
                 constant: inner,
                 terms,
             } if terms.len() == 1 => {
-                *constant += coefficient * inner.value();
+                constant.add(coefficient * inner.value());
                 let (term, own) = terms[0];
                 self.flatten_term(term, coefficient * own.value(), constant, flat);
             }
@@ -146,7 +147,7 @@ impl Graph {
                 constant: inner,
                 terms,
             } if coefficient.abs() == 1.0 => {
-                *constant += coefficient * inner.value();
+                constant.add(coefficient * inner.value());
                 flat.extend(
                     terms
                         .iter()
@@ -158,7 +159,7 @@ impl Graph {
     }
 
     /// c·m·sin²x + c·m·cos²x = c·m.
-    fn pythagoras(&mut self, terms: &mut Vec<(Expr, f64)>, constant: &mut f64) {
+    fn pythagoras(&mut self, terms: &mut Vec<(Expr, f64)>, constant: &mut Total) {
         let mut position = 0;
         while position < terms.len() {
             let (term, coefficient) = terms[position];
@@ -363,15 +364,50 @@ impl Graph {
 /// Sorts by term and adds up coefficients.
 fn collect(terms: &mut Vec<(Expr, f64)>) {
     terms.sort_unstable_by_key(|&(term, _)| term);
-    let mut kept = 0;
-    for i in 0..terms.len() {
-        if kept > 0 && terms[kept - 1].0 == terms[i].0 {
-            terms[kept - 1].1 += terms[i].1;
-        } else {
-            terms[kept] = terms[i];
-            kept += 1;
+    let mut kept: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
+    let mut total = Total::of(0.0);
+    for &(term, coefficient) in terms.iter() {
+        match kept.last_mut() {
+            Some(last) if last.0 == term => {
+                total.add(coefficient);
+                last.1 = total.value();
+            }
+            _ => {
+                kept.push((term, coefficient));
+                total = Total::of(coefficient);
+            }
         }
     }
-    terms.truncate(kept);
-    terms.retain(|&(_, coefficient)| coefficient != 0.0);
+    kept.retain(|&(_, coefficient)| coefficient != 0.0);
+    *terms = kept;
+}
+
+/// A sum of numbers that cancel exactly, if they cancel but for their round-off: what vanishes for one leg of a
+/// platform vanishes for the others, whose directions are other numbers.
+struct Total {
+    sum: f64,
+    /// Σ |number|.
+    size: f64,
+}
+
+impl Total {
+    fn of(number: f64) -> Total {
+        Total {
+            sum: number,
+            size: number.abs(),
+        }
+    }
+
+    fn add(&mut self, number: f64) {
+        self.sum += number;
+        self.size += number.abs();
+    }
+
+    fn value(&self) -> f64 {
+        if self.sum.abs() <= 4.0 * f64::EPSILON * self.size {
+            0.0
+        } else {
+            self.sum
+        }
+    }
 }

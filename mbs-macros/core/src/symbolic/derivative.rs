@@ -20,9 +20,12 @@ impl Graph {
             Node::Sum { terms, .. } => {
                 let terms: Vec<_> = terms
                     .iter()
-                    .map(|&(term, coefficient)| {
-                        (self.derivative(term, symbol), coefficient.value())
-                    })
+                    .filter(|(term, _)| self.may_depend_on(*term, symbol))
+                    .copied()
+                    .collect();
+                let terms: Vec<_> = terms
+                    .into_iter()
+                    .map(|(term, coefficient)| (self.derivative(term, symbol), coefficient.value()))
                     .collect();
                 self.linear(0.0, &terms)
             }

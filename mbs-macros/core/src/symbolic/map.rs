@@ -11,7 +11,7 @@ pub(crate) type Map<K, V> = HashMap<K, V, BuildHasherDefault<Mixer>>;
 pub(crate) type Set<K> = HashSet<K, BuildHasherDefault<Mixer>>;
 
 /// The hash of one key.
-pub(super) fn hash(key: impl std::hash::Hash) -> u64 {
+pub(crate) fn hash(key: impl std::hash::Hash) -> u64 {
     BuildHasherDefault::<Mixer>::default().hash_one(key)
 }
 

@@ -19,8 +19,8 @@ mod rate;
 mod rotation;
 mod substitute;
 
-pub(crate) use map::Map;
 use map::Set;
+pub(crate) use map::{Map, hash};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
@@ -82,6 +82,8 @@ pub enum Symbol {
     FactorEntry(u32),
     /// What is added to a row at acceleration level.
     Correction(u32),
+    /// A value that a part of a long function reads.
+    Place(u32),
 }
 
 impl Symbol {
@@ -367,7 +369,7 @@ impl Graph {
 
 /// The bits of a symbol and of the directions along which it changes.
 fn reach_of(symbol: Symbol) -> u128 {
-    let bit = |symbol: Symbol| 1 << (map::hash(symbol) % 128);
+    let bit = |symbol: Symbol| 1 << (hash(symbol) % 128);
     symbol
         .directions()
         .fold(bit(symbol), |bits, direction| bits | bit(direction))

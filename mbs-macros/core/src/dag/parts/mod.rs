@@ -1,0 +1,76 @@
+//! Long functions as parts: pieces of the same shape become one function with a table of places.
+//!
+//! ```text
+//! function  → groups of operations that depend on the same bodies and serve the same outputs   (groups)
+//! groups    → shapes: one piece of straight-line code each, for all groups of that form          (shape)
+//! shapes    → runs: the order in which the groups are computed, and where values are kept         (schedule)
+//! ```
+//!
+//! The legs of a platform, the bushings of a frame and the bodies of a chain repeat; their code is written and compiled
+//! once. No operation is added, removed or regrouped, so that the digits are those of the straight-line code.
+
+mod groups;
+mod kind;
+mod labels;
+mod schedule;
+mod shape;
+mod signature;
+
+use super::{Function, Operand, Output};
+
+pub use labels::Labels;
+pub use shape::Shape;
+
+/// A function longer than this is divided: the compiler of the generated code needs more than proportional time and
+/// stack for longer ones.
+pub const LONGEST_BODY: usize = 2500;
+
+/// A function as parts. Values that pass from one part to another are in an array, the inputs first.
+#[derive(Debug)]
+pub struct Parts {
+    /// What is copied to the first places of the array.
+    pub inputs: Vec<Operand>,
+    /// The pieces of code.
+    pub shapes: Vec<Shape>,
+    /// Which rows of which shape are computed, in order.
+    pub runs: Vec<Run>,
+    /// The outputs that are values, with their places in the array.
+    pub outputs: Vec<(Output, usize)>,
+    /// Length of the array.
+    pub places: usize,
+}
+
+/// Rows of a shape's table, computed one after the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Run {
+    /// Index of the shape.
+    pub shape: usize,
+    /// The first of its rows.
+    pub first: usize,
+    /// How many.
+    pub count: usize,
+}
+
+impl Parts {
+    /// The parts of a function.
+    pub fn of(function: &Function, labels: &Labels) -> Parts {
+        let pieces = groups::of(function, labels);
+        let (shapes, members) = shape::of(function, &pieces);
+        let rare = schedule::rare(&members, shapes.len());
+        let order = schedule::ordered(&pieces, &members, &rare);
+        let groups = pieces.gather(&order, |group| rare[members[group].shape]);
+        let (shapes, members) = shape::of(function, &groups);
+        let rare = schedule::rare(&members, shapes.len());
+        let order = schedule::ordered(&groups, &members, &rare);
+        schedule::of(function, &groups, shapes, members, order)
+    }
+
+    /// The number of operations that are written out.
+    pub fn operations(&self) -> usize {
+        let lengths = self
+            .shapes
+            .iter()
+            .map(|shape| shape.function.operations.len());
+        lengths.sum()
+    }
+}

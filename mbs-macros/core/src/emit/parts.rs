@@ -1,0 +1,323 @@
+//! Long functions: one function for each shape of their parts, and for each long function a table of which parts are
+//! computed with which values.
+//!
+//! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
+//! and the rows, which are the places of values. It is written as a string of bytes, because rustc reads that as one
+//! token.
+
+use super::body::Body;
+use crate::contract::{Method, Origin, Returns, Shape as Argument};
+use crate::dag::{Function, LONGEST_BODY, Operation, Output, Parts, Place, Program};
+use crate::symbolic::{Graph, Map};
+use std::fmt::Write;
+
+/// The long functions of a mechanism.
+pub(super) struct LongFunctions {
+    functions: Vec<(&'static str, Parts)>,
+    /// For each shape of each function its number.
+    numbers: Vec<Vec<usize>>,
+    /// The different shapes, as (function, index).
+    shapes: Vec<(usize, usize)>,
+    /// For each function the length of its array of values: a power of two, so that no index needs a check.
+    lengths: Vec<usize>,
+    word: Word,
+}
+
+/// A word of a table: u16, or u32 where the array is longer than u16 can count.
+#[derive(Clone, Copy)]
+struct Word {
+    bytes: usize,
+}
+
+impl LongFunctions {
+    pub(super) fn new(program: &Program) -> LongFunctions {
+        let long = program
+            .functions
+            .iter()
+            .filter(|function| is_divided(program, function));
+        let functions: Vec<(&'static str, Parts)> = long
+            .map(|function| (function.name, Parts::of(function, &program.labels)))
+            .collect();
+        let lengths: Vec<usize> = functions
+            .iter()
+            .map(|(_, parts)| parts.places.next_power_of_two())
+            .collect();
+        let mut known: Map<(usize, &[Operation], &[Output]), usize> = Map::default();
+        let mut shapes = Vec::new();
+        let mut numbers = Vec::new();
+        for (at, (_, parts)) in functions.iter().enumerate() {
+            let own = parts.shapes.iter().enumerate().map(|(index, shape)| {
+                let code = &shape.function;
+                if shape.table.len() == 1 {
+                    shapes.push((at, index));
+                    return shapes.len() - 1;
+                }
+                *known
+                    .entry((lengths[at], &code.operations, &code.outputs))
+                    .or_insert_with(|| {
+                        shapes.push((at, index));
+                        shapes.len() - 1
+                    })
+            });
+            numbers.push(own.collect());
+        }
+        let longest = lengths.iter().max().copied().unwrap_or(0);
+        LongFunctions {
+            numbers,
+            shapes,
+            lengths,
+            word: Word {
+                bytes: if longest > 1 << 16 { 4 } else { 2 },
+            },
+            functions,
+        }
+    }
+
+    /// The body of a function of the contract, if it is long.
+    pub(super) fn body(&self, graph: &Graph, program: &Program, method: &Method) -> Option<String> {
+        if let Some(call) = program
+            .function(method.name)
+            .and_then(|function| part_of_another(program, function))
+        {
+            return Some(call.to_owned());
+        }
+        let at = self
+            .functions
+            .iter()
+            .position(|(name, _)| *name == method.name)?;
+        let (function, parts) = (program.function(method.name)?, &self.functions[at].1);
+        let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
+        let body = Body::of_method(graph, function);
+        let sources: Vec<String> = parts
+            .inputs
+            .iter()
+            .map(|&input| body.source(input))
+            .collect();
+        let _ = writeln!(
+            out,
+            "for (value, input) in values.iter_mut().zip([{}]) {{ *value = input; }}",
+            sources.join(", ")
+        );
+        let _ = writeln!(
+            out,
+            "::mbs_runtime::generated::compute_parts(&Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
+            method.name.to_uppercase()
+        );
+        self.write_outputs(&mut out, at, method);
+        Some(out)
+    }
+
+    fn write_outputs(&self, out: &mut String, at: usize, method: &Method) {
+        let mut sinks: Vec<(&str, usize, Vec<u8>)> = Vec::new();
+        for (output, place) in &self.functions[at].1.outputs {
+            let indices: &[usize] = match output.place {
+                Place::Value | Place::Constant(_) => {
+                    let _ = write!(out, "values[{place}]");
+                    continue;
+                }
+                Place::Element(i) => &[i],
+                Place::Entry(i, j) => &[i, j],
+                Place::Tensor(i, j, k) => &[i, j, k],
+            };
+            if sinks
+                .last()
+                .is_none_or(|(sink, count, _)| (*sink, *count) != (output.sink, indices.len()))
+            {
+                sinks.push((output.sink, indices.len(), Vec::new()));
+            }
+            if let Some((_, _, table)) = sinks.last_mut() {
+                indices
+                    .iter()
+                    .chain([place])
+                    .for_each(|&index| self.word.put(table, index));
+            }
+        }
+        let last = method.arguments.last().map(|last| last.shape);
+        for (sink, count, table) in sinks {
+            let value = "values[place % LENGTH]".replace("LENGTH", &self.lengths[at].to_string());
+            let (pattern, statement) = match (count, last) {
+                (1, Some(Argument::Values)) => (
+                    "[i, place]",
+                    format!(
+                        "if let ::core::option::Option::Some(value) = {sink}.get_mut(i) {{ *value = {value}; }}"
+                    ),
+                ),
+                (2, Some(Argument::Points)) => (
+                    "[i, axis, place]",
+                    format!(
+                        "if let ::core::option::Option::Some(point) = {sink}.get_mut(i) {{ point[axis] = {value}; }}"
+                    ),
+                ),
+                (1, _) => ("[i, place]", format!("{sink}[i] = {value};")),
+                (2, _) if sink == "w" || sink == "delassus" => {
+                    ("[i, j, place]", format!("{sink}[i][j] = {value};"))
+                }
+                (2, _) => ("[i, j, place]", format!("{sink}.set(i, j, {value});")),
+                _ => ("[i, j, k, place]", format!("{sink}.set(i, j, k, {value});")),
+            };
+            let _ = writeln!(
+                out,
+                "for {pattern} in ::mbs_runtime::generated::rows_of({}) {{ {statement} }}",
+                self.word.list(&table)
+            );
+        }
+        if method.returns == Returns::Available {
+            out.push_str("true");
+        }
+    }
+
+    /// The functions of the parts and the tables; nothing if no function is long.
+    pub(super) fn items(&self, graph: &Graph) -> String {
+        if self.functions.is_empty() {
+            return String::new();
+        }
+        let mut out = String::new();
+        for (at, (name, parts)) in self.functions.iter().enumerate() {
+            // Each function has its own list: a program that does not call the function does not compile its parts.
+            let (list, length) = (self.list(at), self.lengths[at]);
+            let names = list.iter().map(|number| format!("Self::part_{number}"));
+            let names: Vec<String> = names.collect();
+            let _ = writeln!(
+                out,
+                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&mut [f64; {length}], &[{5}]); {2}] = [{3}];\nconst {1}_TABLE: &'static [{5}] = {4};",
+                parts
+                    .shapes
+                    .iter()
+                    .map(|shape| shape.table.len())
+                    .sum::<usize>(),
+                name.to_uppercase(),
+                names.len(),
+                names.join(", "),
+                self.word.list(&self.table(at, &list)),
+                self.word.name()
+            );
+        }
+        for number in 0..self.shapes.len() {
+            self.write_part(&mut out, graph, number);
+        }
+        out
+    }
+
+    /// The code of one shape: a loop over rows of places, or a block if there is one row.
+    fn write_part(&self, out: &mut String, graph: &Graph, number: usize) {
+        let (at, index) = self.shapes[number];
+        let shape = &self.functions[at].1.shapes[index];
+        let (length, word) = (self.lengths[at], self.word.name());
+        let function = &shape.function;
+        let only = match shape.table.as_slice() {
+            [row] => Some(row.as_slice()),
+            _ => None,
+        };
+        let width = shape.table.first().map_or(0, Vec::len);
+        let place = |k: usize| match only {
+            Some(row) => format!("values[{}]", row[k]),
+            None => format!("values[at[{k}] as usize & {}]", length - 1),
+        };
+        let body = Body::of_part(graph, function, place);
+        let values = body.values().into_iter().enumerate();
+        let writes = values.fold(String::new(), |text, (k, value)| {
+            let place = place(width - function.outputs.len() + k);
+            text + &format!("{place} = {value};\n")
+        });
+        let code = body.statements() + &writes;
+        let code = match only {
+            Some(_) => code,
+            None => format!("for at in rows.as_chunks::<{width}>().0 {{ {code} }}"),
+        };
+        let _ = writeln!(
+            out,
+            "/// {}\nfn part_{number}(values: &mut [f64; {length}], rows: &[{word}]) {{ {code} }}",
+            function.cost(),
+        );
+    }
+
+    /// The numbers of the shapes of a function, in order.
+    fn list(&self, at: usize) -> Vec<usize> {
+        let mut list = self.numbers[at].clone();
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
+    fn table(&self, at: usize, list: &[usize]) -> Vec<u8> {
+        let (parts, mut table) = (&self.functions[at].1, Vec::new());
+        for run in &parts.runs {
+            let rows = &parts.shapes[run.shape].table;
+            let rows = match rows.len() {
+                1 => &[],
+                _ => &rows[run.first..run.first + run.count],
+            };
+            let length = rows.iter().map(Vec::len).sum::<usize>();
+            let index = list.binary_search(&self.numbers[at][run.shape]);
+            self.word.put(&mut table, index.unwrap_or_default());
+            self.word.put(&mut table, length & 0xffff);
+            self.word.put(&mut table, length >> 16);
+            let places = rows.iter().flatten();
+            places.for_each(|&place| self.word.put(&mut table, place as usize));
+        }
+        table
+    }
+}
+
+/// Whether a function is written as parts.
+fn is_divided(program: &Program, function: &Function) -> bool {
+    Method::named(function.name).is_some_and(|method| !matches!(method.origin, Origin::Written))
+        && function.operations.len() > LONGEST_BODY
+        && part_of_another(program, function).is_none()
+}
+
+/// The call of the function that computes the same and more, for a long function that has one.
+pub(super) fn part_of_another(program: &Program, function: &Function) -> Option<&'static str> {
+    let (whole, call) = match function.name {
+        "force_tangents" => (
+            "balance_tangents",
+            "::mbs_runtime::Loads::balance_tangents(self, t, q, v, &mut ::mbs_runtime::generated::Discard, f_q, f_v, p_q);",
+        ),
+        "forces" => (
+            "balance",
+            "::mbs_runtime::Loads::balance(self, t, q, v, &mut SVector::zeros(), f);",
+        ),
+        _ => return None,
+    };
+    program.function(whole)?;
+    (function.operations.len() > LONGEST_BODY).then_some(call)
+}
+
+impl Word {
+    fn name(self) -> String {
+        format!("u{}", 8 * self.bytes)
+    }
+
+    /// Adds a number, the lowest byte first.
+    fn put(self, table: &mut Vec<u8>, number: usize) {
+        table.extend(&(number as u64).to_le_bytes()[..self.bytes]);
+    }
+
+    /// The words of a table as an expression.
+    fn list(self, table: &[u8]) -> String {
+        let (count, bytes) = (table.len() / self.bytes, literal(table));
+        let name = self.name();
+        format!("&::mbs_runtime::generated::words_of_{name}::<{count}>({bytes})")
+    }
+}
+
+/// A string of bytes.
+fn literal(table: &[u8]) -> String {
+    let mut out = String::with_capacity(4 * table.len() + 3);
+    out.push_str("b\"");
+    for &byte in table {
+        match byte {
+            b'"' | b'\\' => {
+                out.push('\\');
+                out.push(char::from(byte));
+            }
+            b' '..=b'~' => out.push(char::from(byte)),
+            0 => out.push_str("\\0"),
+            _ => {
+                let _ = write!(out, "\\x{byte:02x}");
+            }
+        }
+    }
+    out.push('"');
+    out
+}

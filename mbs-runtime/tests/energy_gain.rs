@@ -1,0 +1,111 @@
+//! Steps that are too long for a motion end right, or with an error by name; never with nonsense and `Ok`.
+
+use mbs_runtime::{Flow, Mechanism, Settings, Simulation, SimulationError, System, mechanism};
+
+mechanism!(Pendulum {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.0_deg),
+    pivot: Revolute(ground.origin, rod.a),
+});
+
+mechanism!(NaturalPendulum {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.0_deg),
+    pivot: Revolute(ground.origin, rod.a),
+});
+
+mechanism!(Bob {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    stiffness: Param(2e10_N_per_m),
+    stretch: Param(1e-4_m),
+    bob: Particle(mass = 1.0_kg, at = [1.0_m + stretch, 0.0]),
+    spring: SpringDamper(
+        ground.origin,
+        bob.origin,
+        stiffness = stiffness,
+        length = 1.0_m
+    ),
+});
+
+/// The largest energy error of a run, as a multiple of the largest kinetic energy it can have.
+fn run<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    settings: Settings,
+    until: f64,
+    energy: f64,
+) where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    let mut simulation = Simulation::with_settings(mechanism, settings).unwrap();
+    let what = format!("{} {:?}", S::MODEL.name, settings.step);
+    let end = simulation.run_until(until);
+    let error = simulation.energy().error;
+    println!("{what} {:?}: {error:e} J, {end:?}", simulation.flow());
+    match end {
+        Ok(()) => assert!(error < 50.0 * energy, "{what}: {error:e} J"),
+        Err(SimulationError::EnergyGain {
+            time,
+            gained,
+            available,
+            ..
+        }) => {
+            assert!(time <= until && gained > 10.0 * available, "{what}");
+        }
+        Err(SimulationError::NotConverged { .. } | SimulationError::NonFinite { .. }) => {}
+        Err(error) => panic!("{what}: {error}"),
+    }
+}
+
+fn settings(step: f64, order: u8) -> Settings {
+    Settings {
+        step,
+        order,
+        ..Settings::default()
+    }
+}
+
+#[test]
+fn pendulums_in_long_steps() {
+    for order in [2, 4, 6, 8] {
+        for step in [0.1, 0.3, 0.5, 1.0, 5.0, 20.0] {
+            run(Pendulum::default(), settings(step, order), 1000.0, 20.0);
+            run(
+                NaturalPendulum::default(),
+                settings(step, order),
+                1000.0,
+                20.0,
+            );
+        }
+    }
+}
+
+#[test]
+fn stiff_springs() {
+    for stiffness in [1e6, 1e8, 2e10, 1e12, 1e14] {
+        for stretch in [0.0, 1e-4, 0.5] {
+            let energy = 20.0 + 0.5 * stiffness * stretch * stretch;
+            for (step, flow) in [(1e-3, None), (1e-3, Some(Flow::Implicit)), (1e-2, None)] {
+                let bob = Bob { stiffness, stretch };
+                let settings = Settings {
+                    flow,
+                    ..settings(step, 2)
+                };
+                run(bob, settings, 3.0, energy);
+            }
+        }
+    }
+}
+
+/// A tolerance chooses steps that are short enough, also from a first step that is too long.
+#[test]
+fn a_tolerance_recovers_from_a_long_first_step() {
+    let settings = Settings {
+        step: 5.0,
+        tolerance: Some(1e-4),
+        ..settings(5.0, 6)
+    };
+    let mut simulation = Simulation::with_settings(NaturalPendulum::default(), settings).unwrap();
+    simulation.run_until(10.0).unwrap();
+    assert!(simulation.energy().error.abs() < 1e-2);
+}

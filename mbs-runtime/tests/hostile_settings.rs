@@ -1,0 +1,111 @@
+//! Settings beyond the range of numbers are refused by name; none leads to a panic or to a loop without end.
+
+use mbs_runtime::{BaumgarteSettings, Method, Settings, Simulation, SimulationError, mechanism};
+
+mechanism!(SliderCrank {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    crank: Bar(
+        mass = 1.0_kg,
+        length = 0.15_m,
+        angle = 60.0_deg,
+        rate = 2.0_rad_per_s
+    ),
+    rod: Bar(mass = 0.5_kg, length = 0.4_m, angle = -20.0_deg),
+    main_bearing: Revolute(ground.origin, crank.a),
+    crank_pin: Revolute(crank.b, rod.a),
+    liner: PointOnLine(rod.b, ground.origin, axis = X),
+});
+
+/// Some steps, one by one: the end of a run that takes them all is refused.
+fn steps(settings: Settings) -> Result<(), SimulationError> {
+    let mut simulation = Simulation::with_any_method(SliderCrank::default(), settings)?;
+    (0..30).try_for_each(|_| simulation.step())
+}
+
+fn setting(settings: Settings) -> &'static str {
+    match steps(settings) {
+        Err(SimulationError::Setting { name, .. }) => name,
+        other => panic!("{settings:?}: {other:?}"),
+    }
+}
+
+fn methods() -> impl Iterator<Item = Method> {
+    let adaptive = Method::Baumgarte(BaumgarteSettings {
+        adaptive: Some(1e-6),
+        ..BaumgarteSettings::default()
+    });
+    let named = Method::NAMES
+        .iter()
+        .filter_map(|name| Method::by_name(name));
+    named.chain([adaptive])
+}
+
+#[test]
+fn steps_out_of_range() {
+    for method in methods() {
+        for step in [1e-308, f64::MIN_POSITIVE, 5e-324, 1e-101, 1e101, 1e308] {
+            let settings = Settings {
+                method,
+                step,
+                ..Settings::default()
+            };
+            assert_eq!(setting(settings), "step", "{}: {step:e}", method.name());
+        }
+    }
+}
+
+#[test]
+fn tolerances_of_rows_out_of_range() {
+    for method in methods() {
+        for constraint_tolerance in [1e-31, 1e-160, 1e-300, 5e-324, 0.0] {
+            let settings = Settings {
+                method,
+                constraint_tolerance,
+                ..Settings::default()
+            };
+            assert_eq!(setting(settings), "constraint_tolerance");
+        }
+    }
+}
+
+/// What is within the range ends, well or with an error.
+#[test]
+fn the_bounds_themselves_end() {
+    for method in methods() {
+        for step in [1e-100, 1e-60, 1e-38, 1e-20, 1e10, 1e38, 1e100] {
+            // Algorithm 1 divides a long step, and runs for hundreds of seconds.
+            if step > 1.0 && matches!(method, Method::Paper(_) | Method::MAlf(_)) {
+                continue;
+            }
+            let settings = Settings {
+                method,
+                step,
+                ..Settings::default()
+            };
+            let _ = steps(settings);
+        }
+        for constraint_tolerance in [1e-30, 1e-18, 1e-2, 1e3, 1e300] {
+            let settings = Settings {
+                method,
+                constraint_tolerance,
+                ..Settings::default()
+            };
+            let _ = steps(settings);
+        }
+    }
+}
+
+#[test]
+fn tiny_first_steps_with_a_tolerance() {
+    for order in [2, 4, 6, 8] {
+        for step in [1e-100, 1e-60, 1e-38, 1e-20, 1e-12] {
+            let settings = Settings {
+                order,
+                step,
+                tolerance: Some(1e-6),
+                ..Settings::default()
+            };
+            steps(settings).unwrap_or_else(|error| panic!("{order} {step:e}: {error}"));
+        }
+    }
+}
