@@ -1,71 +1,81 @@
-//! Time of a step: hand-written and generated double four-bar in one run, and the other scenes.
+//! Time of a step: hand-written and generated double four-bar in one run, and all scenes with their energy ledger.
 //!
 //! `cargo bench -p mbs-examples --bench step_time`
 
 #[allow(clippy::needless_range_loop)]
 mod handwritten;
 
-use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use mbs_examples::scenes::double_four_bar::DoubleFourBar;
-use mbs_runtime::{Mechanism, Settings, Simulation, TwoLevelStepper};
+use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, TwoLevelStepper};
 use std::hint::black_box;
+use std::time::Instant;
 
 const STEP: f64 = 1e-3;
-
 /// Both repeat the same second of motion, through the first singular pose.
-const STEPS: u64 = 1000;
+const STEPS: u32 = 1000;
+/// The time is the least of this number of interleaved repeats.
+const REPEATS: usize = 40;
 
-fn double_four_bar(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("double four-bar");
-    group.throughput(Throughput::Elements(STEPS));
-    group.bench_function("hand-written", |bencher| {
-        let run = |mut mechanism: handwritten::DoubleFourBar| {
-            (0..STEPS).for_each(|_| mechanism.step(black_box(STEP)));
-            assert!(
-                (mechanism.energy() - 35.835).abs() < 1e-3,
-                "the yardstick lost its way"
-            );
-            mechanism
-        };
-        bencher.iter_batched(handwritten::DoubleFourBar::new, run, BatchSize::SmallInput);
-    });
-    group.bench_function("generated", |bencher| {
-        let settings = Settings {
-            step: STEP,
-            ..Settings::default()
-        };
-        let start = || {
-            let simulation = Simulation::with_settings(DoubleFourBar::default(), settings)
-                .expect("it assembles");
-            let system = DoubleFourBar::default()
-                .prepare()
-                .expect("its parameters are fine");
-            TwoLevelStepper::new(system, simulation.state().clone(), &settings)
-                .expect("its settings are fine")
-        };
-        let run = |mut stepper: TwoLevelStepper<_, 6, 6, 5>| {
-            (0..STEPS).for_each(|_| stepper.step(black_box(STEP)).expect("it converges"));
-            stepper
-        };
-        bencher.iter_batched(start, run, BatchSize::SmallInput);
-    });
-    group.finish();
-}
-
-fn scenes(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("simulated step with energy ledger");
+fn main() -> Result<(), SimulationError> {
+    let (mut by_hand, mut generated) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..REPEATS {
+        by_hand = by_hand.min(time_by_hand());
+        generated = generated.min(time_generated()?);
+    }
+    println!("double four-bar, µs a step");
+    println!("{by_hand:10.4}  hand-written");
+    println!("{generated:10.4}  generated");
+    println!("simulated step with energy ledger, µs");
     for scene in mbs_examples::scenes::scenes() {
         let settings = Settings {
             step: scene.step,
             ..Settings::default()
         };
-        let Ok(mut simulation) = (scene.build)(&[], settings) else {
-            continue;
-        };
-        group.bench_function(scene.name, |bencher| bencher.iter(|| simulation.step()));
+        let mut simulation = (scene.build)(&[], settings)?;
+        let steps = (STEPS / 10).max(1);
+        let mut least = f64::INFINITY;
+        for _ in 0..REPEATS {
+            let start = Instant::now();
+            for _ in 0..steps {
+                simulation.step()?;
+            }
+            least = least.min(microseconds(start, steps));
+        }
+        println!("{least:10.4}  {}", scene.name);
     }
-    group.finish();
+    Ok(())
 }
 
-criterion_group!(benches, double_four_bar, scenes);
-criterion_main!(benches);
+fn time_by_hand() -> f64 {
+    let mut mechanism = handwritten::DoubleFourBar::new();
+    let start = Instant::now();
+    for _ in 0..STEPS {
+        mechanism.step(black_box(STEP));
+    }
+    let time = microseconds(start, STEPS);
+    let energy = mechanism.energy();
+    assert!((energy - 35.835).abs() < 1e-3, "{energy} J");
+    time
+}
+
+fn time_generated() -> Result<f64, SimulationError> {
+    let settings = Settings {
+        step: STEP,
+        ..Settings::default()
+    };
+    let simulation = Simulation::with_settings(DoubleFourBar::default(), settings)?;
+    let system = DoubleFourBar::default().prepare()?;
+    let mut stepper = TwoLevelStepper::new(system, simulation.state().clone(), &settings)?;
+    let start = Instant::now();
+    for _ in 0..STEPS {
+        stepper.step(black_box(STEP))?;
+    }
+    let time = microseconds(start, STEPS);
+    black_box(stepper.state());
+    Ok(time)
+}
+
+/// Since the start, for each of so many.
+fn microseconds(start: Instant, steps: u32) -> f64 {
+    1e6 * start.elapsed().as_secs_f64() / f64::from(steps)
+}

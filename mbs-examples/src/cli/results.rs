@@ -22,7 +22,7 @@ pub const FILES: [&str; 4] = [
 ];
 
 /// Bytes of whole rows that are kept before they are written.
-const ROOM: usize = 1 << 15;
+const ROOM: usize = 1 << 12;
 
 /// The directory of a run in progress.
 ///

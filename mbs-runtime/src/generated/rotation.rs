@@ -32,20 +32,6 @@ pub(super) fn cosine_and_sine(x: f64) -> (f64, f64) {
     (cosine, sinc * x)
 }
 
-/// 1 − cos x, with all its digits where x is small, and sin x.
-#[inline]
-pub(super) fn versine_and_sine(x: f64) -> (f64, f64) {
-    let s = x * x;
-    if s < SMALL {
-        let versine = s * (0.5 - s * (1.0 / 24.0 - s * (1.0 / 720.0 - s * (1.0 / 40_320.0))));
-        let (_, sinc) = cosine_and_sinc(s);
-        (versine, sinc * x)
-    } else {
-        let (sine, cosine) = x.sin_cos();
-        (1.0 - cosine, sine)
-    }
-}
-
 /// a ∘ b.
 #[inline]
 pub(super) fn product(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {

@@ -1,7 +1,7 @@
 //! The free rotation of a rigid body.
 
 use super::principal::principal_axes;
-use super::rotation::{cosine_and_sine, exponential, normalised, product, versine_and_sine};
+use super::rotation::{cosine_and_sine, exponential, normalised, product};
 use crate::ParameterError;
 
 /// Principal moments that differ by less than this part of them count as equal.
@@ -145,19 +145,19 @@ fn splitting(
 
 /// Turns the body about its axis I; `half` times L_I is half the angle. L stays in space.
 ///
-/// Changes are added, so that what is rounded is a sum, by chance up or down. A rounded cosine would be the same in
-/// many steps, and change lengths each time in the same way.
+/// Its changes are added, so that what is rounded is a sum, by chance up or down. A rounded cosine would be the same in
+/// many steps, and change the length of L each time in the same way. (That of q is restored.)
 #[inline(always)]
 fn turn<const I: usize>(q: &mut [f64; 4], l: &mut [f64; 3], half: f64) {
     let (j, k) = ((I + 1) % 3, (I + 2) % 3);
-    let (versine, sine) = versine_and_sine(half * l[I]);
+    let (cosine, sine) = cosine_and_sine(half * l[I]);
     let [w, i] = [q[0], q[I + 1]];
-    q[0] = w - (versine * w + sine * i);
-    q[I + 1] = i + (sine * w - versine * i);
+    q[0] = cosine * w - sine * i;
+    q[I + 1] = cosine * i + sine * w;
     let (y, z) = (q[j + 1], q[k + 1]);
-    q[j + 1] = y + (sine * z - versine * y);
-    q[k + 1] = z - (versine * z + sine * y);
-    let (sin, versine) = (2.0 * sine * (1.0 - versine), 2.0 * sine * sine);
+    q[j + 1] = cosine * y + sine * z;
+    q[k + 1] = cosine * z - sine * y;
+    let (sin, versine) = (2.0 * sine * cosine, 2.0 * sine * sine);
     let (y, z) = (l[j], l[k]);
     l[j] = y + (sin * z - versine * y);
     l[k] = z - (versine * z + sin * y);

@@ -27,6 +27,8 @@ pub(super) struct EnergyGuard {
     works: f64,
     /// Round-off.
     noise: f64,
+    /// What is gross in any case, so that most steps compare this only.
+    least_gross: f64,
 }
 
 impl EnergyGuard {
@@ -50,20 +52,30 @@ impl EnergyGuard {
             let way = (0.5 * force[i] / f_q[i][i]).abs();
             force[i].abs() * if way < unit[i] { way } else { unit[i] }
         };
+        let depth = (0..N).map(along).sum();
+        let noise = (0..N).map(|i| mass[i][i] * (speed * unit[i]).powi(2)).sum();
         EnergyGuard {
-            depth: (0..N).map(along).sum(),
+            depth,
+            least_gross: GROSS * (depth + noise),
             least: f64::INFINITY,
             works: 0.0,
-            noise: (0..N).map(|i| mass[i][i] * (speed * unit[i]).powi(2)).sum(),
+            noise,
         }
     }
 
     /// The energy that the motion has, if the error of the balance is out of all proportion to it.
     #[inline]
     pub(super) fn gained(&mut self, energy: &Energy) -> Option<f64> {
-        self.least = self.least.min(energy.potential);
+        if energy.potential < self.least {
+            self.least = energy.potential;
+        }
         let works = energy.nonconservative_work.abs() + energy.drive_work.abs();
-        self.works = self.works.max(works);
+        if works > self.works {
+            self.works = works;
+        }
+        if energy.error <= self.least_gross {
+            return None;
+        }
         let initial = energy.kinetic + energy.potential
             - energy.error
             - energy.nonconservative_work
