@@ -25,7 +25,7 @@ pub fn declarations() -> Vec<Declaration> {
     let mut list = of("chain", &[5, 10, 20, 40], chain);
     list.extend(of("platform", &[6, 12], platform));
     list.extend(of("frame", &[2, 3, 4], frame));
-    list.extend(of("loops", &[10, 40, 100], loops));
+    list.extend(of("loops", &[10, 40], loops));
     list
 }
 
