@@ -69,11 +69,11 @@ fn settings(step: f64, order: u8) -> Settings {
 fn pendulums_in_long_steps() {
     for order in [2, 4, 6, 8] {
         for step in [0.1, 0.3, 0.5, 1.0, 5.0, 20.0] {
-            run(Pendulum::default(), settings(step, order), 1000.0, 20.0);
+            run(Pendulum::default(), settings(step, order), 150.0, 20.0);
             run(
                 NaturalPendulum::default(),
                 settings(step, order),
-                1000.0,
+                150.0,
                 20.0,
             );
         }

@@ -31,13 +31,16 @@ mechanism!(Oblique {
     ),
 });
 
+/// Steps over which energies are averaged.
+const WINDOW: u32 = 10_000;
+
 /// The mean of the kinetic energy over some thousand steps, relative to that of the first ones.
 macro_rules! drift {
     ($mechanism:expr, $settings:expr, $steps:expr) => {{
         let mut simulation = Simulation::with_settings($mechanism, $settings).unwrap();
         let first = {
             let mut sum = 0.0;
-            for _ in 0..20_000 {
+            for _ in 0..WINDOW {
                 simulation.step().unwrap();
                 sum += simulation.energy().error;
             }
@@ -47,11 +50,11 @@ macro_rules! drift {
             simulation.step().unwrap();
         }
         let mut sum = -first;
-        for _ in 0..20_000 {
+        for _ in 0..WINDOW {
             simulation.step().unwrap();
             sum += simulation.energy().error;
         }
-        sum / 20_000.0 / simulation.energy().kinetic
+        sum / f64::from(WINDOW) / simulation.energy().kinetic
     }};
 }
 
@@ -63,19 +66,19 @@ fn free_rotation_keeps_its_energy() {
         ..Settings::default()
     };
     let mut worst = 0.0_f64;
-    for number in 0..6 {
+    for number in [0, 5] {
         let part = f64::from(number);
         let body = Tumbling {
             a: 0.11 + 0.0137 * part,
             c: 0.17 + 0.0071 * part,
             ..Tumbling::default()
         };
-        let drift = drift!(body, settings, 100_000);
+        let drift = drift!(body, settings, 50_000);
         println!("{number}: {drift:e}");
         worst = worst.max(drift.abs());
     }
-    let drift = drift!(Oblique::default(), settings, 100_000);
+    let drift = drift!(Oblique::default(), settings, 50_000);
     println!("oblique: {drift:e}");
-    // A random walk of 2e6 stages with sixteen roundings of 1e-16 each: 6e-13. A bias of 6e-17 a stage gave 9e-11.
-    assert!(worst.max(drift.abs()) < 1.2e-12, "{worst:e}");
+    // A random walk of 1e6 stages with sixteen roundings of 1e-16 each: 4e-13. A bias of 6e-17 a stage gave 5e-11.
+    assert!(worst.max(drift.abs()) < 8e-13, "{worst:e}");
 }
