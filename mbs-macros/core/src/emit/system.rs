@@ -90,7 +90,7 @@ pub(super) fn emit(
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
         quote! {
-            #[allow(clippy::all, unused)]
+            #[allow(clippy::all, unused, long_running_const_eval)]
             impl #name {
                 #functions
             }
