@@ -60,3 +60,21 @@ impl MatrixSink for Discard {
     #[inline(always)]
     fn set(&mut self, _: usize, _: usize, _: f64) {}
 }
+
+/// A sink that keeps the diagonal.
+pub(crate) struct Diagonal<const N: usize>(pub(crate) [f64; N]);
+
+impl<const N: usize> Diagonal<N> {
+    pub(crate) fn zeros() -> Self {
+        Diagonal([0.0; N])
+    }
+}
+
+impl<const N: usize> MatrixSink for Diagonal<N> {
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        if row == column {
+            self.0[row] = value;
+        }
+    }
+}

@@ -3,7 +3,8 @@
 //!
 //! No length is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
 
-use crate::linear::{RowMatrix, dot, largest, largest_of, vector};
+use crate::linear::{dot, largest, largest_of, vector};
+use crate::sink::Diagonal;
 use crate::{Coordinate, Model, System};
 use nalgebra::SVector;
 
@@ -123,14 +124,14 @@ fn without_points<S: System<Q, N, R>, const Q: usize, const N: usize, const R: u
     step: f64,
 ) -> f64 {
     let (q, v) = system.guess();
-    let mut mass = RowMatrix::<N, N>::zeros();
+    let mut mass = Diagonal::<N>::zeros();
     system.mass_matrix(&q, &mut mass);
     let unit = |i: usize| S::MODEL.velocities.get(i).map_or("", |v| v.unit);
     let most = |wanted: &str, of: &dyn Fn(usize) -> f64| {
         let among = (0..N).filter(|&i| unit(i) == wanted);
         among.map(of).fold(0.0, f64::max)
     };
-    let inertia = |i: usize| mass[i][i];
+    let inertia = |i: usize| mass.0[i];
     let gyration = (most("rad/s", &inertia) / most("m/s", &inertia)).sqrt();
     let mut kick = SVector::zeros();
     system.applied_forces(0.0, &q, &v, &mut kick);

@@ -4,7 +4,8 @@
 //! are too long for the motion, or for a stiff spring, may gain many times this, and go on. Errors of coarse steps are
 //! of its size at most; ten times as much is nonsense.
 
-use crate::linear::{RowMatrix, vector};
+use crate::linear::vector;
+use crate::sink::{Diagonal, Discard};
 use crate::yardstick::Yardstick;
 use crate::{Energy, State, System};
 use nalgebra::SVector;
@@ -39,21 +40,20 @@ impl EnergyGuard {
         step: f64,
     ) -> Self {
         let (q, v) = (&state.positions, &state.velocities);
-        let mut mass = RowMatrix::<N, N>::zeros();
+        let mut mass = Diagonal::<N>::zeros();
         system.mass_matrix(q, &mut mass);
         let mut force = SVector::zeros();
         system.applied_forces(state.time, q, v, &mut force);
-        let mut f_q = RowMatrix::<N, N>::zeros();
-        let mut f_v = RowMatrix::<N, N>::zeros();
-        system.applied_force_tangents(state.time, q, v, &mut f_q, &mut f_v);
+        let mut f_q = Diagonal::<N>::zeros();
+        system.applied_force_tangents(state.time, q, v, &mut f_q, &mut Discard);
         let unit = yardstick.displacement(vector(|_| 1.0));
         let speed = NOISE / step;
         let along = |i: usize| {
-            let way = (0.5 * force[i] / f_q[i][i]).abs();
+            let way = (0.5 * force[i] / f_q.0[i]).abs();
             force[i].abs() * if way < unit[i] { way } else { unit[i] }
         };
         let depth = (0..N).map(along).sum();
-        let noise = (0..N).map(|i| mass[i][i] * (speed * unit[i]).powi(2)).sum();
+        let noise = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
         EnergyGuard {
             depth,
             least_gross: GROSS * (depth + noise),
