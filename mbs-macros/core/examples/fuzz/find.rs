@@ -67,6 +67,7 @@ impl fmt::Display for Fault {
 
 /// An answer that is of interest.
 pub enum Event<'a> {
+    #[allow(dead_code)] // The input is for the program.
     Accepted(&'a [Tree]),
     Found(&'a Found),
 }
