@@ -10,11 +10,13 @@ mod elimination;
 mod factor;
 mod functions;
 mod kernels;
+mod likeness;
 mod lower;
 mod parts;
 mod reciprocals;
 mod run;
 mod sparse;
+mod sums;
 mod text;
 
 use crate::symbolic::{Function as Elementary, Number, Symbol};

@@ -13,12 +13,14 @@ mod groups;
 mod kind;
 mod labels;
 mod schedule;
+mod sets;
 mod shape;
 mod signature;
 
 use super::{Function, Operand, Output};
 
 pub use labels::Labels;
+pub(super) use sets::{EMPTY, Sets};
 pub use shape::Shape;
 
 /// A function longer than this is divided: the compiler of the generated code needs more than proportional time and
@@ -55,6 +57,9 @@ impl Parts {
     /// The parts of a function.
     pub fn of(function: &Function, labels: &Labels) -> Parts {
         let pieces = groups::of(function, labels);
+        let (shapes, members) = shape::of(function, &pieces);
+        let rare = schedule::rare(&members, shapes.len());
+        let pieces = pieces.join(function, &members, &rare);
         let (shapes, members) = shape::of(function, &pieces);
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&pieces, &members, &rare);
