@@ -9,6 +9,7 @@
 //! The legs of a platform, the bushings of a frame and the bodies of a chain repeat; their code is written and compiled
 //! once. No operation is added, removed or regrouped, so that the digits are those of the straight-line code.
 
+mod form;
 mod groups;
 mod kind;
 mod labels;
@@ -18,6 +19,8 @@ mod shape;
 mod signature;
 
 use super::{Function, Operand, Output};
+
+use form::Forms;
 
 pub use labels::Labels;
 pub(super) use sets::{EMPTY, Sets};
@@ -56,15 +59,16 @@ pub struct Run {
 impl Parts {
     /// The parts of a function.
     pub fn of(function: &Function, labels: &Labels) -> Parts {
+        let mut forms = Forms::new(function);
         let pieces = groups::of(function, labels);
-        let (shapes, members) = shape::of(function, &pieces);
+        let (shapes, members) = shape::of(&mut forms, &pieces);
         let rare = schedule::rare(&members, shapes.len());
         let pieces = pieces.join(function, &members, &rare);
-        let (shapes, members) = shape::of(function, &pieces);
+        let (shapes, members) = shape::of(&mut forms, &pieces);
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&pieces, &members, &rare);
         let groups = pieces.gather(&order, |group| rare[members[group].shape]);
-        let (shapes, members) = shape::of(function, &groups);
+        let (shapes, members) = shape::of(&mut forms, &groups);
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&groups, &members, &rare);
         schedule::of(function, &groups, shapes, members, order)

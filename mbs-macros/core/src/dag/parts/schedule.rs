@@ -24,11 +24,17 @@ pub(super) fn of(
         let first = shapes[shape].table.len();
         for &group in &batch {
             let member = &members[group];
-            let mut row: Vec<u32> = Vec::with_capacity(member.reads.len());
-            row.extend(member.reads.iter().map(|&operand| places.read(operand)));
+            let mut row: Vec<u32> = Vec::with_capacity(member.form.reads.len());
+            row.extend(
+                member
+                    .form
+                    .reads
+                    .iter()
+                    .map(|&operand| places.read(operand)),
+            );
             for output in &shapes[shape].function.outputs {
                 if let Operand::Value(local) = output.value {
-                    row.push(places.leave(member.order[local]));
+                    row.push(places.leave(member.form.order[local]));
                 }
             }
             shapes[shape].table.push(row);
@@ -79,7 +85,7 @@ pub(super) fn ordered(groups: &Groups, members: &[Member], rare: &[bool]) -> Vec
     let mut users: Vec<Vec<usize>> = vec![Vec::new(); count];
     for (group, member) in members.iter().enumerate() {
         let mut read: Vec<usize> = Vec::new();
-        for &operand in &member.reads {
+        for &operand in &member.form.reads {
             if let Operand::Value(value) = operand {
                 read.push(groups.of[value]);
             }
@@ -206,10 +212,10 @@ impl Places {
             }
         };
         for (group, member) in members.iter().enumerate() {
-            for &slot in &member.order {
+            for &slot in &member.form.order {
                 last[slot] = last[slot].max(when[group]);
             }
-            for &operand in &member.reads {
+            for &operand in &member.form.reads {
                 match operand {
                     Operand::Value(value) => last[value] = last[value].max(when[group]),
                     other => input(other),
