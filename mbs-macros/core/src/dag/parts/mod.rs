@@ -13,6 +13,7 @@ mod form;
 mod groups;
 mod kind;
 mod labels;
+mod literals;
 mod schedule;
 mod sets;
 mod shape;
@@ -68,7 +69,8 @@ impl Parts {
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&pieces, &members, &rare);
         let groups = pieces.gather(&order, |group| rare[members[group].shape]);
-        let (shapes, members) = shape::of(&mut forms, &groups);
+        let (mut shapes, mut members) = shape::of(&mut forms, &groups);
+        literals::write(&mut shapes, &mut members);
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&groups, &members, &rare);
         schedule::of(function, &groups, shapes, members, order)

@@ -24,14 +24,8 @@ pub(super) fn of(
         let first = shapes[shape].table.len();
         for &group in &batch {
             let member = &members[group];
-            let mut row: Vec<u32> = Vec::with_capacity(member.form.reads.len());
-            row.extend(
-                member
-                    .form
-                    .reads
-                    .iter()
-                    .map(|&operand| places.read(operand)),
-            );
+            let mut row: Vec<u32> = Vec::with_capacity(member.reads.len());
+            row.extend(member.reads.iter().map(|&operand| places.read(operand)));
             for output in &shapes[shape].function.outputs {
                 if let Operand::Value(local) = output.value {
                     row.push(places.leave(member.form.order[local]));
@@ -85,7 +79,7 @@ pub(super) fn ordered(groups: &Groups, members: &[Member], rare: &[bool]) -> Vec
     let mut users: Vec<Vec<usize>> = vec![Vec::new(); count];
     for (group, member) in members.iter().enumerate() {
         let mut read: Vec<usize> = Vec::new();
-        for &operand in &member.form.reads {
+        for &operand in &member.reads {
             if let Operand::Value(value) = operand {
                 read.push(groups.of[value]);
             }
@@ -215,7 +209,7 @@ impl Places {
             for &slot in &member.form.order {
                 last[slot] = last[slot].max(when[group]);
             }
-            for &operand in &member.form.reads {
+            for &operand in &member.reads {
                 match operand {
                     Operand::Value(value) => last[value] = last[value].max(when[group]),
                     other => input(other),

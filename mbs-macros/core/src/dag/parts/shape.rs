@@ -19,7 +19,9 @@ pub struct Shape {
 /// A group as a use of a shape.
 pub(super) struct Member {
     pub shape: usize,
-    /// What it reads, and its operations in the order of the shape.
+    /// What it reads.
+    pub reads: Vec<Operand>,
+    /// Its operations in the order of the shape.
     pub form: Rc<Form>,
 }
 
@@ -40,7 +42,11 @@ pub(super) fn of(forms: &mut Forms, groups: &Groups) -> (Vec<Shape>, Vec<Member>
         for (is_left, &slot) in shapes[shape].1.iter_mut().zip(&form.order) {
             *is_left |= left[slot];
         }
-        members.push(Member { shape, form });
+        members.push(Member {
+            shape,
+            reads: form.reads.clone(),
+            form,
+        });
     }
     let mut uses = vec![0; shapes.len()];
     members.iter().for_each(|member| uses[member.shape] += 1);
