@@ -4,7 +4,6 @@ use super::accelerations::accelerations;
 use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
-use super::parts::LONGEST_BODY;
 use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
@@ -13,8 +12,7 @@ use crate::symbolic::{Expr, Graph, Symbol};
 /// Lowers everything that a mechanism computes. In large mechanisms what is alike gets the same operations.
 pub fn lower(derived: &Derived) -> Program {
     let program = lower_with(derived, None);
-    let mut lengths = program.functions.iter().map(|f| f.operations.len());
-    if lengths.any(|length| length > LONGEST_BODY) {
+    if program.functions.iter().any(Function::is_long) {
         lower_with(
             derived,
             Some(&Likeness::of(&derived.system.graph, &program.labels)),

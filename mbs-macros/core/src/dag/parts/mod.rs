@@ -27,9 +27,9 @@ pub use labels::Labels;
 pub(super) use sets::{EMPTY, Sets};
 pub use shape::Shape;
 
-/// A function longer than this is divided: the compiler of the generated code needs more than proportional time and
-/// stack for longer ones.
-pub const LONGEST_BODY: usize = 2500;
+/// A function of more operations and outputs is divided: the compiler of the generated code needs more than proportional
+/// time and stack for longer ones.
+pub(super) const LONGEST_BODY: usize = 2500;
 
 /// A function as parts. Values that pass from one part to another are in an array, the inputs first.
 #[derive(Debug)]
