@@ -69,31 +69,6 @@ impl Program {
         functions.find(|function| function.name == name)
     }
 
-    /// For a long function the one that computes the same and more: the balance is called for the forces.
-    pub fn whole_of(&self, function: &Function) -> Option<&Function> {
-        let whole = match function.name {
-            "forces" => "balance",
-            "force_tangents" => "balance_tangents",
-            _ => return None,
-        };
-        self.function(whole).filter(|_| function.is_long())
-    }
-
-    /// A long function as parts, unless another is called for it.
-    pub fn parts(&self, function: &Function) -> Option<Parts> {
-        let is_divided = function.is_long() && self.whole_of(function).is_none();
-        is_divided.then(|| Parts::of(function, &self.labels))
-    }
-
-    /// How many operations of a function are written out; `parts` are its own.
-    pub fn written(&self, function: &Function, parts: Option<&Parts>) -> usize {
-        match parts {
-            Some(parts) => parts.operations(),
-            None if self.whole_of(function).is_some() => 0,
-            None => function.operations.len(),
-        }
-    }
-
     /// The function that factors M, and the length of its factor, where M varies and that is straight-line code.
     pub fn factor_entries(&self) -> Option<(&Function, usize)> {
         let function = self.function("factor_mass")?;
@@ -155,11 +130,6 @@ pub struct Function {
 }
 
 impl Function {
-    /// Whether it is too long for one body.
-    pub fn is_long(&self) -> bool {
-        self.operations.len() + self.outputs.len() > parts::LONGEST_BODY
-    }
-
     /// Whether both write the same values to the same places.
     pub fn computes_the_same(&self, other: &Function) -> bool {
         self.operations == other.operations && self.outputs == other.outputs

@@ -14,6 +14,7 @@ mod groups;
 mod kind;
 mod labels;
 mod literals;
+mod long;
 mod schedule;
 mod sets;
 mod shape;
@@ -26,10 +27,6 @@ use form::Forms;
 pub use labels::Labels;
 pub(super) use sets::{EMPTY, Sets};
 pub use shape::Shape;
-
-/// A function of more operations and outputs is divided: the compiler of the generated code needs more than proportional
-/// time and stack for longer ones.
-pub(super) const LONGEST_BODY: usize = 2500;
 
 /// A function as parts. Values that pass from one part to another are in an array, the inputs first.
 #[derive(Debug)]
