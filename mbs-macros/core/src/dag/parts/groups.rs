@@ -17,6 +17,9 @@ const SHORTEST: usize = 20;
 /// See [`SHORTEST`]. With 6 the code of a Stewart platform is a seventh shorter than with cuts at [`LARGEST`] alone.
 const EVERY: u64 = 6;
 
+/// A group of so few operations is joined to its only user wherever that is.
+const TINY: usize = 3;
+
 /// The groups of a function.
 pub(super) struct Groups {
     /// The operations of each, in order.
@@ -79,7 +82,9 @@ impl Groups {
         let mut size: Vec<usize> = self.members.iter().map(Vec::len).collect();
         for group in 0..count {
             let agreed = matches!(common[members[group].shape], Some(Some(_)));
-            if let Some(to) = target(group).filter(|_| agreed || is_rare(group)) {
+            if let Some(to) = target(group)
+                .filter(|_| agreed || is_rare(group) || self.members[group].len() <= TINY)
+            {
                 let to = find(&root, to);
                 if size[group] + size[to] <= LARGEST {
                     root[group] = to;
