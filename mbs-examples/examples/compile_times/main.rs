@@ -8,7 +8,7 @@ mod declarations;
 
 use declarations::{Declaration, declarations};
 use mbs_examples::pages::record::Recorder;
-use mbs_macros_core::dag::{Function, LONGEST_BODY, Parts, Program};
+use mbs_macros_core::dag::{Function, Program};
 use mbs_macros_core::{analyse, emit};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -82,9 +82,9 @@ fn counts(declaration: &str) -> Result<[usize; 5], String> {
 
 fn written(program: &Program) -> usize {
     let functions = program.functions.iter();
-    let lengths = functions.map(|function| match function.operations.len() {
-        length if length <= LONGEST_BODY => length,
-        _ => Parts::of(function, &program.labels).operations(),
+    let lengths = functions.map(|function| {
+        let parts = program.parts(function);
+        program.written(function, parts.as_ref())
     });
     lengths.sum()
 }

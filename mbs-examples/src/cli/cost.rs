@@ -1,6 +1,5 @@
 //! `mbs explain --cost`: the size of each generated function.
 
-use mbs_macros_core::dag::{LONGEST_BODY, Parts};
 use mbs_runtime::Model;
 
 use super::table::{Align, table};
@@ -25,14 +24,12 @@ pub fn cost(model: &Model) -> Result<String, String> {
         if operations == 0 {
             continue;
         }
-        let (written, parts) = if operations > LONGEST_BODY {
-            let parts = Parts::of(function, &program.labels);
+        let parts = program.parts(function);
+        let written = program.written(function, parts.as_ref());
+        let parts = parts.map_or_else(String::new, |parts| {
             let uses: usize = parts.shapes.iter().map(|shape| shape.table.len()).sum();
-            let text = format!("{uses}, {} of them different", parts.shapes.len());
-            (parts.operations(), text)
-        } else {
-            (operations, String::new())
-        };
+            format!("{uses}, {} of them different", parts.shapes.len())
+        });
         totals = [totals[0] + operations, totals[1] + written];
         rows.push([
             function.name.to_owned(),

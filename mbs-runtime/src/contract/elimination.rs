@@ -26,7 +26,7 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub mass_alone: &'static [(usize, usize, usize)],
     /// Position in the order of elimination, and slot of the pivot, of each row of A, in the order of rows.
     pub pivots: &'static [(usize, usize)],
-    /// Whether M⁻¹f is not a constant.
+    /// Whether M⁻¹f varies, or is too long to be computed in advance.
     pub forces_vary: bool,
     /// A v, from K.
     pub rates: Rates<N, R>,

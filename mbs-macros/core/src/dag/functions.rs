@@ -2,14 +2,27 @@
 
 use super::accelerations::accelerations;
 use super::kernels::{LONGEST, kernels};
+use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
 use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
-/// Lowers everything that a mechanism computes.
+/// Lowers everything that a mechanism computes. In large mechanisms what is alike gets the same operations.
 pub fn lower(derived: &Derived) -> Program {
+    let program = lower_with(derived, None);
+    if program.functions.iter().any(Function::is_long) {
+        lower_with(
+            derived,
+            Some(&Likeness::of(&derived.system.graph, &program.labels)),
+        )
+    } else {
+        program
+    }
+}
+
+fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let Derived { system, .. } = derived;
     let mut graph = system.graph.clone();
     let mut hoisted = Hoisted::new(system.layout.clone());
@@ -18,7 +31,7 @@ pub fn lower(derived: &Derived) -> Program {
     let mut functions = Vec::new();
     {
         let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
-            let mut lowering = Lowering::new(&mut graph, &mut hoisted);
+            let mut lowering = Lowering::new(&mut graph, &mut hoisted).with_likeness(likeness);
             outputs(&mut lowering);
             functions.push(lowering.finish(name));
         };

@@ -1,12 +1,12 @@
 //! Expressions → operations.
 //!
-//! Sums are grouped by their constant factor (k x + k y = k (x + y), with k hoisted), products are split into a hoisted
-//! constant part and a varying one, and every operation is made once per function.
+//! Products are split into a hoisted constant part and a varying one, and every operation is made once per function.
 
+use super::likeness::Likeness;
 use super::reciprocals::share_reciprocals;
 use super::{Function, Operand, Operation, Output, Place};
 use crate::model::Layout;
-use crate::symbolic::{Expr, Graph, Map, Node, Number, Symbol};
+use crate::symbolic::{Expr, Graph, Map, Node, Symbol};
 
 /// Constants found so far, shared by all functions of a mechanism.
 #[derive(Debug, Default)]
@@ -27,7 +27,7 @@ impl Hoisted {
     }
 
     /// Whether an expression depends on parameters only.
-    fn is_known(&mut self, graph: &Graph, expr: Expr) -> bool {
+    pub(super) fn is_known(&mut self, graph: &Graph, expr: Expr) -> bool {
         if let Some(&known) = self.known.get(&expr) {
             return known;
         }
@@ -55,10 +55,12 @@ impl Hoisted {
 
 /// Lowers the outputs of one function.
 pub(super) struct Lowering<'a> {
-    graph: &'a mut Graph,
-    hoisted: &'a mut Hoisted,
+    pub(super) graph: &'a mut Graph,
+    pub(super) hoisted: &'a mut Hoisted,
+    /// If sums that are alike shall get the same operations.
+    pub(super) likeness: Option<&'a Likeness>,
     /// Off while the constants themselves are computed.
-    hoist: bool,
+    pub(super) hoist: bool,
     operations: Vec<Operation>,
     names: Vec<Option<String>>,
     done: Map<Expr, Operand>,
@@ -71,6 +73,7 @@ impl<'a> Lowering<'a> {
         Lowering {
             graph,
             hoisted,
+            likeness: None,
             hoist: true,
             operations: Vec::new(),
             names: Vec::new(),
@@ -93,6 +96,12 @@ impl<'a> Lowering<'a> {
             .map(|&(expr, slot)| (expr, Operand::Constant(slot)))
             .collect();
         lowering
+    }
+
+    /// A lowering in which sums that are alike get the same operations.
+    pub(super) fn with_likeness(mut self, likeness: Option<&'a Likeness>) -> Self {
+        self.likeness = likeness;
+        self
     }
 
     /// The graph to build expressions in.
@@ -193,125 +202,8 @@ impl<'a> Lowering<'a> {
         operand
     }
 
-    /// constant + Σ coefficient · term.
-    fn sum(&mut self, constant: f64, terms: &[(Expr, Number)]) -> Operand {
-        let Grouped { known, groups } = self.group(terms);
-        // Signed summands: (value, negative).
-        let mut summands: Vec<(Operand, bool)> = Vec::new();
-        for Group {
-            magnitude,
-            factor,
-            parts,
-        } in groups
-        {
-            if magnitude == 1.0 && factor.is_none() {
-                for (varying, negative) in parts {
-                    summands.push((self.operand(varying), negative));
-                }
-                continue;
-            }
-            let constant = self.graph.constant(magnitude);
-            let factor = match factor {
-                Some(factor) => self.graph.mul(constant, factor),
-                None => constant,
-            };
-            let factor = self.operand(factor);
-            // The sign of a single term is moved outside, so that it can become a subtraction.
-            let negative = parts.iter().all(|(_, negative)| *negative);
-            let inner: Vec<_> = parts
-                .iter()
-                .map(|&(varying, sign)| (self.operand(varying), sign != negative))
-                .collect();
-            let sum = self.signed_sum(&inner);
-            summands.push((self.push(Operation::Multiply(factor, sum)), negative));
-        }
-        if !known.is_empty() || constant != 0.0 {
-            let known = self.graph.linear(constant, &known);
-            match self.graph.as_constant(known) {
-                Some(value) if value < 0.0 => summands.push((Operand::number(-value), true)),
-                _ => {
-                    let operand = self.operand(known);
-                    summands.push((operand, false));
-                }
-            }
-        }
-        self.signed_sum(&summands)
-    }
-
-    /// Terms as known part and groups. Known factors of the same varying part add up first, k x + l x = (k + l) x; then
-    /// varying parts with the same factor form a group, k x + k y = k (x + y).
-    fn group(&mut self, terms: &[(Expr, Number)]) -> Grouped {
-        let mut known: Vec<(Expr, f64)> = Vec::new();
-        let mut by_varying: Vec<(Expr, Vec<(Option<Expr>, f64)>)> = Vec::new();
-        for &(term, coefficient) in terms {
-            let coefficient = coefficient.value();
-            if self.hoist && self.hoisted.is_known(self.graph, term) {
-                known.push((term, coefficient));
-                continue;
-            }
-            let (factor, varying) = self.split(term);
-            match by_varying.iter_mut().find(|(other, _)| *other == varying) {
-                Some((_, factors)) => factors.push((factor, coefficient)),
-                None => by_varying.push((varying, vec![(factor, coefficient)])),
-            }
-        }
-        let mut groups: Vec<Group> = Vec::new();
-        for (varying, factors) in by_varying {
-            let (factor, coefficient) = match factors.as_slice() {
-                [single] => *single,
-                several => {
-                    let one = self.graph.one();
-                    let terms: Vec<_> = several
-                        .iter()
-                        .map(|&(factor, c)| (factor.unwrap_or(one), c))
-                        .collect();
-                    (Some(self.graph.linear(0.0, &terms)), 1.0)
-                }
-            };
-            let magnitude = coefficient.abs();
-            let part = (varying, coefficient < 0.0);
-            match groups
-                .iter_mut()
-                .find(|group| group.magnitude == magnitude && group.factor == factor)
-            {
-                Some(group) => group.parts.push(part),
-                None => groups.push(Group {
-                    magnitude,
-                    factor,
-                    parts: vec![part],
-                }),
-            }
-        }
-        Grouped { known, groups }
-    }
-
-    fn signed_sum(&mut self, summands: &[(Operand, bool)]) -> Operand {
-        let positive = summands
-            .iter()
-            .filter(|(_, negative)| !negative)
-            .map(|(operand, _)| *operand);
-        let negative = summands
-            .iter()
-            .filter(|(_, negative)| *negative)
-            .map(|(operand, _)| *operand);
-        let mut total: Option<Operand> = None;
-        for operand in positive {
-            total = Some(match total {
-                Some(before) => self.push(Operation::Add(before, operand)),
-                None => operand,
-            });
-        }
-        for operand in negative {
-            total = Some(match total {
-                Some(before) => self.push(Operation::Subtract(before, operand)),
-                None => self.push(Operation::Negate(operand)),
-            });
-        }
-        total.unwrap_or(Operand::number(0.0))
-    }
-
     /// A term as (known factor, varying factor).
-    fn split(&mut self, term: Expr) -> (Option<Expr>, Expr) {
+    pub(super) fn split(&mut self, term: Expr) -> (Option<Expr>, Expr) {
         let Node::Product(factors) = self.graph.node(term).clone() else {
             return (None, term);
         };
@@ -408,19 +300,4 @@ fn rank(operand: Operand) -> (u8, u64, Option<Symbol>) {
         Operand::Symbol(symbol) => (2, 0, Some(symbol)),
         Operand::Value(value) => (3, value as u64, None),
     }
-}
-
-/// The terms of a sum, sorted for lowering.
-struct Grouped {
-    /// Terms that depend on parameters only, with their coefficients.
-    known: Vec<(Expr, f64)>,
-    groups: Vec<Group>,
-}
-
-/// magnitude · factor · Σ ± part.
-struct Group {
-    magnitude: f64,
-    factor: Option<Expr>,
-    /// Varying parts, and whether they count negative.
-    parts: Vec<(Expr, bool)>,
 }

@@ -10,18 +10,20 @@ mod elimination;
 mod factor;
 mod functions;
 mod kernels;
+mod likeness;
 mod lower;
 mod parts;
 mod reciprocals;
 mod run;
 mod sparse;
+mod sums;
 mod text;
 
 use crate::symbolic::{Function as Elementary, Number, Symbol};
 
 pub use cost::Cost;
 pub use functions::lower;
-pub use parts::{LONGEST_BODY, Labels, Parts, Run as PartRun, Shape};
+pub use parts::{Labels, Parts, Run as PartRun, Shape};
 pub use run::Run;
 pub use sparse::{Elimination, Sparse, Stretch};
 

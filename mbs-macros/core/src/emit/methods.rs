@@ -38,7 +38,7 @@ fn write_method(
     long: &LongFunctions,
     method: &Method,
 ) {
-    if sparse::replaces(out, graph, program, method) {
+    if sparse::replaces(out, graph, program, long, method) {
         return;
     }
     match (program.function(method.name), method.origin) {

@@ -11,7 +11,11 @@ use crate::model::{Outline, Quantity};
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+use std::collections::BTreeMap;
 use std::fmt::Write;
+
+/// More entries of M are written in loops.
+const MOST_ENTRIES: usize = 200;
 
 /// The struct and its default.
 pub(super) fn emit(
@@ -207,13 +211,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     if let Some(entries) = &program.constant_mass {
         let zeros = "::mbs_runtime::nalgebra::SMatrix::zeros()";
         let _ = writeln!(out, "let mut mass = {zeros};");
-        for &(i, j, value) in entries {
-            let value = operand(value);
-            let _ = writeln!(out, "mass[({i}, {j})] = {value};");
-            if i != j {
-                let _ = writeln!(out, "mass[({j}, {i})] = {value};");
-            }
-        }
+        write_mass(&mut out, entries, operand);
         let coordinates: Vec<String> = layout
             .slots
             .iter()
@@ -256,4 +254,34 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
         inputs.join(", ")
     );
     out
+}
+
+/// M, entry by entry; where these are many, in a loop for each value that occurs.
+fn write_mass(
+    out: &mut String,
+    entries: &[(usize, usize, Operand)],
+    source: impl Fn(Operand) -> String,
+) {
+    if entries.len() <= MOST_ENTRIES {
+        for &(i, j, value) in entries {
+            let value = source(value);
+            let _ = writeln!(out, "mass[({i}, {j})] = {value};");
+            if i != j {
+                let _ = writeln!(out, "mass[({j}, {i})] = {value};");
+            }
+        }
+        return;
+    }
+    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for &(i, j, value) in entries {
+        let places = places.entry(source(value)).or_default();
+        places.push(format!("({i}, {j})"));
+    }
+    for (value, places) in places {
+        let _ = writeln!(
+            out,
+            "for (i, j) in [{}] {{ mass[(i, j)] = {value}; mass[(j, i)] = {value}; }}",
+            places.join(", ")
+        );
+    }
 }

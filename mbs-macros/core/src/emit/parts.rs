@@ -7,7 +7,7 @@
 
 use super::body::Body;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
-use crate::dag::{Function, LONGEST_BODY, Operation, Output, Parts, Place, Program};
+use crate::dag::{Function, Operation, Output, Parts, Place, Program};
 use crate::symbolic::{Graph, Map};
 use std::fmt::Write;
 
@@ -31,12 +31,11 @@ struct Word {
 
 impl LongFunctions {
     pub(super) fn new(program: &Program) -> LongFunctions {
-        let long = program
+        let functions: Vec<(&'static str, Parts)> = program
             .functions
             .iter()
-            .filter(|function| is_divided(program, function));
-        let functions: Vec<(&'static str, Parts)> = long
-            .map(|function| (function.name, Parts::of(function, &program.labels)))
+            .filter(|function| is_from_program(function))
+            .filter_map(|function| Some((function.name, program.parts(function)?)))
             .collect();
         let lengths: Vec<usize> = functions
             .iter()
@@ -75,17 +74,24 @@ impl LongFunctions {
 
     /// The body of a function of the contract, if it is long.
     pub(super) fn body(&self, graph: &Graph, program: &Program, method: &Method) -> Option<String> {
-        if let Some(call) = program
-            .function(method.name)
-            .and_then(|function| part_of_another(program, function))
-        {
-            return Some(call.to_owned());
+        let function = program.function(method.name)?;
+        if program.whole_of(function).is_some() {
+            return call_of_whole(function).map(str::to_owned);
         }
-        let at = self
-            .functions
-            .iter()
-            .position(|(name, _)| *name == method.name)?;
-        let (function, parts) = (program.function(method.name)?, &self.functions[at].1);
+        self.body_with(graph, function, method, |output| *output)
+    }
+
+    /// The body of a method that computes a function and writes its outputs to other places.
+    pub(super) fn body_with(
+        &self,
+        graph: &Graph,
+        function: &Function,
+        method: &Method,
+        place: impl Fn(&Output) -> Output,
+    ) -> Option<String> {
+        let mut functions = self.functions.iter();
+        let at = functions.position(|(name, _)| *name == function.name)?;
+        let parts = &self.functions[at].1;
         let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
         let body = Body::of_method(graph, function);
         let sources: Vec<String> = parts
@@ -101,15 +107,23 @@ impl LongFunctions {
         let _ = writeln!(
             out,
             "::mbs_runtime::generated::compute_parts(&Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
-            method.name.to_uppercase()
+            function.name.to_uppercase()
         );
-        self.write_outputs(&mut out, at, method);
+        let outputs = parts.outputs.iter();
+        let outputs = outputs.map(|(output, value)| (place(output), *value));
+        self.write_outputs(&mut out, self.lengths[at], outputs, method);
         Some(out)
     }
 
-    fn write_outputs(&self, out: &mut String, at: usize, method: &Method) {
+    fn write_outputs(
+        &self,
+        out: &mut String,
+        length: usize,
+        outputs: impl Iterator<Item = (Output, usize)>,
+        method: &Method,
+    ) {
         let mut sinks: Vec<(&str, usize, Vec<u8>)> = Vec::new();
-        for (output, place) in &self.functions[at].1.outputs {
+        for (output, place) in outputs {
             let indices: &[usize] = match output.place {
                 Place::Value | Place::Constant(_) => {
                     let _ = write!(out, "values[{place}]");
@@ -128,13 +142,13 @@ impl LongFunctions {
             if let Some((_, _, table)) = sinks.last_mut() {
                 indices
                     .iter()
-                    .chain([place])
+                    .chain([&place])
                     .for_each(|&index| self.word.put(table, index));
             }
         }
         let last = method.arguments.last().map(|last| last.shape);
         for (sink, count, table) in sinks {
-            let value = "values[place % LENGTH]".replace("LENGTH", &self.lengths[at].to_string());
+            let value = "values[place % LENGTH]".replace("LENGTH", &length.to_string());
             let (pattern, statement) = match (count, last) {
                 (1, Some(Argument::Values)) => (
                     "[i, place]",
@@ -259,28 +273,20 @@ impl LongFunctions {
     }
 }
 
-/// Whether a function is written as parts.
-fn is_divided(program: &Program, function: &Function) -> bool {
+/// Whether the body of a method is that of the function.
+fn is_from_program(function: &Function) -> bool {
     Method::named(function.name).is_some_and(|method| !matches!(method.origin, Origin::Written))
-        && function.operations.len() > LONGEST_BODY
-        && part_of_another(program, function).is_none()
 }
 
-/// The call of the function that computes the same and more, for a long function that has one.
-pub(super) fn part_of_another(program: &Program, function: &Function) -> Option<&'static str> {
-    let (whole, call) = match function.name {
-        "force_tangents" => (
-            "balance_tangents",
+/// The call of the function that computes the same and more.
+fn call_of_whole(function: &Function) -> Option<&'static str> {
+    match function.name {
+        "force_tangents" => Some(
             "::mbs_runtime::Loads::balance_tangents(self, t, q, v, &mut ::mbs_runtime::generated::Discard, f_q, f_v, p_q);",
         ),
-        "forces" => (
-            "balance",
-            "::mbs_runtime::Loads::balance(self, t, q, v, &mut SVector::zeros(), f);",
-        ),
-        _ => return None,
-    };
-    program.function(whole)?;
-    (function.operations.len() > LONGEST_BODY).then_some(call)
+        "forces" => Some("::mbs_runtime::Loads::balance(self, t, q, v, &mut SVector::zeros(), f);"),
+        _ => None,
+    }
 }
 
 impl Word {

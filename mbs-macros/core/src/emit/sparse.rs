@@ -9,6 +9,8 @@ use self::columns::{
     backward, forward, pair_column, symmetric_backward, symmetric_column, symmetric_forward,
 };
 use self::windows::{Column, stretches};
+use super::body::Body;
+use super::parts::LongFunctions;
 use crate::contract::Method;
 use crate::dag::{Elimination, Function, Output, Place, Program, Sparse};
 use crate::symbolic::Graph;
@@ -16,20 +18,25 @@ use std::fmt::Write;
 
 /// A function of stage 5 that writes A into the array of K.
 pub(super) fn constraints(sparse: &Sparse, function: &Function) -> Function {
-    let place = |output: &Output| match output.place {
-        Place::Entry(row, column) if output.sink == "a" => Output {
-            sink: "k",
-            place: Place::Element(sparse.rows.slot_of(sparse.size + row, column)),
-            ..*output
-        },
-        _ => *output,
-    };
+    let place = |output: &Output| in_array(sparse, output);
     let zero = crate::dag::Operand::number(0.0);
     let kept = |output: &&Output| output.sink != "a" || output.value != zero;
     Function {
         name: "sparse_constraints",
         outputs: function.outputs.iter().filter(kept).map(place).collect(),
         ..function.clone()
+    }
+}
+
+/// An output of the function of A, with A in the array of K.
+fn in_array(sparse: &Sparse, output: &Output) -> Output {
+    match output.place {
+        Place::Entry(row, column) if output.sink == "a" => Output {
+            sink: "k",
+            place: Place::Element(sparse.rows.slot_of(sparse.size + row, column)),
+            ..*output
+        },
+        _ => *output,
     }
 }
 
@@ -229,6 +236,7 @@ pub(super) fn replaces(
     out: &mut String,
     graph: &Graph,
     program: &Program,
+    long: &LongFunctions,
     method: &Method,
 ) -> bool {
     let Some(sparse) = &program.sparse else {
@@ -246,9 +254,13 @@ pub(super) fn replaces(
             true
         }
         ("sparse_constraints", Some(function)) => {
-            let function = constraints(sparse, function);
-            let body = super::body::Body::of_method(graph, &function);
-            let text = body.statements() + &body.writes();
+            let place = |output: &Output| in_array(sparse, output);
+            let parts = long.body_with(graph, function, method, place);
+            let text = parts.unwrap_or_else(|| {
+                let function = constraints(sparse, function);
+                let body = Body::of_method(graph, &function);
+                body.statements() + &body.writes()
+            });
             let _ = writeln!(
                 out,
                 "#[inline]\nfn sparse_constraints{signature} {{

@@ -9,12 +9,21 @@ use crate::symbolic::{Expr, Graph, Symbol};
 /// Everything that acts on the parts, in their own coordinates.
 pub(super) struct Balance<'a> {
     pub inertia: &'a LocalMass,
+    /// Entries of it that depend on positions.
+    pub varying: Vec<((u32, u32), Expr)>,
     pub potential: Expr,
     pub loads: &'a [Load],
     pub rows: &'a [Row],
     /// Rows that were solved, in local coordinates.
     pub solved: &'a [Expr],
     pub model: &'a Model,
+}
+
+/// The entries of the mass matrix that depend on positions.
+pub(super) fn varying(graph: &Graph, inertia: &LocalMass) -> Vec<((u32, u32), Expr)> {
+    let entries = inertia.iter().map(|(&place, &mass)| (place, mass));
+    let varies = |mass: Expr| graph.depends_on(mass, Symbol::is_local_position);
+    entries.filter(|&(_, mass)| varies(mass)).collect()
 }
 
 impl Balance<'_> {
@@ -72,7 +81,7 @@ impl Balance<'_> {
     fn convective(&self, graph: &mut Graph, local: u32) -> Expr {
         let speed = |graph: &mut Graph, local| graph.symbol(Symbol::LocalVelocity(local));
         let mut terms = Vec::new();
-        for (&(i, j), &mass) in self.inertia {
+        for &((i, j), mass) in &self.varying {
             let slope = graph.derivative(mass, Symbol::LocalPosition(local));
             if !graph.is_zero(slope) {
                 let speeds = [i, j].map(|local| speed(graph, local));

@@ -1,6 +1,6 @@
 //! The passes of stage 3.
 
-use super::balance::Balance;
+use super::balance::{self, Balance};
 use super::constant_mass::constant_mass;
 use super::kinetic::{self, Kinetic};
 use super::system::System;
@@ -30,6 +30,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let solved = rows::solved_rows(&model.joints, &model.solved);
     let balance = Balance {
         inertia: &inertia,
+        varying: balance::varying(&graph, &inertia),
         potential,
         loads: &loads,
         rows: &rows,

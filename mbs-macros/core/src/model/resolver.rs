@@ -20,6 +20,9 @@ pub(super) enum State {
     Done(Option<Value>),
 }
 
+/// A mechanism in space of as many entries may have many parts that are the same but for their places.
+const MANY: usize = 40;
+
 /// The state of stage 2.
 pub struct Resolver<'d> {
     pub(super) declaration: &'d Declaration,
@@ -63,7 +66,10 @@ impl<'d> Resolver<'d> {
             kinds,
             world: declaration.world_kind(),
             formulation,
-            graph: Graph::default(),
+            graph: match (declaration.world_kind(), declaration.entries.len()) {
+                (World::Spatial, MANY..) => Graph::of_many(),
+                _ => Graph::default(),
+            },
             parameters: Vec::new(),
             inputs: Vec::new(),
             locals: Vec::new(),

@@ -168,26 +168,37 @@ impl Spanning {
             weight: (0, 0),
         };
         let mut reached: Vec<bool> = self.parts.iter().map(|part| part.settled).collect();
+        let mut meeting: BTreeMap<Owner, Vec<(usize, bool)>> = BTreeMap::new();
+        for &index in allowed {
+            for forwards in [true, false] {
+                let (parent, _) = ends(&self.carriers[index].mobilizer, forwards);
+                meeting.entry(parent).or_default().push((index, forwards));
+            }
+        }
         let mut front = vec![Owner::Ground];
         let mut depth = 0;
         loop {
             depth += 1;
             let mut next: BTreeMap<usize, (usize, bool)> = BTreeMap::new();
-            for &index in allowed {
+            let mut joints: Vec<(usize, bool)> = front
+                .iter()
+                .filter_map(|parent| meeting.get(parent))
+                .flatten()
+                .copied()
+                .collect();
+            joints.sort_unstable_by_key(|&(index, forwards)| (index, !forwards));
+            for (index, forwards) in joints {
                 let Carrier {
                     mobilizer, rows, ..
                 } = &self.carriers[index];
-                for forwards in [true, false] {
-                    let (parent, child) = ends(mobilizer, forwards);
-                    let Owner::Part(child) = child else { continue };
-                    let applies = front.contains(&parent) && !reached[child];
-                    let known = next.get(&child);
-                    if applies
-                        && self.carries(parent, child, mobilizer)
-                        && known.is_none_or(|&(best, _)| self.carriers[best].rows < *rows)
-                    {
-                        next.insert(child, (index, forwards));
-                    }
+                let (parent, child) = ends(mobilizer, forwards);
+                let Owner::Part(child) = child else { continue };
+                let known = next.get(&child);
+                if !reached[child]
+                    && self.carries(parent, child, mobilizer)
+                    && known.is_none_or(|&(best, _)| self.carriers[best].rows < *rows)
+                {
+                    next.insert(child, (index, forwards));
                 }
             }
             // What follows coordinates declared by hand can carry parts, too.

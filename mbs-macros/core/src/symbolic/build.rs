@@ -93,19 +93,11 @@ impl Graph {
             [(term, 1.0)] if constant == 0.0 => return *term,
             _ => {}
         }
-        // a − b and b − a share a node: in a proper sum most coefficients are positive, and the first where as many are
-        // negative; the negative of such a sum is a scaled term.
-        let minus = flat.iter().filter(|&&(_, c)| c < 0.0).count();
-        let plus = flat.len() - minus;
-        let negative = flat.len() > 1 && (minus > plus || (minus == plus && flat[0].1 < 0.0));
-        let sign = if negative { -1.0 } else { 1.0 };
-        let terms = flat
-            .into_iter()
-            .map(|(term, coefficient)| (term, Number::new(sign * coefficient)))
-            .collect();
+        let sign = self.sign(&flat, constant);
+        let negative = sign < 0.0;
         let sum = self.intern(Node::Sum {
             constant: Number::new(sign * constant),
-            terms,
+            terms: scaled(&flat, sign),
         });
         if negative {
             self.intern(Node::Sum {
@@ -115,6 +107,28 @@ impl Graph {
         } else {
             sum
         }
+    }
+
+    /// The sign with which a sum is stored: a − b and b − a share a node.
+    ///
+    /// In a proper sum most coefficients are positive, and the first where as many are negative; the negative of such a
+    /// sum is a scaled term. For coefficients that count see [`Graph::of_many`].
+    fn sign(&self, terms: &[(Expr, f64)], constant: f64) -> f64 {
+        if terms.len() == 1 {
+            return 1.0;
+        }
+        let counted = terms.iter().map(|&(_, coefficient)| coefficient);
+        let counted = counted.filter(|&coefficient| !self.of_many || is_simple(coefficient));
+        let signs: Vec<bool> = counted.map(|coefficient| coefficient < 0.0).collect();
+        let minus = signs.iter().filter(|&&is_negative| is_negative).count();
+        let negative = match signs.first() {
+            Some(&first) => 2 * minus > signs.len() || (2 * minus == signs.len() && first),
+            None => self.index.contains_key(&Node::Sum {
+                constant: Number::new(-constant),
+                terms: scaled(terms, -1.0),
+            }),
+        };
+        if negative { -1.0 } else { 1.0 }
     }
 
     /// Whether a term of a sum is a sum to be dissolved.
@@ -359,6 +373,16 @@ impl Graph {
             arguments: arguments.into(),
         })
     }
+}
+
+fn scaled(terms: &[(Expr, f64)], factor: f64) -> Box<[(Expr, Number)]> {
+    let scaled = |&(term, coefficient): &(Expr, f64)| (term, Number::new(factor * coefficient));
+    terms.iter().map(scaled).collect()
+}
+
+/// Whether a coefficient is likely to come from a formula, not from a place or direction.
+pub(crate) fn is_simple(coefficient: f64) -> bool {
+    (4.0 * coefficient).fract() == 0.0
 }
 
 /// Sorts by term and adds up coefficients.

@@ -19,6 +19,7 @@ mod rate;
 mod rotation;
 mod substitute;
 
+pub(crate) use build::is_simple;
 use map::Set;
 pub(crate) use map::{Map, hash};
 
@@ -206,9 +207,32 @@ pub struct Graph {
     derivatives: Map<(Expr, Symbol), Expr>,
     names: Map<Symbol, String>,
     hints: Map<Expr, String>,
+    /// See [`Graph::of_many`].
+    of_many: bool,
+}
+
+impl Expr {
+    pub(crate) fn index(self) -> usize {
+        self.0 as usize
+    }
 }
 
 impl Graph {
+    /// An arena for a mechanism of many parts, which may be the same several times: there the sign of a sum depends on
+    /// its simple coefficients only, and if there are none, on which sign is needed first. Other coefficients are those
+    /// of a place or direction, and the expressions of two legs of a platform would differ in their signs.
+    pub(crate) fn of_many() -> Graph {
+        Graph {
+            of_many: true,
+            ..Graph::default()
+        }
+    }
+
+    /// All expressions: each follows those it consists of.
+    pub(crate) fn all(&self) -> impl Iterator<Item = Expr> + use<> {
+        (0..self.nodes.len() as u32).map(Expr)
+    }
+
     /// The node of an expression.
     pub fn node(&self, expr: Expr) -> &Node {
         &self.nodes[expr.0 as usize]

@@ -2,6 +2,7 @@
 
 use super::kind::fingerprint;
 use super::labels::Labels;
+use super::shape::Member;
 use super::signature;
 use crate::dag::{Function, Operand, Operation};
 use crate::symbolic::Map;
@@ -15,6 +16,9 @@ const SHORTEST: usize = 20;
 
 /// See [`SHORTEST`]. With 6 the code of a Stewart platform is a seventh shorter than with cuts at [`LARGEST`] alone.
 const EVERY: u64 = 6;
+
+/// A group of so few operations is joined to its only user wherever that is.
+const TINY: usize = 3;
 
 /// The groups of a function.
 pub(super) struct Groups {
@@ -50,32 +54,37 @@ pub(super) fn of(function: &Function, labels: &Labels) -> Groups {
         groups.members[group].push(slot);
         groups.of.push(group);
     }
-    groups.join(function)
+    groups
 }
 
 impl Groups {
-    /// Joins each group to the only other one that uses its values, so that these need no place.
-    fn join(self, function: &Function) -> Groups {
+    /// Joins each group to the only other one that uses its values, so that these need no place: those of a shape all to
+    /// groups of one shape, or none, so that pieces of the same form remain.
+    pub(super) fn join(self, function: &Function, members: &[Member], rare: &[bool]) -> Groups {
         let count = self.members.len();
-        let mut consumer = vec![Consumer::None; count];
-        for (slot, operation) in function.operations.iter().enumerate() {
-            let to = self.of[slot];
-            operation.for_each_operand(|operand| {
-                if let Operand::Value(value) = operand {
-                    let from = self.of[value];
-                    consumer[from] = match consumer[from] {
-                        same if from == to => same,
-                        Consumer::None => Consumer::Group(to),
-                        Consumer::Group(group) if group == to => Consumer::Group(to),
-                        _ => Consumer::Several,
-                    };
-                }
-            });
+        let consumers = self.consumers(function);
+        let is_rare = |group: usize| rare[members[group].shape];
+        let target = |group: usize| match consumers[group] {
+            Consumer::Group(to) if is_rare(to) == is_rare(group) => Some(to),
+            _ => None,
+        };
+        // For each shape that of the groups to which its groups are joined, if they agree.
+        let mut common: Vec<Option<Option<usize>>> = vec![None; rare.len()];
+        for group in 0..count {
+            let to = target(group).map(|to| members[to].shape);
+            let common = &mut common[members[group].shape];
+            *common = match *common {
+                Some(before) if before != to => Some(None),
+                _ => Some(to),
+            };
         }
         let mut root: Vec<usize> = (0..count).collect();
         let mut size: Vec<usize> = self.members.iter().map(Vec::len).collect();
         for group in 0..count {
-            if let Consumer::Group(to) = consumer[group] {
+            let agreed = matches!(common[members[group].shape], Some(Some(_)));
+            if let Some(to) = target(group)
+                .filter(|_| agreed || is_rare(group) || self.members[group].len() <= TINY)
+            {
                 let to = find(&root, to);
                 if size[group] + size[to] <= LARGEST {
                     root[group] = to;
@@ -84,6 +93,26 @@ impl Groups {
             }
         }
         self.renumbered(|group| find(&root, group))
+    }
+
+    /// For each group those that use its values.
+    fn consumers(&self, function: &Function) -> Vec<Consumer> {
+        let mut consumers = vec![Consumer::None; self.members.len()];
+        for (slot, operation) in function.operations.iter().enumerate() {
+            let to = self.of[slot];
+            operation.for_each_operand(|operand| {
+                if let Operand::Value(value) = operand {
+                    let from = self.of[value];
+                    consumers[from] = match consumers[from] {
+                        same if from == to => same,
+                        Consumer::None => Consumer::Group(to),
+                        Consumer::Group(group) if group == to => Consumer::Group(to),
+                        _ => Consumer::Several,
+                    };
+                }
+            });
+        }
+        consumers
     }
 
     /// Joins the rare groups that follow each other in an order of computation.
@@ -124,7 +153,7 @@ impl Groups {
 }
 
 /// The groups that use the values of another.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Consumer {
     None,
     Group(usize),

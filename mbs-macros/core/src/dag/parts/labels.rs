@@ -40,12 +40,14 @@ impl Labels {
     }
 
     /// Of an argument.
-    pub(super) fn of_symbol(&self, symbol: Symbol) -> u32 {
+    pub(in crate::dag) fn of_symbol(&self, symbol: Symbol) -> u32 {
         let (list, index) = match symbol {
             Symbol::Stored(i) => (&self.coordinates, i),
-            Symbol::Velocity(i) | Symbol::Acceleration(i) | Symbol::VectorEntry(i) => {
-                (&self.velocities, i)
-            }
+            Symbol::Coordinate(i)
+            | Symbol::Rotation(i, _)
+            | Symbol::Velocity(i)
+            | Symbol::Acceleration(i)
+            | Symbol::VectorEntry(i) => (&self.velocities, i),
             Symbol::RowEntry(r, _)
             | Symbol::WeightedEntry(r, _)
             | Symbol::Multiplier(r)

@@ -9,21 +9,24 @@
 //! The legs of a platform, the bushings of a frame and the bodies of a chain repeat; their code is written and compiled
 //! once. No operation is added, removed or regrouped, so that the digits are those of the straight-line code.
 
+mod form;
 mod groups;
 mod kind;
 mod labels;
+mod literals;
+mod long;
 mod schedule;
+mod sets;
 mod shape;
 mod signature;
 
 use super::{Function, Operand, Output};
 
-pub use labels::Labels;
-pub use shape::Shape;
+use form::Forms;
 
-/// A function longer than this is divided: the compiler of the generated code needs more than proportional time and
-/// stack for longer ones.
-pub const LONGEST_BODY: usize = 2500;
+pub use labels::Labels;
+pub(super) use sets::{EMPTY, Sets};
+pub use shape::Shape;
 
 /// A function as parts. Values that pass from one part to another are in an array, the inputs first.
 #[derive(Debug)]
@@ -54,12 +57,17 @@ pub struct Run {
 impl Parts {
     /// The parts of a function.
     pub fn of(function: &Function, labels: &Labels) -> Parts {
+        let mut forms = Forms::new(function);
         let pieces = groups::of(function, labels);
-        let (shapes, members) = shape::of(function, &pieces);
+        let (shapes, members) = shape::of(&mut forms, &pieces);
+        let rare = schedule::rare(&members, shapes.len());
+        let pieces = pieces.join(function, &members, &rare);
+        let (shapes, members) = shape::of(&mut forms, &pieces);
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&pieces, &members, &rare);
         let groups = pieces.gather(&order, |group| rare[members[group].shape]);
-        let (shapes, members) = shape::of(function, &groups);
+        let (mut shapes, mut members) = shape::of(&mut forms, &groups);
+        literals::write(&mut shapes, &mut members);
         let rare = schedule::rare(&members, shapes.len());
         let order = schedule::ordered(&groups, &members, &rare);
         schedule::of(function, &groups, shapes, members, order)

@@ -28,7 +28,7 @@ pub(super) fn of(
             row.extend(member.reads.iter().map(|&operand| places.read(operand)));
             for output in &shapes[shape].function.outputs {
                 if let Operand::Value(local) = output.value {
-                    row.push(places.leave(member.order[local]));
+                    row.push(places.leave(member.form.order[local]));
                 }
             }
             shapes[shape].table.push(row);
@@ -206,7 +206,7 @@ impl Places {
             }
         };
         for (group, member) in members.iter().enumerate() {
-            for &slot in &member.order {
+            for &slot in &member.form.order {
                 last[slot] = last[slot].max(when[group]);
             }
             for &operand in &member.reads {

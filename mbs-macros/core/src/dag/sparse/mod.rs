@@ -23,6 +23,8 @@ pub use stretches::Stretch;
 const FEWEST_ROWS: usize = 16;
 /// Code longer than this costs more to compile than it gains: mechanisms that are large, irregular and little sparse.
 const LONGEST: usize = 20_000;
+/// The most velocities for which a constant M⁻¹f is written out.
+const LONGEST_CONSTANT: usize = 100;
 /// Solutions with each factor in a step.
 const SOLUTIONS: usize = 3;
 
@@ -61,7 +63,8 @@ pub struct Sparse {
     pub mass_entries: Vec<(usize, usize)>,
     /// The entries of A that are not zero, row by row.
     pub jacobian: Vec<(usize, usize)>,
-    /// Whether forces depend on more than parameters.
+    /// Whether M⁻¹f is computed where it is needed: forces depend on more than parameters, or there are so many that
+    /// `prepare`, where each entry of M⁻¹f is a sum over f, would be long.
     pub forces_vary: bool,
     /// N.
     pub size: usize,
@@ -95,7 +98,7 @@ impl Sparse {
             mass: Elimination::new(size, 0, mass.iter().copied()),
             mass_entries: mass,
             jacobian,
-            forces_vary: system.forces.iter().any(varies),
+            forces_vary: size > LONGEST_CONSTANT || system.forces.iter().any(varies),
             size,
             row_count: rows,
         };

@@ -1,0 +1,188 @@
+//! The form of a group: what it computes, wherever its operations stand in the function.
+//!
+//! Operations are in the order of their depth and of hashes of what they compute, values from outside are numbered as
+//! they first occur.
+
+use super::kind::{commutes, kind};
+use crate::dag::{Function, Operand, Operation};
+use crate::symbolic::{Map, Symbol, hash};
+use std::rc::Rc;
+
+/// A group in its form.
+#[derive(Debug)]
+pub(super) struct Form {
+    /// Equal for equal operations.
+    pub number: usize,
+    /// The operations, with [`Symbol::Place`] for values from outside.
+    pub operations: Vec<Operation>,
+    /// The values from outside.
+    pub reads: Vec<Operand>,
+    /// Where the operations stand in the function.
+    pub order: Vec<usize>,
+}
+
+/// The forms of groups of a function. Groups change a little while they are joined: each form is made once.
+pub(super) struct Forms<'a> {
+    pub function: &'a Function,
+    of_groups: Map<Vec<usize>, Rc<Form>>,
+    numbers: Map<Vec<Operation>, usize>,
+}
+
+impl<'a> Forms<'a> {
+    pub(super) fn new(function: &'a Function) -> Forms<'a> {
+        Forms {
+            function,
+            of_groups: Map::default(),
+            numbers: Map::default(),
+        }
+    }
+
+    /// The form of the group of these operations.
+    pub(super) fn of(&mut self, group: &[usize]) -> Rc<Form> {
+        if let Some(form) = self.of_groups.get(group) {
+            return form.clone();
+        }
+        let (operations, reads, order) = written(self.function, group);
+        let next = self.numbers.len();
+        let number = *self.numbers.entry(operations.clone()).or_insert(next);
+        let form = Rc::new(Form {
+            number,
+            operations,
+            reads,
+            order,
+        });
+        self.of_groups.insert(group.to_vec(), form.clone());
+        form
+    }
+}
+
+fn written(function: &Function, group: &[usize]) -> (Vec<Operation>, Vec<Operand>, Vec<usize>) {
+    let local = group.iter().enumerate().map(|(at, &slot)| (slot, at));
+    let mut writer = Writer {
+        function,
+        group,
+        local: local.collect(),
+        depth: vec![0; group.len()],
+        hashes: vec![0; group.len()],
+    };
+    writer.look_down();
+    writer.look_up();
+    writer.written()
+}
+
+/// A group on the way to its form.
+struct Writer<'a> {
+    function: &'a Function,
+    group: &'a [usize],
+    /// Where an operation stands in the group.
+    local: Map<usize, usize>,
+    depth: Vec<u32>,
+    hashes: Vec<u64>,
+}
+
+impl Writer<'_> {
+    fn inner(&self, operand: Operand) -> Option<usize> {
+        match operand {
+            Operand::Value(slot) => self.local.get(&slot).copied(),
+            _ => None,
+        }
+    }
+
+    /// Depths, and hashes of what is computed.
+    fn look_down(&mut self) {
+        for at in 0..self.group.len() {
+            let operation = &self.function.operations[self.group[at]];
+            let mut below = Vec::new();
+            let mut depth = 0;
+            operation.for_each_operand(|operand| match self.inner(operand) {
+                Some(inner) => {
+                    depth = depth.max(self.depth[inner] + 1);
+                    below.push(self.hashes[inner]);
+                }
+                None => below.push(0),
+            });
+            if commutes(operation) {
+                below.sort_unstable();
+            }
+            (self.depth[at], self.hashes[at]) = (depth, hash((kind(operation), below)));
+        }
+    }
+
+    /// Adds hashes of what uses a value.
+    fn look_up(&mut self) {
+        let mut above = vec![0_u64; self.group.len()];
+        for at in (0..self.group.len()).rev() {
+            let operation = &self.function.operations[self.group[at]];
+            let mut place = 0_u64;
+            let own = hash((self.hashes[at], above[at]));
+            operation.for_each_operand(|operand| {
+                if let Some(inner) = self.inner(operand) {
+                    above[inner] = above[inner].wrapping_add(hash((own, place)));
+                }
+                if !commutes(operation) {
+                    place += 1;
+                }
+            });
+        }
+        for (own, above) in self.hashes.iter_mut().zip(above) {
+            *own = hash((*own, above));
+        }
+    }
+
+    fn written(&self) -> (Vec<Operation>, Vec<Operand>, Vec<usize>) {
+        let mut order: Vec<usize> = (0..self.group.len()).collect();
+        order.sort_by_key(|&at| (self.depth[at], self.hashes[at], at));
+        let mut number = vec![0; order.len()];
+        let mut reads: Vec<Operand> = Vec::new();
+        let mut known: Map<Operand, usize> = Map::default();
+        let mut operations = Vec::with_capacity(order.len());
+        for (next, &at) in order.iter().enumerate() {
+            number[at] = next;
+            let operation = self.in_order(&self.function.operations[self.group[at]], &number);
+            let read = |operand: Operand| match self.inner(operand) {
+                Some(inner) => Operand::Value(number[inner]),
+                None => {
+                    // Equal numbers may be equal by chance, and different in the next group.
+                    let place = match operand {
+                        Operand::Number(_) => {
+                            reads.push(operand);
+                            reads.len() - 1
+                        }
+                        _ => *known.entry(operand).or_insert_with(|| {
+                            reads.push(operand);
+                            reads.len() - 1
+                        }),
+                    };
+                    Operand::Symbol(Symbol::Place(place as u32))
+                }
+            };
+            operations.push(mapped(&operation, read));
+        }
+        let order = order.iter().map(|&at| self.group[at]).collect();
+        (operations, reads, order)
+    }
+
+    /// The operation with its commuting operands in an order that does not depend on the function.
+    fn in_order(&self, operation: &Operation, number: &[usize]) -> Operation {
+        let rank = |operand: Operand| match self.inner(operand) {
+            Some(inner) => (0, number[inner]),
+            None => (1, 0),
+        };
+        match *operation {
+            Operation::Add(a, b) if rank(b) < rank(a) => Operation::Add(b, a),
+            Operation::Multiply(a, b) if rank(b) < rank(a) => Operation::Multiply(b, a),
+            _ => operation.clone(),
+        }
+    }
+}
+
+/// As [`Operation::map_operands`], with a map that counts.
+fn mapped(operation: &Operation, mut map: impl FnMut(Operand) -> Operand) -> Operation {
+    let mut operands = Vec::new();
+    operation.for_each_operand(|operand| operands.push(map(operand)));
+    let next = std::cell::Cell::new(0);
+    operation.map_operands(|_| {
+        next.set(next.get() + 1);
+        operands[next.get() - 1]
+    })
+}

@@ -1,0 +1,42 @@
+//! Which functions are long, and what of them is written out.
+
+use super::Parts;
+use crate::dag::{Function, Program};
+
+/// A function of more operations and outputs is divided: the compiler of the generated code needs more than proportional
+/// time and stack for longer ones.
+const LONGEST_BODY: usize = 2500;
+
+impl Function {
+    /// Whether it is too long for one body.
+    pub fn is_long(&self) -> bool {
+        self.operations.len() + self.outputs.len() > LONGEST_BODY
+    }
+}
+
+impl Program {
+    /// For a long function the one that computes the same and more: the balance is called for the forces.
+    pub fn whole_of(&self, function: &Function) -> Option<&Function> {
+        let whole = match function.name {
+            "forces" => "balance",
+            "force_tangents" => "balance_tangents",
+            _ => return None,
+        };
+        self.function(whole).filter(|_| function.is_long())
+    }
+
+    /// A long function as parts, unless another is called for it.
+    pub fn parts(&self, function: &Function) -> Option<Parts> {
+        let is_divided = function.is_long() && self.whole_of(function).is_none();
+        is_divided.then(|| Parts::of(function, &self.labels))
+    }
+
+    /// How many operations of a function are written out; `parts` are its own.
+    pub fn written(&self, function: &Function, parts: Option<&Parts>) -> usize {
+        match parts {
+            Some(parts) => parts.operations(),
+            None if self.whole_of(function).is_some() => 0,
+            None => function.operations.len(),
+        }
+    }
+}
