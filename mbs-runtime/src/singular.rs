@@ -2,6 +2,8 @@
 //!
 //! The pivots of S = A M⁻¹Aᵀ, each relative to a M⁻¹aᵀ of its row, measure the independence of the rows. Such a pivot
 //! is σ², where σ is the length of the part of a row, scaled to unit length, that is orthogonal to all rows before it.
+//! A row that is shorter than at the declared guess is scaled by its length there: in joint coordinates a row can vanish
+//! as a whole at a singular pose.
 //! Towards a singular pose σ decreases linearly to zero.
 //!
 //! | σ² | meaning |
@@ -70,6 +72,10 @@ pub const DEPENDENT: f64 = 1e-11;
 /// Independent rows may have pivots as small as that.
 pub(crate) const REDUNDANT: [f64; 2] = [1e-10, 1e-8];
 
+/// The same in the stages of explicit steps, which violate the rows: by less than a hundredth in any step that is not
+/// much too long, and pivots are squares. With a smaller value redundant rows are asked for in coarse steps.
+pub(crate) const REDUNDANT_OFF_ROWS: f64 = 1e-4;
+
 /// The bound below which a relative pivot is round-off; `least` is the smallest pivot so far, by which errors were
 /// divided.
 pub(crate) fn round_off(least: f64) -> f64 {
@@ -115,7 +121,7 @@ const LOST_IF_PLACED: f64 = 1e-9;
 /// A pivot below this fraction of its usual size shows that a singular pose is near. Bodies with little inertia about
 /// an axis have rows with small pivots in every pose; without this factor such rows would be solved to [`EXACT`] in
 /// every step.
-const UNUSUAL: f64 = 0.1;
+pub(crate) const UNUSUAL: f64 = 0.1;
 
 impl Thresholds {
     /// For steps of second order, whose error is larger than the loss of digits beside a pose: solving rows more
@@ -159,6 +165,8 @@ pub(crate) struct RankMargin {
     /// independent rows can have small pivots.
     pub(crate) least: f64,
     pub(crate) dependent: usize,
+    /// Whether other redundant rows are left out than usual: σ cannot be compared with that of the usual choice.
+    pub(crate) other_rows: bool,
 }
 
 impl RankMargin {
@@ -173,6 +181,7 @@ impl RankMargin {
             lost: 0,
             least: sigma,
             dependent: 0,
+            other_rows: false,
         }
     }
 
@@ -181,7 +190,7 @@ impl RankMargin {
     ///
     /// Rows that are redundant at both ends do not count; an end at which more rows are lost is worse than any other.
     pub(crate) fn after(&self, before: &Self) -> f64 {
-        if !before.sigma.is_finite() {
+        if !before.sigma.is_finite() || before.other_rows != self.other_rows {
             return f64::INFINITY;
         }
         let fraction = |sigma: f64| sigma / (sigma + before.sigma);

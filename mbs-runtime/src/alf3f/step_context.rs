@@ -84,20 +84,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             work: Workspace::new(),
             counters: Counters::default(),
         };
+        let guess = ConstraintGeometry::at_guess(&context.system)?;
         if settings.order > 2 {
-            let usual = DelassusFactor::new()
-                .least_pivot(&ConstraintGeometry::at_guess(&context.system)?.delassus);
+            let usual = DelassusFactor::new().least_pivot(&guess.delassus);
             let thresholds = Thresholds::high_order(usual, placed);
             (
                 context.work.delassus.thresholds,
                 context.work.projection.thresholds,
             ) = (thresholds, thresholds);
         }
+        context.work.delassus.usual = context.scale.usual;
         context.refresh()?;
         (context.work.delassus).expect_redundancy(&context.start.delassus);
-        if const { S::STRUCTURE.holonomic_rows < R } {
-            context.refresh()?;
-        }
+        (context.work.delassus).expect_pivots(&guess.delassus);
+        context.refresh()?;
         Ok(context)
     }
 

@@ -49,6 +49,8 @@ pub(super) struct SingularityDetector {
     falling: bool,
     /// The number of rows that were dependent in all poses so far.
     redundant: usize,
+    /// Whether other redundant rows are left out than usual.
+    other_rows: bool,
     /// The largest σ_min since the last loss.
     peak: f64,
     /// A pose that will be a loss when σ_min has risen above `level`; infinite when there is none.
@@ -65,6 +67,7 @@ impl SingularityDetector {
             instants: [NOWHERE; 3],
             falling: true,
             redundant: usize::MAX,
+            other_rows: false,
             peak: f64::INFINITY,
             level: f64::INFINITY,
             pending: Found {
@@ -85,6 +88,11 @@ impl SingularityDetector {
     #[inline]
     fn note(&mut self, time: f64, now: RankMargin) -> Option<(f64, f64)> {
         let mut sigma = now.least;
+        if now.other_rows != self.other_rows {
+            // σ of other rows is not on the same curve.
+            (self.instants, self.falling) = ([NOWHERE; 3], true);
+            (self.level, self.other_rows) = (f64::INFINITY, now.other_rows);
+        }
         if now.dependent != self.redundant || time <= self.instants[2].time {
             sigma = self.reconsider(time, now);
         }
