@@ -158,6 +158,9 @@ const PROXIMAL_LANDING: f64 = 0.01;
 /// singular pose.
 const FALLS_FROM: f64 = 3e-3;
 
+/// Added to [`RankMargin::dependent`] where other redundant rows are left out than usual.
+pub(crate) const OTHER_ROWS: u32 = 1 << 31;
+
 /// A cheap estimate of the smallest singular value of the rows, each of unit length, from the pivots of S.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RankMargin {
@@ -166,13 +169,11 @@ pub(crate) struct RankMargin {
     /// √ of the smallest relative pivot of all rows.
     pub(crate) weakest: f64,
     /// The number of rows that need the proximal solve.
-    pub(crate) lost: usize,
+    pub(crate) lost: u32,
     /// The same as `sigma` and `lost`, if only round-off counts as lost: for bodies with little inertia about an axis,
     /// independent rows can have small pivots.
     pub(crate) least: f64,
-    pub(crate) dependent: usize,
-    /// Whether other redundant rows are left out than usual: σ cannot be compared with that of the usual choice.
-    pub(crate) other_rows: bool,
+    pub(crate) dependent: u32,
 }
 
 impl RankMargin {
@@ -187,8 +188,14 @@ impl RankMargin {
             lost: 0,
             least: sigma,
             dependent: 0,
-            other_rows: false,
         }
+    }
+
+    /// Whether the choice of the redundant rows that are left out differs from that with this [`Self::dependent`]: σ of
+    /// the two cannot be compared.
+    #[inline(always)]
+    pub(crate) fn is_of_others(&self, dependent: u32) -> bool {
+        (self.dependent ^ dependent) & OTHER_ROWS != 0
     }
 
     /// σ₁/(σ₀ + σ₁) for a step from `before` to here: σ decreases linearly to zero at a singular pose and increases
@@ -196,7 +203,7 @@ impl RankMargin {
     ///
     /// Rows that are redundant at both ends do not count; an end at which more rows are lost is worse than any other.
     pub(crate) fn after(&self, before: &Self) -> f64 {
-        if !before.sigma.is_finite() || before.other_rows != self.other_rows {
+        if !before.sigma.is_finite() || self.is_of_others(before.dependent) {
             return f64::INFINITY;
         }
         let fraction = |sigma: f64| sigma / (sigma + before.sigma);

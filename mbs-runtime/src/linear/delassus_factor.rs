@@ -3,7 +3,9 @@
 use super::kept_rows::dependent_rows;
 use super::proximal::Proximal;
 use super::{SPARSE_FROM, Square, larger};
-use crate::singular::{REDUNDANT, RankMargin, Thresholds, UNUSUAL, WEAK_PIVOT, round_off};
+use crate::singular::{
+    OTHER_ROWS, REDUNDANT, RankMargin, Thresholds, UNUSUAL, WEAK_PIVOT, round_off,
+};
 use nalgebra::{SMatrix, SVector};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
@@ -29,8 +31,8 @@ pub(crate) struct DelassusFactor<const K: usize> {
     skipped: [bool; K],
     /// Whether there are any.
     pub(crate) reduced: bool,
-    /// Whether other rows are left out than those that are redundant in general.
-    other_rows: bool,
+    /// [`OTHER_ROWS`] if other rows are left out than those that are redundant in general, or 0.
+    choice: u32,
     /// A relative pivot below this shows that a singular pose is near, or that other rows have to be left out.
     unusual: f64,
 }
@@ -50,7 +52,7 @@ impl<const K: usize> DelassusFactor<K> {
             follows: REDUNDANT[0],
             skipped: [false; K],
             reduced: false,
-            other_rows: false,
+            choice: 0,
             unusual: 0.0,
         }
     }
@@ -118,7 +120,7 @@ impl<const K: usize> DelassusFactor<K> {
         let regular = match self.redundant {
             None => self.eliminate(entries),
             Some(redundant) => {
-                self.other_rows = false;
+                self.choice = 0;
                 let (regular, least) = self.eliminate_but(&redundant, entries);
                 match least < self.unusual {
                     true => self.eliminate_others(&redundant, entries, (regular, least)),
@@ -191,7 +193,7 @@ impl<const K: usize> DelassusFactor<K> {
             // The search has used the room of the factor.
             return regular && self.eliminate_but(redundant, matrix).0;
         };
-        (self.skipped, self.reduced, self.other_rows) = (spare, true, true);
+        (self.skipped, self.reduced, self.choice) = (spare, true, OTHER_ROWS);
         self.eliminate_where(|k, _, _| spare[k], matrix)
     }
 
@@ -257,7 +259,7 @@ impl<const K: usize> DelassusFactor<K> {
             most = most.max(self.inverse_pivot[k] * self.scale(matrix, k));
         }
         RankMargin {
-            other_rows: self.other_rows,
+            dependent: self.choice,
             ..RankMargin::of(1.0 / most.sqrt())
         }
     }
@@ -298,8 +300,7 @@ impl<const K: usize> DelassusFactor<K> {
             weakest: weakest.sqrt(),
             lost,
             least: least.sqrt(),
-            dependent,
-            other_rows: self.other_rows,
+            dependent: dependent | self.choice,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::linear::{array, largest_of};
-use crate::singular::RankMargin;
+use crate::singular::{OTHER_ROWS, RankMargin};
 use crate::{RankLoss, System};
 
 /// σ_min below which a pose counts as singular.
@@ -48,9 +48,7 @@ pub(super) struct SingularityDetector {
     /// Whether σ_min fell in the last step.
     falling: bool,
     /// The number of rows that were dependent in all poses so far.
-    redundant: usize,
-    /// Whether other redundant rows are left out than usual.
-    other_rows: bool,
+    redundant: u32,
     /// The largest σ_min since the last loss.
     peak: f64,
     /// A pose that will be a loss when σ_min has risen above `level`; infinite when there is none.
@@ -66,8 +64,7 @@ impl SingularityDetector {
         SingularityDetector {
             instants: [NOWHERE; 3],
             falling: true,
-            redundant: usize::MAX,
-            other_rows: false,
+            redundant: OTHER_ROWS - 1,
             peak: f64::INFINITY,
             level: f64::INFINITY,
             pending: Found {
@@ -88,11 +85,6 @@ impl SingularityDetector {
     #[inline]
     fn note(&mut self, time: f64, now: RankMargin) -> Option<(f64, f64)> {
         let mut sigma = now.least;
-        if now.other_rows != self.other_rows {
-            // σ of other rows is not on the same curve.
-            (self.instants, self.falling) = ([NOWHERE; 3], true);
-            (self.level, self.other_rows) = (f64::INFINITY, now.other_rows);
-        }
         if now.dependent != self.redundant || time <= self.instants[2].time {
             sigma = self.reconsider(time, now);
         }
@@ -113,6 +105,11 @@ impl SingularityDetector {
     /// σ_min where it is not simply that of the rows: when rows were lost or came back, or a step was taken again.
     #[cold]
     fn reconsider(&mut self, time: f64, now: RankMargin) -> f64 {
+        if now.is_of_others(self.redundant) {
+            (self.instants, self.falling) = ([NOWHERE; 3], true);
+            self.level = f64::INFINITY;
+            self.redundant ^= OTHER_ROWS;
+        }
         while time <= self.instants[2].time {
             self.instants = [NOWHERE, self.instants[0], self.instants[1]];
             self.falling = self.instants[2].sigma <= self.instants[1].sigma;
