@@ -48,7 +48,7 @@ fn in_the_script(command: &str) -> bool {
             .any(|line| line.starts_with("step ") && line.contains(command))
 }
 
-/// Whether it is a part of `cargo test --workspace`: a package or one of its test files.
+/// Whether it is a part of `cargo test --workspace`: a package, or one of its test files by `NAME::`.
 fn is_a_part_of_the_tests(command: &str) -> bool {
     let words: Vec<&str> = command
         .split_whitespace()
@@ -61,11 +61,11 @@ fn is_a_part_of_the_tests(command: &str) -> bool {
     };
     match words[..] {
         ["cargo", "test", "-p", package] => folder(package).join("Cargo.toml").exists(),
-        ["cargo", "test", "-p", package, "--test", file] => folder(package)
-            .join("tests")
-            .join(file)
-            .with_extension("rs")
-            .exists(),
+        ["cargo", "test", "-p", package, module] => {
+            let file = module.strip_suffix("::").unwrap_or_default();
+            let path = folder(package).join("tests").join(file);
+            path.with_extension("rs").exists()
+        }
         _ => false,
     }
 }

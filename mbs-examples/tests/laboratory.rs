@@ -197,19 +197,19 @@ fn a_chart_resumes_from_its_points() {
     let out = directory("chart-resumes");
     let arguments = [
         "chart",
-        "stability",
-        "mass-scale",
+        "work-precision",
+        "pendulum",
         "--quick",
         "--out",
         out.to_str().expect("UTF-8"),
     ];
     let output = mbs(&arguments);
     assert!(output.status.success(), "{output:?}");
-    let csv = out.join("stability.csv");
+    let csv = out.join("work-precision.csv");
     let complete = fs::read_to_string(&csv).expect("a CSV");
     let cells = complete.lines().count() - 2;
     assert!(cells >= 3, "{complete}");
-    for name in ["stability-mass-scale.svg", "stability.html"] {
+    for name in ["work-precision-pendulum-energy.svg", "work-precision.html"] {
         assert!(out.join(name).is_file(), "{name}");
     }
     // Interrupted after the first point, which is recognised by its time.
@@ -355,34 +355,34 @@ fn runs_tell_their_settings() {
 
 #[test]
 fn a_figure_resumes_from_its_runs() {
-    let out = directory("paper-3");
+    let out = directory("paper-2-resumes");
     let out = out.to_str().expect("UTF-8");
-    let arguments = ["paper", "--figure", "3", "--quick", "--out", out];
+    let arguments = ["paper", "--figure", "2", "--quick", "--out", out];
     let output = mbs(&arguments);
     assert!(output.status.success(), "{output:?}");
     let path = |name: &str| Path::new(out).join(name);
     let file = |name: &str| fs::read_to_string(path(name)).expect("a file");
-    assert!(file("figure-3.svg").contains("effective masses"));
-    let [samples, runs] = ["figure-3.csv", "figure-3-runs.csv"].map(file);
+    assert!(file("figure-2.svg").contains("effective masses"));
+    let [samples, runs] = ["figure-2.csv", "figure-2-runs.csv"].map(file);
     assert!(samples.starts_with("# commit "), "{samples}");
-    assert_eq!(runs.lines().count(), 2 + 4, "{runs}");
+    assert_eq!(runs.lines().count(), 2 + 19, "{runs}");
     // Interrupted in the last run: the others are recognised by their processor times.
-    let kept: Vec<&str> = runs.lines().take(2 + 3).collect();
-    fs::write(path("figure-3-runs.csv"), kept.join("\n") + "\n").expect("a CSV");
+    let kept: Vec<&str> = runs.lines().take(2 + 18).collect();
+    fs::write(path("figure-2-runs.csv"), kept.join("\n") + "\n").expect("a CSV");
     assert!(mbs(&arguments).status.success());
-    let resumed = file("figure-3-runs.csv");
-    assert_eq!(resumed.lines().take(2 + 3).collect::<Vec<_>>(), kept);
-    assert_eq!(resumed.lines().count(), 2 + 4, "{resumed}");
+    let resumed = file("figure-2-runs.csv");
+    assert_eq!(resumed.lines().take(2 + 18).collect::<Vec<_>>(), kept);
+    assert_eq!(resumed.lines().count(), 2 + 19, "{resumed}");
     // The run that is repeated may stop at another time.
-    let again = file("figure-3.csv");
+    let again = file("figure-2.csv");
     let known = |text: &str| {
-        let lines = text.lines().filter(|line| !line.starts_with("m̄/100"));
+        let lines = text.lines().filter(|line| !line.starts_with("point mass"));
         lines.map(str::to_owned).collect::<Vec<_>>()
     };
     assert!(known(&samples) == known(&again), "samples of other runs");
     // No run is made twice.
     assert!(mbs(&arguments).status.success());
-    let last = file("figure-3-runs.csv");
+    let last = file("figure-2-runs.csv");
     assert!(last == resumed, "{last}\n{resumed}");
     let refused = mbs(&["paper", "--figure", "8", "--out", out]);
     assert_eq!(refused.status.code(), Some(1));

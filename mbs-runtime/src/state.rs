@@ -98,6 +98,14 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// Copies `other`, without allocation if the capacity is sufficient.
     #[inline]
     pub(crate) fn copy_from(&mut self, other: &Self) {
+        self.copy_motion_from(other);
+        self.step_controller = other.step_controller;
+        self.fields = other.fields;
+    }
+
+    /// The same without what a step of the two-level and of the projected method leaves as it is.
+    #[inline]
+    pub(crate) fn copy_motion_from(&mut self, other: &Self) {
         (self.time, self.clock) = (other.time, other.clock);
         self.positions = other.positions;
         self.velocities = other.velocities;
@@ -107,8 +115,6 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             self.stage_multipliers.clone_from(&other.stage_multipliers);
         }
         self.ledger = other.ledger;
-        self.step_controller = other.step_controller;
-        self.fields = other.fields;
     }
 
     /// The multipliers that a stage begins with: its own of the last step, in the first step those of the stage before.

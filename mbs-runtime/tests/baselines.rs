@@ -1,12 +1,10 @@
 //! The integrators of the literature: each shows its own order on every kind of structure it takes, agrees with the
 //! two-level method at order 8, and refuses what it cannot do.
 
-mod common;
-
-use common::planar::{DampedSliderCrank, SliderCrank};
-use common::scenes::*;
-use common::spatial::{HeavyTop, RollingDisk, Sprung};
-use common::{Hand, Parameters, Scene, distance};
+use crate::common::planar::{DampedSliderCrank, SliderCrank};
+use crate::common::scenes::*;
+use crate::common::spatial::{HeavyTop, RollingDisk, Sprung};
+use crate::common::{Hand, Parameters, Scene, distance};
 use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
     BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,

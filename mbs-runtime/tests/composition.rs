@@ -1,17 +1,12 @@
 //! Orders 4, 6 and 8: slopes for every kind of structure, refusals, and what must not depend on the order.
 
-mod common;
-
-use common::alloc::{Counting, count};
-use common::planar::{Doubled, FourBar, SliderCrank};
-use common::scenes::*;
-use common::{Hand, Parameters, Scene, distance};
+use crate::common::alloc::count;
+use crate::common::planar::{Doubled, FourBar, SliderCrank};
+use crate::common::scenes::*;
+use crate::common::{Hand, Parameters, Scene, distance};
 use mbs_runtime::{
     Flow, Method, PaperSettings, Settings, Simulation, SimulationError, TwoLevelStepper,
 };
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 

@@ -1,19 +1,14 @@
 //! The promises around the step: no allocation, resuming bit for bit, events, landing times, errors.
 
-mod common;
-
-use common::alloc::{Counting, count};
-use common::planar::{FourBar, SliderCrank};
-use common::scenes::*;
-use common::{Hand, Parameters, Scene};
+use crate::common::alloc::count;
+use crate::common::planar::{FourBar, SliderCrank};
+use crate::common::scenes::*;
+use crate::common::{Hand, Parameters, Scene};
 use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
     AnySimulation, Flow, Mechanism, Method, PaperSettings, PaperStepper, Settings, Simulation,
     SimulationError, State, TwoLevelStepper,
 };
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 fn new<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,

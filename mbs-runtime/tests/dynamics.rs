@@ -1,14 +1,8 @@
 //! The equations of motion as matrices, at any state, without allocation.
 
-#[path = "common/alloc.rs"]
-mod alloc;
-
-use alloc::{Counting, count};
+use crate::common::alloc::count;
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{Mechanism, Simulation, System, mechanism};
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 mechanism!(SliderCrank {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),

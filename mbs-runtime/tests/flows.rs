@@ -1,10 +1,8 @@
 //! Every kind of structure: the flow chosen, order of convergence, reversal, energy.
 
-mod common;
-
-use common::planar::{FourBar, SliderCrank};
-use common::scenes::*;
-use common::{Hand, Parameters, Scene, distance};
+use crate::common::planar::{FourBar, SliderCrank};
+use crate::common::scenes::*;
+use crate::common::{Hand, Parameters, Scene, distance};
 use mbs_runtime::{Flow, Settings, Simulation, State};
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;

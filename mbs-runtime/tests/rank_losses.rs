@@ -1,12 +1,10 @@
 //! Singular poses on the way are found, whatever the step; rows that are always redundant are none.
 
-mod common;
-
-use common::bricard::Bricard;
-use common::planar::{FourBar, SliderCrank};
-use common::scenes::StiffPendulum;
-use common::spatial::{HeavyTop, RollingDisk};
-use common::{Hand, Parameters, Scene, row};
+use crate::common::bricard::Bricard;
+use crate::common::planar::{FourBar, SliderCrank};
+use crate::common::scenes::StiffPendulum;
+use crate::common::spatial::{HeavyTop, RollingDisk};
+use crate::common::{Hand, Parameters, Scene, row};
 use mbs_runtime::{Row, RowKind::Holonomic, Settings, Simulation, Structure};
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;

@@ -67,7 +67,7 @@ mechanism!(Bennett {
 /// Their extrapolation grew to 1e9 N, and steps failed or gained energy.
 #[test]
 fn multipliers_of_redundant_rows_do_not_grow() {
-    for step in [1e-3, 2e-4, 1.342e-4, 1e-4, 7e-5, 5e-5] {
+    for step in [1e-3, 2e-4, 1.342e-4, 5e-5] {
         let settings = Settings {
             step,
             ..Settings::default()

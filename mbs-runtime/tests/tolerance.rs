@@ -1,18 +1,13 @@
 //! Steps chosen by a tolerance: errors in proportion to it, steps that do not follow the motion, instants between steps.
 
-mod common;
-
-use common::alloc::{Counting, count};
-use common::planar::{DampedSliderCrank, FourBar, SliderCrank};
-use common::scenes::*;
-use common::{Hand, Parameters, Scene, distance, structure};
+use crate::common::alloc::count;
+use crate::common::planar::{DampedSliderCrank, FourBar, SliderCrank};
+use crate::common::scenes::*;
+use crate::common::{Hand, Parameters, Scene, distance, structure};
 use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
     Method, PaperSettings, Settings, Simulation, SimulationError, Structure, mechanism,
 };
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 

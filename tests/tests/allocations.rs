@@ -1,35 +1,13 @@
 //! A step allocates nothing, in any scene and with any method.
 
+use crate::alloc::count;
 use mbs_examples::scenes::scenes;
 use mbs_runtime::{Method, Settings, SimulationError};
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
-
-/// An allocator that counts, per thread.
-struct Counting;
-
-thread_local! {
-    static COUNT: Cell<u64> = const { Cell::new(0) };
-}
-
-// SAFETY: forwards to the system allocator; the counter itself does not allocate.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let _ = COUNT.try_with(|count| count.set(count.get() + 1));
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
-#[global_allocator]
-static ALLOCATOR: Counting = Counting;
 
 fn allocations(work: impl FnOnce()) -> u64 {
-    let before = COUNT.with(Cell::get);
+    let before = count();
     work();
-    COUNT.with(Cell::get) - before
+    count() - before
 }
 
 #[test]

@@ -18,7 +18,7 @@ use std::time::Duration;
 /// This program again, with nothing but the child below.
 fn command() -> find::Command {
     let own = std::env::current_exe().expect("this program");
-    let arguments = ["--exact", "child_process", "--nocapture"];
+    let arguments = ["--exact", "fuzz::child_process", "--nocapture"];
     find::Command::new(own, arguments.map(str::to_owned).into())
 }
 

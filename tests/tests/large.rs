@@ -1,8 +1,7 @@
 //! Large mechanisms: steps with sparse elimination are the same as with dense arrays.
 
 #[allow(dead_code)]
-mod common;
-
+use crate::common;
 use mbs_examples::scenes::four_bar_10::FourBar10;
 use mbs_macros_core::dag::{self, Sparse};
 use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper, mechanism};

@@ -1,7 +1,6 @@
 //! No import runs back up the layers: the tables of `book/src/internals/layers.md` against the sources of both crates.
 
-#[path = "common/imports.rs"]
-mod imports;
+use crate::common::imports;
 
 use imports::{Imports, circles, imports};
 use std::collections::{BTreeMap, BTreeSet};

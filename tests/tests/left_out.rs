@@ -1,4 +1,5 @@
-//! No test is left out: a library or program that is not built for tests (`test = false`) has no test in its sources.
+//! No test is left out: a library or program that is not built for tests (`test = false`) has no test in its sources, and
+//! every file of tests is compiled.
 
 use mbs_tests::pages::root;
 use std::fs;
@@ -45,4 +46,27 @@ fn what_is_not_built_for_tests_has_none() {
     // Both lists have entries, so that both were read.
     assert!(checked >= 4, "{checked} packages checked");
     assert!(others >= 2, "{others} packages with tests inside");
+}
+
+/// The tests of a package are one program: a file beside its `main.rs` that this does not name would not be compiled.
+#[test]
+fn every_file_of_tests_is_a_module() {
+    let mut programs = 0;
+    for package in members() {
+        let folder = package.join("tests");
+        let Ok(main) = fs::read_to_string(folder.join("main.rs")) else {
+            continue;
+        };
+        programs += 1;
+        for entry in fs::read_dir(&folder).expect("tests") {
+            let path = entry.expect("readable").path();
+            let name = path.file_stem().unwrap_or_default().to_string_lossy();
+            let is_source = path.extension().is_some_and(|extension| extension == "rs");
+            if is_source && name != "main" {
+                let named = main.lines().any(|line| line == format!("mod {name};"));
+                assert!(named, "{} is not named in main.rs", path.display());
+            }
+        }
+    }
+    assert_eq!(programs, 3);
 }

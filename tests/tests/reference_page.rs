@@ -1,5 +1,5 @@
 //! The reference page of the language, in the book and in the documentation of the macro, is generated from the schema.
-//! To renew it: `UPDATE_REFERENCE=1 cargo test -p mbs-tests --test reference_page`.
+//! To renew it: `UPDATE_REFERENCE=1 cargo test -p mbs-tests reference_page::`.
 
 const PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../mbs-macros/LANGUAGE.md");
 

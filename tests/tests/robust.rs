@@ -1,8 +1,6 @@
 //! For every input the compiler either accepts, or rejects with a message. It never panics.
 
-mod common;
-
-use common::declarations;
+use crate::common::declarations;
 use mbs_macros_core::{analyse, dag, emit};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -221,7 +219,7 @@ fn mutants() -> usize {
     let wanted = std::env::var("MUTANTS")
         .ok()
         .and_then(|text| text.parse().ok());
-    wanted.unwrap_or(60_000)
+    wanted.unwrap_or(30_000)
 }
 
 /// Small mechanisms that together have every joint and force of space.

@@ -1,7 +1,6 @@
 //! Declarations are a fixed point of rustfmt with its default settings, so that formatting a program formats them, too.
 
-mod common;
-
+use crate::common;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

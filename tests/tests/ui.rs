@@ -1,6 +1,6 @@
 //! Wrong programs and their messages. Each program has one mistake and one message, at the wrong tokens. The compiler
 //! is a library, so that rustc does not have to run for each of them: this test writes the messages in the form of
-//! rustc. `TRYBUILD=overwrite cargo test -p mbs-tests --test ui` writes the `.stderr` files. A few programs of each
+//! rustc. `TRYBUILD=overwrite cargo test -p mbs-tests ui::` writes the `.stderr` files. A few programs of each
 //! sort, in `mbs-runtime/tests/ui`, test that rustc shows messages in this form.
 
 use mbs_tests::pages::pages;

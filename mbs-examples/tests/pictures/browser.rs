@@ -9,7 +9,7 @@ use mbs_runtime::output::Frame;
 use mbs_runtime::output::motion::write_motion;
 use mbs_runtime::{Model, World};
 
-use crate::{MODEL, frame, motion, runs};
+use super::{MODEL, frame, motion, runs};
 
 /// Watches for errors, and reports.
 const WATCH: &str = include_str!("watch.js");

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::browser::{Page, skipped};
+use super::browser::{Page, skipped};
 
 /// Uses every figure of a page.
 const PROBE: &str = include_str!("live.js");

@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! holonomic row i:     A₁ᵢ · (∂q₁/∂v_a / h) W₀ⱼ
-//! nonholonomic row i:  N₁ᵢ · P ((∂v_b/∂v_a) W₀ⱼ + [j nonholonomic] W₁ⱼ)
+//! nonholonomic row i:  N₁ᵢ P · ((∂v_b/∂v_a) W₀ⱼ + [j nonholonomic] W₁ⱼ)
 //! ```
 
 use super::closing::{self, Closing, Limits, Refining, refine};
@@ -154,16 +154,13 @@ where
         let directions = self.flow.position_sensitivity(system, &self.va, start)?;
         system.delassus(&end.a, directions, &mut work.matrix);
         let far = self.flow.velocity_sensitivity(&start.w);
-        for j in 0..R {
-            let mut column = far[j];
-            if j >= holonomic {
-                for k in 0..N {
-                    column[k] += end.w[j][k];
+        for i in holonomic..R {
+            let row = projected(end, work, i);
+            for j in 0..R {
+                work.matrix[i][j] = dot(&row, &far[j]);
+                if j >= holonomic {
+                    work.matrix[i][j] += dot(&row, &end.w[j]);
                 }
-            }
-            remove_holonomic(end, work, &mut column);
-            for i in holonomic..R {
-                work.matrix[i][j] = dot(&end.a[i], &column);
             }
         }
         // The kick of a nonholonomic row counts twice.
@@ -266,20 +263,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refinin
     }
 }
 
-/// x ← P x.
-fn remove_holonomic<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+/// N₁ᵢ P, for the nonholonomic row i.
+#[inline(always)]
+fn projected<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     end: &ConstraintGeometry<S, Q, N, R>,
     work: &Workspace<R>,
-    x: &mut SVector<f64, N>,
-) {
+    i: usize,
+) -> SVector<f64, N> {
     let holonomic = S::STRUCTURE.holonomic_rows;
-    if holonomic == 0 {
-        return;
+    let mut row = end.a[i];
+    if holonomic > 0 {
+        // P = 1 − W (A W)⁻¹ A.
+        let mut factors = crate::linear::zeros();
+        for k in 0..holonomic {
+            factors[k] = -dot(&end.w[k], &row);
+        }
+        work.delassus.solve(&mut factors);
+        accumulate(&mut row, &end.a, &factors);
     }
-    let mut multiplier = crate::linear::zeros();
-    for i in 0..holonomic {
-        multiplier[i] = -dot(&end.a[i], x);
-    }
-    work.delassus.solve(&mut multiplier);
-    accumulate(x, &end.w, &multiplier);
+    row
 }

@@ -74,32 +74,36 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
         system: &S,
         w0: &RowMatrix<N, R>,
     ) -> &RowMatrix<N, R> {
-        *self.directions = **w0;
-        *self.far = **w0;
-        for rows in [&mut self.directions, &mut self.far] {
-            for row in rows.rows_mut() {
-                for &i in S::ROTATIONS {
-                    row.as_mut_slice()[i..i + 3].fill(0.0);
-                }
-            }
-        }
         let step = DIFFERENCE / self.h;
-        for k in 0..3 {
+        // What a flight turns, and its change of the velocities, for a change of the components k.
+        let tangent = |k: usize| {
             let (mut q, mut v) = self.start;
             for &i in S::ROTATIONS {
                 v[i + k] += step;
             }
             system.free_flight(&mut q, &mut v, self.h);
-            let turn = system.difference(&self.end.0, &q);
+            let mut turn = system.difference(&self.end.0, &q);
             for &i in S::ROTATIONS {
                 for j in i..i + 3 {
-                    let (turn, change) = (turn[j] / DIFFERENCE, (v[j] - self.end.1[j]) / step);
-                    for r in 0..R {
-                        self.directions[r][j] += turn * w0[r][i + k];
-                        self.far[r][j] += change * w0[r][i + k];
+                    turn[j] /= DIFFERENCE;
+                    v[j] = (v[j] - self.end.1[j]) / step;
+                }
+            }
+            (turn, v)
+        };
+        let tangents = [tangent(0), tangent(1), tangent(2)];
+        for (r, w) in w0.rows().iter().enumerate() {
+            let (mut direction, mut far) = (*w, *w);
+            for &i in S::ROTATIONS {
+                for j in i..i + 3 {
+                    (direction[j], far[j]) = (0.0, 0.0);
+                    for (k, (turn, change)) in tangents.iter().enumerate() {
+                        direction[j] += turn[j] * w[i + k];
+                        far[j] += change[j] * w[i + k];
                     }
                 }
             }
+            (self.directions[r], self.far[r]) = (direction, far);
         }
         &self.directions
     }

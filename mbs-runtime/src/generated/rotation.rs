@@ -66,6 +66,7 @@ pub fn turned(q: [f64; 4], omega: [f64; 3], h: f64) -> [f64; 4] {
 
 /// The rotation vector in body axes, rad, of the shortest way from one rotation to another:
 /// `turned(from, rotation_between(from, to), 1.0)` is `to`, or −`to`, which is the same rotation.
+#[inline]
 pub fn rotation_between(from: [f64; 4], to: [f64; 4]) -> [f64; 3] {
     let [w, x, y, z] = product([from[0], -from[1], -from[2], -from[3]], to);
     let sine = (x * x + y * y + z * z).sqrt();

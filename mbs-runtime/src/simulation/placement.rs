@@ -76,7 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.advance(h)?;
             return Ok(h);
         }
-        self.before.copy_from(self.integrator.state());
+        self.before.copy_motion_from(self.integrator.state());
         let (report, power) = (self.report, self.power);
         let first = self.advance(h);
         let wanted = self.clear();
@@ -141,7 +141,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// Restores the state before the step.
     fn back(&mut self, (report, power): (crate::Report, f64)) -> Result<(), SimulationError> {
-        self.integrator.state_mut().copy_from(&self.before);
+        self.integrator.state_mut().copy_motion_from(&self.before);
         self.report = report;
         self.power = power;
         self.rank_margin = None;

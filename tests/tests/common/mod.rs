@@ -1,5 +1,7 @@
 //! The declarations of the scenes, as tokens.
 
+pub mod imports;
+
 use proc_macro2::TokenStream;
 use std::path::{Path, PathBuf};
 
@@ -16,7 +18,6 @@ pub fn scene_files() -> Vec<PathBuf> {
 }
 
 /// Name and tokens of every `mechanism!` of the scenes.
-#[allow(dead_code)]
 pub fn declarations() -> Vec<(String, TokenStream)> {
     let mut found = Vec::new();
     for file in scene_files() {

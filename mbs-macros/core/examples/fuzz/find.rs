@@ -1,7 +1,7 @@
 //! Runs inputs in child processes, and makes those smaller that are not answered.
 
-use crate::mutate::{self, Random};
-use crate::tree::{self, Tree};
+use super::mutate::{self, Random};
+use super::tree::{self, Tree};
 use std::fmt;
 use std::io::{BufRead, BufReader, Write};
 use std::path::PathBuf;

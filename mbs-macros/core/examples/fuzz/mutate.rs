@@ -1,6 +1,6 @@
 //! Changes of declarations, by tokens and by meaning.
 
-use crate::tree::{self, Tree};
+use super::tree::{self, Tree};
 use mbs_macros_core::dimension::UNITS;
 use mbs_macros_core::model;
 use mbs_macros_core::schema::World;

@@ -1,6 +1,6 @@
 //! The declarations of the repository.
 
-use crate::tree::{self, Tree};
+use super::tree::{self, Tree};
 use std::path::Path;
 
 /// Those with more tokens take long to derive, and find no more than small ones.

@@ -1,0 +1,33 @@
+//! All tests of the runtime in one program: it links once, and its tests share the processors.
+
+mod common;
+
+mod access;
+mod baselines;
+mod clean;
+mod clock;
+mod composition;
+mod contract;
+mod dynamics;
+mod energy_gain;
+mod ensemble;
+mod equilibrium;
+mod flows;
+mod holonomic;
+mod hostile_settings;
+mod known_cost;
+mod methods;
+mod names;
+mod paper;
+mod rank_losses;
+mod redundant_short_steps;
+mod references;
+mod round_off;
+mod scales;
+mod small_implicit_steps;
+mod spatial;
+mod tolerance;
+mod ui;
+
+#[global_allocator]
+static ALLOCATOR: common::alloc::Counting = common::alloc::Counting;

@@ -1,0 +1,41 @@
+//! All tests of this package in one program: it links once, and its tests share the processors.
+
+#[path = "../../mbs-runtime/tests/common/alloc.rs"]
+mod alloc;
+mod common;
+
+mod allocations;
+mod baselines;
+mod book;
+mod derivatives;
+mod elimination;
+mod flipped_signs;
+mod formulations;
+mod fuzz;
+mod large;
+mod layers;
+mod left_out;
+mod mobility;
+mod new_joint;
+mod newton_euler;
+mod parts;
+mod passages;
+mod reactions;
+mod reference_page;
+mod references;
+mod rest;
+mod robust;
+mod rustfmt;
+mod simplification;
+mod slopes;
+mod snapshots;
+mod solved_rows;
+mod spans;
+mod spatial_scenes;
+mod starts;
+mod tolerances;
+mod tree_joints;
+mod ui;
+
+#[global_allocator]
+static ALLOCATOR: alloc::Counting = alloc::Counting;
