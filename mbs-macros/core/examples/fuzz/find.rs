@@ -65,6 +65,13 @@ impl fmt::Display for Fault {
     }
 }
 
+/// An answer that is of interest.
+pub enum Event<'a> {
+    #[allow(dead_code)] // The input is for the program.
+    Accepted(&'a [Tree]),
+    Found(&'a Found),
+}
+
 /// An input that was not answered.
 pub struct Found {
     pub number: u64,
@@ -101,7 +108,7 @@ pub fn run(
     seed: u64,
     count: u64,
     limit: Duration,
-    mut each: impl FnMut(&Found),
+    mut each: impl FnMut(Event<'_>),
 ) -> Report {
     let start = Instant::now();
     let mut report = Report::default();
@@ -112,15 +119,18 @@ pub fn run(
         }
         let input = mutate::mutant(seeds, &mut Random::new(seed, number));
         match process.answer(command, &tree::text(&input)) {
-            Ok(true) => report.accepted += 1,
+            Ok(true) => {
+                report.accepted += 1;
+                each(Event::Accepted(&input));
+            }
             Ok(false) => report.refused += 1,
             Err(fault) => {
                 report.faults += 1;
-                each(&Found {
+                each(Event::Found(&Found {
                     number,
                     input,
                     fault,
-                });
+                }));
             }
         }
         if number % 10_000 == 9_999 {
