@@ -2,7 +2,7 @@
 
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{dot, vector};
+use crate::linear::{dot, larger, vector};
 use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
@@ -18,6 +18,9 @@ pub(crate) struct RowScale<const R: usize> {
     pub(crate) weights: SVector<f64, R>,
     /// |a_i|²: with it multipliers of rows in different units are comparable, as works.
     pub(crate) lengths_squared: SVector<f64, R>,
+    /// a M⁻¹aᵀ of the holonomic rows at the guess, 0 of the others: a row that has become much shorter is beside a
+    /// singular pose where it vanishes.
+    pub(crate) usual: SVector<f64, R>,
     /// ([`LEFT_OPEN`] / tolerance)².
     pub(crate) lost: f64,
     pub(crate) tolerance: f64,
@@ -43,6 +46,10 @@ impl<const R: usize> RowScale<R> {
         Ok(RowScale {
             weights: vector(|i| 1.0 / (tolerance * tolerance * lengths_squared[i])),
             lengths_squared,
+            usual: vector(|i| match i < S::STRUCTURE.holonomic_rows {
+                true => geometry.delassus[i][i],
+                false => 0.0,
+            }),
             lost: (LEFT_OPEN / tolerance).powi(2).max(STAGNATED),
             tolerance,
         })
@@ -55,6 +62,15 @@ impl<const R: usize> RowScale<R> {
     ) -> f64 {
         let unit = S::MODEL.rows.get(row).map_or("", |row| row.unit);
         length.powi(power_of_metres(unit))
+    }
+
+    /// a M⁻¹aᵀ of the rows of this geometry, or what is usual where that is more.
+    #[inline(always)]
+    pub(crate) fn lengths<S: System<Q, N, R>, const Q: usize, const N: usize>(
+        &self,
+        geometry: &ConstraintGeometry<S, Q, N, R>,
+    ) -> SVector<f64, R> {
+        vector(|i| larger(geometry.delassus[i][i], self.usual[i]))
     }
 
     /// The largest |φ_i|/|a_i|, a displacement in lengths of the mechanism; NaN if any φ is.

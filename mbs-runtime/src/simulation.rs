@@ -191,7 +191,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 integrator.system(),
                 integrator.state(),
                 &yardstick,
-                settings.step,
+                &settings,
             ),
             yardstick,
             integrator,
@@ -210,7 +210,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let ledger = &mut simulation.integrator.state_mut().ledger;
             ledger.initial = Some(energy.kinetic + energy.potential);
         }
-        simulation.energy_guard.gained(&simulation.energy());
+        simulation.energy_guard.refuses(&simulation.energy());
         simulation.rank_margin = simulation.integrator.rank_margin();
         simulation.watch();
         Ok(simulation)

@@ -85,8 +85,8 @@ pub enum SimulationError {
         /// The event.
         event: &'static str,
     },
-    /// The motion has gained many times the energy that it can have: the steps are too long for it, and the results
-    /// before are doubtful.
+    /// The motion has gained energy without a source: the steps are too long for it, and the results before are
+    /// doubtful.
     EnergyGain {
         /// Time at the end of the step, s.
         time: f64,
@@ -95,6 +95,18 @@ pub enum SimulationError {
         /// The error of the energy balance, J.
         gained: f64,
         /// The energy that start and works have given, J.
+        available: f64,
+    },
+    /// A motion without brakes has lost a large part of its energy: the steps are too long for it, and the results before
+    /// are doubtful.
+    EnergyLoss {
+        /// Time at the end of the step, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// The error of the energy balance with its sign changed, J.
+        lost: f64,
+        /// The energy that the start has given, J.
         available: f64,
     },
     /// The mass matrix is not positive definite.
@@ -186,6 +198,9 @@ impl SimulationError {
     }
 }
 
+/// The cause of a wrong energy balance, and what to do.
+const TOO_LONG: &str = "the steps are too long for this motion; use a smaller step or a tolerance (vibrations of a stiff spring that are shorter than some steps are followed by no flow), and check what came before";
+
 impl fmt::Display for SimulationError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         use SimulationError::*;
@@ -271,7 +286,17 @@ impl fmt::Display for SimulationError {
                 available,
             } => write!(
                 out,
-                "the motion has gained {gained:.1e} J up to t = {} s with steps of {step} s, where start and works have given it {available:.1e} J: the steps are too long for this motion; use a smaller step, a tolerance, or the implicit flow for stiff springs, and check what came before",
+                "the motion has gained {gained:.1e} J up to t = {} s with steps of {step} s, where start and works have given it {available:.1e} J: {TOO_LONG}",
+                clock(*time)
+            ),
+            EnergyLoss {
+                time,
+                step,
+                lost,
+                available,
+            } => write!(
+                out,
+                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {step} s, although no force brakes it: {TOO_LONG}",
                 clock(*time)
             ),
             Mass { time } => write!(

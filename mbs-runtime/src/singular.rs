@@ -2,6 +2,8 @@
 //!
 //! The pivots of S = A M⁻¹Aᵀ, each relative to a M⁻¹aᵀ of its row, measure the independence of the rows. Such a pivot
 //! is σ², where σ is the length of the part of a row, scaled to unit length, that is orthogonal to all rows before it.
+//! A row that is shorter than at the declared guess is scaled by its length there: in joint coordinates a row can vanish
+//! as a whole at a singular pose.
 //! Towards a singular pose σ decreases linearly to zero.
 //!
 //! | σ² | meaning |
@@ -70,6 +72,10 @@ pub const DEPENDENT: f64 = 1e-11;
 /// Independent rows may have pivots as small as that.
 pub(crate) const REDUNDANT: [f64; 2] = [1e-10, 1e-8];
 
+/// The same in the stages of explicit steps, which violate the rows: by less than a hundredth in any step that is not
+/// much too long, and pivots are squares. With a smaller value redundant rows are asked for in coarse steps.
+pub(crate) const REDUNDANT_OFF_ROWS: f64 = 1e-4;
+
 /// The bound below which a relative pivot is round-off; `least` is the smallest pivot so far, by which errors were
 /// divided.
 pub(crate) fn round_off(least: f64) -> f64 {
@@ -115,13 +121,19 @@ const LOST_IF_PLACED: f64 = 1e-9;
 /// A pivot below this fraction of its usual size shows that a singular pose is near. Bodies with little inertia about
 /// an axis have rows with small pivots in every pose; without this factor such rows would be solved to [`EXACT`] in
 /// every step.
-const UNUSUAL: f64 = 0.1;
+pub(crate) const UNUSUAL: f64 = 0.1;
 
 impl Thresholds {
-    /// For steps of second order, whose error is larger than the loss of digits beside a pose: solving rows more
-    /// accurately there took 1 % more iterations and changed no error by 1 %.
+    /// For steps of second order without placement. Their error is larger than the loss of digits beside a pose: solving
+    /// rows more accurately there took 1 % more iterations and changed no error by 1 %.
     pub(crate) const SECOND_ORDER: Self = Thresholds {
         lost: LOST,
+        beside: 0.0,
+    };
+    /// The same with placement: velocity rows keep residuals of 1e-8 instead of 1e-6 beside a pose, position rows their
+    /// tolerance, and a sixth of the steps is placed. Errors of energy and branches are the same.
+    pub(crate) const SECOND_ORDER_PLACED: Self = Thresholds {
+        lost: LOST_IF_PLACED,
         beside: 0.0,
     };
 
@@ -146,6 +158,9 @@ const PROXIMAL_LANDING: f64 = 0.01;
 /// singular pose.
 const FALLS_FROM: f64 = 3e-3;
 
+/// Added to [`RankMargin::dependent`] where other redundant rows are left out than usual.
+pub(crate) const OTHER_ROWS: u32 = 1 << 31;
+
 /// A cheap estimate of the smallest singular value of the rows, each of unit length, from the pivots of S.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RankMargin {
@@ -154,11 +169,11 @@ pub(crate) struct RankMargin {
     /// √ of the smallest relative pivot of all rows.
     pub(crate) weakest: f64,
     /// The number of rows that need the proximal solve.
-    pub(crate) lost: usize,
+    pub(crate) lost: u32,
     /// The same as `sigma` and `lost`, if only round-off counts as lost: for bodies with little inertia about an axis,
     /// independent rows can have small pivots.
     pub(crate) least: f64,
-    pub(crate) dependent: usize,
+    pub(crate) dependent: u32,
 }
 
 impl RankMargin {
@@ -176,12 +191,19 @@ impl RankMargin {
         }
     }
 
+    /// Whether the choice of the redundant rows that are left out differs from that with this [`Self::dependent`]: σ of
+    /// the two cannot be compared.
+    #[inline(always)]
+    pub(crate) fn is_of_others(&self, dependent: u32) -> bool {
+        (self.dependent ^ dependent) & OTHER_ROWS != 0
+    }
+
     /// σ₁/(σ₀ + σ₁) for a step from `before` to here: σ decreases linearly to zero at a singular pose and increases
     /// again after it, so that this is the distance of the end from the pose as a fraction of the step.
     ///
     /// Rows that are redundant at both ends do not count; an end at which more rows are lost is worse than any other.
     pub(crate) fn after(&self, before: &Self) -> f64 {
-        if !before.sigma.is_finite() {
+        if !before.sigma.is_finite() || self.is_of_others(before.dependent) {
             return f64::INFINITY;
         }
         let fraction = |sigma: f64| sigma / (sigma + before.sigma);

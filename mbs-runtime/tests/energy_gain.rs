@@ -43,14 +43,22 @@ fn run<M, S, const Q: usize, const N: usize, const R: usize>(
     let error = simulation.energy().error;
     println!("{what} {:?}: {error:e} J, {end:?}", simulation.flow());
     match end {
-        Ok(()) => assert!(error < 50.0 * energy, "{what}: {error:e} J"),
+        Ok(()) => assert!(error.abs() < 0.6 * energy, "{what}: {error:e} J"),
         Err(SimulationError::EnergyGain {
             time,
             gained,
             available,
             ..
         }) => {
-            assert!(time <= until && gained > 10.0 * available, "{what}");
+            assert!(time <= until && gained > 0.25 * available, "{what}");
+        }
+        Err(SimulationError::EnergyLoss {
+            time,
+            lost,
+            available,
+            ..
+        }) => {
+            assert!(time <= until && lost > 0.25 * available, "{what}");
         }
         Err(SimulationError::NotConverged { .. } | SimulationError::NonFinite { .. }) => {}
         Err(error) => panic!("{what}: {error}"),
@@ -94,6 +102,39 @@ fn stiff_springs() {
                 run(bob, settings, 3.0, energy);
             }
         }
+    }
+}
+
+/// The spring vibrates some times in a step and gives its energy to the pendulum, or takes it away: with `Ok` a run
+/// ended with 1.5e8 times its energy, another with a tenth. What the message advises helps.
+#[test]
+fn steps_longer_than_a_vibration_are_refused() {
+    let end = |stiffness, stretch, settings: Settings, until| {
+        let bob = Bob { stiffness, stretch };
+        let mut simulation = Simulation::with_settings(bob, settings).unwrap();
+        let end = simulation.run_until(until);
+        (end, simulation.energy().error)
+    };
+    let (gain, _) = end(2e10, 1e-4, settings(1e-3, 2), 3.0);
+    assert!(
+        matches!(gain, Err(SimulationError::EnergyGain { .. })),
+        "{gain:?}"
+    );
+    for (stiffness, step) in [(2e10, 1e-3), (1e8, 1e-3), (1e8, 1e-2), (1e6, 1e-2)] {
+        let (loss, _) = end(stiffness, 0.5, settings(step, 2), 3.0);
+        assert!(
+            matches!(loss, Err(SimulationError::EnergyLoss { .. })),
+            "{loss:?}"
+        );
+    }
+    let tolerant = Settings {
+        tolerance: Some(1e-3),
+        ..settings(1e-2, 2)
+    };
+    for better in [settings(1e-4, 2), tolerant] {
+        let (end, error) = end(1e6, 0.5, better, 0.3);
+        assert_eq!(end, Ok(()));
+        assert!(error.abs() < 1e-2 * 1.25e5, "{error} J");
     }
 }
 

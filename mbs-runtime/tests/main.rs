@@ -28,6 +28,7 @@ mod small_implicit_steps;
 mod spatial;
 mod tolerance;
 mod ui;
+mod vanishing_rows;
 
 #[global_allocator]
 static ALLOCATOR: common::alloc::Counting = common::alloc::Counting;

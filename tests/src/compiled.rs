@@ -104,11 +104,11 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     table.vector("acceleration", "acceleration", explicit.as_slice());
 
     // Random numbers in place of the corrections.
-    let (mut explicit, mut multipliers, mut pivot_loss) =
+    let (mut explicit, mut multipliers, mut inverse_pivot) =
         (SVector::zeros(), SVector::zeros(), SVector::zeros());
-    let into = (&mut explicit, &mut multipliers, &mut pivot_loss);
+    let into = (&mut explicit, &mut multipliers, &mut inverse_pivot);
     if system.accelerations(t, q, v, lambda, into.0, into.1, into.2) {
-        table.vector("accelerations", "pivot_loss", pivot_loss.as_slice());
+        table.vector("accelerations", "inverse_pivot", inverse_pivot.as_slice());
         table.vector("accelerations", "acceleration", explicit.as_slice());
         table.vector("accelerations", "lambda", multipliers.as_slice());
     }

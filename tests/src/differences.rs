@@ -474,8 +474,8 @@ fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     let (t, q, v) = (at.time, &at.q, &at.v);
     let correction = random.vector(1.0);
     let mut acceleration = SVector::zeros();
-    let (mut lambda, mut pivot_loss) = (SVector::zeros(), SVector::zeros());
-    let into = (&mut acceleration, &mut lambda, &mut pivot_loss);
+    let (mut lambda, mut inverse_pivot) = (SVector::zeros(), SVector::zeros());
+    let into = (&mut acceleration, &mut lambda, &mut inverse_pivot);
     if !system.accelerations(t, q, v, &correction, into.0, into.1, into.2) {
         return;
     }

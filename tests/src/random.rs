@@ -28,6 +28,11 @@ impl Random {
         size * ((self.next() >> 11) as f64 / (1u64 << 52) as f64 - 1.0)
     }
 
+    /// A number from the first to the last.
+    pub fn between(&mut self, first: usize, last: usize) -> usize {
+        first + (self.next() % (last - first + 1) as u64) as usize
+    }
+
     /// Numbers in [−size, size).
     pub fn vector<const N: usize>(&mut self, size: f64) -> SVector<f64, N> {
         SVector::from_fn(|_, _| self.within(size))

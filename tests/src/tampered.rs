@@ -388,10 +388,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
         correction: &SVector<f64, R>,
         acceleration: &mut SVector<f64, N>,
         lambda: &mut SVector<f64, R>,
-        pivot_loss: &mut SVector<f64, R>,
+        inverse_pivot: &mut SVector<f64, R>,
     ) -> bool {
         let generated =
-            (self.inner).accelerations(t, q, v, correction, acceleration, lambda, pivot_loss);
+            (self.inner).accelerations(t, q, v, correction, acceleration, lambda, inverse_pivot);
         self.vector("accelerations", acceleration.as_mut_slice());
         self.vector("multipliers", lambda.as_mut_slice());
         generated

@@ -8,6 +8,7 @@ mod allocations;
 mod baselines;
 mod book;
 mod derivatives;
+mod descriptions;
 mod elimination;
 mod flipped_signs;
 mod formulations;

@@ -512,3 +512,31 @@ fn overconstrained_mechanisms_of_space_move() {
         assert_eq!(simulation.report().rank, size - 1, "{name}");
     }
 }
+
+/// A loop that closes, and one with a coupler that is too short for its bearings: the same verdict at any size.
+#[test]
+fn loops_close_at_any_size() {
+    let four_bar = |length: f64, coupler: f64| {
+        let text = format!(
+            "FourBar {{ world: Planar(), length: Param({length}_m),
+                crank: Bar(mass = 1.0_kg, length = length, angle = 50.0_deg),
+                coupler: Bar(mass = 1.0_kg, length = {coupler} * length, angle = 5.0_deg),
+                rocker: Bar(mass = 1.0_kg, length = length, angle = 120.0_deg),
+                far: Point([3.9 * length, 0.0_m]),
+                bearing: Revolute(ground.origin, crank.a), other: Revolute(far, rocker.a),
+                left: Revolute(crank.b, coupler.a), right: Revolute(rocker.b, coupler.b) }}"
+        );
+        analyse(text.parse().expect("these are tokens")).1
+    };
+    for length in [1.0, 3e-5, 1e-6, 1e-7, 1e7] {
+        let Ok(Analysis { mobility, .. }) = four_bar(length, 2.0) else {
+            panic!("a loop of {length} m is refused");
+        };
+        assert_eq!(mobility.expect("it assembles").mobility, 1, "{length} m");
+        let Err(failure) = four_bar(length, 1.8) else {
+            panic!("an open loop of {length} m is accepted");
+        };
+        let messages = format!("{:?}", failure.messages());
+        assert!(messages.contains("close"), "{length} m: {messages}");
+    }
+}

@@ -75,6 +75,7 @@ impl Outcome {
             SimulationError::NonFinite { .. }
             | SimulationError::Mass { .. }
             | SimulationError::EnergyGain { .. } => Outcome::EnergyGrowth,
+            SimulationError::EnergyLoss { .. } => Outcome::Drift,
             _ => Outcome::Refused,
         }
     }

@@ -72,7 +72,7 @@ pub fn measured(data: &Data) -> Result<String, String> {
         })
     };
     Ok(paragraph(&format!(
-        "Where a step of second order ends beside a singular pose the residuals are larger, because a row with a pivot below 1e-6 is \
+        "Where a step of second order ends beside a singular pose the residuals are larger, because a row with a pivot below 1e-9 is \
          left out there. Each of the {own} scenes with rows was run with {RUNS} values of h, from half to 1.25 times that of the \
          table. The largest |φ|: {}. The largest |A v + b|: {}.",
         sentence("holonomic_error")?,

@@ -247,7 +247,7 @@ pub const METHODS: &[Method] = &[
     method(Observables, "points", &[T, Q, write("points", Shape::Points)], Nothing, Generated),
     method(Observables, "reactions", &[T, Q, V, read("acceleration", Velocities), read("lambda", Rows), write("reactions", Shape::Values)], Nothing, Generated),
 
-    method(System, "accelerations", &[T, Q, V, read("correction", Rows), write("acceleration", Velocities), write("lambda", Rows), write("pivot_loss", Rows)], Returns::Available, Generated),
+    method(System, "accelerations", &[T, Q, V, read("correction", Rows), write("acceleration", Velocities), write("lambda", Rows), write("inverse_pivot", Rows)], Returns::Available, Generated),
 ];
 
 impl Method {

@@ -194,12 +194,13 @@ where
             start,
             end,
             work,
+            scale,
             counters,
             ..
         } = &mut *self.context;
         let directions = (self.flow).position_sensitivity(system, &self.kick.va, start)?;
         system.delassus(&end.a, directions, &mut work.matrix);
-        let lengths = start.lengths_squared();
+        let lengths = scale.lengths(start);
         (work.projection).factor(&work.matrix, &lengths, work.delassus.skipped());
         counters.regularised += u64::from(work.projection.regularised);
         self.kick.by = Factor::Projection;

@@ -147,6 +147,7 @@ where
             start,
             end,
             work,
+            scale,
             counters,
             ..
         } = &mut *self.context;
@@ -163,7 +164,7 @@ where
             }
         }
         // The kick of a nonholonomic row counts twice.
-        let mut lengths = start.lengths_squared();
+        let mut lengths = scale.lengths(start);
         for length in &mut lengths.as_mut_slice()[holonomic..] {
             *length *= 2.0;
         }

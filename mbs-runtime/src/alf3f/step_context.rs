@@ -84,20 +84,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             work: Workspace::new(),
             counters: Counters::default(),
         };
-        if settings.order > 2 {
-            let usual = DelassusFactor::new()
-                .least_pivot(&ConstraintGeometry::at_guess(&context.system)?.delassus);
-            let thresholds = Thresholds::high_order(usual, placed);
-            (
-                context.work.delassus.thresholds,
-                context.work.projection.thresholds,
-            ) = (thresholds, thresholds);
-        }
+        let guess = ConstraintGeometry::at_guess(&context.system)?;
+        let thresholds = match (settings.order, placed) {
+            (2, false) => Thresholds::SECOND_ORDER,
+            (2, true) => Thresholds::SECOND_ORDER_PLACED,
+            _ => {
+                let usual = DelassusFactor::new().least_pivot(&guess.delassus);
+                Thresholds::high_order(usual, placed)
+            }
+        };
+        let work = &mut context.work;
+        (work.delassus.thresholds, work.projection.thresholds) = (thresholds, thresholds);
+        context.work.delassus.usual = context.scale.usual;
         context.refresh()?;
         (context.work.delassus).expect_redundancy(&context.start.delassus);
-        if const { S::STRUCTURE.holonomic_rows < R } {
-            context.refresh()?;
-        }
+        (context.work.delassus).expect_pivots(&guess.delassus);
+        context.refresh()?;
         Ok(context)
     }
 

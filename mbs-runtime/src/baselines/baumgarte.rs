@@ -21,7 +21,7 @@ use crate::linear::{accumulate, negative};
 use crate::row_scale::RowScale;
 use crate::singular::{EXACT, RankMargin};
 use crate::yardstick::Yardstick;
-use crate::{Settings, System};
+use crate::{Settings, State, System};
 use nalgebra::SVector;
 
 /// The treatment of violations of the rows.
@@ -50,13 +50,15 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
 
     pub(crate) fn projected<S: System<Q, N, R>>(
         system: &S,
+        state: &State<Q, N, R>,
         yardstick: &Yardstick<Q, N>,
         settings: &Settings,
     ) -> Result<Self, Fault> {
+        let scale = Box::new(RowScale::new(system, yardstick, settings)?);
         Ok(Explicit {
-            equations: Index1::new(0.0),
+            equations: Index1::detecting(system, state, scale.usual)?,
             stages: RungeKutta::new(tableau(settings.order)),
-            remedy: Remedy::Projection(Box::new(RowScale::new(system, yardstick, settings)?)),
+            remedy: Remedy::Projection(scale),
             placed: false,
         })
     }

@@ -1,12 +1,13 @@
 //! The equations at acceleration level (index 1): M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0.
 
 use super::bench::Bench;
-use crate::System;
+use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, accumulate, vector};
-use crate::singular::RankMargin;
+use crate::singular::{REDUNDANT_OFF_ROWS, RankMargin};
 use crate::sink::Discard;
+use crate::{State, System};
 use nalgebra::SVector;
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte if the settings have them:
@@ -23,7 +24,7 @@ pub(crate) struct Index1<const N: usize, const R: usize> {
     gamma: SVector<f64, R>,
     /// λ of the last acceleration.
     pub(crate) lambda: SVector<f64, R>,
-    pivot_loss: SVector<f64, R>,
+    inverse_pivot: SVector<f64, R>,
     /// The least and the largest 1/σ² of the evaluations since [`Self::begin`], with the smallest singular value σ of the
     /// rows.
     range: [f64; 2],
@@ -38,9 +39,28 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             stiffness: gain * gain,
             gamma: SVector::zeros(),
             lambda: SVector::zeros(),
-            pivot_loss: SVector::zeros(),
+            inverse_pivot: SVector::zeros(),
             range: [f64::INFINITY, 0.0],
         }
+    }
+
+    /// The same without stabilising terms, for steps that detect singular poses and redundant rows from those at this
+    /// state.
+    pub(crate) fn detecting<S: System<Q, N, R>, const Q: usize>(
+        system: &S,
+        state: &State<Q, N, R>,
+        usual: SVector<f64, R>,
+    ) -> Result<Self, Fault> {
+        let mut equations = Index1::new(0.0);
+        let mut geometry = ConstraintGeometry::new(system, &state.positions)?;
+        let mut phi = SVector::zeros();
+        geometry.evaluate(system, state.time, &state.positions, &mut phi)?;
+        let delassus = &mut equations.delassus;
+        delassus.usual = usual;
+        delassus.expect_redundancy(&geometry.delassus);
+        delassus.expect_pivots(&ConstraintGeometry::at_guess(system)?.delassus);
+        delassus.follows = REDUNDANT_OFF_ROWS;
+        Ok(equations)
     }
 
     /// A step begins.
@@ -79,18 +99,20 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         // b is needed for the works of drives.
         if !S::STRUCTURE.time_dependent {
             let correction = self.stabilisation(bench, t, q, v);
-            let (system, pivot_loss) = (&bench.system, &mut self.pivot_loss);
+            let (system, inverse_pivot) = (&bench.system, &mut self.inverse_pivot);
             let (into, lambda) = (&mut acceleration, &mut self.lambda);
-            if system.accelerations(t, q, v, &correction, into, lambda, pivot_loss) {
+            if system.accelerations(t, q, v, &correction, into, lambda, inverse_pivot) {
                 let mut most: f64 = 0.0;
-                for &pivot_loss in &*pivot_loss {
-                    let lost = pivot_loss == 0.0;
-                    most = most.max(if lost { f64::INFINITY } else { pivot_loss });
+                for (&inverse, &usual) in inverse_pivot.iter().zip(&self.delassus.usual) {
+                    let lost = inverse == 0.0;
+                    most = most.max(if lost { f64::INFINITY } else { inverse * usual });
                 }
-                if R > 0 {
-                    self.note(most);
+                if !self.delassus.needs_other_rows(most) {
+                    if R > 0 {
+                        self.note(most);
+                    }
+                    return Ok(acceleration);
                 }
-                return Ok(acceleration);
             }
         }
         self.place(bench, t, q)?;

@@ -69,7 +69,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 }
             },
             Method::Projected => Rule::Explicit(Box::new(
-                Explicit::projected(&system, &yardstick, settings).map_err(fault)?,
+                Explicit::projected(&system, &state, &yardstick, settings).map_err(fault)?,
             )),
             Method::Rattle => Rule::Rattle(Box::new(
                 Rattle::new(&system, &state.positions, &yardstick, settings).map_err(fault)?,

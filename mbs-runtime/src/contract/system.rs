@@ -22,9 +22,9 @@ pub trait System<const Q: usize, const N: usize, const R: usize>:
 
     /// v̇ and λ of M v̇ + ṗ|_v = F + Aᵀλ, A v̇ + γ + `correction` = 0. A row that follows from others ([`Model::mobility`](crate::Model::mobility), or
     /// a singular pose) has λ = 0 and is not asked for: v̇ is the same whatever the division of the work, λ is not that of
-    /// minimum norm. `pivot_loss` of a row is what its pivot in A M⁻¹Aᵀ began with, divided by the pivot: 1 if the row is
-    /// orthogonal to those before it, or always redundant; 0 if it was passed over here. Generated where it is straight-line code
-    /// of bearable length; else it computes nothing and answers `false`.
+    /// minimum norm. `inverse_pivot` of a row is that of its pivot in A M⁻¹Aᵀ: 0 if the row was passed over here, −1 if it
+    /// follows from others in every pose. Generated where it is straight-line code of bearable length; else it computes
+    /// nothing and answers `false`.
     #[inline(always)]
     #[allow(clippy::too_many_arguments)]
     fn accelerations(
@@ -35,9 +35,9 @@ pub trait System<const Q: usize, const N: usize, const R: usize>:
         correction: &SVector<f64, R>,
         acceleration: &mut SVector<f64, N>,
         lambda: &mut SVector<f64, R>,
-        pivot_loss: &mut SVector<f64, R>,
+        inverse_pivot: &mut SVector<f64, R>,
     ) -> bool {
-        let _ = (t, q, v, correction, acceleration, lambda, pivot_loss);
+        let _ = (t, q, v, correction, acceleration, lambda, inverse_pivot);
         false
     }
 }

@@ -1,8 +1,11 @@
 //! The multiplier solve of the velocity rows, whose matrix S = A M⁻¹ Aᵀ is symmetric.
 
+use super::kept_rows::dependent_rows;
 use super::proximal::Proximal;
-use super::{SPARSE_FROM, Square};
-use crate::singular::{REDUNDANT, RankMargin, Thresholds, WEAK_PIVOT, round_off};
+use super::{SPARSE_FROM, Square, larger};
+use crate::singular::{
+    OTHER_ROWS, REDUNDANT, RankMargin, Thresholds, UNUSUAL, WEAK_PIVOT, round_off,
+};
 use nalgebra::{SMatrix, SVector};
 
 /// S factored as Uᵀ D⁻¹ U while it is well conditioned, the proximal solve S(S² + εI)⁻¹ where it is not.
@@ -18,12 +21,20 @@ pub(crate) struct DelassusFactor<const K: usize> {
     /// Whether a row has nearly lost its direction: beside a singular pose.
     pub(crate) beside: bool,
     pub(crate) thresholds: Thresholds,
+    /// The usual a M⁻¹aᵀ of each row. A row can vanish as a whole at a singular pose, where its own length is no scale.
+    pub(crate) usual: SVector<f64, K>,
     /// Rows that follow from those before them in all poses so far.
     redundant: Option<[bool; K]>,
+    /// A row that is redundant in general follows from the others if its relative pivot is below this.
+    pub(crate) follows: f64,
     /// Which of them followed in the last factorisation: their multipliers are zero.
     skipped: [bool; K],
     /// Whether there are any.
     pub(crate) reduced: bool,
+    /// [`OTHER_ROWS`] if other rows are left out than those that are redundant in general, or 0.
+    choice: u32,
+    /// A relative pivot below this shows that a singular pose is near, or that other rows have to be left out.
+    unusual: f64,
 }
 
 impl<const K: usize> DelassusFactor<K> {
@@ -36,9 +47,13 @@ impl<const K: usize> DelassusFactor<K> {
             weak: false,
             beside: false,
             thresholds: Thresholds::SECOND_ORDER,
+            usual: SVector::zeros(),
             redundant: None,
+            follows: REDUNDANT[0],
             skipped: [false; K],
             reduced: false,
+            choice: 0,
+            unusual: 0.0,
         }
     }
 
@@ -48,7 +63,8 @@ impl<const K: usize> DelassusFactor<K> {
     #[inline(never)]
     pub(crate) fn expect_redundancy(&mut self, matrix: &SMatrix<f64, K, K>) {
         self.redundant = None;
-        let found = self.eliminate_but(&[true; K], &matrix.data.0) && self.reduced;
+        let (regular, _) = self.eliminate_but(&[true; K], &matrix.data.0);
+        let found = regular && self.reduced;
         self.redundant = found.then_some(self.skipped);
         self.factor(matrix);
     }
@@ -65,45 +81,79 @@ impl<const K: usize> DelassusFactor<K> {
         relative.fold(1.0, f64::min)
     }
 
+    /// Learns from the matrix at the declared guess how small pivots usually are, if there are redundant rows.
+    #[inline(never)]
+    pub(crate) fn expect_pivots(&mut self, matrix: &SMatrix<f64, K, K>) {
+        let Some(redundant) = self.redundant else {
+            return;
+        };
+        let mut least = 1.0_f64;
+        self.eliminate_where(
+            |k, pivot, length| {
+                if !redundant[k] {
+                    least = least.min(pivot / length);
+                }
+                redundant[k]
+            },
+            &matrix.data.0,
+        );
+        self.unusual = UNUSUAL * least;
+    }
+
     /// Rows that get no multiplier, where there are any.
     #[inline(always)]
     pub(crate) fn skipped(&self) -> Option<&[bool; K]> {
         self.reduced.then_some(&self.skipped)
     }
 
-    /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots.
+    /// What a pivot of this row counts relative to.
+    #[inline(always)]
+    fn scale(&self, matrix: &[[f64; K]; K], k: usize) -> f64 {
+        larger(matrix[k][k], self.usual[k])
+    }
+
+    /// Factors `matrix`, of which the upper triangle is read; its diagonal is the scale of the pivots, unless a row is
+    /// shorter than usual.
     #[inline(always)]
     pub(crate) fn factor(&mut self, matrix: &SMatrix<f64, K, K>) {
         let entries = &matrix.data.0;
         let regular = match self.redundant {
             None => self.eliminate(entries),
-            Some(redundant) => self.eliminate_but(&redundant, entries),
+            Some(redundant) => {
+                self.choice = 0;
+                let (regular, least) = self.eliminate_but(&redundant, entries);
+                match least < self.unusual {
+                    true => self.eliminate_others(&redundant, entries, (regular, least)),
+                    false => regular,
+                }
+            }
         };
         self.regularised = !regular;
         if self.regularised {
             (self.weak, self.beside) = (true, self.thresholds.beside > 0.0);
-            let diagonal = super::array(|i| entries[i][i]);
-            self.proximal.factor(entries, &diagonal);
+            let scales = super::array(|i| self.scale(entries, i));
+            self.proximal.factor(entries, &scales);
         }
     }
 
     #[inline(always)]
     fn eliminate(&mut self, matrix: &[[f64; K]; K]) -> bool {
-        self.eliminate_where(|_, _| false, matrix)
+        self.eliminate_where(|_, _, _| false, matrix)
     }
 
-    /// The same past rows that still are redundant. Not inlined, so that the compiler unrolls only the other form.
+    /// The same past rows that still are redundant, and the smallest relative pivot of the others. Not inlined, so that the compiler unrolls only the other form.
     #[inline(never)]
-    fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> bool {
+    fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> (bool, f64) {
         let (mut skipped, mut reduced) = ([false; K], false);
-        let known = self.redundant.is_some();
+        let (known, follows) = (self.redundant.is_some(), self.follows);
         let mut least = 1.0_f64;
         let regular = self.eliminate_where(
-            |k, pivot| {
-                let length = matrix[k][k];
+            |k, pivot, length| {
                 if redundant[k] {
-                    let most = if known { 1.0 } else { REDUNDANT[1] };
-                    let bound = round_off(least).clamp(REDUNDANT[0], most);
+                    let bound = match known {
+                        true => round_off(least).max(follows),
+                        false => round_off(least).clamp(REDUNDANT[0], REDUNDANT[1]),
+                    };
                     skipped[k] = pivot.abs() <= bound * length;
                     reduced |= skipped[k];
                 }
@@ -115,14 +165,43 @@ impl<const K: usize> DelassusFactor<K> {
             matrix,
         );
         (self.skipped, self.reduced) = (skipped, reduced && regular);
-        regular
+        (regular, least)
+    }
+
+    /// Whether the rows that are kept in general lose a direction where the largest 1/pivot of them, relative, is this.
+    #[inline(always)]
+    pub(crate) fn needs_other_rows(&self, most: f64) -> bool {
+        most * self.unusual > 1.0
+    }
+
+    /// Elimination past other rows than those that are redundant in general: beside a pose where the rows that are kept
+    /// there lose a direction which the rows that follow from them still have. (It is not a singular pose. The choice
+    /// depends on the pose alone, so that a resumed run makes it, too.) `regular` if there is none.
+    #[cold]
+    #[inline(never)]
+    fn eliminate_others(
+        &mut self,
+        redundant: &[bool; K],
+        matrix: &[[f64; K]; K],
+        (regular, least): (bool, f64),
+    ) -> bool {
+        let count = redundant.iter().filter(|&&redundant| redundant).count();
+        let scales = super::array(|k| self.scale(matrix, k));
+        *self.upper = *matrix;
+        let bounds = [least, self.follows];
+        let Some(spare) = dependent_rows(&mut self.upper, &scales, count, bounds) else {
+            // The search has used the room of the factor.
+            return regular && self.eliminate_but(redundant, matrix).0;
+        };
+        (self.skipped, self.reduced, self.choice) = (spare, true, OTHER_ROWS);
+        self.eliminate_where(|k, _, _| spare[k], matrix)
     }
 
     /// False at the first small pivot of a row that is not `passed_over`.
     #[inline(always)]
     fn eliminate_where(
         &mut self,
-        mut passed_over: impl FnMut(usize, f64) -> bool,
+        mut passed_over: impl FnMut(usize, f64, f64) -> bool,
         matrix: &[[f64; K]; K],
     ) -> bool {
         let mut weak = false;
@@ -134,15 +213,17 @@ impl<const K: usize> DelassusFactor<K> {
         }
         for k in 0..K {
             let pivot_row = upper[k];
-            let pivot = pivot_row[k];
-            if passed_over(k, pivot) {
+            let (pivot, length) = (pivot_row[k], larger(matrix[k][k], self.usual[k]));
+            if passed_over(k, pivot, length) {
                 self.inverse_pivot[k] = 0.0;
                 continue;
             }
-            if !(pivot > self.thresholds.lost * matrix[k][k]) {
-                return false;
+            if !(pivot >= WEAK_PIVOT * length) {
+                weak = true;
+                if !(pivot > self.thresholds.lost * length) {
+                    return false;
+                }
             }
-            weak |= pivot < WEAK_PIVOT * matrix[k][k];
             let inverse = 1.0 / pivot;
             self.inverse_pivot[k] = inverse;
             for i in k + 1..K {
@@ -163,7 +244,7 @@ impl<const K: usize> DelassusFactor<K> {
     #[cold]
     #[inline(never)]
     fn is_beside(&self, matrix: &[[f64; K]; K]) -> bool {
-        (0..K).any(|k| self.inverse_pivot[k] * matrix[k][k] > 1.0 / self.thresholds.beside)
+        (0..K).any(|k| self.inverse_pivot[k] * self.scale(matrix, k) > 1.0 / self.thresholds.beside)
     }
 
     /// The rank margin of the first `rows` rows of `matrix`, which was factored last.
@@ -175,15 +256,19 @@ impl<const K: usize> DelassusFactor<K> {
         }
         let mut most: f64 = 0.0;
         for k in 0..rows {
-            most = most.max(self.inverse_pivot[k] * matrix[k][k]);
+            most = most.max(self.inverse_pivot[k] * self.scale(matrix, k));
         }
-        RankMargin::of(1.0 / most.sqrt())
+        RankMargin {
+            dependent: self.choice,
+            ..RankMargin::of(1.0 / most.sqrt())
+        }
     }
 
     /// Eliminates past rows without a direction of their own. The proximal solve does not need the room this takes.
     #[cold]
     #[inline(never)]
     fn dependence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
+        let scales: [f64; K] = super::array(|k| self.scale(matrix, k));
         let upper = &mut self.upper;
         **upper = *matrix;
         let (mut least, mut weakest) = (f64::INFINITY, f64::INFINITY);
@@ -191,7 +276,7 @@ impl<const K: usize> DelassusFactor<K> {
         for k in 0..rows {
             let pivot_row = upper[k];
             let pivot = pivot_row[k];
-            let relative = pivot / matrix[k][k];
+            let relative = pivot / scales[k];
             weakest = weakest.min(relative.max(0.0));
             if relative > self.thresholds.lost {
                 sigma = sigma.min(relative);
@@ -215,7 +300,7 @@ impl<const K: usize> DelassusFactor<K> {
             weakest: weakest.sqrt(),
             lost,
             least: least.sqrt(),
-            dependent,
+            dependent: dependent | self.choice,
         }
     }
 
@@ -228,7 +313,7 @@ impl<const K: usize> DelassusFactor<K> {
         let mut combination = [0.0; K];
         let (mut weakest, mut least) = (None, f64::INFINITY);
         let counts: [bool; K] = super::array(|k| {
-            let relative = self.upper[k][k] / matrix[k][k];
+            let relative = self.upper[k][k] / self.scale(matrix, k);
             let counts = k < rows && relative > round_off(least);
             if counts && relative < least {
                 (weakest, least) = (Some(k), relative);
@@ -246,7 +331,7 @@ impl<const K: usize> DelassusFactor<K> {
             }
             combination[i] = -sum / self.upper[i][i];
         }
-        super::vector(|i| combination[i] * matrix[i][i].max(0.0).sqrt())
+        super::vector(|i| combination[i] * self.scale(matrix, i).max(0.0).sqrt())
     }
 
     /// x ← S⁻¹ x, or x ← S(S² + εI)⁻¹ x on rows of unit length.

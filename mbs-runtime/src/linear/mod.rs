@@ -1,6 +1,7 @@
 //! Small dense kernels on matrices of fixed size, and elimination without zeros. None allocates; all accept size 0.
 
 mod delassus_factor;
+mod kept_rows;
 mod pivoted;
 mod projection_lu;
 mod proximal;
@@ -14,7 +15,8 @@ pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
 pub(crate) use vector::{
-    accumulate, array, dot, dot_of, finite, largest, largest_of, negative, scaled, vector, zeros,
+    accumulate, array, dot, dot_of, finite, larger, largest, largest_of, negative, scaled, vector,
+    zeros,
 };
 
 /// The entries of a matrix inside a solver, row by row.

@@ -29,7 +29,8 @@ impl<const K: usize> ProjectionLu<K> {
         }
     }
 
-    /// Factors the matrix with these rows; `length_squared[i]` is a_i M⁻¹ a_iᵀ. Skipped rows, where there are any, get no multiplier.
+    /// Factors the matrix with these rows; `length_squared[i]` is a_i M⁻¹ a_iᵀ, or what is usual where that is more.
+    /// Skipped rows, where there are any, get no multiplier.
     #[inline(always)]
     pub(crate) fn factor(
         &mut self,

@@ -92,6 +92,12 @@ pub(crate) fn accumulate<const N: usize, const R: usize>(
     }
 }
 
+/// The larger of two numbers; the first, if any is not a number.
+#[inline(always)]
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
 /// max |x_i|; NaN if any entry is NaN.
 #[inline(always)]
 pub(crate) fn largest<const N: usize>(x: &SVector<f64, N>) -> f64 {

@@ -1,18 +1,23 @@
-//! The check that a motion does not gain energy without a source.
+//! The check that a motion does not gain energy without a source, and does not lose it without a brake.
 //!
 //! The kinetic energy is at most what the start and the works have given, above the least potential energy. Steps that
-//! are too long for the motion, or for a stiff spring, may gain many times this, and go on. Errors of coarse steps are
-//! of its size at most; ten times as much is nonsense.
+//! are too long for the motion, or for a stiff spring, may gain many times this or lose nearly all of it, and go on.
+//! Where works belong to the balance their own error counts: ten times what the motion has is nonsense there, and for
+//! methods that do not conserve energy. Two-level steps of a conservative mechanism have oscillating errors, of some
+//! hundredths for coarse steps: an error of a quarter says that the steps do not follow the motion.
 
 use crate::linear::vector;
 use crate::sink::{Diagonal, Discard};
 use crate::yardstick::Yardstick;
-use crate::{Energy, State, System};
+use crate::{Energy, Method, Settings, State, System};
 use nalgebra::SVector;
 
-/// The error of the energy balance that is refused, as a multiple of the energy that the motion has. Coarse steps
-/// through singular poses have reached 1.
+/// The gain of energy that is refused, as a multiple of the energy that the motion has. Coarse steps through singular
+/// poses have reached 1 with some methods.
 const GROSS: f64 = 10.0;
+/// The same of gains and losses of a conservative mechanism with two-level steps. A smaller value also refuses coarse
+/// but useful runs.
+const WRONG: f64 = 0.25;
 /// Round-off of displacements in a step, in sizes of the mechanism: with less energy than such a motion has nothing is
 /// refused.
 const NOISE: f64 = 1e-9;
@@ -28,8 +33,10 @@ pub(super) struct EnergyGuard {
     works: f64,
     /// Round-off.
     noise: f64,
-    /// What is gross in any case, so that most steps compare this only.
-    least_gross: f64,
+    /// Whether forces and rows do no work, and the method conserves energy.
+    conserves: bool,
+    /// What is accepted in any case, so that most steps compare this only.
+    accepted: f64,
 }
 
 impl EnergyGuard {
@@ -37,7 +44,7 @@ impl EnergyGuard {
         system: &S,
         state: &State<Q, N, R>,
         yardstick: &Yardstick<Q, N>,
-        step: f64,
+        settings: &Settings,
     ) -> Self {
         let (q, v) = (&state.positions, &state.velocities);
         let mut mass = Diagonal::<N>::zeros();
@@ -47,25 +54,31 @@ impl EnergyGuard {
         let mut f_q = Diagonal::<N>::zeros();
         system.applied_force_tangents(state.time, q, v, &mut f_q, &mut Discard);
         let unit = yardstick.displacement(vector(|_| 1.0));
-        let speed = NOISE / step;
+        let speed = NOISE / settings.step;
         let along = |i: usize| {
             let way = (0.5 * force[i] / f_q.0[i]).abs();
             force[i].abs() * if way < unit[i] { way } else { unit[i] }
         };
         let depth = (0..N).map(along).sum();
         let noise = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
+        let structure = &S::STRUCTURE;
+        let conserves = settings.method == Method::TwoLevel
+            && !(structure.velocity_forces || structure.time_dependent)
+            && S::MODEL.inputs.is_empty();
+        let bound = if conserves { WRONG } else { GROSS };
         EnergyGuard {
             depth,
-            least_gross: GROSS * (depth + noise),
+            conserves,
+            accepted: bound * (depth + noise),
             least: f64::INFINITY,
             works: 0.0,
             noise,
         }
     }
 
-    /// The energy that the motion has, if the error of the balance is out of all proportion to it.
+    /// The energy that the motion has, if the error of the balance is out of proportion to it.
     #[inline]
-    pub(super) fn gained(&mut self, energy: &Energy) -> Option<f64> {
+    pub(super) fn refuses(&mut self, energy: &Energy) -> Option<f64> {
         if energy.potential < self.least {
             self.least = energy.potential;
         }
@@ -73,15 +86,23 @@ impl EnergyGuard {
         if works > self.works {
             self.works = works;
         }
-        if energy.error <= self.least_gross {
+        if energy.error.abs() <= self.accepted {
             return None;
         }
+        self.judge(energy)
+    }
+
+    #[cold]
+    fn judge(&self, energy: &Energy) -> Option<f64> {
         let initial = energy.kinetic + energy.potential
             - energy.error
             - energy.nonconservative_work
             - energy.drive_work;
-        let given = initial - self.least + initial.abs();
-        let available = given + self.depth + self.works + self.noise;
-        (energy.error > GROSS * available).then_some(available)
+        let available = initial - self.least + self.depth + self.works + self.noise;
+        let refused = match self.conserves && self.works == 0.0 {
+            true => energy.error.abs() > WRONG * available,
+            false => energy.error > GROSS * (available + initial.abs()),
+        };
+        refused.then_some(available)
     }
 }

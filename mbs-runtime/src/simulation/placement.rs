@@ -28,7 +28,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let length = self.placed(h, left)?;
-        if let Some(available) = self.energy_guard.gained(&self.balance) {
+        if let Some(available) = self.energy_guard.refuses(&self.balance) {
             return Err(self.nonsense(length, available));
         }
         self.watch();
@@ -37,11 +37,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     #[cold]
     fn nonsense(&self, step: f64, available: f64) -> SimulationError {
-        SimulationError::EnergyGain {
-            time: self.time(),
-            step,
-            gained: self.balance.error,
-            available,
+        let (time, error) = (self.time(), self.balance.error);
+        match error > 0.0 {
+            true => SimulationError::EnergyGain {
+                time,
+                step,
+                gained: error,
+                available,
+            },
+            false => SimulationError::EnergyLoss {
+                time,
+                step,
+                lost: -error,
+                available,
+            },
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::linear::{array, largest_of};
-use crate::singular::RankMargin;
+use crate::singular::{OTHER_ROWS, RankMargin};
 use crate::{RankLoss, System};
 
 /// σ_min below which a pose counts as singular.
@@ -48,7 +48,7 @@ pub(super) struct SingularityDetector {
     /// Whether σ_min fell in the last step.
     falling: bool,
     /// The number of rows that were dependent in all poses so far.
-    redundant: usize,
+    redundant: u32,
     /// The largest σ_min since the last loss.
     peak: f64,
     /// A pose that will be a loss when σ_min has risen above `level`; infinite when there is none.
@@ -64,7 +64,7 @@ impl SingularityDetector {
         SingularityDetector {
             instants: [NOWHERE; 3],
             falling: true,
-            redundant: usize::MAX,
+            redundant: OTHER_ROWS - 1,
             peak: f64::INFINITY,
             level: f64::INFINITY,
             pending: Found {
@@ -105,6 +105,11 @@ impl SingularityDetector {
     /// σ_min where it is not simply that of the rows: when rows were lost or came back, or a step was taken again.
     #[cold]
     fn reconsider(&mut self, time: f64, now: RankMargin) -> f64 {
+        if now.is_of_others(self.redundant) {
+            (self.instants, self.falling) = ([NOWHERE; 3], true);
+            self.level = f64::INFINITY;
+            self.redundant ^= OTHER_ROWS;
+        }
         while time <= self.instants[2].time {
             self.instants = [NOWHERE, self.instants[0], self.instants[1]];
             self.falling = self.instants[2].sigma <= self.instants[1].sigma;

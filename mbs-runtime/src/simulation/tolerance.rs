@@ -114,7 +114,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Err(
                     error @ (SimulationError::NotConverged { .. }
                     | SimulationError::NonFinite { .. }
-                    | SimulationError::EnergyGain { .. }),
+                    | SimulationError::EnergyGain { .. }
+                    | SimulationError::EnergyLoss { .. }),
                 ) => (LEAP.exp2(), error),
                 Err(error) => return Err(error),
             };

@@ -179,17 +179,17 @@ fn asked<'a, T>(derived: &'a Derived, list: &'a [T]) -> impl Iterator<Item = (us
     rows.filter(|(row, _)| !derived.redundant.contains(row))
 }
 
-/// λ ← S⁻¹ λ, and the pivot loss of each row.
+/// λ ← S⁻¹ λ, and the inverse pivot of each row; −1 if it follows from others in every pose.
 fn solve(code: &mut Lowering, derived: &Derived, upper: Upper, lambda: &mut Sparse) {
     let (rows, redundant) = (derived.system.rows.len(), &derived.redundant);
     let factor = Factor::new(code, rows, upper, Rank::MayBeLost, "pivot");
     factor.solve(code, lambda);
     for r in 0..rows {
-        let pivot_loss = match redundant.contains(&r) {
-            true => Operand::number(1.0),
-            false => factor.pivot_loss(code, Rank::MayBeLost, r),
+        let inverse_pivot = match redundant.contains(&r) {
+            true => Operand::number(-1.0),
+            false => factor.inverse_pivot(r),
         };
-        code.write("pivot_loss", Place::Element(r), pivot_loss);
+        code.write("inverse_pivot", Place::Element(r), inverse_pivot);
     }
     for r in 0..rows {
         let value = *lambda.entry(r).or_insert(Operand::number(0.0));

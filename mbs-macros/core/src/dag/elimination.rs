@@ -99,12 +99,16 @@ impl Factor {
     }
 
     /// What a pivot began with, divided by it: 1 where a row is orthogonal to those before it.
-    pub(super) fn pivot_loss(&self, code: &mut Lowering, rank: Rank, k: usize) -> Operand {
-        // A row that can be dependent can also be zero.
-        if self.untouched[k] && rank == Rank::Full {
+    pub(super) fn pivot_loss(&self, code: &mut Lowering, k: usize) -> Operand {
+        if self.untouched[k] {
             return Operand::number(1.0);
         }
         code.times(self.diagonal[k], self.inverse[k])
+    }
+
+    /// The entry of D⁻¹ of a row; 0 where it was passed over.
+    pub(super) fn inverse_pivot(&self, k: usize) -> Operand {
+        self.inverse[k]
     }
 
     /// D⁻¹, then L column by column.

@@ -51,7 +51,7 @@ fn factor(code: &mut Lowering, derived: &Derived) -> Factor {
         code.write("factor", Place::Element(place), value);
     }
     for k in 0..size {
-        let pivot_loss = factor.pivot_loss(code, Rank::Full, k);
+        let pivot_loss = factor.pivot_loss(code, k);
         code.write("pivot_loss", Place::Element(k), pivot_loss);
     }
     factor.stored()

@@ -13,12 +13,12 @@ mod closing;
 mod integrability;
 mod numbers;
 mod rows;
+mod shared;
 mod words;
 
 use crate::derivatives::{self, RowDerivatives};
 use crate::equations::{Row, System, VacuousRow};
 use crate::model::Outline;
-use crate::symbolic::Symbol;
 use numbers::Numbers;
 use rows::DEPENDENT;
 
@@ -41,8 +41,8 @@ pub struct Mobility {
     pub redundant: Vec<Redundancy>,
     /// Those of them that are not left out.
     pub dependent: Vec<usize>,
-    /// Joints whose reactions are not determined: those that have a multiplier of a redundant row, or of one that it
-    /// follows from.
+    /// Joints whose reactions are not determined: multipliers of redundant rows, and of those that they follow from,
+    /// change them without an effect on the motion.
     pub undetermined: Vec<String>,
     /// Nonholonomic rows that are conditions on positions in disguise (Frobenius): with the holonomic ones, and those
     /// before them in this list, they are the differentials of functions.
@@ -77,7 +77,7 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
             mobility: system.size,
             redundant,
             dependent: Vec::new(),
-            undetermined: undetermined(system, &[]),
+            undetermined: shared::with_rows_left_out(system),
             integrable: Vec::new(),
         }));
     }
@@ -99,12 +99,12 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
     poses.push(home);
     let rows = poses
         .iter()
-        .map(|pose| numbers.independent_rows(pose, DEPENDENT));
-    let Some(rows) = rows.max_by_key(|rows| rows.basis.len()) else {
+        .map(|pose| (pose, numbers.independent_rows(pose, DEPENDENT)));
+    let Some((pose, rows)) = rows.max_by_key(|(_, rows)| rows.basis.len()) else {
         return Ok(None);
     };
     let rank = rows.basis.len();
-    let mut open = Vec::new();
+    let mut cancelling = Vec::new();
     for (row, coefficients) in &rows.dependent {
         let involved = combined(*row, &rows.independent, coefficients);
         redundant.push(Redundancy {
@@ -114,14 +114,19 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
             follows_from: entries(&system.rows, &involved[..involved.len() - 1]),
             along: along(outline, system, &derived, &involved),
         });
-        open.extend(involved);
+        let others = rows.independent.iter().copied();
+        let coefficients = coefficients.iter().map(|coefficient| -coefficient);
+        let significant = others
+            .zip(coefficients)
+            .filter(|(other, _)| involved.contains(other));
+        cancelling.push(significant.chain([(*row, 1.0)]).collect());
     }
     Ok(Some(Mobility {
         rank,
         mobility: system.size.saturating_sub(rank),
         redundant,
         dependent: rows.dependent.iter().map(|(row, _)| *row).collect(),
-        undetermined: undetermined(system, &open),
+        undetermined: shared::undetermined(&numbers, pose, &cancelling),
         integrable: integrability::integrable(&numbers, &poses),
     }))
 }
@@ -141,23 +146,6 @@ impl Redundancy {
             along: Vec::new(),
         }
     }
-}
-
-/// The joints with multipliers of rows that have a part in some dependence, and those that share with rows left out.
-fn undetermined(system: &System, open: &[usize]) -> Vec<String> {
-    let mut joints: Vec<String> = Vec::new();
-    for reaction in &system.reactions {
-        let symbols = system.graph.symbols([reaction.expr]);
-        let is_open = |symbol: &Symbol| matches!(symbol, Symbol::Multiplier(row) if open.contains(&(*row as usize)));
-        let shares = |vacuous: &VacuousRow| {
-            vacuous.entry == reaction.joint || vacuous.follows_from.contains(&reaction.joint)
-        };
-        let touched = symbols.iter().any(is_open) || system.vacuous.iter().any(shares);
-        if touched && !joints.contains(&reaction.joint) {
-            joints.push(reaction.joint.clone());
-        }
-    }
-    joints
 }
 
 /// The rows with significant coefficients in the combination that equals a dependent row, and then the row itself.

@@ -73,11 +73,31 @@ impl<'a> Numbers<'a> {
         self.values_moving(q, &[], exprs)
     }
 
+    /// At a pose, at rest, with a multiplier of this value on one row.
+    pub fn values_loaded(
+        &self,
+        q: &[f64],
+        load: Option<(usize, f64)>,
+        exprs: impl Iterator<Item = Expr>,
+    ) -> Vec<f64> {
+        self.evaluated(q, &[], load, exprs)
+    }
+
     /// At a pose with velocities.
     pub fn values_moving(
         &self,
         q: &[f64],
         v: &[f64],
+        exprs: impl Iterator<Item = Expr>,
+    ) -> Vec<f64> {
+        self.evaluated(q, v, None, exprs)
+    }
+
+    fn evaluated(
+        &self,
+        q: &[f64],
+        v: &[f64],
+        load: Option<(usize, f64)>,
         exprs: impl Iterator<Item = Expr>,
     ) -> Vec<f64> {
         let layout = &self.system.layout;
@@ -86,6 +106,10 @@ impl<'a> Numbers<'a> {
             Symbol::Input(i) => self.outline.inputs[i as usize].default,
             Symbol::Time => self.time,
             Symbol::Velocity(i) => v.get(i as usize).copied().unwrap_or(0.0),
+            Symbol::Multiplier(i) => match load {
+                Some((row, value)) if row == i as usize => value,
+                _ => 0.0,
+            },
             other => layout.value(other, q).unwrap_or(0.0),
         };
         // Laws are refused in rows.
