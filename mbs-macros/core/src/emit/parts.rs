@@ -6,6 +6,7 @@
 //! token.
 
 use super::body::Body;
+use super::copies::copies;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
 use crate::dag::{Function, Operation, Output, Parts, Place, Program};
 use crate::symbolic::{Graph, Map};
@@ -94,16 +95,8 @@ impl LongFunctions {
         let parts = &self.functions[at].1;
         let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
         let body = Body::of_method(graph, function);
-        let sources: Vec<String> = parts
-            .inputs
-            .iter()
-            .map(|&input| body.source(input))
-            .collect();
-        let _ = writeln!(
-            out,
-            "for (value, input) in values.iter_mut().zip([{}]) {{ *value = input; }}",
-            sources.join(", ")
-        );
+        let sources = parts.inputs.iter().map(|&input| body.source(input));
+        out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
             out,
             "::mbs_runtime::generated::compute_parts(&Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
