@@ -185,7 +185,7 @@ pub(super) fn replaces(
             true
         }
         ("sparse_constraints", Some(function)) => {
-            let place = |output: &Output| in_array(sparse, output);
+            let place = |output: &Output| Some(in_array(sparse, output));
             let parts = long.body_with(graph, function, method, place);
             let text = parts.unwrap_or_else(|| {
                 let function = constraints(sparse, function);
