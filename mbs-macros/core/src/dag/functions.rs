@@ -4,6 +4,7 @@ use super::accelerations::accelerations;
 use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
+use super::tangents::all_tangents;
 use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
@@ -128,6 +129,7 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         .retain(|function| function.name != "affinities" || function.operations.len() <= LONGEST);
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
     functions.extend(accelerations(&mut graph, &mut hoisted, derived));
+    let all_tangents = all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions);
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
@@ -148,6 +150,7 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     Program {
         constants,
         constant_mass,
+        all_tangents,
         preparation,
         functions,
         guesses,
@@ -193,7 +196,7 @@ fn vector(lowering: &mut Lowering, sink: &'static str, values: &[Expr]) {
     }
 }
 
-fn matrix(lowering: &mut Lowering, sink: &'static str, entries: &Matrix) {
+pub(super) fn matrix(lowering: &mut Lowering, sink: &'static str, entries: &Matrix) {
     for (&(i, j), &value) in entries {
         lowering.output(sink, Place::Entry(i, j), value);
     }

@@ -17,6 +17,7 @@ mod reciprocals;
 mod run;
 mod sparse;
 mod sums;
+mod tangents;
 mod text;
 
 use crate::symbolic::{Function as Elementary, Number, Symbol};
@@ -26,6 +27,7 @@ pub use functions::lower;
 pub use parts::{Labels, Parts, Run as PartRun, Shape};
 pub use run::Run;
 pub use sparse::{Elimination, Sparse, Stretch};
+pub use tangents::{ALL_TANGENTS, of_tangents};
 
 /// All generated functions of a mechanism.
 #[derive(Debug)]
@@ -58,6 +60,8 @@ pub struct Program {
     pub structure: Structure,
     /// Elimination without zeros, where that is the cheaper.
     pub sparse: Option<Sparse>,
+    /// The tangents of F and f as one function, where both are long: they differ by gyroscopic terms.
+    pub all_tangents: Option<Function>,
     /// The parts and joints that coordinates, velocities and rows belong to.
     pub labels: Labels,
 }

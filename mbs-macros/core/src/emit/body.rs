@@ -4,7 +4,7 @@
 //! program, so that the compiled function and the interpreter agree to the last bit (up to the elementary functions).
 
 use super::names::Names;
-use crate::dag::{Function, Operand, Operation, Output, Place};
+use crate::dag::{Function, Operand, Operation, Output};
 use crate::symbolic::{Function as Elementary, Graph, Symbol};
 use std::fmt::Write;
 
@@ -23,7 +23,7 @@ enum Precedence {
 /// Writes bodies.
 pub(super) struct Body<'a> {
     graph: &'a Graph,
-    function: &'a Function,
+    pub(super) function: &'a Function,
     names: Names,
     /// Whether an operation has a temporary of its own.
     named: Vec<bool>,
@@ -130,31 +130,6 @@ impl<'a> Body<'a> {
         out
     }
 
-    /// Writes into vectors by index and into matrices through their sinks.
-    pub(super) fn writes(&self) -> String {
-        let mut out = String::new();
-        for output in &self.function.outputs {
-            let value = self.value(output);
-            let _ = match output.place {
-                Place::Value => write!(out, "{value}"),
-                Place::Element(i) => writeln!(out, "{}[{i}] = {value};", output.sink),
-                // Kernels write plain arrays; everything else goes through a sink and leaves its zeros unwritten.
-                Place::Entry(i, j) if output.sink == "w" || output.sink == "delassus" => {
-                    writeln!(out, "{}[{i}][{j}] = {value};", output.sink)
-                }
-                Place::Entry(..) | Place::Tensor(..) if output.value == Operand::number(0.0) => {
-                    Ok(())
-                }
-                Place::Entry(i, j) => writeln!(out, "{}.set({i}, {j}, {value});", output.sink),
-                Place::Tensor(i, j, k) => {
-                    writeln!(out, "{}.set({i}, {j}, {k}, {value});", output.sink)
-                }
-                Place::Constant(slot) => writeln!(out, "let k{slot} = {value};"),
-            };
-        }
-        out
-    }
-
     /// The values of all outputs, in order.
     pub(super) fn values(&self) -> Vec<String> {
         self.function
@@ -164,7 +139,8 @@ impl<'a> Body<'a> {
             .collect()
     }
 
-    fn value(&self, output: &Output) -> String {
+    /// The value of an output.
+    pub(super) fn value(&self, output: &Output) -> String {
         self.operand(output.value, Precedence::Sum)
     }
 

@@ -5,6 +5,7 @@
 
 mod access;
 mod body;
+mod copies;
 mod fallback;
 mod items;
 mod metadata;
@@ -16,6 +17,7 @@ mod parts;
 mod sparse;
 mod system;
 mod text;
+mod writes;
 
 use crate::analysis::Analysis;
 use crate::dag::Program;

@@ -280,7 +280,7 @@ fn write_mass(
     for (value, places) in places {
         let _ = writeln!(
             out,
-            "for (i, j) in [{}] {{ mass[(i, j)] = {value}; mass[(j, i)] = {value}; }}",
+            "for &(i, j) in &[{}] {{ mass[(i, j)] = {value}; mass[(j, i)] = {value}; }}",
             places.join(", ")
         );
     }

@@ -6,8 +6,9 @@
 //! token.
 
 use super::body::Body;
+use super::copies::copies;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
-use crate::dag::{Function, Operation, Output, Parts, Place, Program};
+use crate::dag::{ALL_TANGENTS, Function, Operation, Output, Parts, Place, Program, of_tangents};
 use crate::symbolic::{Graph, Map};
 use std::fmt::Write;
 
@@ -35,6 +36,7 @@ impl LongFunctions {
             .functions
             .iter()
             .filter(|function| is_from_program(function))
+            .chain(&program.all_tangents)
             .filter_map(|function| Some((function.name, program.parts(function)?)))
             .collect();
         let lengths: Vec<usize> = functions
@@ -75,42 +77,38 @@ impl LongFunctions {
     /// The body of a function of the contract, if it is long.
     pub(super) fn body(&self, graph: &Graph, program: &Program, method: &Method) -> Option<String> {
         let function = program.function(method.name)?;
-        if program.whole_of(function).is_some() {
-            return call_of_whole(function).map(str::to_owned);
+        match program.whole_of(function) {
+            Some(whole) if whole.name == ALL_TANGENTS => {
+                let own = |output: &Output| of_tangents(function, output);
+                self.body_with(graph, whole, method, own)
+            }
+            Some(_) => call_of_whole(function).map(str::to_owned),
+            None => self.body_with(graph, function, method, |output| Some(*output)),
         }
-        self.body_with(graph, function, method, |output| *output)
     }
 
-    /// The body of a method that computes a function and writes its outputs to other places.
+    /// The body of a method that computes a function and writes its outputs, or some of them, to other places.
     pub(super) fn body_with(
         &self,
         graph: &Graph,
         function: &Function,
         method: &Method,
-        place: impl Fn(&Output) -> Output,
+        place: impl Fn(&Output) -> Option<Output>,
     ) -> Option<String> {
         let mut functions = self.functions.iter();
         let at = functions.position(|(name, _)| *name == function.name)?;
         let parts = &self.functions[at].1;
         let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
         let body = Body::of_method(graph, function);
-        let sources: Vec<String> = parts
-            .inputs
-            .iter()
-            .map(|&input| body.source(input))
-            .collect();
-        let _ = writeln!(
-            out,
-            "for (value, input) in values.iter_mut().zip([{}]) {{ *value = input; }}",
-            sources.join(", ")
-        );
+        let sources = parts.inputs.iter().map(|&input| body.source(input));
+        out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
             out,
             "::mbs_runtime::generated::compute_parts(&Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
             function.name.to_uppercase()
         );
         let outputs = parts.outputs.iter();
-        let outputs = outputs.map(|(output, value)| (place(output), *value));
+        let outputs = outputs.filter_map(|(output, value)| Some((place(output)?, *value)));
         self.write_outputs(&mut out, self.lengths[at], outputs, method);
         Some(out)
     }

@@ -4,6 +4,8 @@ use std::ops::Range;
 
 /// A row whose remainder is below this fraction of its length adds nothing.
 pub(super) const DEPENDENT: f64 = 1e-9;
+/// A row of which this fraction is left is square to the others up to round-off.
+const MOSTLY: f64 = 0.5;
 
 /// Rows of a matrix, orthogonalised in order: a_i = Σ_k l_ik e_k over an orthonormal basis e.
 pub(super) struct Rows {
@@ -28,13 +30,18 @@ impl Rows {
             let length = norm(row);
             let mut rest = Direction::new(row.clone());
             let mut parts = vec![0.0; rows.basis.len()];
-            // Twice is enough.
+            let mut remainder = length;
+            // Twice is enough, and once if so much is left that round-off is small beside it.
             for _ in 0..2 {
+                let before = remainder;
                 for (part, e) in parts.iter_mut().zip(&rows.basis) {
                     *part += rest.orthogonalise(e);
                 }
+                remainder = norm(&rest.entries);
+                if remainder > MOSTLY * before {
+                    break;
+                }
             }
-            let remainder = norm(&rest.entries);
             // Written so that NaN adds nothing.
             if !(remainder > threshold * length) {
                 rows.dependent

@@ -20,7 +20,7 @@ mod rotation;
 mod substitute;
 
 pub(crate) use build::is_simple;
-use map::Set;
+pub(crate) use map::Set;
 pub(crate) use map::{Map, hash};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};

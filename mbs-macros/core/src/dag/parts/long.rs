@@ -1,7 +1,7 @@
 //! Which functions are long, and what of them is written out.
 
 use super::Parts;
-use crate::dag::{Function, Program};
+use crate::dag::{ALL_TANGENTS, Function, Program};
 
 /// A function of more operations and outputs is divided: the compiler of the generated code needs more than proportional
 /// time and stack for longer ones.
@@ -18,11 +18,14 @@ impl Program {
     /// For a long function the one that computes the same and more: the balance is called for the forces.
     pub fn whole_of(&self, function: &Function) -> Option<&Function> {
         let whole = match function.name {
-            "forces" => "balance",
-            "force_tangents" => "balance_tangents",
-            _ => return None,
+            "forces" => self.function("balance"),
+            "force_tangents" => self
+                .function("balance_tangents")
+                .or(self.all_tangents.as_ref()),
+            "applied_force_tangents" => self.all_tangents.as_ref(),
+            _ => None,
         };
-        self.function(whole).filter(|_| function.is_long())
+        whole.filter(|_| function.is_long())
     }
 
     /// A long function as parts, unless another is called for it.
@@ -35,8 +38,13 @@ impl Program {
     pub fn written(&self, function: &Function, parts: Option<&Parts>) -> usize {
         match parts {
             Some(parts) => parts.operations(),
-            None if self.whole_of(function).is_some() => 0,
-            None => function.operations.len(),
+            None => match self.whole_of(function) {
+                Some(whole) if whole.name == ALL_TANGENTS && function.name == "force_tangents" => {
+                    Parts::of(whole, &self.labels).operations()
+                }
+                Some(_) => 0,
+                None => function.operations.len(),
+            },
         }
     }
 }

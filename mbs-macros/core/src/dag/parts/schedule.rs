@@ -4,7 +4,7 @@ use super::groups::Groups;
 use super::shape::{Member, Shape};
 use super::{Parts, Run};
 use crate::dag::{Function, Operand, Output, Place};
-use crate::symbolic::Map;
+use crate::symbolic::{Map, Set};
 
 /// A shape of fewer groups is rare.
 const OFTEN: usize = 3;
@@ -198,10 +198,9 @@ impl Places {
         const ALWAYS: usize = usize::MAX;
         let mut last = vec![0; function.operations.len()];
         let mut inputs = Vec::new();
-        let mut of_inputs = Map::default();
+        let mut known = Set::default();
         let mut input = |operand: Operand| {
-            let next = inputs.len() as u32;
-            if *of_inputs.entry(operand).or_insert(next) == next {
+            if known.insert(operand) {
                 inputs.push(operand);
             }
         };
@@ -223,6 +222,13 @@ impl Places {
                 other => input(other),
             }
         }
+        // Entries of an argument are copied many at a time.
+        inputs.sort_by_key(|operand| match *operand {
+            Operand::Symbol(symbol) => (0, Some(symbol), 0),
+            Operand::Constant(slot) => (1, None, slot),
+            _ => (2, None, 0),
+        });
+        let of_inputs = inputs.iter().copied().zip(0..).collect();
         let mut by_batch = vec![Vec::new(); order.len()];
         for (value, &batch) in last.iter().enumerate() {
             if batch != ALWAYS {

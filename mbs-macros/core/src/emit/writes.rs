@@ -1,0 +1,114 @@
+//! The outputs of a body as statements.
+//!
+//! LLVM needs much more than proportional time for a long block of stores. Most entries of a large constant matrix have
+//! one of few values, so that these are written in a loop over the places of each.
+
+use super::body::Body;
+use crate::dag::{Operand, Output, Place};
+use crate::symbolic::{Map, Symbol};
+use std::fmt::Write;
+
+/// Up to so many outputs are written one by one.
+const MOST: usize = 200;
+/// Fewer places of one value make no loop.
+const FEWEST: usize = 8;
+
+/// What the places of a loop have in common.
+type Kind = (&'static str, usize, Operand);
+
+impl Body<'_> {
+    /// Writes into vectors by index and into matrices through their sinks.
+    pub(super) fn writes(&self) -> String {
+        let outputs = &self.function.outputs;
+        let mut alike: Map<Kind, Vec<&Output>> = Map::default();
+        if outputs.len() > MOST {
+            for output in outputs.iter().filter(|output| is_given(output.value)) {
+                alike.entry(kind(output)).or_default().push(output);
+            }
+        }
+        let mut out = String::new();
+        for output in outputs {
+            match alike.get_mut(&kind(output)) {
+                Some(list) if list.is_empty() => {}
+                Some(list) if list.len() >= FEWEST => {
+                    out.push_str(&self.repeated(&std::mem::take(list)));
+                }
+                _ => out.push_str(&self.single(output)),
+            }
+        }
+        out
+    }
+
+    fn single(&self, output: &Output) -> String {
+        let value = self.value(output);
+        match output.place {
+            Place::Value => value,
+            Place::Constant(slot) => format!("let k{slot} = {value};\n"),
+            _ => {
+                let indices = indices(output.place);
+                statement(output, &indices, &value) + "\n"
+            }
+        }
+    }
+
+    /// A loop over the places of one value.
+    fn repeated(&self, outputs: &[&Output]) -> String {
+        let Some(first) = outputs.first() else {
+            return String::new();
+        };
+        let names: Vec<String> = ["i", "j", "k"].map(str::to_owned).into();
+        let names = &names[..indices(first.place).len()];
+        let statement = statement(first, names, &self.value(first));
+        let mut out = String::new();
+        if !statement.is_empty() {
+            let places = outputs.iter().map(|output| indices(output.place));
+            let places: Vec<String> = places
+                .map(|place| format!("[{}]", place.join(", ")))
+                .collect();
+            let _ = writeln!(
+                out,
+                "for &[{}] in &[{}] {{ {statement} }}",
+                names.join(", "),
+                places.join(", ")
+            );
+        }
+        out
+    }
+}
+
+/// Whether a value is not computed in the body.
+fn is_given(value: Operand) -> bool {
+    match value {
+        Operand::Number(_) | Operand::Constant(_) => true,
+        Operand::Symbol(symbol) => matches!(symbol, Symbol::Parameter(_)),
+        Operand::Value(_) => false,
+    }
+}
+
+fn kind(output: &Output) -> Kind {
+    (output.sink, indices(output.place).len(), output.value)
+}
+
+fn indices(place: Place) -> Vec<String> {
+    let list: &[usize] = match place {
+        Place::Value | Place::Constant(_) => &[],
+        Place::Element(i) => &[i],
+        Place::Entry(i, j) => &[i, j],
+        Place::Tensor(i, j, k) => &[i, j, k],
+    };
+    list.iter().map(usize::to_string).collect()
+}
+
+/// The statement that writes a value to a place; empty if it need not be written.
+fn statement(output: &Output, indices: &[String], value: &str) -> String {
+    let sink = output.sink;
+    match output.place {
+        Place::Element(_) => format!("{sink}[{}] = {value};", indices[0]),
+        // Kernels write plain arrays; everything else goes through a sink and leaves its zeros unwritten.
+        _ if sink == "w" || sink == "delassus" => {
+            format!("{sink}[{}][{}] = {value};", indices[0], indices[1])
+        }
+        _ if output.value == Operand::number(0.0) => String::new(),
+        _ => format!("{sink}.set({}, {value});", indices.join(", ")),
+    }
+}
