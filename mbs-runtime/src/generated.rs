@@ -6,7 +6,7 @@ pub use crate::affinities::by_tangents as affinities;
 use crate::linear::vector;
 use nalgebra::{SMatrix, SVector};
 
-pub use crate::contract::Elimination;
+pub use crate::contract::{Elimination, Rates};
 pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
 pub use cholesky::{Cholesky, positive};

@@ -169,8 +169,10 @@ impl Bordered {
             rates[weakest] = 1.0;
             self.solve(plan, &rates, x, (&mut SVector::zeros(), &mut combination));
         }
-        let positions = plan.positions[N..].iter();
-        let lengths = positions.map(|&position| self.lengths[position as usize].sqrt());
+        let lengths = plan
+            .pivots
+            .iter()
+            .map(|&(position, _)| self.lengths[position].sqrt());
         combination
             .iter_mut()
             .zip(lengths)
@@ -185,9 +187,9 @@ impl Bordered {
         plan: &Elimination<N, R>,
         rates: &SVector<f64, R>,
         x: &mut [f64],
-        to: (&mut SVector<f64, N>, &mut SVector<f64, R>),
+        (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
     ) {
-        plan.add_solution(rates, x, to, |x| (plan.solve)(&self.factor, x));
+        (plan.solve)(&self.factor, rates, x, v, kappa);
     }
 }
 
@@ -196,13 +198,12 @@ fn relative<'a, const N: usize, const R: usize>(
     factor: &'a [f64],
     lengths: &'a [f64],
 ) -> impl Iterator<Item = f64> + 'a {
-    let positions = plan.positions[N..].iter();
-    positions.zip(plan.pivots).map(move |(&position, &slot)| {
+    plan.pivots.iter().map(move |&(position, slot)| {
         let inverse = factor[slot].abs();
         if inverse == 0.0 {
             0.0
         } else {
-            1.0 / (inverse * lengths[position as usize])
+            1.0 / (inverse * lengths[position])
         }
     })
 }
@@ -236,11 +237,9 @@ impl Pair {
         plan: &Elimination<N, R>,
         rates: &SVector<f64, R>,
         x: &mut [f64],
-        to: (&mut SVector<f64, N>, &mut SVector<f64, R>),
+        (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
     ) {
-        plan.add_solution(rates, x, to, |x| {
-            (plan.solve_pair)(&self.lower, &self.upper, x);
-        });
+        (plan.solve_pair)(&self.lower, &self.upper, rates, x, v, kappa);
     }
 }
 
@@ -266,13 +265,7 @@ impl SparseMass {
         work: &mut [f64],
         x: &mut SVector<f64, N>,
     ) {
-        for (&position, &value) in plan.mass_positions.iter().zip(&*x) {
-            work[position as usize] = value;
-        }
-        (plan.solve_mass)(&self.factor, work);
-        for (value, &position) in x.iter_mut().zip(plan.mass_positions) {
-            *value = work[position as usize];
-        }
+        (plan.solve_mass)(&self.factor, work, x);
     }
 
     /// M⁻¹f of the forces at (t, q), which do not depend on velocities.

@@ -19,7 +19,7 @@ use super::step_context::{REFINEMENTS, StepContext};
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{negative, scaled, vector};
+use crate::linear::{negative, scaled, vector, zeros};
 use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
 use nalgebra::SVector;
@@ -245,7 +245,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         } = self;
         let state = &context.state;
         let kappa = state.expected_impulse(h);
-        let mut va = plan.impulse(&start.entries, &kappa);
+        let mut va = zeros();
+        (plan.impulse)(&start.entries, &kappa, &mut va);
         mass.solve(plan, x, &mut va);
         for i in 0..N {
             va[i] += state.velocities[i];
@@ -404,6 +405,7 @@ fn rates<const N: usize, const R: usize>(
     b: &SVector<f64, R>,
     v: &SVector<f64, N>,
 ) -> SVector<f64, R> {
-    let rates = plan.rates(&matrix.entries, v);
+    let mut rates = zeros();
+    (plan.rates)(&matrix.entries, v, &mut rates);
     vector(|i| rates[i] + b[i])
 }

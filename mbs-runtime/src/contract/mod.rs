@@ -35,7 +35,7 @@ mod system;
 
 pub use configuration::Configuration;
 pub use constraints::Constraints;
-pub use elimination::Elimination;
+pub use elimination::{Elimination, Rates};
 pub use inertia::Inertia;
 pub use loads::Loads;
 pub use named_values::NamedValues;

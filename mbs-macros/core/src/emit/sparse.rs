@@ -54,64 +54,133 @@ pub(super) fn emit(program: &Program) -> (String, String) {
         });
         slots.collect::<Vec<_>>().join(", ")
     };
-    let jacobian = (0..r).map(|row| {
-        let entries = sparse.jacobian.iter().filter(|entry| entry.0 == row);
-        let entries = entries.map(|&(_, j)| format!("[{j}, {}]", rows.slot_of(n + row, j)));
-        format!("&[{}]", entries.collect::<Vec<_>>().join(", "))
-    });
-    let pivots: Vec<usize> = rows.positions[n..]
+    let pivots: Vec<String> = rows.positions[n..]
         .iter()
-        .map(|&position| rows.columns[position].pivot)
+        .map(|&position| format!("({position}, {})", rows.columns[position].pivot))
         .collect();
     let constant = format!(
         "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{
-            unknowns: {}, slots: {}, mass_slots: {}, mass: &[{}], mass_alone: &[{}], jacobian: &[{}], positions: &{:?}, mass_positions: &{:?}, pivots: &{pivots:?}, forces_vary: {},
-            factor: Self::sparse_factor, solve: Self::sparse_solve, factor_pair: Self::sparse_factor_pair,
-            solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
+            unknowns: {}, slots: {}, mass_slots: {}, mass: &[{}], mass_alone: &[{}], pivots: &[{}], forces_vary: {},
+            rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve,
+            factor_pair: Self::sparse_factor_pair, solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
         rows.columns.len(),
         rows.slots,
         mass.slots,
         entries(rows),
         entries(mass),
-        jacobian.collect::<Vec<_>>().join(", "),
-        rows.positions,
-        mass.positions,
+        pivots.join(", "),
         sparse.forces_vary
     );
     let mut out = String::new();
+    rates(&mut out, sparse);
+    impulse(&mut out, sparse);
     factor(&mut out, "sparse_factor", rows);
     factor(&mut out, "sparse_factor_mass", mass);
     factor_pair(&mut out, rows);
-    solve(&mut out, "sparse_solve", rows);
-    solve_pair(&mut out, rows);
-    solve(&mut out, "sparse_solve_mass", mass);
+    let rows_in = spread(rows, n, |row| format!("rows[{row}]"), r);
+    let rows_out = collect(rows, n, r);
+    let _ = writeln!(
+        out,
+        "fn sparse_solve(f: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
+            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{}>()) else {{ return }};
+            let (rows, v, kappa) = (entries(rows), entries_mut(v), entries_mut(kappa));
+            {rows_in} {} {rows_out} }}",
+        rows.slots,
+        rows.columns.len(),
+        passes(rows, &["f"], symmetric_forward, symmetric_backward)
+    );
+    let _ = writeln!(
+        out,
+        "fn sparse_solve_pair(f: &[f64], g: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
+            let (Some(f), Some(g), Some(x)) = (f.first_chunk::<{0}>(), g.first_chunk::<{0}>(), x.first_chunk_mut::<{1}>()) else {{ return }};
+            let (rows, v, kappa) = (entries(rows), entries_mut(v), entries_mut(kappa));
+            {rows_in} {2} {rows_out} }}",
+        rows.slots,
+        rows.columns.len(),
+        passes(rows, &["f", "g"], forward, backward)
+    );
+    let mut into = String::new();
+    let mut back = String::new();
+    for (i, position) in mass.positions.iter().enumerate() {
+        let _ = writeln!(into, "x[{position}] = v[{i}];");
+        let _ = writeln!(back, "v[{i}] = x[{position}];");
+    }
+    let _ = writeln!(
+        out,
+        "fn sparse_solve_mass(f: &[f64], x: &mut [f64], v: &mut SVector<f64, {n}>) {{
+            let v = entries_mut(v);
+            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{n}>()) else {{ return }};
+            {into} {} {back} }}",
+        mass.slots,
+        passes(mass, &["f"], symmetric_forward, symmetric_backward)
+    );
     (constant, out)
 }
 
-/// x ← K⁻¹x from the factor of a symmetric K.
-fn solve(out: &mut String, name: &str, e: &Elimination) {
+/// A v.
+fn rates(out: &mut String, sparse: &Sparse) {
+    let (n, r, slots) = (sparse.size, sparse.row_count, sparse.rows.slots);
+    let mut body = String::new();
+    for row in 0..r {
+        let terms = sparse.jacobian.iter().filter(|entry| entry.0 == row);
+        let terms: Vec<String> = terms
+            .map(|&(_, j)| format!("k[{}] * v[{j}]", sparse.rows.slot_of(n + row, j)))
+            .collect();
+        if !terms.is_empty() {
+            let _ = writeln!(body, "rates[{row}] = {};", terms.join(" + "));
+        }
+    }
     let _ = writeln!(
         out,
-        "fn {name}(f: &[f64], x: &mut [f64]) {{
-            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{}>()) else {{ return }};
-            {} }}",
-        e.slots,
-        e.columns.len(),
-        passes(e, &["f"], symmetric_forward, symmetric_backward)
+        "fn sparse_rates(k: &[f64], v: &SVector<f64, {n}>, rates: &mut SVector<f64, {r}>) {{
+            let (v, rates) = (entries(v), entries_mut(rates));
+            let Some(k) = k.first_chunk::<{slots}>() else {{ return }}; {body} }}"
     );
 }
 
-/// The same from both factors of K.
-fn solve_pair(out: &mut String, e: &Elimination) {
+/// Aᵀκ.
+fn impulse(out: &mut String, sparse: &Sparse) {
+    let (n, r, slots) = (sparse.size, sparse.row_count, sparse.rows.slots);
+    let mut body = String::new();
+    for column in 0..n {
+        let terms = sparse.jacobian.iter().filter(|entry| entry.1 == column);
+        let terms: Vec<String> = terms
+            .map(|&(i, _)| format!("k[{}] * kappa[{i}]", sparse.rows.slot_of(n + i, column)))
+            .collect();
+        if !terms.is_empty() {
+            let _ = writeln!(body, "p[{column}] = {};", terms.join(" + "));
+        }
+    }
     let _ = writeln!(
         out,
-        "fn sparse_solve_pair(f: &[f64], g: &[f64], x: &mut [f64]) {{
-            let (Some(f), Some(g), Some(x)) = (f.first_chunk::<{0}>(), g.first_chunk::<{0}>(), x.first_chunk_mut::<{1}>()) else {{ return }};
-            {2} }}",
-        e.slots,
-        e.columns.len(),
-        passes(e, &["f", "g"], forward, backward)
+        "fn sparse_impulse(k: &[f64], kappa: &SVector<f64, {r}>, p: &mut SVector<f64, {n}>) {{
+            let (kappa, p) = (entries(kappa), entries_mut(p));
+            let Some(k) = k.first_chunk::<{slots}>() else {{ return }}; {body} }}"
     );
+}
+
+/// A vector in the order of elimination: zero for the velocities, and the right-hand sides of the rows.
+fn spread(e: &Elimination, n: usize, row: impl Fn(usize) -> String, r: usize) -> String {
+    let mut out = String::new();
+    for i in 0..n {
+        let _ = writeln!(out, "x[{}] = 0.0;", e.positions[i]);
+    }
+    for i in 0..r {
+        let _ = writeln!(out, "x[{}] = {};", e.positions[n + i], row(i));
+    }
+    out
+}
+
+/// Adds the solution.
+fn collect(e: &Elimination, n: usize, r: usize) -> String {
+    let mut out = String::new();
+    for i in 0..n {
+        let _ = writeln!(out, "v[{i}] += x[{}];", e.positions[i]);
+    }
+    for i in 0..r {
+        let _ = writeln!(out, "kappa[{i}] -= x[{}];", e.positions[n + i]);
+    }
+    out
 }
 
 fn passes(e: &Elimination, arrays: &[&str], forward: Column, backward: Column) -> String {
