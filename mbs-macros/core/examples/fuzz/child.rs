@@ -45,6 +45,8 @@ pub fn serve() {
                 return;
             }
             let answer = answer(&String::from_utf8_lossy(&text)).replace('\n', " ");
+            // Texts are kept for messages; those of a million inputs would fill the memory.
+            proc_macro2::extra::invalidate_current_thread_spans();
             let mut out = std::io::stdout().lock();
             if writeln!(out, "{answer}")
                 .and_then(|()| out.flush())

@@ -9,7 +9,7 @@ use crate::symbolic::{Map, Symbol};
 use std::fmt::Write;
 
 /// Up to so many outputs are written one by one.
-const MOST: usize = 200;
+const MOST: usize = 600;
 /// Fewer places of one value make no loop.
 const FEWEST: usize = 8;
 
