@@ -141,7 +141,8 @@ impl<const K: usize> DelassusFactor<K> {
         self.eliminate_where(|_, _, _| false, matrix)
     }
 
-    /// The same past rows that still are redundant, and the smallest relative pivot of the others. Not inlined, so that the compiler unrolls only the other form.
+    /// The same past rows that still are redundant, and the smallest relative pivot of the others. Not inlined, so that the
+    /// compiler unrolls only the other form.
     #[inline(never)]
     fn eliminate_but(&mut self, redundant: &[bool; K], matrix: &[[f64; K]; K]) -> (bool, f64) {
         let (mut skipped, mut reduced) = ([false; K], false);

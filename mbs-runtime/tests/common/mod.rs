@@ -2,6 +2,7 @@
 #![allow(dead_code)]
 
 pub mod alloc;
+pub mod bennett;
 pub mod bricard;
 pub mod planar;
 pub mod scenes;

@@ -129,7 +129,9 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         .retain(|function| function.name != "affinities" || function.operations.len() <= LONGEST);
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
     functions.extend(accelerations(&mut graph, &mut hoisted, derived));
-    let all_tangents = all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions);
+    // Long functions are lowered with a likeness.
+    let all_tangents = likeness
+        .and_then(|likeness| all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions));
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {

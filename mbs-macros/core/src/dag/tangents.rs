@@ -19,7 +19,7 @@ const APPLIED: [(&str, &str); 2] = [("applied_q", "f_q"), ("applied_v", "f_v")];
 pub(super) fn all_tangents(
     graph: &mut Graph,
     hoisted: &mut Hoisted,
-    likeness: Option<&Likeness>,
+    likeness: &Likeness,
     derived: &Derived,
     functions: &[Function],
 ) -> Option<Function> {
@@ -31,7 +31,7 @@ pub(super) fn all_tangents(
     if !derived.constant_mass || total.computes_the_same(applied) {
         return None;
     }
-    let mut code = Lowering::new(graph, hoisted).with_likeness(likeness);
+    let mut code = Lowering::new(graph, hoisted).with_likeness(Some(likeness));
     matrix(&mut code, "f_q", &derived.total_by_position);
     matrix(&mut code, "f_v", &derived.total_by_velocity);
     matrix(&mut code, "p_q", &derived.momentum_by_position);

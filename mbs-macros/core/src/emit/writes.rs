@@ -13,7 +13,7 @@ const MOST: usize = 600;
 /// Fewer places of one value make no loop.
 const FEWEST: usize = 8;
 
-/// What the places of a loop have in common.
+/// What the places of a loop have in common: the sink, the number of indices, and the value.
 type Kind = (&'static str, usize, Operand);
 
 impl Body<'_> {
@@ -86,7 +86,13 @@ fn is_given(value: Operand) -> bool {
 }
 
 fn kind(output: &Output) -> Kind {
-    (output.sink, indices(output.place).len(), output.value)
+    let indices = match output.place {
+        Place::Value | Place::Constant(_) => 0,
+        Place::Element(_) => 1,
+        Place::Entry(..) => 2,
+        Place::Tensor(..) => 3,
+    };
+    (output.sink, indices, output.value)
 }
 
 fn indices(place: Place) -> Vec<String> {

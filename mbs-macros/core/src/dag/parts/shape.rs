@@ -10,7 +10,8 @@ use std::rc::Rc;
 /// A piece of straight-line code, and the places of its values in each use.
 #[derive(Debug)]
 pub struct Shape {
-    /// The code: [`Symbol::Place`](crate::symbolic::Symbol::Place) are the values it reads, elements of its output those it leaves.
+    /// The code: [`Symbol::Place`](crate::symbolic::Symbol::Place) are the values it reads, elements of its output those
+    /// it leaves.
     pub function: Function,
     /// The places of each use: of the values that are read, then of those that are left.
     pub table: Vec<Vec<u32>>,
