@@ -241,15 +241,15 @@ fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
         (
             "applied_force_tangents",
             "f_q",
-            &derived.applied_by_position,
+            &derived.applied.by_position,
         ),
         (
             "applied_force_tangents",
             "f_v",
-            &derived.applied_by_velocity,
+            &derived.applied.by_velocity,
         ),
-        ("force_tangents", "f_q", &derived.total_by_position),
-        ("force_tangents", "f_v", &derived.total_by_velocity),
+        ("force_tangents", "f_q", &derived.total.by_position),
+        ("force_tangents", "f_v", &derived.total.by_velocity),
         ("force_tangents", "p_q", &derived.momentum_by_position),
     ] {
         for (&(i, j), &value) in matrix {

@@ -160,10 +160,10 @@ pub fn derived(derived: &Derived) -> String {
     affinities(&mut formulas, derived);
     rows(&mut formulas, derived);
     formulas.vector("F", &derived.total_forces);
-    formulas.matrix("∂f/∂q", &derived.applied_by_position);
-    formulas.matrix("∂f/∂v", &derived.applied_by_velocity);
-    formulas.matrix("∂F/∂q", &derived.total_by_position);
-    formulas.matrix("∂F/∂v", &derived.total_by_velocity);
+    formulas.matrix("∂f/∂q", &derived.applied.by_position);
+    formulas.matrix("∂f/∂v", &derived.applied.by_velocity);
+    formulas.matrix("∂F/∂q", &derived.total.by_position);
+    formulas.matrix("∂F/∂v", &derived.total.by_velocity);
     formulas.matrix("∂p/∂q", &derived.momentum_by_position);
     formulas.vector("M⁻¹f", derived.acceleration.as_deref().unwrap_or(&[]));
     format!(
@@ -179,8 +179,8 @@ pub fn quantities(derived: &Derived) -> String {
     formulas.matrix("M", &derived.system.mass);
     affinities(&mut formulas, derived);
     rows(&mut formulas, derived);
-    formulas.matrix("∂F/∂q", &derived.total_by_position);
-    formulas.matrix("∂F/∂v", &derived.total_by_velocity);
+    formulas.matrix("∂F/∂q", &derived.total.by_position);
+    formulas.matrix("∂F/∂v", &derived.total.by_velocity);
     formulas.matrix("∂p/∂q", &derived.momentum_by_position);
     formulas.text()
 }

@@ -33,10 +33,10 @@ fn expressions<'a>(derived: &'a mut Derived, quantity: &str) -> Vec<&'a mut Expr
         "M" => &mut derived.system.mass,
         "A" => &mut derived.jacobian,
         "Ȧ" => &mut derived.jacobian_rate,
-        "∂f/∂q" => &mut derived.applied_by_position,
-        "∂f/∂v" => &mut derived.applied_by_velocity,
-        "∂F/∂q" => &mut derived.total_by_position,
-        "∂F/∂v" => &mut derived.total_by_velocity,
+        "∂f/∂q" => &mut derived.applied.by_position,
+        "∂f/∂v" => &mut derived.applied.by_velocity,
+        "∂F/∂q" => &mut derived.total.by_position,
+        "∂F/∂v" => &mut derived.total.by_velocity,
         "∂p/∂q" => &mut derived.momentum_by_position,
         "Γ" => {
             let affinities = derived.affinities.iter_mut();

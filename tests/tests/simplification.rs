@@ -365,6 +365,7 @@ mod program {
             mass: BTreeMap::new(),
             potential: zero,
             forces: Vec::new(),
+            force_parts: None,
             power: zero,
             rows: Vec::new(),
             vacuous: Vec::new(),

@@ -65,12 +65,12 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         make("applied_forces", &mut |f| vector(f, "f", &system.forces));
         make("forces", &mut |f| vector(f, "f", &derived.total_forces));
         make("applied_force_tangents", &mut |f| {
-            matrix(f, "f_q", &derived.applied_by_position);
-            matrix(f, "f_v", &derived.applied_by_velocity);
+            matrix(f, "f_q", &derived.applied.by_position);
+            matrix(f, "f_v", &derived.applied.by_velocity);
         });
         make("force_tangents", &mut |f| {
-            matrix(f, "f_q", &derived.total_by_position);
-            matrix(f, "f_v", &derived.total_by_velocity);
+            matrix(f, "f_q", &derived.total.by_position);
+            matrix(f, "f_v", &derived.total.by_velocity);
             matrix(f, "p_q", &derived.momentum_by_position);
         });
         if !structure.constant_mass {
@@ -80,8 +80,8 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
             });
             make("balance_tangents", &mut |f| {
                 mass(f, &system.mass);
-                matrix(f, "f_q", &derived.total_by_position);
-                matrix(f, "f_v", &derived.total_by_velocity);
+                matrix(f, "f_q", &derived.total.by_position);
+                matrix(f, "f_v", &derived.total.by_velocity);
                 matrix(f, "p_q", &derived.momentum_by_position);
             });
         }
@@ -183,8 +183,8 @@ fn structure(derived: &Derived) -> Structure {
     let on_time = |expr: &Expr| graph.depends_on(*expr, |symbol| symbol == Symbol::Time);
     Structure {
         constant_mass: derived.constant_mass,
-        velocity_forces: !derived.applied_by_velocity.is_empty(),
-        position_forces: !derived.applied_by_position.is_empty(),
+        velocity_forces: !derived.applied.by_velocity.is_empty(),
+        position_forces: !derived.applied.by_position.is_empty(),
         time_dependent: system.rows.iter().any(|row| on_time(&row.expr))
             || system.forces.iter().any(on_time),
         rotations: system.layout.rotations.len(),

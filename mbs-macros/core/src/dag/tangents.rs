@@ -32,11 +32,11 @@ pub(super) fn all_tangents(
         return None;
     }
     let mut code = Lowering::new(graph, hoisted).with_likeness(Some(likeness));
-    matrix(&mut code, "f_q", &derived.total_by_position);
-    matrix(&mut code, "f_v", &derived.total_by_velocity);
+    matrix(&mut code, "f_q", &derived.total.by_position);
+    matrix(&mut code, "f_v", &derived.total.by_velocity);
     matrix(&mut code, "p_q", &derived.momentum_by_position);
-    matrix(&mut code, APPLIED[0].0, &derived.applied_by_position);
-    matrix(&mut code, APPLIED[1].0, &derived.applied_by_velocity);
+    matrix(&mut code, APPLIED[0].0, &derived.applied.by_position);
+    matrix(&mut code, APPLIED[1].0, &derived.applied.by_velocity);
     Some(code.finish(ALL_TANGENTS))
 }
 

@@ -114,23 +114,24 @@ const PERMUTATIONS: [(usize, usize, usize, f64); 6] = [
     (1, 0, 2, -1.0),
 ];
 
-/// Adds p × ω to the generalized inertial forces of each rotation: the rate of the momentum in body axes due to the
-/// rotation of the axes (Boltzmann–Hamel equations).
+/// p × ω of each rotation: the rate of the momentum in body axes due to the rotation of the axes (Boltzmann–Hamel
+/// equations); zero for other velocities.
 pub(super) fn turning_momentum(
     graph: &mut Graph,
     rotations: &[Rotation],
     momentum: &[Expr],
-    inertial: &mut [Expr],
-) {
+) -> Vec<Expr> {
+    let mut turning = vec![graph.zero(); momentum.len()];
     for rotation in rotations {
         let first = rotation.velocity;
         for (a, b, c, sign) in PERMUTATIONS {
             let omega = graph.symbol(Symbol::Velocity((first + c) as u32));
             let term = graph.mul(momentum[first + b], omega);
             let term = graph.scale(sign, term);
-            inertial[first + a] = graph.add(inertial[first + a], term);
+            turning[first + a] = graph.add(turning[first + a], term);
         }
     }
+    turning
 }
 
 /// Adds the structure constants of the rotations: ω × p = Γ_ijk v_j v_k, symmetric in j and k.

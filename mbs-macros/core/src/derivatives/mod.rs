@@ -18,11 +18,12 @@ mod matrix;
 mod tangents;
 
 use crate::equations::{InverseMass, System};
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Symbol};
 
 pub use affinities::Affinities;
 pub(crate) use constraints::{RowDerivatives, derive as rows};
 pub use matrix::Matrix;
+pub use tangents::Tangents;
 
 /// All that is computed from the system.
 #[derive(Debug)]
@@ -48,14 +49,10 @@ pub struct Derived {
     pub convective: Vec<Expr>,
     /// F = f + ∂T/∂q, and p × ω for rotations.
     pub total_forces: Vec<Expr>,
-    /// ∂f/∂q.
-    pub applied_by_position: Matrix,
-    /// ∂f/∂v.
-    pub applied_by_velocity: Matrix,
-    /// ∂F/∂q.
-    pub total_by_position: Matrix,
-    /// ∂F/∂v.
-    pub total_by_velocity: Matrix,
+    /// ∂f/∂q and ∂f/∂v.
+    pub applied: Tangents,
+    /// ∂F/∂q and ∂F/∂v.
+    pub total: Tangents,
     /// ∂p/∂q.
     pub momentum_by_position: Matrix,
     /// M⁻¹ f, where M is constant and forces do not depend on velocities.
@@ -77,30 +74,33 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
         }
     };
     let affinities = affinities::affinities(graph, &system.layout.rotations, &system.mass);
-    let mut inertial: Vec<Expr> = match &system.kinetic {
+    let slopes: Vec<Expr> = match &system.kinetic {
         Some(kinetic) => kinetic.slopes.clone(),
         None => (0..size as u32)
             .map(|j| graph.derivative(kinetic, Symbol::Coordinate(j)))
             .collect(),
     };
-    affinities::turning_momentum(graph, &system.layout.rotations, &momentum, &mut inertial);
-    let total_forces: Vec<Expr> = system
-        .forces
-        .iter()
-        .zip(&inertial)
-        .map(|(&f, &g)| graph.add(f, g))
+    let rotations = &system.layout.rotations;
+    let turning = affinities::turning_momentum(graph, rotations, &momentum);
+    let total_forces: Vec<Expr> = (0..size)
+        .map(|i| {
+            let inertial = graph.add(slopes[i], turning[i]);
+            graph.add(system.forces[i], inertial)
+        })
         .collect();
     let rows = constraints::derive(graph, &system.rows);
-    let positions =
-        |graph: &mut Graph, values: &[Expr]| tangents::jacobian(graph, values, Symbol::Coordinate);
-    let velocities =
-        |graph: &mut Graph, values: &[Expr]| tangents::jacobian(graph, values, Symbol::Velocity);
-    let applied_by_position = positions(graph, &system.forces);
-    let applied_by_velocity = velocities(graph, &system.forces);
-    let total_by_position = positions(graph, &total_forces);
-    let total_by_velocity = velocities(graph, &total_forces);
-    let momentum_by_position = positions(graph, &momentum);
-    let explicit = system.constant_mass && applied_by_velocity.is_empty();
+    let momentum_by_position = tangents::jacobian(graph, &momentum, Symbol::Coordinate);
+    let applied = match &system.force_parts {
+        None => Tangents::of(graph, &system.forces),
+        Some(parts) => Tangents::of_parts(graph, parts, rotations),
+    };
+    let total = match &system.kinetic {
+        None => Tangents::of(graph, &total_forces),
+        Some(kinetic) => {
+            applied.with_inertial(graph, kinetic, &turning, &momentum_by_position, rotations)
+        }
+    };
+    let explicit = system.constant_mass && applied.by_velocity.is_empty();
     let acceleration =
         explicit.then(|| InverseMass::new(size, &system.mass).apply(graph, &system.forces));
     Derived {
@@ -113,10 +113,8 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
         jacobian_rate: rows.jacobian_rate,
         convective: rows.convective,
         total_forces,
-        applied_by_position,
-        applied_by_velocity,
-        total_by_position,
-        total_by_velocity,
+        applied,
+        total,
         momentum_by_position,
         acceleration,
         redundant,

@@ -2,6 +2,7 @@
 
 use super::balance::{self, Balance};
 use super::constant_mass::constant_mass;
+use super::generalized_forces::ForceParts;
 use super::kinetic::{self, Kinetic};
 use super::system::System;
 use super::{forces, generalized_forces, inertia, reactions, rows, start, vacuous};
@@ -79,8 +80,11 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         Some(kinetic) => kinetic.mass(&mut graph),
         None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
     };
-    let forces = match kinetic {
-        Some(_) => generalized_forces::backward_forces(&mut graph, size, potential, &loads),
+    let force_parts = kinetic
+        .as_ref()
+        .map(|_| ForceParts::new(&mut graph, size, potential, &loads));
+    let forces = match &force_parts {
+        Some(parts) => parts.total(&mut graph),
         None => generalized_forces::applied_forces(&mut graph, size, potential, &loads),
     };
     let power = generalized_forces::power(&mut graph, &loads);
@@ -96,6 +100,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         mass,
         potential,
         forces,
+        force_parts,
         power,
         rows,
         vacuous,

@@ -38,27 +38,48 @@ pub(super) fn applied_forces(
         .collect()
 }
 
-/// The same by gradients, whose cost does not grow with the number of coordinates.
-pub(super) fn backward_forces(
-    graph: &mut Graph,
-    size: usize,
-    potential: Expr,
-    loads: &[Load],
-) -> Vec<Expr> {
-    let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); size];
-    for (symbol, slope) in graph.gradient(potential) {
-        if let Symbol::Coordinate(j) = symbol {
-            terms[j as usize].push(graph.neg(slope));
-        }
-    }
-    for load in loads {
-        for (symbol, lever) in graph.gradient(load.rate) {
-            if let Symbol::Velocity(j) = symbol {
-                terms[j as usize].push(graph.mul(load.force, lever));
+/// The same by gradients, whose cost does not grow with the number of coordinates: f = loads − ∂V/∂q.
+#[derive(Debug)]
+pub struct ForceParts {
+    /// ∂V/∂q.
+    pub potential_slopes: Vec<Expr>,
+    /// Σ force · ∂rate/∂v.
+    pub loads: Vec<Expr>,
+}
+
+impl ForceParts {
+    pub(super) fn new(
+        graph: &mut Graph,
+        size: usize,
+        potential: Expr,
+        loads: &[Load],
+    ) -> ForceParts {
+        let mut potential_slopes = vec![graph.zero(); size];
+        for (symbol, slope) in graph.gradient(potential) {
+            if let Symbol::Coordinate(j) = symbol {
+                potential_slopes[j as usize] = slope;
             }
         }
+        let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); size];
+        for load in loads {
+            for (symbol, lever) in graph.gradient(load.rate) {
+                if let Symbol::Velocity(j) = symbol {
+                    terms[j as usize].push(graph.mul(load.force, lever));
+                }
+            }
+        }
+        ForceParts {
+            potential_slopes,
+            loads: terms.into_iter().map(|terms| graph.sum(terms)).collect(),
+        }
     }
-    terms.into_iter().map(|terms| graph.sum(terms)).collect()
+
+    pub(super) fn total(&self, graph: &mut Graph) -> Vec<Expr> {
+        let pairs = self.loads.iter().zip(&self.potential_slopes);
+        pairs
+            .map(|(&load, &slope)| graph.sub(load, slope))
+            .collect()
+    }
 }
 
 /// Σ force · rate.

@@ -23,7 +23,7 @@ pub(super) fn energy(
         carried.extend(&part.locals);
         let square = graph.dot(twist.velocity, twist.velocity);
         terms.push(graph.mul(part.mass, square));
-        let spin = part.inertia.map(|row| graph.dot(row, twist.omega));
+        let spin = twist.inertia.map(|row| graph.dot(row, twist.omega));
         terms.push(graph.dot(twist.omega, spin));
     }
     for (&(i, k), &mass) in local {
@@ -71,12 +71,13 @@ impl Kinetic {
         kinetic
     }
 
-    /// The upper triangle of M = ∂p/∂v.
+    /// The upper triangle of M = ∂p/∂v. Of the two equal entries that of the later momentum is taken: fewer bodies
+    /// contribute to it.
     pub(super) fn mass(&self, graph: &mut Graph) -> BTreeMap<(usize, usize), Expr> {
         let mut mass = BTreeMap::new();
-        for (i, &p) in self.momentum.iter().enumerate() {
-            for j in i..self.momentum.len() {
-                let entry = graph.derivative(p, Symbol::Velocity(j as u32));
+        for (j, &p) in self.momentum.iter().enumerate() {
+            for i in 0..=j {
+                let entry = graph.derivative(p, Symbol::Velocity(i as u32));
                 if !graph.is_zero(entry) {
                     mass.insert((i, j), entry);
                 }

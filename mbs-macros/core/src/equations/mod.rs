@@ -19,6 +19,7 @@ mod system;
 mod vacuous;
 
 pub use derive::derive;
+pub use generalized_forces::ForceParts;
 pub use inverse_mass::InverseMass;
 pub use kinetic::Kinetic;
 pub use system::{Reaction, Row, RowKind, System, VacuousRow};

@@ -1,5 +1,6 @@
 //! The equations of a mechanism, as data.
 
+use super::generalized_forces::ForceParts;
 use super::kinetic::Kinetic;
 use crate::model::{Layout, Vector};
 use crate::symbolic::{Expr, Graph, Substitution};
@@ -20,6 +21,8 @@ pub struct System {
     pub potential: Expr,
     /// Applied generalized forces f.
     pub forces: Vec<Expr>,
+    /// The parts of f, where T is that of joint coordinates.
+    pub force_parts: Option<ForceParts>,
     /// Power of the forces without potential.
     pub power: Expr,
     /// Rows, holonomic ones first.

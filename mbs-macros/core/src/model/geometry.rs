@@ -192,6 +192,27 @@ impl Graph {
         inner.map(|axis| self.turn(outer, axis))
     }
 
+    /// Axes that are given in a frame, in components of axes of that frame: constants.
+    pub(super) fn composed_constants(&mut self, axes: &Axes, given: &Axes) -> Axes {
+        given.map(|axis| {
+            let components = self.components(axes, axis);
+            self.snapped(components)
+        })
+    }
+
+    /// A constant direction along an axis, where it is one but for round-off.
+    pub(super) fn snapped(&mut self, direction: Vector) -> Vector {
+        let numbers = direction.map(|x| self.as_constant(x));
+        let [Some(x), Some(y), Some(z)] = numbers else {
+            return direction;
+        };
+        [x, y, z].map(|x| {
+            let whole = x.round();
+            let is_whole = (x - whole).abs() <= 4.0 * f64::EPSILON;
+            self.constant(if is_whole { whole } else { x })
+        })
+    }
+
     /// Axes turned by an angle about a direction given in their own components (Rodrigues' formula).
     pub fn turned_about(&mut self, axes: &Axes, direction: Vector, angle: Expr) -> Axes {
         let (cos, sin) = (

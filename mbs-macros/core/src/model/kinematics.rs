@@ -1,7 +1,7 @@
 //! Poses and velocities along the tree, from each part to those that it carries.
 
-use super::geometry::{Axes, Owner, Vector};
-use super::mobilizer::Freedom;
+use super::geometry::{Axes, Owner, Tensor, Vector};
+use super::mobilizer::{Freedom, transposed};
 use super::parts::{Part, Representation};
 use super::tree::{BodyTwist, Tree, TreeJoint};
 use crate::schema::World;
@@ -13,21 +13,37 @@ use std::collections::BTreeMap;
 struct State {
     /// Centre of mass.
     center: Vector,
+    /// The axes in which the part is described: in space those of the joint that carries it, because the axes of the part
+    /// would cost a multiplication by a constant rotation.
     axes: Axes,
+    /// These axes in components of the part's own: constants.
+    fixed: Axes,
     /// In the plane.
     angle: Expr,
-    /// Velocity of the centre of mass: in body axes in space, in the ground's axes in the plane.
+    /// Velocity of the centre of mass: in `axes` in space, in the ground's axes in the plane.
     velocity: Vector,
-    /// Angular velocity in body axes.
+    /// Angular velocity in `axes`.
     omega: Vector,
     /// Acceleration of the centre of mass, in the axes of the velocity.
     acceleration: Vector,
-    /// Angular acceleration in body axes.
+    /// Angular acceleration in `axes`.
     alpha: Vector,
 }
 
 /// A velocity and an acceleration.
 type Rates = [Vector; 2];
+
+/// What a joint makes of the state of its parent.
+struct Carried {
+    /// As in [`State`].
+    axes: Axes,
+    /// As in [`State`].
+    fixed: Axes,
+    /// Angular velocity and acceleration of the child.
+    turn: Rates,
+    /// Of the joint.
+    rates: Rates,
+}
 
 /// Walks along the tree.
 pub(super) struct Walk<'a> {
@@ -64,6 +80,7 @@ impl Walk<'_> {
                 part: joint.child,
                 velocity: state.velocity,
                 omega: state.omega,
+                inertia: self.inertia(joint.child, &state.fixed),
             });
             states.insert(joint.child, state);
         }
@@ -72,15 +89,24 @@ impl Walk<'_> {
 
     fn ground(&mut self) -> State {
         let zero = self.graph.zero_vector();
+        let axes = self.graph.ground_axes();
         State {
             center: zero,
-            axes: self.graph.ground_axes(),
+            axes,
+            fixed: axes,
             angle: self.graph.zero(),
             velocity: zero,
             omega: zero,
             acceleration: zero,
             alpha: zero,
         }
+    }
+
+    /// The inertia of a part in other axes, given in components of its own.
+    fn inertia(&mut self, part: usize, axes: &Axes) -> Tensor {
+        let inertia = self.parts[part].inertia;
+        let columns = axes.map(|axis| inertia.map(|row| self.graph.dot(row, axis)));
+        axes.map(|axis| columns.map(|column| self.graph.dot(axis, column)))
     }
 
     fn generalized(&mut self, vector: Vector) -> Vector {
@@ -145,6 +171,7 @@ impl Walk<'_> {
         State {
             center,
             axes,
+            fixed: self.graph.ground_axes(),
             angle,
             velocity,
             omega,
@@ -165,9 +192,11 @@ impl Walk<'_> {
         let mobilizer = &joint.mobilizer;
         let part = &self.parts[joint.child];
         let (p, c) = (&mobilizer.parent, &mobilizer.child);
-        let mut arm = self.off_center(p.point.owner, p.point.local);
+        let arm = self.off_center(p.point.owner, p.point.local);
         let back = self.off_center(c.point.owner, c.point.local);
-        // The joint's place, velocity and acceleration on the parent, in the parent's axes.
+        let outer = self.graph.composed_constants(&parent.fixed, &p.local);
+        // The joint's place, velocity and acceleration on the parent, in the axes of its state.
+        let mut arm = self.graph.components(&parent.fixed, arm);
         let mut slide = [self.graph.zero_vector(); 2];
         let mut slides = false;
         for (freedom, local) in joint.freedoms() {
@@ -177,7 +206,7 @@ impl Walk<'_> {
                 Freedom::Turn(_) | Freedom::Rotation => continue,
             };
             slides = true;
-            let direction = p.local[axis];
+            let direction = outer[axis];
             let along = |walk: &mut Self, symbol: Symbol, before: Vector| {
                 let mut stroke = walk.symbol(symbol);
                 if let Some(per_unit) = per_unit {
@@ -209,16 +238,28 @@ impl Walk<'_> {
                 ..*parent
             };
         }
-        let (axes, turn, rates) = if mobilizer.frees_rotation() {
+        let Carried {
+            axes,
+            fixed,
+            turn,
+            rates,
+        } = if mobilizer.frees_rotation() {
             let (axes, turn) = self.own_rotation(part);
             let rates = rates.map(|rate| {
                 let outside = self.graph.turn(&parent.axes, rate);
                 self.graph.components(&axes, outside)
             });
-            (axes, turn, rates)
+            let fixed = self.graph.ground_axes();
+            Carried {
+                axes,
+                fixed,
+                turn,
+                rates,
+            }
         } else {
-            self.carried(joint, parent, rates)
+            self.carried(joint, parent, &outer, rates)
         };
+        let back = self.graph.components(&fixed, back);
         let arm = self.graph.turn(&axes, back);
         let center = self.graph.vector_sub(hinge, arm);
         let back = back.map(|x| self.graph.neg(x));
@@ -226,6 +267,7 @@ impl Walk<'_> {
         State {
             center,
             axes,
+            fixed,
             angle: parent.angle,
             velocity,
             omega: turn[0],
@@ -234,14 +276,36 @@ impl Walk<'_> {
         }
     }
 
-    /// The axes of the child, which turns about axes of the joint at most, its angular velocity and acceleration, and the
-    /// joint's velocity and acceleration in its axes.
-    fn carried(&mut self, joint: &TreeJoint, parent: &State, rates: Rates) -> (Axes, Rates, Rates) {
-        let (outer, inner) = (joint.mobilizer.parent.local, joint.mobilizer.child.local);
-        let mut axes = self.graph.compose(&parent.axes, &outer);
+    /// A child that turns about axes of the joint at most; `outer` are the axes of the joint in those of the parent's
+    /// state, `rates` the joint's velocity and acceleration.
+    fn carried(
+        &mut self,
+        joint: &TreeJoint,
+        parent: &State,
+        outer: &Axes,
+        rates: Rates,
+    ) -> Carried {
+        let inner = joint.mobilizer.child.local;
+        let mut turns = joint
+            .freedoms()
+            .filter(|(freedom, _)| freedom.turns())
+            .peekable();
+        if turns.peek().is_none() {
+            // The child keeps the axes of the parent's state.
+            let fixed = transposed(outer).map(|axis| {
+                let own = self.graph.turn(&inner, axis);
+                self.graph.snapped(own)
+            });
+            return Carried {
+                axes: parent.axes,
+                fixed,
+                turn: [parent.omega, parent.alpha],
+                rates,
+            };
+        }
+        let mut axes = self.graph.compose(&parent.axes, outer);
         let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
-        let mut vectors = vectors.map(|v| self.graph.components(&outer, v));
-        let turns = joint.freedoms().filter(|(freedom, _)| freedom.turns());
+        let mut vectors = vectors.map(|v| self.graph.components(outer, v));
         for (place, (freedom, local)) in turns.enumerate() {
             if let Freedom::Turn(Some(between)) = freedom {
                 axes = self.graph.compose(&axes, between);
@@ -253,13 +317,13 @@ impl Walk<'_> {
             };
             (axes, vectors) = self.turned(&name, local, axes, vectors);
         }
-        // The child's axes are those whose composition with its attachment gives the joint's.
-        let axes = std::array::from_fn(|k| {
-            let components = [inner[0][k], inner[1][k], inner[2][k]];
-            self.graph.turn(&axes, components)
-        });
-        let [omega, alpha, velocity, acceleration] = vectors.map(|v| self.graph.turn(&inner, v));
-        (axes, [omega, alpha], [velocity, acceleration])
+        let [omega, alpha, velocity, acceleration] = vectors;
+        Carried {
+            axes,
+            fixed: inner,
+            turn: [omega, alpha],
+            rates: [velocity, acceleration],
+        }
     }
 
     /// Axes turned about their z by an angle, and vectors in components of the former in those of the latter: ω, α, to which
@@ -376,6 +440,7 @@ impl Walk<'_> {
         State {
             center,
             axes,
+            fixed: self.graph.ground_axes(),
             angle: self.symbol(Symbol::LocalPosition(angle)),
             velocity,
             omega: turn[0],
@@ -405,14 +470,27 @@ impl Walk<'_> {
         let Some(first) = part.rotation() else {
             return;
         };
+        let own = transposed(&state.fixed);
         for entry in 0..9u8 {
-            let value = state.axes[usize::from(entry % 3)][usize::from(entry / 3)];
-            self.substitution
-                .insert(Symbol::LocalRotation(first, entry), value);
+            let (row, column) = (usize::from(entry / 3), usize::from(entry % 3));
+            let across = state.axes.map(|axis| axis[row]);
+            let symbol = Symbol::LocalRotation(first, entry);
+            match own[column].map(|x| self.graph.as_constant(x)) {
+                [Some(x), Some(y), Some(z)] => {
+                    let terms = [(across[0], x), (across[1], y), (across[2], z)];
+                    let value = self.graph.linear(0.0, &terms);
+                    self.substitution.insert_sum(symbol, value, terms.to_vec());
+                }
+                _ => {
+                    let value = self.graph.dot(across, own[column]);
+                    self.substitution.insert(symbol, value);
+                }
+            }
         }
+        let [omega, alpha] = [state.omega, state.alpha].map(|v| self.graph.turn(&state.fixed, v));
         for k in 0..3 {
             let local = first + k;
-            let (omega, alpha) = (state.omega[k as usize], state.alpha[k as usize]);
+            let (omega, alpha) = (omega[k as usize], alpha[k as usize]);
             self.substitution
                 .insert(Symbol::LocalVelocity(local), omega);
             self.substitution

@@ -103,6 +103,7 @@ impl Freedom {
     }
 }
 
-fn transposed(axes: &Axes) -> Axes {
+/// The axes of one frame in components of another, from those of the other in components of the one.
+pub(super) fn transposed(axes: &Axes) -> Axes {
     std::array::from_fn(|i| std::array::from_fn(|k| axes[k][i]))
 }

@@ -11,7 +11,7 @@
 //!
 //! A joint that closes a loop stays a set of rows.
 
-use super::geometry::Vector;
+use super::geometry::{Tensor, Vector};
 use super::mobilizer::{Freedom, Mobilizer};
 use super::parts::{Part, Representation};
 use crate::symbolic::Expr;
@@ -50,8 +50,10 @@ pub struct BodyTwist {
     pub part: usize,
     /// Velocity of the centre of mass, in axes of the part's own choice.
     pub velocity: Vector,
-    /// Angular velocity in body axes.
+    /// Angular velocity in the same axes.
     pub omega: Vector,
+    /// Inertia about the centre of mass in the same axes.
+    pub inertia: Tensor,
 }
 
 impl Tree {

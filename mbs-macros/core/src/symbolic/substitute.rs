@@ -6,6 +6,8 @@ use super::{Expr, Function, Graph, Map, Node, Symbol};
 #[derive(Debug, Clone, Default)]
 pub struct Substitution {
     map: Map<Symbol, Expr>,
+    /// Symbols that stand for a sum of other entries, with its terms.
+    sums: Map<Symbol, Vec<(Expr, f64)>>,
     done: Map<Expr, Expr>,
 }
 
@@ -13,6 +15,13 @@ impl Substitution {
     /// Replaces `symbol` by `expr` from now on (to be called before the first use).
     pub fn insert(&mut self, symbol: Symbol, expr: Expr) {
         self.map.insert(symbol, expr);
+    }
+
+    /// Replaces `symbol` by `sum`, whose terms are entered in sums of this symbol one by one: k (a x + b y) becomes
+    /// (k a) x + (k b) y, where k a and k b are numbers.
+    pub fn insert_sum(&mut self, symbol: Symbol, sum: Expr, terms: Vec<(Expr, f64)>) {
+        self.insert(symbol, sum);
+        self.sums.insert(symbol, terms);
     }
 
     /// Replaces a whole expression from now on (to be called before the first use).
@@ -36,11 +45,18 @@ impl Graph {
             Node::Constant(_) => expr,
             Node::Symbol(symbol) => substitution.get(symbol).unwrap_or(expr),
             Node::Sum { constant, terms } => {
-                let terms: Vec<_> = terms
-                    .iter()
-                    .map(|&(x, c)| (self.substitute(x, substitution), c.value()))
-                    .collect();
-                self.linear(constant.value(), &terms)
+                let mut replaced: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
+                for &(x, c) in &terms {
+                    let sum = match self.node(x) {
+                        Node::Symbol(symbol) => substitution.sums.get(symbol),
+                        _ => None,
+                    };
+                    match sum {
+                        Some(sum) => replaced.extend(sum.iter().map(|&(y, k)| (y, c.value() * k))),
+                        None => replaced.push((self.substitute(x, substitution), c.value())),
+                    }
+                }
+                self.linear(constant.value(), &replaced)
             }
             Node::Product(factors) => {
                 let factors: Vec<_> = factors

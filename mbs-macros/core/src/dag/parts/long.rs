@@ -4,13 +4,31 @@ use super::Parts;
 use crate::dag::{ALL_TANGENTS, Function, Program};
 
 /// A function of more operations and outputs is divided: the compiler of the generated code needs more than proportional
-/// time and stack for longer ones.
-const LONGEST_BODY: usize = 2500;
+/// time and stack for longer ones. Parts need more instructions: those of a chain of ten bodies half as many again.
+const LONGEST_BODY: usize = 8000;
+
+/// The same for functions that are evaluated once in a step, or only if somebody asks.
+const LONGEST_COLD_BODY: usize = 2500;
+
+/// These functions.
+const COLD: [&str; 7] = [
+    "affinities",
+    "points",
+    "kinetic_energy",
+    "potential_energy",
+    "nonconservative_power",
+    "outputs",
+    "reactions",
+];
 
 impl Function {
     /// Whether it is too long for one body.
     pub fn is_long(&self) -> bool {
-        self.operations.len() + self.outputs.len() > LONGEST_BODY
+        let longest = match COLD.contains(&self.name) {
+            true => LONGEST_COLD_BODY,
+            false => LONGEST_BODY,
+        };
+        self.operations.len() + self.outputs.len() > longest
     }
 }
 

@@ -77,7 +77,7 @@ impl Sparse {
     pub fn of(derived: &Derived) -> Option<Self> {
         let (system, rows) = (&derived.system, derived.system.rows.len());
         let applies = derived.constant_mass
-            && derived.applied_by_velocity.is_empty()
+            && derived.applied.by_velocity.is_empty()
             && system.layout.rotations.is_empty()
             && system.holonomic_rows() == rows
             && rows >= FEWEST_ROWS;
