@@ -365,7 +365,10 @@ mod program {
             mass: BTreeMap::new(),
             potential: zero,
             forces: Vec::new(),
-            force_parts: None,
+            force_parts: mbs_macros_core::equations::ForceParts {
+                potential_slopes: Vec::new(),
+                loads: Vec::new(),
+            },
             power: zero,
             rows: Vec::new(),
             vacuous: Vec::new(),

@@ -4,7 +4,7 @@ use super::accelerations::accelerations;
 use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
-use super::tangents::all_tangents;
+use super::tangents::{all_tangents, turning};
 use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
 use crate::derivatives::{Derived, Matrix};
 use crate::model::Rotation;
@@ -132,6 +132,7 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     // Long functions are lowered with a likeness.
     let all_tangents = likeness
         .and_then(|likeness| all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions));
+    let turning = turning(&mut graph, &mut hoisted, derived, &functions);
     let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
@@ -146,13 +147,14 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let rotations = layout
         .rotations
         .iter()
-        .map(|rotation| turning(&mut graph, &mut hoisted, derived, rotation))
+        .map(|rotation| rotation_block(&mut graph, &mut hoisted, derived, rotation))
         .collect();
     let (constants, preparation) = constants(&mut graph, &mut hoisted);
     Program {
         constants,
         constant_mass,
         all_tangents,
+        turning,
         preparation,
         functions,
         guesses,
@@ -232,7 +234,7 @@ fn constant_mass(
 
 /// A rotation, with the inertia of its free flight in constants: the block of M, where M is constant. (A body on a ball
 /// joint turns about the joint; if M varies, there is no free flight, and the inertia of the part is used instead.)
-fn turning(
+fn rotation_block(
     graph: &mut Graph,
     hoisted: &mut Hoisted,
     derived: &Derived,

@@ -171,6 +171,7 @@ impl<'a> Lowering<'a> {
             }
             Node::Sum { constant, terms } => self.sum(constant.value(), &terms),
             Node::Product(factors) => self.product(&factors),
+            Node::Function(crate::symbolic::Function::Apart, x) => self.operand(x),
             Node::Function(function, x) => {
                 let x = self.operand(x);
                 self.push(Operation::Call(function, x))

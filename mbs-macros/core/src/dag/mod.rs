@@ -27,7 +27,7 @@ pub use functions::lower;
 pub use parts::{Labels, Parts, Run as PartRun, Shape};
 pub use run::Run;
 pub use sparse::{Elimination, Sparse, Stretch};
-pub use tangents::{ALL_TANGENTS, of_tangents};
+pub use tangents::{ALL_TANGENTS, TURNING, of_tangents};
 
 /// All generated functions of a mechanism.
 #[derive(Debug)]
@@ -62,6 +62,8 @@ pub struct Program {
     pub sparse: Option<Sparse>,
     /// The tangents of F and f as one function, where both are long: they differ by gyroscopic terms.
     pub all_tangents: Option<Function>,
+    /// p × ω, where M is constant and f is long: F is f and these terms.
+    pub turning: Option<Function>,
     /// The parts and joints that coordinates, velocities and rows belong to.
     pub labels: Labels,
 }

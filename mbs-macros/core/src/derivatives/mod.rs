@@ -23,6 +23,7 @@ use crate::symbolic::{Expr, Symbol};
 pub use affinities::Affinities;
 pub(crate) use constraints::{RowDerivatives, derive as rows};
 pub use matrix::Matrix;
+use tangents::Inertial;
 pub use tangents::Tangents;
 
 /// All that is computed from the system.
@@ -49,6 +50,8 @@ pub struct Derived {
     pub convective: Vec<Expr>,
     /// F = f + ∂T/∂q, and p × ω for rotations.
     pub total_forces: Vec<Expr>,
+    /// p × ω of rotations.
+    pub turning: Vec<Expr>,
     /// ∂f/∂q and ∂f/∂v.
     pub applied: Tangents,
     /// ∂F/∂q and ∂F/∂v.
@@ -90,16 +93,13 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
         .collect();
     let rows = constraints::derive(graph, &system.rows);
     let momentum_by_position = tangents::jacobian(graph, &momentum, Symbol::Coordinate);
-    let applied = match &system.force_parts {
-        None => Tangents::of(graph, &system.forces),
-        Some(parts) => Tangents::of_parts(graph, parts, rotations),
+    let applied = Tangents::of_parts(graph, &system.force_parts, rotations);
+    let inertial = Inertial {
+        slopes: &slopes,
+        turning: &turning,
+        momentum_by_position: &momentum_by_position,
     };
-    let total = match &system.kinetic {
-        None => Tangents::of(graph, &total_forces),
-        Some(kinetic) => {
-            applied.with_inertial(graph, kinetic, &turning, &momentum_by_position, rotations)
-        }
-    };
+    let total = applied.with_inertial(graph, &inertial, rotations);
     let explicit = system.constant_mass && applied.by_velocity.is_empty();
     let acceleration =
         explicit.then(|| InverseMass::new(size, &system.mass).apply(graph, &system.forces));
@@ -113,6 +113,7 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
         jacobian_rate: rows.jacobian_rate,
         convective: rows.convective,
         total_forces,
+        turning,
         applied,
         total,
         momentum_by_position,

@@ -1,7 +1,7 @@
 //! Tangents of forces: Jacobians without their structural zeros.
 
 use super::matrix::Matrix;
-use crate::equations::{ForceParts, Kinetic};
+use crate::equations::ForceParts;
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 use std::collections::BTreeMap;
@@ -13,6 +13,16 @@ pub struct Tangents {
     pub by_position: Matrix,
     /// By v.
     pub by_velocity: Matrix,
+}
+
+/// The forces of inertia.
+pub(super) struct Inertial<'a> {
+    /// ∂T/∂q.
+    pub slopes: &'a [Expr],
+    /// p × ω of rotations.
+    pub turning: &'a [Expr],
+    /// ∂p/∂q.
+    pub momentum_by_position: &'a Matrix,
 }
 
 impl Tangents {
@@ -42,20 +52,18 @@ impl Tangents {
     pub(super) fn with_inertial(
         &self,
         graph: &mut Graph,
-        kinetic: &Kinetic,
-        turning: &[Expr],
-        momentum_by_position: &Matrix,
+        inertial: &Inertial,
         rotations: &[Rotation],
     ) -> Tangents {
-        let turning = Tangents::of(graph, turning);
-        let inertial = hessian(graph, &kinetic.slopes, rotations);
-        let entries = momentum_by_position.iter();
+        let turning = Tangents::of(graph, inertial.turning);
+        let slopes = hessian(graph, inertial.slopes, rotations);
+        let entries = inertial.momentum_by_position.iter();
         let transposed: Matrix = entries.map(|(&(i, j), &entry)| ((j, i), entry)).collect();
         let sum = |graph: &mut Graph, matrices: [&Matrix; 3]| {
             total(graph, matrices.map(|matrix| (1.0, matrix)))
         };
         Tangents {
-            by_position: sum(graph, [&self.by_position, &inertial, &turning.by_position]),
+            by_position: sum(graph, [&self.by_position, &slopes, &turning.by_position]),
             by_velocity: sum(
                 graph,
                 [&self.by_velocity, &transposed, &turning.by_velocity],

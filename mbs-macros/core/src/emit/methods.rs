@@ -4,7 +4,7 @@ use super::body::Body;
 use super::parts::LongFunctions;
 use super::{motion, sparse};
 use crate::contract::{Capability, METHODS, Method, Origin, Returns, Shape};
-use crate::dag::{Function, Program};
+use crate::dag::{Function, Program, TURNING};
 use crate::symbolic::Graph;
 use std::fmt::Write;
 
@@ -49,12 +49,16 @@ fn write_method(
         }
         (Some(function), _) => {
             let cost = format!("/// {}\n#[inline]\n", function.cost());
-            let body = match applied(program, method, function) {
-                Some(applied) => applied.call(),
-                None => match long.body(graph, program, method) {
-                    Some(parts) => parts,
-                    None => straight_line(graph, method, function),
-                },
+            let body = if let Some(applied) = applied(program, method, function) {
+                applied.call()
+            } else if let Some(turning) = program.turning_of(function) {
+                let body = with_turning(graph, program, turning);
+                let applied = Method::named("applied_forces").map(Method::call);
+                return put_after(out, program, method, &cost, applied.as_deref(), &body);
+            } else if let Some(parts) = long.body(graph, program, method) {
+                parts
+            } else {
+                straight_line(graph, method, function)
             };
             put(out, program, method, &cost, &body);
         }
@@ -78,11 +82,24 @@ fn write_method(
 }
 
 fn put(out: &mut String, program: &Program, method: &Method, before: &str, body: &str) {
+    put_after(out, program, method, before, None, body);
+}
+
+/// With a call before the body.
+fn put_after(
+    out: &mut String,
+    program: &Program,
+    method: &Method,
+    before: &str,
+    call: Option<&str>,
+    body: &str,
+) {
     let signature = method.signature(program);
+    let call = call.map_or_else(String::new, |call| format!("{call}\n"));
     let arrays = arrays(method, body);
     let _ = writeln!(
         out,
-        "{before}fn {}{signature} {{\n{arrays}{body}\n}}",
+        "{before}fn {}{signature} {{\n{call}{arrays}{body}\n}}",
         method.name
     );
 }
@@ -110,6 +127,17 @@ fn applied(program: &Program, method: &Method, function: &Function) -> Option<&'
     let (_, applied) = pairs.find(|(total, _)| *total == method.name)?;
     let same = program.function(applied)?.computes_the_same(function);
     (program.structure.constant_mass && same).then(|| Method::named(applied))?
+}
+
+/// The terms of F that f has not, added to f.
+fn with_turning(graph: &Graph, program: &Program, turning: &Function) -> String {
+    let body = Body::of_method(graph, turning);
+    format!(
+        "let mut {TURNING} = [0.0; {}];\n{}{}for (f, {TURNING}) in f.iter_mut().zip({TURNING}) {{ *f += {TURNING}; }}",
+        program.size,
+        body.statements(),
+        body.writes(),
+    )
 }
 
 /// Temporaries, and the statements that write or return the results.

@@ -1,8 +1,8 @@
 //! What acts on the parts, in their own coordinates, and what they need from joints.
 
+use super::forces::Action;
 use super::inertia::{LocalMass, center_of};
 use super::system::Row;
-use crate::model::elements::force::Load;
 use crate::model::{Model, Part, Representation, Vector};
 use crate::symbolic::{Expr, Graph, Symbol};
 
@@ -12,7 +12,8 @@ pub(super) struct Balance<'a> {
     /// Entries of it that depend on positions.
     pub varying: Vec<((u32, u32), Expr)>,
     pub potential: Expr,
-    pub loads: &'a [Load],
+    /// What the force elements contribute.
+    pub actions: &'a [Action],
     pub rows: &'a [Row],
     /// Rows that were solved, in local coordinates.
     pub solved: &'a [Expr],
@@ -52,7 +53,7 @@ impl Balance<'_> {
             terms.push(graph.mul(mass, acceleration));
         }
         terms.push(graph.derivative(self.potential, Symbol::LocalPosition(local)));
-        for load in self.loads {
+        for load in self.actions.iter().flat_map(|action| &action.loads) {
             let lever = graph.derivative(load.rate, Symbol::LocalVelocity(local));
             if graph.is_zero(lever) {
                 continue;

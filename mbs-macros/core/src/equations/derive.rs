@@ -2,7 +2,8 @@
 
 use super::balance::{self, Balance};
 use super::constant_mass::constant_mass;
-use super::generalized_forces::ForceParts;
+use super::forces::Action;
+use super::generalized_forces::{Elements, ForceParts};
 use super::kinetic::{self, Kinetic};
 use super::system::System;
 use super::{forces, generalized_forces, inertia, reactions, rows, start, vacuous};
@@ -16,16 +17,13 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let mut reduction = std::mem::take(&mut model.reduction);
     let inertia = inertia::local_mass(&mut graph, &model.outline.parts);
 
-    let mut potential = generalized_forces::gravity_potential(&mut graph, &model);
-    let mut loads: Vec<Load> = Vec::new();
-    for force in &model.forces {
-        let action = forces::action(&mut graph, &force.element);
-        potential = match action.potential {
-            Some(energy) => graph.add(potential, energy),
-            None => potential,
-        };
-        loads.extend(action.loads);
-    }
+    let gravity = generalized_forces::gravity_potential(&mut graph, &model);
+    let actions = model.forces.iter();
+    let actions: Vec<Action> = actions
+        .map(|force| forces::action(&mut graph, &force.element))
+        .collect();
+    let energies = actions.iter().filter_map(|action| action.potential);
+    let potential = graph.sum([gravity].into_iter().chain(energies));
     let vacuous = vacuous::rows(&graph, &model);
     let rows = rows::rows(&mut graph, &mut reduction, &model);
     let solved = rows::solved_rows(&model.joints, &model.solved);
@@ -33,7 +31,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         inertia: &inertia,
         varying: balance::varying(&graph, &inertia),
         potential,
-        loads: &loads,
+        actions: &actions,
         rows: &rows,
         solved: &solved,
         model: &model,
@@ -41,14 +39,24 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let reactions = reactions::derive(&mut graph, &mut reduction, &balance);
 
     let mut global = |graph: &mut Graph, expr: Expr| graph.substitute(expr, &mut reduction);
-    let potential = global(&mut graph, potential);
-    let loads: Vec<Load> = loads
-        .iter()
-        .map(|load| Load {
-            rate: global(&mut graph, load.rate),
-            force: global(&mut graph, load.force),
-        })
-        .collect();
+    let elements = Elements {
+        potentials: actions
+            .iter()
+            .filter_map(|action| Some(global(&mut graph, action.potential?)))
+            .collect(),
+        loads: actions
+            .iter()
+            .map(|action| {
+                let loads = action.loads.iter().map(|load| Load {
+                    rate: global(&mut graph, load.rate),
+                    force: global(&mut graph, load.force),
+                });
+                loads.collect()
+            })
+            .collect(),
+    };
+    let gravity = global(&mut graph, gravity);
+    let potential = elements.potential(&mut graph, gravity);
     let size = model.layout.velocities.len();
     let outputs = model
         .outputs
@@ -80,14 +88,12 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         Some(kinetic) => kinetic.mass(&mut graph),
         None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
     };
-    let force_parts = kinetic
-        .as_ref()
-        .map(|_| ForceParts::new(&mut graph, size, potential, &loads));
-    let forces = match &force_parts {
-        Some(parts) => parts.total(&mut graph),
-        None => generalized_forces::applied_forces(&mut graph, size, potential, &loads),
+    let force_parts = match &kinetic {
+        Some(_) => ForceParts::by_gradients(&mut graph, size, potential, &elements),
+        None => ForceParts::new(&mut graph, size, potential, &elements),
     };
-    let power = generalized_forces::power(&mut graph, &loads);
+    let forces = force_parts.total(&mut graph);
+    let power = generalized_forces::power(&mut graph, &elements);
     let constant_mass = constant_mass(&graph, &model.layout, &mass);
     let mut layout = model.layout.clone();
     if let (true, Some(pull)) = (constant_mass, pull) {

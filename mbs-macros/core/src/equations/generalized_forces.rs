@@ -3,7 +3,7 @@
 use super::inertia::center_of;
 use crate::model::Model;
 use crate::model::elements::force::Load;
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Function, Graph, Symbol};
 
 /// V = −Σ m g · c.
 pub(super) fn gravity_potential(graph: &mut Graph, model: &Model) -> Expr {
@@ -18,27 +18,34 @@ pub(super) fn gravity_potential(graph: &mut Graph, model: &Model) -> Expr {
     graph.sum(terms)
 }
 
-/// f_j = −∂V/∂q_j + Σ force · ∂rate/∂v_j.
-pub(super) fn applied_forces(
-    graph: &mut Graph,
-    size: usize,
-    potential: Expr,
-    loads: &[Load],
-) -> Vec<Expr> {
-    (0..size as u32)
-        .map(|j| {
-            let slope = graph.derivative(potential, Symbol::Coordinate(j));
-            let mut terms = vec![graph.neg(slope)];
-            for load in loads {
-                let lever = graph.derivative(load.rate, Symbol::Velocity(j));
-                terms.push(graph.mul(load.force, lever));
-            }
-            graph.sum(terms)
-        })
-        .collect()
+/// More force elements keep their sums apart: equal ones have the same code then, which is written once.
+const MANY: usize = 8;
+
+/// The force elements: potentials and loads of each, in generalized coordinates.
+pub(super) struct Elements {
+    pub potentials: Vec<Expr>,
+    pub loads: Vec<Vec<Load>>,
 }
 
-/// The same by gradients, whose cost does not grow with the number of coordinates: f = loads − ∂V/∂q.
+impl Elements {
+    /// A sum of one element.
+    fn own(&self, graph: &mut Graph, sum: Expr) -> Expr {
+        match self.loads.len() > MANY {
+            true => graph.function(Function::Apart, sum),
+            false => sum,
+        }
+    }
+
+    /// V, where that of gravity is known.
+    pub(super) fn potential(&self, graph: &mut Graph, gravity: Expr) -> Expr {
+        let own = self.potentials.iter();
+        let mut terms: Vec<Expr> = own.map(|&energy| self.own(graph, energy)).collect();
+        terms.insert(0, gravity);
+        graph.sum(terms)
+    }
+}
+
+/// Applied forces f = loads − ∂V/∂q.
 #[derive(Debug)]
 pub struct ForceParts {
     /// ∂V/∂q.
@@ -52,7 +59,37 @@ impl ForceParts {
         graph: &mut Graph,
         size: usize,
         potential: Expr,
-        loads: &[Load],
+        elements: &Elements,
+    ) -> ForceParts {
+        let velocities = 0..size as u32;
+        let load = |graph: &mut Graph, j: u32| {
+            let sums = elements.loads.iter().map(|loads| {
+                let terms = loads.iter().map(|load| {
+                    let lever = graph.derivative(load.rate, Symbol::Velocity(j));
+                    graph.mul(load.force, lever)
+                });
+                let terms: Vec<Expr> = terms.collect();
+                let sum = graph.sum(terms);
+                elements.own(graph, sum)
+            });
+            let sums: Vec<Expr> = sums.collect();
+            graph.sum(sums)
+        };
+        ForceParts {
+            potential_slopes: velocities
+                .clone()
+                .map(|j| graph.derivative(potential, Symbol::Coordinate(j)))
+                .collect(),
+            loads: velocities.map(|j| load(graph, j)).collect(),
+        }
+    }
+
+    /// The same by gradients, whose cost does not grow with the number of coordinates.
+    pub(super) fn by_gradients(
+        graph: &mut Graph,
+        size: usize,
+        potential: Expr,
+        elements: &Elements,
     ) -> ForceParts {
         let mut potential_slopes = vec![graph.zero(); size];
         for (symbol, slope) in graph.gradient(potential) {
@@ -61,7 +98,7 @@ impl ForceParts {
             }
         }
         let mut terms: Vec<Vec<Expr>> = vec![Vec::new(); size];
-        for load in loads {
+        for load in elements.loads.iter().flatten() {
             for (symbol, lever) in graph.gradient(load.rate) {
                 if let Symbol::Velocity(j) = symbol {
                     terms[j as usize].push(graph.mul(load.force, lever));
@@ -74,6 +111,7 @@ impl ForceParts {
         }
     }
 
+    /// f.
     pub(super) fn total(&self, graph: &mut Graph) -> Vec<Expr> {
         let pairs = self.loads.iter().zip(&self.potential_slopes);
         pairs
@@ -83,10 +121,8 @@ impl ForceParts {
 }
 
 /// Σ force · rate.
-pub(super) fn power(graph: &mut Graph, loads: &[Load]) -> Expr {
-    let terms: Vec<Expr> = loads
-        .iter()
-        .map(|load| graph.mul(load.force, load.rate))
-        .collect();
+pub(super) fn power(graph: &mut Graph, elements: &Elements) -> Expr {
+    let loads = elements.loads.iter().flatten();
+    let terms: Vec<Expr> = loads.map(|load| graph.mul(load.force, load.rate)).collect();
     graph.sum(terms)
 }

@@ -21,8 +21,8 @@ pub struct System {
     pub potential: Expr,
     /// Applied generalized forces f.
     pub forces: Vec<Expr>,
-    /// The parts of f, where T is that of joint coordinates.
-    pub force_parts: Option<ForceParts>,
+    /// What f consists of.
+    pub force_parts: ForceParts,
     /// Power of the forces without potential.
     pub power: Expr,
     /// Rows, holonomic ones first.

@@ -312,6 +312,9 @@ impl Graph {
 
     /// An elementary function.
     pub fn function(&mut self, function: Function, x: Expr) -> Expr {
+        if function == Function::Apart {
+            return self.apart(x);
+        }
         if let Some(value) = self.as_constant(x) {
             let result = function.evaluate(value);
             if result.is_finite() {
@@ -338,6 +341,22 @@ impl Graph {
             }
         }
         self.intern(Node::Function(function, x))
+    }
+
+    /// A sum that others do not take in; what is no sum remains.
+    fn apart(&mut self, x: Expr) -> Expr {
+        match self.node(x) {
+            Node::Sum {
+                constant: Number::ZERO,
+                terms,
+            } if terms.len() == 1 => {
+                let (term, coefficient) = terms[0];
+                let term = self.apart(term);
+                self.scale(coefficient.value(), term)
+            }
+            Node::Sum { .. } => self.intern(Node::Function(Function::Apart, x)),
+            _ => x,
+        }
     }
 
     /// If `x` is minus something simple, that something.

@@ -171,6 +171,7 @@ impl Graph {
             Function::Abs => self.function(Function::Sign, x),
             Function::Sign | Function::Step | Function::Round => self.zero(),
             Function::Same => self.one(),
+            Function::Apart => return self.function(function, inner),
         };
         self.mul(outer, inner)
     }

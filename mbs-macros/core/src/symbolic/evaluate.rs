@@ -20,7 +20,7 @@ impl Function {
             Function::Tanh => x.tanh(),
             Function::Abs => x.abs(),
             Function::Round => x.round(),
-            Function::Same => x,
+            Function::Same | Function::Apart => x,
             Function::Sign => {
                 if x == 0.0 {
                     0.0

@@ -160,6 +160,8 @@ pub enum Function {
     Round,
     /// Its argument: marks an expression that the reduction can replace by a coordinate. Substitution removes it.
     Same,
+    /// Its argument: a sum that other sums do not take in, so that each of many equal elements keeps sums of its own.
+    Apart,
 }
 
 /// The operation at a node. Construct nodes through [`Graph`]'s methods only: they keep the canonical form.

@@ -23,7 +23,7 @@ impl Function {
             Function::Sign => "sign",
             Function::Step => "step",
             Function::Round => "round",
-            Function::Same => "",
+            Function::Same | Function::Apart => "",
         }
     }
 }

@@ -8,7 +8,10 @@ use crate::dag::{ALL_TANGENTS, Function, Program};
 const LONGEST_BODY: usize = 8000;
 
 /// The same for functions that are evaluated once in a step, or only if somebody asks.
-const LONGEST_COLD_BODY: usize = 2500;
+const LONGEST_COLD_BODY: usize = 1200;
+
+/// A longer function is not written out beside another that computes the same and more.
+const LONGEST_TWICE: usize = 1000;
 
 /// These functions.
 const COLD: [&str; 7] = [
@@ -33,7 +36,7 @@ impl Function {
 }
 
 impl Program {
-    /// For a long function the one that computes the same and more: the balance is called for the forces.
+    /// For a function that is not short the one that computes the same and more: the balance is called for the forces.
     pub fn whole_of(&self, function: &Function) -> Option<&Function> {
         let whole = match function.name {
             "forces" => self.function("balance"),
@@ -43,12 +46,20 @@ impl Program {
             "applied_force_tangents" => self.all_tangents.as_ref(),
             _ => None,
         };
-        whole.filter(|_| function.is_long())
+        whole.filter(|_| function.operations.len() > LONGEST_TWICE)
+    }
+
+    /// The terms of F that f has not, where F is f and these.
+    pub fn turning_of(&self, function: &Function) -> Option<&Function> {
+        let turning = self.turning.as_ref();
+        turning.filter(|_| function.name == "forces")
     }
 
     /// A long function as parts, unless another is called for it.
     pub fn parts(&self, function: &Function) -> Option<Parts> {
-        let is_divided = function.is_long() && self.whole_of(function).is_none();
+        let is_divided = function.is_long()
+            && self.whole_of(function).is_none()
+            && self.turning_of(function).is_none();
         is_divided.then(|| Parts::of(function, &self.labels))
     }
 
@@ -61,7 +72,11 @@ impl Program {
                     Parts::of(whole, &self.labels).operations()
                 }
                 Some(_) => 0,
-                None => function.operations.len(),
+                None => self
+                    .turning_of(function)
+                    .unwrap_or(function)
+                    .operations
+                    .len(),
             },
         }
     }
