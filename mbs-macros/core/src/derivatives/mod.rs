@@ -94,12 +94,14 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
     let rows = constraints::derive(graph, &system.rows);
     let momentum_by_position = tangents::jacobian(graph, &momentum, Symbol::Coordinate);
     let applied = Tangents::of_parts(graph, &system.force_parts, rotations);
+    let applied = applied.or_direct(graph, &system.forces, &Matrix::new());
     let inertial = Inertial {
         slopes: &slopes,
         turning: &turning,
         momentum_by_position: &momentum_by_position,
     };
     let total = applied.with_inertial(graph, &inertial, rotations);
+    let total = total.or_direct(graph, &total_forces, &momentum_by_position);
     let explicit = system.constant_mass && applied.by_velocity.is_empty();
     let acceleration =
         explicit.then(|| InverseMass::new(size, &system.mass).apply(graph, &system.forces));

@@ -3,8 +3,11 @@
 use super::matrix::Matrix;
 use crate::equations::ForceParts;
 use crate::model::Rotation;
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Graph, Length, Symbol};
 use std::collections::BTreeMap;
+
+/// Below this number of operations tangents are derived in two ways.
+const SHORT: usize = 2000;
 
 /// The tangents of a vector of forces.
 #[derive(Debug)]
@@ -31,6 +34,30 @@ impl Tangents {
             by_position: jacobian(graph, forces, Symbol::Coordinate),
             by_velocity: jacobian(graph, forces, Symbol::Velocity),
         }
+    }
+
+    /// These, or the Jacobians of the forces as they are, whichever is shorter beside what is computed with them. (Where they
+    /// are long, these are.)
+    pub(super) fn or_direct(self, graph: &mut Graph, forces: &[Expr], beside: &Matrix) -> Tangents {
+        let shared = self.length(graph, beside);
+        if shared > SHORT {
+            return self;
+        }
+        let direct = Tangents::of(graph, forces);
+        match direct.length(graph, beside) < shared {
+            true => direct,
+            false => self,
+        }
+    }
+
+    fn length(&self, graph: &Graph, beside: &Matrix) -> usize {
+        let mut length = Length::default();
+        for matrix in [&self.by_position, &self.by_velocity, beside] {
+            for &entry in matrix.values() {
+                length.add(graph, entry);
+            }
+        }
+        length.operations()
     }
 
     /// Those of f = loads − ∂V/∂q: ∂²V/∂q² is symmetric, and its pairs are derived once.

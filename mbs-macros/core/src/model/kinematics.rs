@@ -1,5 +1,6 @@
 //! Poses and velocities along the tree, from each part to those that it carries.
 
+use super::alignment::aligned;
 use super::geometry::{Axes, Owner, Tensor, Vector};
 use super::mobilizer::{Freedom, transposed};
 use super::parts::{Part, Representation};
@@ -73,7 +74,7 @@ impl Walk<'_> {
             };
             let state = match self.world {
                 World::Planar => self.planar(joint, &parent),
-                World::Spatial => self.spatial(joint, &parent),
+                World::Spatial => self.spatial(tree, joint, &parent),
             };
             self.store(joint.child, &state);
             twists.push(BodyTwist {
@@ -188,7 +189,7 @@ impl Walk<'_> {
         }
     }
 
-    fn spatial(&mut self, joint: &TreeJoint, parent: &State) -> State {
+    fn spatial(&mut self, tree: &Tree, joint: &TreeJoint, parent: &State) -> State {
         let mobilizer = &joint.mobilizer;
         let part = &self.parts[joint.child];
         let (p, c) = (&mobilizer.parent, &mobilizer.child);
@@ -257,7 +258,7 @@ impl Walk<'_> {
                 rates,
             }
         } else {
-            self.carried(joint, parent, &outer, rates)
+            self.carried(tree, joint, parent, &outer, rates)
         };
         let back = self.graph.components(&fixed, back);
         let arm = self.graph.turn(&axes, back);
@@ -280,6 +281,7 @@ impl Walk<'_> {
     /// state, `rates` the joint's velocity and acceleration.
     fn carried(
         &mut self,
+        tree: &Tree,
         joint: &TreeJoint,
         parent: &State,
         outer: &Axes,
@@ -306,7 +308,9 @@ impl Walk<'_> {
         let mut axes = self.graph.compose(&parent.axes, outer);
         let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
         let mut vectors = vectors.map(|v| self.graph.components(outer, v));
-        for (place, (freedom, local)) in turns.enumerate() {
+        let mut fixed = inner;
+        let mut place = 0;
+        while let Some((freedom, local)) = turns.next() {
             if let Freedom::Turn(Some(between)) = freedom {
                 axes = self.graph.compose(&axes, between);
                 vectors = vectors.map(|v| self.graph.components(between, v));
@@ -315,12 +319,31 @@ impl Walk<'_> {
                 0 => joint.joint.clone(),
                 _ => format!("{}_second", joint.joint),
             };
-            (axes, vectors) = self.turned(&name, local, axes, vectors);
+            place += 1;
+            let is_last = turns.peek().is_none();
+            let aligned = is_last.then(|| {
+                let part = &self.parts[joint.child];
+                aligned(self.graph, tree, joint, part, &inner)
+            });
+            let mut angle = self.symbol(Symbol::LocalPosition(local));
+            if let Some((offset, turned)) = aligned.flatten() {
+                angle = self.graph.add(angle, offset);
+                fixed = turned;
+            }
+            (axes, vectors) = self.turned(&name, (angle, local), axes, vectors);
+        }
+        let is_number = |&x: &Expr| self.graph.as_constant(x).is_some();
+        if !fixed.iter().flatten().all(is_number) {
+            // Axes that depend on parameters have entries that no number folds with: those of the part are as short.
+            let own = transposed(&fixed);
+            axes = self.graph.compose(&axes, &own);
+            vectors = vectors.map(|v| self.graph.turn(&fixed, v));
+            fixed = self.graph.ground_axes();
         }
         let [omega, alpha, velocity, acceleration] = vectors;
         Carried {
             axes,
-            fixed: inner,
+            fixed,
             turn: [omega, alpha],
             rates: [velocity, acceleration],
         }
@@ -331,11 +354,10 @@ impl Walk<'_> {
     fn turned(
         &mut self,
         name: &str,
-        local: u32,
+        (angle, local): (Expr, u32),
         [x, y, z]: Axes,
         vectors: [Vector; 4],
     ) -> (Axes, [Vector; 4]) {
-        let angle = self.symbol(Symbol::LocalPosition(local));
         let [rate, second] = [
             self.symbol(Symbol::LocalVelocity(local)),
             self.symbol(Symbol::LocalAcceleration(local)),

@@ -22,6 +22,7 @@ mod value;
 
 // Names and expressions.
 mod advice;
+mod alignment;
 mod arguments;
 mod defaults;
 mod entries;
