@@ -29,8 +29,8 @@ pub fn declarations() -> Vec<Declaration> {
     list
 }
 
-/// Revolute bodies in space, one after the other.
-fn chain(n: usize) -> String {
+/// n revolute bodies in space, one after the other.
+pub fn chain(n: usize) -> String {
     let mut s = String::from("Chain { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),\n");
     for i in 0..n {
         let _ = writeln!(
@@ -57,7 +57,7 @@ fn chain(n: usize) -> String {
 }
 
 /// n × n bodies in space on bushings with dampers.
-fn frame(n: usize) -> String {
+pub fn frame(n: usize) -> String {
     let mut s = String::from("Frame { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),\n");
     for i in 0..n {
         for k in 0..n {
@@ -93,7 +93,7 @@ fn frame(n: usize) -> String {
 }
 
 /// Four-bars in the plane, each on the last.
-fn loops(n: usize) -> String {
+pub fn loops(n: usize) -> String {
     let mut s = String::from(
         "Loops { world: Planar(gravity = [0.0, -9.81_m_per_s2]),\nmass: Param(1.0_kg), length: Param(1.0_m), rate: Param(1.0_rad_per_s),\n",
     );
@@ -115,7 +115,7 @@ fn loops(n: usize) -> String {
 }
 
 /// A platform on n legs, each with a universal joint, a slide and a ball.
-fn platform(n: usize) -> String {
+pub fn platform(n: usize) -> String {
     let mut s = String::from(
         "Platform { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),\nplatform: Body(mass = 10.0_kg, inertia = diag(0.4, 0.4, 0.8) * 1.0_kg_m2, at = [0.0_m, 0.0, 1.0]),\n",
     );
@@ -137,6 +137,22 @@ slide{i}: Prismatic(low{i}, up{i}, at = [{:?}_m, {:?}, 0.5], axis = {dir}),
 act{i}: Force(up{i}.origin, value = force{i} * {dir}, axes = up{i}),
 react{i}: Force(low{i}.origin, value = -force{i} * {dir}, axes = low{i}),
 top{i}: Spherical(up{i}, platform, at = [{:?}_m, {:?}, 1.0]),", lo[0], lo[1], lo[2], hi[0], hi[1], hi[2], bx, by, mx, my, px, py);
+    }
+    s.push('}');
+    s
+}
+
+/// A pendulum with n outputs, each with a constant of its own.
+pub fn outputs(n: usize) -> String {
+    let mut s = String::from(
+        "Outputs { world: Planar(gravity = [0.0, -9.81_m_per_s2]), length: Param(1.0_m),\nrod: Bar(mass = 1.0_kg, length = length, angle = 0.0_deg), pin: Revolute(ground.origin, rod.a),\n",
+    );
+    for i in 0..n {
+        let _ = writeln!(
+            s,
+            "output{i}: Output(sin({}.0 * length / 1.0_m) * rod.b.x),",
+            i + 2
+        );
     }
     s.push('}');
     s

@@ -4,6 +4,7 @@
 //! depends on parameters has been computed; inputs and outputs as fields, and a name for the simulation. One file for each emitted item; nothing outside this folder writes Rust.
 
 mod access;
+mod blocks;
 mod body;
 mod copies;
 mod fallback;
