@@ -23,6 +23,7 @@ mod value;
 // Names and expressions.
 mod advice;
 mod arguments;
+mod budget;
 mod defaults;
 mod entries;
 mod expression;
@@ -48,6 +49,7 @@ mod solve;
 mod spanning;
 mod vacuous;
 
+pub use budget::budget;
 pub use drawing::Drawing;
 pub use elements::kinds::kinds;
 pub use formulation::{Description, Formulation, requested};
