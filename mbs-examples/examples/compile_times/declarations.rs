@@ -141,19 +141,3 @@ top{i}: Spherical(up{i}, platform, at = [{:?}_m, {:?}, 1.0]),", lo[0], lo[1], lo
     s.push('}');
     s
 }
-
-/// A pendulum with n outputs, each with a constant of its own.
-pub fn outputs(n: usize) -> String {
-    let mut s = String::from(
-        "Outputs { world: Planar(gravity = [0.0, -9.81_m_per_s2]), length: Param(1.0_m),\nrod: Bar(mass = 1.0_kg, length = length, angle = 0.0_deg), pin: Revolute(ground.origin, rod.a),\n",
-    );
-    for i in 0..n {
-        let _ = writeln!(
-            s,
-            "output{i}: Output(sin({}.0 * length / 1.0_m) * rod.b.x),",
-            i + 2
-        );
-    }
-    s.push('}');
-    s
-}

@@ -163,13 +163,9 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         end: &ConstraintGeometry<S, Q, N, R>,
         turn: &SVector<f64, N>,
     ) {
-        self.along_end.overwrite(&self.along_mean);
-        transport::<S, Q, N, R>(turn, self.along_end.rows_mut());
-        if const { S::STRUCTURE.holonomic_rows == R } {
-            return system.delassus(&end.a, &self.along_end, &mut self.metric);
-        }
-        // On the stack: a step allocates nothing.
         let plain = *self.metric;
+        *self.along_end = *self.along_mean;
+        transport::<S, Q, N, R>(turn, self.along_end.rows_mut());
         system.delassus(&end.a, &self.along_end, &mut self.metric);
         for i in S::STRUCTURE.holonomic_rows..R {
             self.metric[i] = plain.column(i).into_owned();
