@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 pub use crate::contract::{Elimination, Rates};
 pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
-pub use cholesky::{Cholesky, positive};
+pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
 pub use parts::{compute_parts, rows_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
@@ -77,28 +77,6 @@ pub fn displacement<const N: usize>(
     to: &SVector<f64, N>,
 ) -> SVector<f64, N> {
     vector(|i| to[i] - from[i])
-}
-
-/// M⁻¹ of a constant mass matrix.
-///
-/// # Errors
-/// [`ParameterError::MassNotPositive`] at the coordinate where M stops being positive definite.
-pub fn inverse_mass<const N: usize>(
-    mass: &SMatrix<f64, N, N>,
-    coordinates: &[&'static str; N],
-) -> Result<SMatrix<f64, N, N>, ParameterError> {
-    let factor = Cholesky::factor(mass).map_err(|column| ParameterError::MassNotPositive {
-        coordinate: coordinates[column],
-    })?;
-    let mut inverse = SMatrix::<f64, N, N>::identity();
-    for i in 0..N {
-        let mut column: SVector<f64, N> = inverse.column(i).into_owned();
-        factor.solve(&mut column);
-        inverse.set_column(i, &column);
-    }
-    // Exactly symmetric: generated code reads one triangle.
-    inverse.fill_upper_triangle_with_lower_triangle();
-    Ok(inverse)
 }
 
 /// x ← M⁻¹ x.

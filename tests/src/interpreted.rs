@@ -85,7 +85,7 @@ impl Interpreted {
                 mass[(i, j)] = value;
                 mass[(j, i)] = value;
             }
-            let inverse = mbs_runtime::generated::inverse_mass(&mass, &[""; N])
+            let inverse = mbs_runtime::generated::inverse_mass(&mut mass, &[""; N])
                 .expect("the mechanism was prepared");
             self.inverse = DMatrix::from_column_slice(N, N, inverse.as_slice());
         }

@@ -3,6 +3,7 @@
 #[allow(dead_code)]
 use crate::common;
 use mbs_examples::scenes::four_bar_10::FourBar10;
+use mbs_examples::scenes::four_bar_40::{FourBar40, FourBar40Simulation};
 use mbs_macros_core::dag::{self, Sparse};
 use mbs_runtime::{Mechanism, Settings, Simulation, System, TwoLevelStepper, mechanism};
 use mbs_tests::tampered::Tampered;
@@ -218,4 +219,19 @@ fn a_row_is_eliminated_after_the_velocities_it_couples() {
             assert!(rows.positions[size + row] > rows.positions[column]);
         }
     }
+}
+
+/// M⁻¹ and all matrices of a step are on the heap.
+#[test]
+fn a_large_simulation_needs_little_stack() {
+    const VELOCITIES: usize = 82;
+    let matrix = size_of::<[[f64; VELOCITIES]; VELOCITIES]>();
+    assert!(size_of::<FourBar40Simulation>() < matrix);
+    let run = || {
+        let mut simulation = Simulation::new(FourBar40::default()).expect("assembled");
+        simulation.run_until(0.1).expect("the end");
+    };
+    // Unoptimised, construction would need some twenty copies of M⁻¹ if it were part of the simulation.
+    let thread = std::thread::Builder::new().stack_size(12 * matrix);
+    thread.spawn(run).expect("a thread").join().expect("a run");
 }

@@ -3,6 +3,9 @@
 #[path = "../../mbs-runtime/tests/common/alloc.rs"]
 mod alloc;
 mod common;
+#[allow(dead_code)]
+#[path = "../../mbs-examples/examples/compile_times/declarations.rs"]
+mod sizes;
 
 mod allocations;
 mod baselines;
@@ -27,6 +30,7 @@ mod references;
 mod rest;
 mod robust;
 mod rustfmt;
+mod scopes;
 mod simplification;
 mod slopes;
 mod snapshots;

@@ -29,8 +29,8 @@ pub fn declarations() -> Vec<Declaration> {
     list
 }
 
-/// Revolute bodies in space, one after the other.
-fn chain(n: usize) -> String {
+/// n revolute bodies in space, one after the other.
+pub fn chain(n: usize) -> String {
     let mut s = String::from("Chain { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),\n");
     for i in 0..n {
         let _ = writeln!(
@@ -57,7 +57,7 @@ fn chain(n: usize) -> String {
 }
 
 /// n × n bodies in space on bushings with dampers.
-fn frame(n: usize) -> String {
+pub fn frame(n: usize) -> String {
     let mut s = String::from("Frame { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),\n");
     for i in 0..n {
         for k in 0..n {
@@ -93,7 +93,7 @@ fn frame(n: usize) -> String {
 }
 
 /// Four-bars in the plane, each on the last.
-fn loops(n: usize) -> String {
+pub fn loops(n: usize) -> String {
     let mut s = String::from(
         "Loops { world: Planar(gravity = [0.0, -9.81_m_per_s2]),\nmass: Param(1.0_kg), length: Param(1.0_m), rate: Param(1.0_rad_per_s),\n",
     );
@@ -115,7 +115,7 @@ fn loops(n: usize) -> String {
 }
 
 /// A platform on n legs, each with a universal joint, a slide and a ball.
-fn platform(n: usize) -> String {
+pub fn platform(n: usize) -> String {
     let mut s = String::from(
         "Platform { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),\nplatform: Body(mass = 10.0_kg, inertia = diag(0.4, 0.4, 0.8) * 1.0_kg_m2, at = [0.0_m, 0.0, 1.0]),\n",
     );

@@ -5,6 +5,7 @@
 //! this repository)
 
 mod declarations;
+mod origins;
 
 use declarations::{Declaration, declarations};
 use mbs_examples::pages::record::Recorder;
@@ -14,33 +15,40 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const COLUMNS: [&str; 9] = [
+const COLUMNS: [&str; 10] = [
     "mechanism",
     "size",
     "velocities",
     "rows",
     "operations",
     "written",
-    "lines",
+    "statements",
     "release_s",
     "dev_s",
+    "any_s",
 ];
+const ORIGIN_COLUMNS: [&str; 4] = ["mechanism", "size", "origin", "lines"];
+
+/// The mechanisms of the table of origins.
+const DISSECTED: [(&str, usize); 4] = [("chain", 10), ("platform", 6), ("frame", 2), ("loops", 10)];
 
 fn main() -> Result<(), String> {
     let recorder = Recorder::new("cargo run --release -p mbs-examples --example compile_times");
     let mut file = recorder.file("compile.csv", &COLUMNS, 2)?;
+    let mut origins = recorder.file("compile_origins.csv", &ORIGIN_COLUMNS, 3)?;
     let user = User::new()?;
     println!(
-        "{:<12} {:>5} {:>10} {:>6} {:>11} {:>8} {:>8} {:>10} {:>7}",
+        "{:<12} {:>5} {:>10} {:>6} {:>11} {:>8} {:>10} {:>10} {:>7} {:>11}",
         "mechanism",
         "size",
         "velocities",
         "rows",
         "operations",
         "written",
-        "lines",
+        "statements",
         "release, s",
-        "dev, s"
+        "dev, s",
+        "any, s"
     );
     let wanted: Vec<&str> = recorder.arguments.iter().map(String::as_str).collect();
     for declaration in declarations() {
@@ -48,35 +56,44 @@ fn main() -> Result<(), String> {
         if !wanted.is_empty() && wanted != [name, size.as_str()] && wanted != [name] {
             continue;
         }
-        let [velocities, rows, operations, written, lines] = counts(&declaration.text)?;
-        let [release, dev] = user.seconds(&declaration)?;
+        let [velocities, rows, operations, written, statements] = counts(&declaration.text)?;
+        let [release, dev, any] = user.seconds(&declaration)?;
         println!(
-            "{name:<12} {size:>5} {velocities:>10} {rows:>6} {operations:>11} {written:>8} {lines:>8} {release:>10.1} {dev:>7.1}"
+            "{name:<12} {size:>5} {velocities:>10} {rows:>6} {operations:>11} {written:>8} {statements:>10} {release:>10.1} {dev:>7.1} {any:>7.1}"
         );
         let mut row = vec![name.to_owned(), size];
-        row.extend([velocities, rows, operations, written, lines].map(|count| count.to_string()));
-        row.extend([release, dev].map(|time| format!("{time:.1}")));
+        row.extend(
+            [velocities, rows, operations, written, statements].map(|count| count.to_string()),
+        );
+        row.extend([release, dev, any].map(|time| format!("{time:.1}")));
         file.put(row)?;
+        if DISSECTED.contains(&(name, declaration.size)) {
+            let [usual, any] = ["new", "any"].map(|make| user.ir(&declaration, make));
+            for (origin, lines) in origins::rows(&usual?, &any?) {
+                println!("    {origin:<40} {lines:>8}");
+                let size = declaration.size.to_string();
+                origins.put(vec![name.to_owned(), size, origin, lines.to_string()])?;
+            }
+        }
     }
     Ok(())
 }
 
-/// Velocities, rows, operations of the equations, those that are written out, and lines of generated Rust.
+/// Velocities, rows, operations of the equations, those that are written out, and statements of generated Rust.
 fn counts(declaration: &str) -> Result<[usize; 5], String> {
     let tokens = declaration.parse().map_err(|_| "not Rust".to_owned())?;
     let (Some(tree), Ok(analysis)) = analyse(tokens) else {
         return Err(format!("{declaration} is not a mechanism"));
     };
     let program = &analysis.program;
-    let text = emit::mechanism(&tree, &analysis, program).to_string();
+    let (_, size) = emit::written(&tree, &analysis, program);
     let operations = |function: &Function| function.operations.len();
     Ok([
         program.size,
         program.rows.len(),
         program.functions.iter().map(operations).sum(),
         written(program),
-        // A line for each statement, field and item.
-        text.matches([';', '}', '{']).count(),
+        size.statements(),
     ])
 }
 
@@ -108,32 +125,46 @@ impl User {
         Ok(User { directory })
     }
 
-    /// Processor seconds for the crate alone, with the profiles `release` and `dev`.
-    fn seconds(&self, declaration: &Declaration) -> Result<[f64; 2], String> {
-        let type_name = declaration
-            .text
-            .split_whitespace()
-            .next()
-            .unwrap_or_default();
-        let text = format!(
-            "use mbs_runtime::{{Simulation, mechanism}};\nmechanism!({});\nfn main() {{\n    let mut simulation = Simulation::new({type_name}::default()).unwrap();\n    simulation.run_until(0.1).unwrap();\n    println!(\"{{}}\", simulation.energy().error);\n}}\n",
-            declaration.text
-        );
-        let path = self.directory.join("src/main.rs");
-        let mut times = [0.0; 2];
-        for (time, profile) in times.iter_mut().zip(["--release", "--profile=dev"]) {
+    /// Processor seconds for the crate alone, with the profiles `release` and `dev`, and in release with all methods.
+    fn seconds(&self, declaration: &Declaration) -> Result<[f64; 3], String> {
+        let mut times = [0.0; 3];
+        let builds = [
+            ("--release", "new"),
+            ("--profile=dev", "new"),
+            ("--release", "any"),
+        ];
+        for (time, (profile, make)) in times.iter_mut().zip(builds) {
             // What the crate depends on is built first, with an empty one.
-            fs::write(&path, "fn main() {}\n").map_err(|error| error.to_string())?;
-            self.build(profile)?;
-            fs::write(&path, &text).map_err(|error| error.to_string())?;
-            *time = self.build(profile)?;
+            self.write("fn main() {}\n")?;
+            self.build(&["build", profile])?;
+            self.write(&program(declaration, make))?;
+            *time = self.build(&["build", profile])?;
         }
         Ok(times)
     }
 
+    /// The LLVM IR of the crate before any optimisation.
+    fn ir(&self, declaration: &Declaration, make: &str) -> Result<String, String> {
+        self.write(&program(declaration, make))?;
+        let path = self.directory.join("user.ll");
+        let emit = format!("--emit=llvm-ir={}", path.display());
+        let flags = ["-Cno-prepopulate-passes", "-Ccodegen-units=1"];
+        self.build(&["rustc", "--release", "--", &emit, flags[0], flags[1]])?;
+        fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
+    }
+
+    fn write(&self, text: &str) -> Result<(), String> {
+        fs::write(self.directory.join("src/main.rs"), text).map_err(|error| error.to_string())
+    }
+
     /// User and system time of a build.
-    fn build(&self, profile: &str) -> Result<f64, String> {
-        let script = format!("cargo build --quiet {profile} >&2 && times");
+    fn build(&self, arguments: &[&str]) -> Result<f64, String> {
+        let (command, arguments) = arguments.split_at(1);
+        let script = format!(
+            "cargo {} --quiet {} >&2 && times",
+            command.concat(),
+            arguments.join(" ")
+        );
         let output = Command::new("bash")
             .args(["-c", &script])
             .current_dir(&self.directory)
@@ -152,4 +183,18 @@ impl User {
             Ok(sum + 60.0 * parse(minutes)? + parse(seconds)?)
         })
     }
+}
+
+/// The program of a user: with the two-level method alone, or with any method.
+fn program(declaration: &Declaration, make: &str) -> String {
+    let mut words = declaration.text.split_whitespace();
+    let name = words.next().unwrap_or_default();
+    let make = match make {
+        "any" => format!("with_any_method({name}::default(), mbs_runtime::Settings::default())"),
+        _ => format!("new({name}::default())"),
+    };
+    format!(
+        "use mbs_runtime::{{Simulation, mechanism}};\nmechanism!({});\nfn main() {{\n    let mut simulation = Simulation::{make}.unwrap();\n    simulation.run_until(0.1).unwrap();\n    println!(\"{{}}\", simulation.energy().error);\n}}\n",
+        declaration.text
+    )
 }

@@ -57,6 +57,7 @@ impl<'d> Search<'d> {
     pub(crate) fn new(declaration: &'d Declaration) -> Self {
         let mut errors = Errors::new();
         let requested = model::requested(declaration, &mut errors);
+        model::budget(declaration, &mut errors);
         let first = Description::from(requested.unwrap_or(Formulation::Natural));
         let mut search = Search {
             declaration,

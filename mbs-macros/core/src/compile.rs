@@ -4,7 +4,7 @@ use crate::analysis::Analysis;
 use crate::choose::Search;
 use crate::diagnostics::{Errors, Failure};
 use crate::syntax::{self, Declaration};
-use crate::{dag, derivatives, emit, equations, mobility, model};
+use crate::{budget, dag, derivatives, emit, equations, mobility, model};
 use proc_macro2::TokenStream;
 
 /// Compiles a declaration to Rust. If it has errors, its correct parts are emitted all the same (for completion in
@@ -20,16 +20,22 @@ pub fn compile(tokens: TokenStream) -> TokenStream {
 fn compile_checked(tokens: TokenStream) -> TokenStream {
     match analyse(tokens) {
         (Some(declaration), Ok(analysis)) => {
-            emit::mechanism(&declaration, &analysis, &analysis.program) // 6
+            let (items, size) = emit::written(&declaration, &analysis, &analysis.program); // 6
+            match budget::check(&declaration, &analysis, &size) {
+                Ok(()) => items,
+                Err(failure) => refused(&declaration, &failure),
+            }
         }
-        (Some(declaration), Err(failure)) => {
-            let errors = failure.to_compile_errors();
-            let fallback = emit::fallback(&declaration);
-            quote::quote! { #errors #fallback }
-        }
+        (Some(declaration), Err(failure)) => refused(&declaration, &failure),
         (None, Err(failure)) => failure.to_compile_errors(),
         (None, Ok(_)) => TokenStream::new(),
     }
+}
+
+fn refused(declaration: &Declaration, failure: &Failure) -> TokenStream {
+    let errors = failure.to_compile_errors();
+    let fallback = emit::fallback(declaration);
+    quote::quote! { #errors #fallback }
 }
 
 /// Stages 1 to 5.

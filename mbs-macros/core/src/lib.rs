@@ -8,6 +8,7 @@
 //! Stages 3 to 5 have no tokens, and nothing outside stage 6 writes Rust.
 
 pub mod analysis;
+mod budget;
 mod choose;
 pub mod compile;
 pub mod contract;

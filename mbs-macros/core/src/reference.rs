@@ -120,6 +120,7 @@ fn takes(expects: Expects) -> String {
         Expects::Law => "the path of a law".to_owned(),
         Expects::Unit => "an SI unit".to_owned(),
         Expects::Flag => "`true` or `false`".to_owned(),
+        Expects::Count => "a whole number".to_owned(),
     }
 }
 

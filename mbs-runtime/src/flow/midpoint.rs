@@ -116,7 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         if S::ROTATIONS.is_empty() {
             return Ok(&self.slopes);
         }
-        *self.directions = *self.slopes;
+        self.directions.overwrite(&self.slopes);
         let turn = scaled(self.h, &self.vm);
         transport::<S, Q, N, R>(&turn, self.directions.rows_mut());
         Ok(&self.directions)

@@ -1,5 +1,6 @@
-//! The factor of a mass matrix that depends on the configuration.
+//! The factor of a mass matrix, and the inverse of one that is constant.
 
+use crate::ParameterError;
 use nalgebra::{SMatrix, SVector};
 
 /// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
@@ -36,28 +37,8 @@ impl<const N: usize> Cholesky<N> {
     #[inline]
     pub fn factor(mass: &SMatrix<f64, N, N>) -> Result<Self, usize> {
         // M is symmetric: its columns are its rows.
-        let mass = &mass.data.0;
-        let mut lower = *mass;
-        let mut inverse_diagonal = [0.0; N];
-        for k in 0..N {
-            let mut pivot = lower[k][k];
-            for j in 0..k {
-                pivot -= lower[k][j] * lower[k][j];
-            }
-            // Written so that NaN is refused, too.
-            if !(pivot * WEAKEST > mass[k][k] && pivot.is_finite()) {
-                return Err(k);
-            }
-            let inverse = 1.0 / pivot.sqrt();
-            inverse_diagonal[k] = inverse;
-            for i in k + 1..N {
-                let mut entry = lower[i][k];
-                for j in 0..k {
-                    entry -= lower[i][j] * lower[k][j];
-                }
-                lower[i][k] = entry * inverse;
-            }
-        }
+        let mut lower = mass.data.0;
+        let inverse_diagonal = factor_in_place(&mut lower)?;
         Ok(Cholesky {
             lower,
             inverse_diagonal,
@@ -68,19 +49,81 @@ impl<const N: usize> Cholesky<N> {
     #[inline]
     pub fn solve(&self, x: &mut SVector<f64, N>) {
         let [x] = &mut x.data.0;
-        for i in 0..N {
-            let mut value = x[i];
-            for j in 0..i {
-                value -= self.lower[i][j] * x[j];
-            }
-            x[i] = value * self.inverse_diagonal[i];
+        solve(&self.lower, &self.inverse_diagonal, x);
+    }
+}
+
+/// L of M = L Lᵀ in place of M, whose diagonal stays; returns the inverse diagonal of L.
+#[inline(always)]
+fn factor_in_place<const N: usize>(lower: &mut [[f64; N]; N]) -> Result<[f64; N], usize> {
+    let mut inverse_diagonal = [0.0; N];
+    for k in 0..N {
+        let whole = lower[k][k];
+        let mut pivot = whole;
+        for j in 0..k {
+            pivot -= lower[k][j] * lower[k][j];
         }
-        for i in (0..N).rev() {
-            let mut value = x[i];
-            for j in i + 1..N {
-                value -= self.lower[j][i] * x[j];
+        // Written so that NaN is refused, too.
+        if !(pivot * WEAKEST > whole && pivot.is_finite()) {
+            return Err(k);
+        }
+        let inverse = 1.0 / pivot.sqrt();
+        inverse_diagonal[k] = inverse;
+        for i in k + 1..N {
+            let mut entry = lower[i][k];
+            for j in 0..k {
+                entry -= lower[i][j] * lower[k][j];
             }
-            x[i] = value * self.inverse_diagonal[i];
+            lower[i][k] = entry * inverse;
         }
     }
+    Ok(inverse_diagonal)
+}
+
+#[inline(always)]
+fn solve<const N: usize>(lower: &[[f64; N]; N], inverse_diagonal: &[f64; N], x: &mut [f64; N]) {
+    for i in 0..N {
+        let mut value = x[i];
+        for j in 0..i {
+            value -= lower[i][j] * x[j];
+        }
+        x[i] = value * inverse_diagonal[i];
+    }
+    for i in (0..N).rev() {
+        let mut value = x[i];
+        for j in i + 1..N {
+            value -= lower[j][i] * x[j];
+        }
+        x[i] = value * inverse_diagonal[i];
+    }
+}
+
+/// M⁻¹ of a constant mass matrix, in whose place its factor is left; on the heap, because a large one does not fit on the
+/// stack.
+///
+/// # Errors
+/// [`ParameterError::MassNotPositive`] at the coordinate where M stops being positive definite.
+#[inline(never)]
+pub fn inverse_mass<const N: usize>(
+    mass: &mut SMatrix<f64, N, N>,
+    coordinates: &[&'static str; N],
+) -> Result<Box<SMatrix<f64, N, N>>, ParameterError> {
+    let lower = &mut mass.data.0;
+    let inverse_diagonal =
+        factor_in_place(lower).map_err(|column| ParameterError::MassNotPositive {
+            coordinate: coordinates[column],
+        })?;
+    let mut inverse = clear_mass();
+    for (i, column) in inverse.data.0.iter_mut().enumerate() {
+        column[i] = 1.0;
+        solve(lower, &inverse_diagonal, column);
+    }
+    // Exactly symmetric: generated code reads one triangle.
+    inverse.fill_upper_triangle_with_lower_triangle();
+    Ok(inverse)
+}
+
+/// A matrix of zeros, which never was on the stack.
+pub fn clear_mass<const N: usize>() -> Box<SMatrix<f64, N, N>> {
+    bytemuck::zeroed_box()
 }

@@ -188,7 +188,7 @@ impl<const K: usize> DelassusFactor<K> {
     ) -> bool {
         let count = redundant.iter().filter(|&&redundant| redundant).count();
         let scales = super::array(|k| self.scale(matrix, k));
-        *self.upper = *matrix;
+        self.upper.copy_from_slice(matrix);
         let bounds = [least, self.follows];
         let Some(spare) = dependent_rows(&mut self.upper, &scales, count, bounds) else {
             // The search has used the room of the factor.
@@ -271,7 +271,7 @@ impl<const K: usize> DelassusFactor<K> {
     fn dependence(&mut self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
         let scales: [f64; K] = super::array(|k| self.scale(matrix, k));
         let upper = &mut self.upper;
-        **upper = *matrix;
+        upper.copy_from_slice(matrix);
         let (mut least, mut weakest) = (f64::INFINITY, f64::INFINITY);
         let (mut lost, mut dependent, mut sigma) = (0, 0, f64::INFINITY);
         for k in 0..rows {

@@ -68,7 +68,7 @@ impl<const K: usize> ProjectionLu<K> {
         matrix: &[[f64; K]; K],
         length_squared: &[f64; K],
     ) -> bool {
-        *self.lu = *matrix;
+        self.lu.copy_from_slice(matrix);
         let lu = &mut self.lu;
         for k in 0..K {
             let pivot_row = lu[k];

@@ -8,13 +8,19 @@ use std::ops::{Deref, DerefMut, Index, IndexMut};
 ///
 /// The contract passes rows as the columns of `SMatrix<f64, N, R>`, so that a row is contiguous; `matrix[i]` is row i, and
 /// as a [`MatrixSink`] it takes entry (row, column).
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct RowMatrix<const N: usize, const R: usize>(Box<SMatrix<f64, N, R>>);
 
 impl<const N: usize, const R: usize> RowMatrix<N, R> {
     /// Rows of zeros, which never were on the stack.
     pub(crate) fn zeros() -> Self {
         RowMatrix(bytemuck::zeroed_box())
+    }
+
+    /// Copies all entries of another matrix, of which an assignment could make a copy on the stack first.
+    #[inline(always)]
+    pub(crate) fn overwrite(&mut self, other: &Self) {
+        self.0.data.0.copy_from_slice(&other.0.data.0);
     }
 
     /// All entries, `[row][column]`: a [`MatrixSink`] without the way through the heap pointer.
@@ -42,6 +48,15 @@ pub(crate) fn rows<const N: usize, const R: usize>(
     matrix: &SMatrix<f64, N, R>,
 ) -> &[SVector<f64, N>; R] {
     bytemuck::cast_ref(matrix)
+}
+
+impl<const N: usize, const R: usize> Clone for RowMatrix<N, R> {
+    /// The copy of a box may be on the stack first; this one is not.
+    fn clone(&self) -> Self {
+        let mut copy = Self::zeros();
+        copy.overwrite(self);
+        copy
+    }
 }
 
 impl<const N: usize, const R: usize> Deref for RowMatrix<N, R> {

@@ -6,7 +6,6 @@
 use super::names::Names;
 use crate::dag::{Function, Operand, Operation, Output};
 use crate::symbolic::{Function as Elementary, Graph, Symbol};
-use std::fmt::Write;
 
 /// Expressions nested deeper than this get a temporary, for the reader's sake.
 const DEEPEST: usize = 5;
@@ -111,23 +110,21 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// Bindings and temporaries.
-    pub(super) fn statements(&self) -> String {
-        let mut out = String::new();
-        for (name, source) in self.names.bound.values() {
-            let _ = writeln!(out, "let {name} = {source};");
-        }
-        for slot in 0..self.function.operations.len() {
-            if self.named[slot] {
-                let _ = writeln!(
-                    out,
-                    "let {} = {};",
-                    self.names.temporaries[slot],
-                    self.operation(slot, Precedence::Sum)
-                );
-            }
-        }
-        out
+    /// Arguments that the body reads, each with its name.
+    pub(super) fn bindings(&self) -> Vec<(&str, &str)> {
+        let bound = self.names.bound.values();
+        bound
+            .map(|(name, source)| (name.as_str(), source.as_str()))
+            .collect()
+    }
+
+    /// Operations with temporaries of their own, each with its name and its value.
+    pub(super) fn temporaries(&self) -> impl Iterator<Item = (usize, &str, String)> {
+        let slots = (0..self.function.operations.len()).filter(|&slot| self.named[slot]);
+        slots.map(|slot| {
+            let name = self.names.temporaries[slot].as_str();
+            (slot, name, self.operation(slot, Precedence::Sum))
+        })
     }
 
     /// The values of all outputs, in order.

@@ -19,6 +19,14 @@ pub(super) fn system(declaration: &Declaration) -> Ident {
     )
 }
 
+/// M⁻¹ of more velocities is on the heap: the system is passed by value while a simulation is made.
+const MOST_IN_PLACE: usize = 32;
+
+/// Whether M⁻¹ is a box.
+pub(super) fn boxes_inverse(size: usize) -> bool {
+    size > MOST_IN_PLACE
+}
+
 /// The name of the simulation.
 pub(super) fn simulation(declaration: &Declaration) -> Ident {
     let name = &declaration.name;

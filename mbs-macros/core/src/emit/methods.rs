@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::parts::LongFunctions;
+use super::size::Size;
 use super::{motion, sparse};
 use crate::contract::{Capability, METHODS, Method, Origin, Returns, Shape};
 use crate::dag::{Function, Program, TURNING};
@@ -20,13 +21,16 @@ pub(super) fn bodies(
     program: &Program,
     long: &LongFunctions,
     capability: Capability,
+    size: &mut Size,
 ) -> String {
     let mut out = String::new();
     for method in METHODS
         .iter()
         .filter(|method| method.capability == capability)
     {
+        let start = out.len();
         write_method(&mut out, graph, program, long, method);
+        size.add(method.name, &out[start..]);
     }
     out
 }

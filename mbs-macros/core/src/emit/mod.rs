@@ -4,6 +4,7 @@
 //! depends on parameters has been computed; inputs and outputs as fields, and a name for the simulation. One file for each emitted item; nothing outside this folder writes Rust.
 
 mod access;
+mod blocks;
 mod body;
 mod copies;
 mod fallback;
@@ -14,6 +15,7 @@ mod motion;
 mod names;
 mod parameters;
 mod parts;
+mod size;
 mod sparse;
 mod system;
 mod text;
@@ -26,19 +28,32 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 pub use fallback::fallback;
+pub use size::Size;
 
 /// All generated items.
 pub fn mechanism(declaration: &Declaration, analysis: &Analysis, program: &Program) -> TokenStream {
+    written(declaration, analysis, program).0
+}
+
+/// All generated items, and how many statements they have.
+pub fn written(
+    declaration: &Declaration,
+    analysis: &Analysis,
+    program: &Program,
+) -> (TokenStream, Size) {
+    let mut size = Size::default();
     let graph = &analysis.derived.system.graph;
     let parameters = parameters::emit(declaration, analysis, program);
-    let mechanism = parameters::emit_mechanism(declaration, analysis, program);
+    let mechanism = parameters::emit_mechanism(declaration, analysis, program, &mut size);
     let metadata = metadata::emit(analysis, program);
-    let system = system::emit(declaration, &analysis.outline, graph, program, &metadata);
+    let model = (&analysis.outline, graph, program);
+    let system = system::emit(declaration, model, &metadata, &mut size);
     let access = access::emit(declaration, &analysis.outline, program);
-    quote! {
+    let items = quote! {
         #parameters
         #access
         #mechanism
         #system
-    }
+    };
+    (items, size)
 }

@@ -3,6 +3,7 @@
 use super::body::{Body, number};
 use super::items::{self, documented, field, visibility};
 use super::motion;
+use super::size::Size;
 use super::text::{doc, tokens};
 use crate::analysis::Analysis;
 use crate::dag::{Operand, Program};
@@ -144,10 +145,11 @@ pub(super) fn emit_mechanism(
     declaration: &Declaration,
     analysis: &Analysis,
     program: &Program,
+    size: &mut Size,
 ) -> TokenStream {
     let (outline, name) = (&analysis.outline, &declaration.name);
     let system = items::system(declaration);
-    let (coordinates, size, rows) = (program.coordinates, program.size, program.rows.len());
+    let (coordinates, velocities, rows) = (program.coordinates, program.size, program.rows.len());
     let fields: Vec<Ident> = outline
         .parameters
         .iter()
@@ -158,12 +160,14 @@ pub(super) fn emit_mechanism(
         .iter()
         .map(|parameter| parameter.name.as_str())
         .collect();
-    let body = tokens(&preparation(analysis, program, &system.to_string()));
+    let body = preparation(analysis, program, &system.to_string());
+    size.add("prepare", &body);
+    let body = tokens(&body);
     quote! {
         #[allow(clippy::all, unused_variables, unused_mut)]
         impl ::mbs_runtime::Mechanism for #name {
             type System = #system;
-            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#coordinates, #size, #rows>>::MODEL;
+            const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#coordinates, #velocities, #rows>>::MODEL;
 
             fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
                 #( ::mbs_runtime::generated::check_finite(#names, self.#fields)?; )*
@@ -209,8 +213,11 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
         out.push_str(&motion::spins(program, operand));
     }
     if let Some(entries) = &program.constant_mass {
-        let zeros = "::mbs_runtime::nalgebra::SMatrix::zeros()";
-        let _ = writeln!(out, "let mut mass = {zeros};");
+        let size = program.size;
+        let _ = writeln!(
+            out,
+            "let mut mass = ::mbs_runtime::generated::clear_mass::<{size}>();"
+        );
         write_mass(&mut out, entries, operand);
         let coordinates: Vec<String> = layout
             .slots
@@ -226,7 +233,8 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
             .collect();
         let _ = writeln!(
             out,
-            "let inverse_mass = ::mbs_runtime::generated::inverse_mass(&mass, &[{}])?;",
+            "let inverse_mass = {}::mbs_runtime::generated::inverse_mass(&mut mass, &[{}])?;",
+            if items::boxes_inverse(size) { "" } else { "*" },
             coordinates.join(", ")
         );
     }

@@ -7,6 +7,7 @@
 
 use super::body::Body;
 use super::copies::copies;
+use super::size::Size;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
 use crate::dag::{ALL_TANGENTS, Function, Operation, Output, Parts, Place, Program, of_tangents};
 use crate::symbolic::{Graph, Map};
@@ -179,7 +180,7 @@ impl LongFunctions {
     }
 
     /// The functions of the parts and the tables; nothing if no function is long.
-    pub(super) fn items(&self, graph: &Graph) -> String {
+    pub(super) fn items(&self, graph: &Graph, size: &mut Size) -> String {
         if self.functions.is_empty() {
             return String::new();
         }
@@ -205,7 +206,11 @@ impl LongFunctions {
             );
         }
         for number in 0..self.shapes.len() {
+            let start = out.len();
             self.write_part(&mut out, graph, number);
+            // What several functions share is counted for the first of them.
+            let (first, _) = self.shapes[number];
+            size.add(self.functions[first].0, &out[start..]);
         }
         out
     }

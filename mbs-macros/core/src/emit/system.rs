@@ -2,6 +2,7 @@
 
 use super::items::{self, visibility};
 use super::parts::LongFunctions;
+use super::size::Size;
 use super::text::{doc, tokens};
 use super::{metadata, methods, sparse};
 use crate::contract::Capability;
@@ -15,10 +16,9 @@ use quote::{format_ident, quote};
 /// The struct and `impl System`.
 pub(super) fn emit(
     declaration: &Declaration,
-    outline: &Outline,
-    graph: &Graph,
-    program: &Program,
+    (outline, graph, program): (&Outline, &Graph, &Program),
     metadata: &str,
+    written: &mut Size,
 ) -> TokenStream {
     let (name, parameters) = (items::system(declaration), &declaration.name);
     let visibility = visibility(declaration);
@@ -27,10 +27,13 @@ pub(super) fn emit(
     let rotations: Vec<usize> = program.rotations.iter().map(|r| r.velocity).collect();
     let count = rotations.len();
     let spins = (count > 0).then(|| quote! { spins: [::mbs_runtime::generated::Spin; #count], });
-    let inverse = program
-        .constant_mass
-        .is_some()
-        .then(|| quote! { inverse_mass: ::mbs_runtime::nalgebra::SMatrix<f64, #size, #size>, });
+    let inverse = program.constant_mass.is_some().then(|| {
+        let matrix = quote! { ::mbs_runtime::nalgebra::SMatrix<f64, #size, #size> };
+        match items::boxes_inverse(size) {
+            true => quote! { inverse_mass: ::std::boxed::Box<#matrix>, },
+            false => quote! { inverse_mass: #matrix, },
+        }
+    });
     let constants = program
         .constants
         .iter()
@@ -84,9 +87,16 @@ pub(super) fn emit(
         tokens(&blocks.collect::<String>())
     };
     let long = LongFunctions::new(program);
-    let full = implementations(&|capability| methods::bodies(graph, program, &long, capability));
+    let bodies = Capability::ALL
+        .map(|capability| methods::bodies(graph, program, &long, capability, written));
+    let full = implementations(&|capability| {
+        let mut all = Capability::ALL.iter().zip(&bodies);
+        let own = all.find(|(of, _)| **of == capability);
+        own.map_or_else(String::new, |(_, text)| text.clone())
+    });
     let stubs = implementations(&|capability| methods::stubs(program, capability));
-    let eliminating = eliminating + &long.items(graph);
+    written.add("elimination", &eliminating);
+    let eliminating = eliminating + &long.items(graph, written);
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
         quote! {

@@ -3,6 +3,7 @@
 //! LLVM needs much more than proportional time for a long block of stores. Most entries of a large constant matrix have
 //! one of few values, so that these are written in a loop over the places of each.
 
+use super::blocks::let_all;
 use super::body::Body;
 use crate::dag::{Operand, Output, Place};
 use crate::symbolic::{Map, Symbol};
@@ -27,6 +28,7 @@ impl Body<'_> {
             }
         }
         let mut out = String::new();
+        let_all(&mut out, &self.constants());
         for output in outputs {
             match alike.get_mut(&kind(output)) {
                 Some(list) if list.is_empty() => {}
@@ -39,11 +41,21 @@ impl Body<'_> {
         out
     }
 
+    /// Constants with their values.
+    fn constants(&self) -> Vec<(String, String)> {
+        let outputs = self.function.outputs.iter();
+        let constants = outputs.filter_map(|output| match output.place {
+            Place::Constant(slot) => Some((format!("k{slot}"), self.value(output))),
+            _ => None,
+        });
+        constants.collect()
+    }
+
     fn single(&self, output: &Output) -> String {
         let value = self.value(output);
         match output.place {
             Place::Value => value,
-            Place::Constant(slot) => format!("let k{slot} = {value};\n"),
+            Place::Constant(_) => String::new(),
             _ => {
                 let indices = indices(output.place);
                 statement(output, &indices, &value) + "\n"

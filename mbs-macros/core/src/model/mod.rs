@@ -24,6 +24,7 @@ mod value;
 mod advice;
 mod alignment;
 mod arguments;
+mod budget;
 mod defaults;
 mod entries;
 mod expression;
@@ -49,6 +50,7 @@ mod solve;
 mod spanning;
 mod vacuous;
 
+pub use budget::budget;
 pub use drawing::Drawing;
 pub use elements::kinds::kinds;
 pub use formulation::{Description, Formulation, requested};

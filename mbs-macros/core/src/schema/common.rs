@@ -2,8 +2,8 @@
 
 use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
-    Anything, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector, Part,
-    Point, Unit,
+    Anything, Count, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector,
+    Part, Point, Unit,
 };
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
@@ -22,6 +22,12 @@ pub(super) const COORDINATES: Field = field(
     Formulation,
     Assumed("Auto"),
     "which coordinates describe the mechanism",
+);
+pub(super) const BUDGET: Field = field(
+    "budget",
+    Count,
+    Assumed("100000"),
+    "the most statements of generated Rust; more is an error",
 );
 pub(super) const OWN_COORDINATES: Field = field(
     "coordinates",

@@ -167,6 +167,8 @@ pub enum Expects {
     Unit,
     /// `true` or `false`.
     Flag,
+    /// A whole number.
+    Count,
 }
 
 /// What happens when a field is left out.

@@ -1,6 +1,6 @@
 //! The kinds of the plane.
 
-use super::common::{COORDINATES, FREE, OWN_COORDINATES};
+use super::common::{BUDGET, COORDINATES, FREE, OWN_COORDINATES};
 use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
     FollowingVector, Frame, Known, KnownVector, Law, Moving, Part, PartAngle,
@@ -51,6 +51,7 @@ pub const WORLD: Kind = Kind {
             "acceleration of gravity",
         ),
         COORDINATES,
+        BUDGET,
     ],
     doc: "Motion in the x–y plane; angles count counter-clockwise from ground.x.",
     joint: None,

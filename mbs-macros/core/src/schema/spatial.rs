@@ -1,6 +1,6 @@
 //! The kinds of space.
 
-use super::common::{COORDINATES, FREE, OWN_COORDINATES};
+use super::common::{BUDGET, COORDINATES, FREE, OWN_COORDINATES};
 use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
     Attachment, Axis, FollowingVector, Gains, Inertia, Joint, Known, KnownVector, Law,
@@ -75,6 +75,7 @@ pub const WORLD: Kind = Kind {
             "acceleration of gravity",
         ),
         COORDINATES,
+        BUDGET,
     ],
     doc: "Motion in space. The pose in which parts are declared, by `at`, `orientation`, `from` and `to`, is the home pose: there joints are given by `at` and `axis`, and there the motion starts.",
     joint: None,

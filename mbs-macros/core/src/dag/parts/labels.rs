@@ -12,6 +12,8 @@ pub struct Labels {
     rows: Vec<u32>,
     reactions: Vec<u32>,
     points: u32,
+    /// The parts and joints, from label 1 on.
+    names: Vec<String>,
 }
 
 /// The label of what belongs to no part.
@@ -30,13 +32,24 @@ impl Labels {
         let velocities = layout.velocities.iter().map(|v| label(&v.name)).collect();
         let rows = system.rows.iter().map(|row| label(&row.entry)).collect();
         let reactions = system.reactions.iter().map(|r| label(&r.joint)).collect();
+        let points = known.len() as u32 + 1;
+        let mut names: Vec<(u32, String)> =
+            known.into_iter().map(|(name, at)| (at, name)).collect();
+        names.sort_unstable();
         Labels {
             coordinates,
             velocities,
             rows,
             reactions,
-            points: known.len() as u32 + 1,
+            points,
+            names: names.into_iter().map(|(_, name)| name).collect(),
         }
+    }
+
+    /// The part or joint of a label.
+    pub(super) fn name(&self, label: u32) -> Option<&str> {
+        let index = (label as usize).checked_sub(1)?;
+        self.names.get(index).map(String::as_str)
     }
 
     /// Of an argument.

@@ -9,6 +9,7 @@
 //! The legs of a platform, the bushings of a frame and the bodies of a chain repeat; their code is written and compiled
 //! once. No operation is added, removed or regrouped, so that the digits are those of the straight-line code.
 
+mod dominant;
 mod form;
 mod groups;
 mod kind;

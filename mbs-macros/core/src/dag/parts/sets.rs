@@ -35,6 +35,15 @@ impl Sets {
         self.number(bits)
     }
 
+    /// The labels of a set.
+    pub(super) fn labels(&self, set: u32) -> impl Iterator<Item = u32> + '_ {
+        let words = self.list.get(set as usize).into_iter().flatten();
+        words.enumerate().flat_map(|(k, &word)| {
+            let bits = (0..64).filter(move |bit| word >> bit & 1 == 1);
+            bits.map(move |bit| 64 * k as u32 + bit)
+        })
+    }
+
     pub(in crate::dag) fn union(&mut self, a: u32, b: u32) -> u32 {
         if a == b || b == EMPTY {
             return a;

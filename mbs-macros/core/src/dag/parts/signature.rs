@@ -11,6 +11,11 @@ use crate::dag::{Function, Operand, Operation};
 pub(super) type Signature = [u32; 3];
 
 pub(super) fn of(function: &Function, labels: &Labels) -> Vec<Signature> {
+    with_sets(function, labels).0
+}
+
+/// The same, and the sets.
+pub(super) fn with_sets(function: &Function, labels: &Labels) -> (Vec<Signature>, Sets) {
     let mut sets = Sets::default();
     let mut signatures: Vec<Signature> = vec![[EMPTY; 3]; function.operations.len()];
     for (slot, operation) in function.operations.iter().enumerate() {
@@ -49,5 +54,5 @@ pub(super) fn of(function: &Function, labels: &Labels) -> Vec<Signature> {
             signatures[slot] = signatures[*law];
         }
     }
-    signatures
+    (signatures, sets)
 }
