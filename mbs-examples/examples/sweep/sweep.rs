@@ -1,4 +1,4 @@
-//! Random runs of mechanisms.
+//! Random runs of mechanisms, with a summary.
 
 use crate::case::Case;
 use crate::entries::{Entry, entries};
@@ -9,6 +9,64 @@ use std::collections::BTreeMap;
 
 /// The counts of a mechanism, by the label of the method.
 pub type Counts = BTreeMap<&'static str, Count>;
+
+/// The names of methods in which no run may be lost.
+const OURS: [&str; 2] = ["two-level", "projected"];
+
+/// Runs mechanisms by the arguments COUNT, SEED, NAME and RUN; `keep` gets the rows of the table.
+///
+/// # Errors
+/// An argument that is no number, a file that cannot be written, or runs that are lost or panicked.
+pub fn run(
+    mut cases: Vec<Case>,
+    arguments: &[String],
+    keep: &mut dyn FnMut(Vec<String>) -> Result<(), String>,
+) -> Result<(), String> {
+    let number = |index: usize| match arguments.get(index) {
+        Some(text) => match text.parse::<usize>() {
+            Ok(number) => Ok(Some(number)),
+            Err(_) => Err(format!("`{text}` is no number")),
+        },
+        None => Ok(None),
+    };
+    let (count, seed) = (number(0)?.unwrap_or(1000), number(1)?.unwrap_or(1) as u64);
+    let only = number(3)?;
+    if let Some(name) = arguments.get(2) {
+        cases.retain(|case| case.name == *name);
+    }
+    std::panic::set_hook(Box::new(|_| {}));
+    let each = count.div_ceil(cases.len().max(1));
+    let mut methods = Counts::new();
+    for case in &cases {
+        let counts = match sweep(case, each, seed, only) {
+            Ok(counts) => counts,
+            Err(message) => {
+                println!("\n{message}");
+                continue;
+            }
+        };
+        for (label, count) in counts {
+            let mut row = vec![case.name.clone(), label.to_owned()];
+            row.extend(count.cells());
+            keep(row)?;
+            methods.entry(label).or_default().join(&count);
+        }
+    }
+    println!("\nall mechanisms");
+    let mut wrong = 0;
+    for entry in entries() {
+        let Some(count) = methods.get(entry.label) else {
+            continue;
+        };
+        println!("  {:24}{count}", entry.label);
+        let ours = OURS.iter().any(|name| entry.label.starts_with(name));
+        wrong += count.panics + if ours { count.lost } else { 0 };
+    }
+    match wrong {
+        0 => Ok(()),
+        wrong => Err(format!("{wrong} runs are lost without a word, or panicked")),
+    }
+}
 
 /// Runs a mechanism `count` times, or its run of the given number only, and prints what is wrong.
 ///

@@ -64,36 +64,36 @@ impl Trial {
         seed: u64,
         number: usize,
     ) -> Self {
-        let random = &mut Random::new(seed, &case.name, number);
+        let random = &mut Random::of(&format!("{seed} {} {number}", case.name));
         let shares: usize = accepted.iter().map(|entry| entry.share).sum();
-        let mut ticket = random.index(shares);
+        let mut ticket = random.between(0, shares - 1);
         let chosen = accepted.iter().find(|entry| {
             let mine = ticket < entry.share;
             ticket = ticket.saturating_sub(entry.share);
             mine
         });
         let entry = *chosen.unwrap_or(&accepted[0]);
-        let step = case.step * entry.stride() * 10_f64.powf(random.between(-DECADES, DECADES));
-        let tolerance = 10_f64.powf(random.between(TOLERANCES[0], TOLERANCES[1]));
-        let budget = (random.between(BUDGET[0].ln(), BUDGET[1].ln())).exp();
+        let step = case.step * entry.stride() * 10_f64.powf(random.within(DECADES));
+        let tolerance = 10_f64.powf(among(random, TOLERANCES));
+        let budget = among(random, BUDGET.map(f64::ln)).exp();
         let longest = budget / (entry.stages() * case.stage()) * step;
         let known = trusted.doubt.len();
         let within = trusted.instants[..known].partition_point(|&instant| instant <= longest);
         // A method that chooses its steps is not bound by the first one.
         let most = if entry.tolerant { known } else { within.max(1) };
         // The shortest runs seldom meet anything.
-        let least = random.index(most);
-        let end = least + random.index(most - least);
+        let least = random.between(0, most - 1);
+        let end = random.between(least, most - 1);
         let duration = trusted.instants[end];
-        let count = [0, 0, 1, 3, 12][random.index(5)];
-        let mut pieces: Vec<f64> = (0..count).map(|_| random.between(0.0, duration)).collect();
+        let count = [0, 0, 1, 3, 12][random.between(0, 4)];
+        let mut pieces: Vec<f64> = (0..count).map(|_| among(random, [0.0, duration])).collect();
         pieces.sort_by(f64::total_cmp);
         Trial {
             number,
             entry,
             step,
             tolerance,
-            placement: random.index(2) == 1,
+            placement: random.between(0, 1) == 1,
             end,
             pieces,
         }
@@ -188,6 +188,11 @@ impl fmt::Display for Trial {
             entry.label
         )
     }
+}
+
+/// A number between these.
+fn among(random: &mut Random, [a, b]: [f64; 2]) -> f64 {
+    0.5 * (a + b) + random.within(0.5 * (b - a))
 }
 
 /// The name of an error.
