@@ -1,6 +1,6 @@
 //! With a tolerance, what rests in equilibrium stays there in long steps: differences of steps are then round-off.
 
-use mbs_runtime::{Mechanism, Settings, Simulation, System, mechanism};
+use mbs_runtime::{BaumgarteSettings, Mechanism, Method, Settings, Simulation, System, mechanism};
 
 mechanism!(Hanging {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
@@ -139,4 +139,49 @@ fn a_truss() {
 #[test]
 fn a_body_below_its_pivot() {
     rests(Plumb::default);
+}
+
+mechanism!(Locked {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
+    bar: Body(
+        mass = 1.0_kg,
+        inertia = 0.1_kg_m2,
+        at = [0.3_m, 0.1],
+        angle = 0.4
+    ),
+    pivot: Revolute(ground.point(0.3, 0.1), bar.origin),
+    guide: PointOnLine(
+        bar.point(0.5, 0.2),
+        ground.point(0.0, 0.478_907_303_5),
+        axis = X
+    ),
+    push: SpringDamper(
+        ground.point(-0.8, 0.4),
+        bar.point(0.1, 0.3),
+        stiffness = 20.0_N_per_m,
+        damping = 0.5,
+        length = 0.4_m
+    ),
+});
+
+/// Velocities are round-off there, which was held to the tolerance: steps of a billionth.
+#[test]
+fn a_locked_body_in_explicit_steps_with_error_control() {
+    for tolerance in [1e-4, 1e-8, 1e-10] {
+        let baumgarte = BaumgarteSettings {
+            adaptive: Some(tolerance),
+            ..BaumgarteSettings::default()
+        };
+        let settings = Settings {
+            method: Method::Baumgarte(baumgarte),
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::with_any_method(Locked::default(), settings).unwrap();
+        let start = *simulation.positions();
+        simulation.run_until(0.2).unwrap();
+        let (moved, report) = ((simulation.positions() - start).amax(), simulation.report());
+        println!("{tolerance:e}: {moved:e}, {report:?}");
+        assert!(moved < 1e-9, "{tolerance:e}: {moved:e}");
+        assert!(report.stages < 20 * 200, "{tolerance:e}: {report:?}");
+    }
 }
