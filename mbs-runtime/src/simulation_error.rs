@@ -106,8 +106,8 @@ pub enum SimulationError {
         /// The energy that start and works have given, J.
         available: f64,
     },
-    /// A motion without brakes has lost a large part of its energy: the steps are too long for it, and the results before
-    /// are doubtful.
+    /// The motion has lost a large part of its energy, which no force has taken: the steps are too long for it, and the
+    /// results before are doubtful.
     EnergyLoss {
         /// Time at the end of the step, s.
         time: f64,
@@ -115,7 +115,7 @@ pub enum SimulationError {
         step: f64,
         /// The error of the energy balance with its sign changed, J.
         lost: f64,
-        /// The energy that the start has given, J.
+        /// The energy that start and works have given, J.
         available: f64,
     },
     /// The mass matrix is not positive definite.
@@ -317,7 +317,7 @@ impl fmt::Display for SimulationError {
                 available,
             } => write!(
                 out,
-                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {step} s, although no force brakes it: {TOO_LONG}",
+                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {step} s, which no force has taken: {TOO_LONG}",
                 clock(*time)
             ),
             Mass { time } => write!(
