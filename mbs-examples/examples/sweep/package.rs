@@ -34,7 +34,10 @@ pub fn write(folder: &Path, count: usize) -> io::Result<()> {
     );
     for module in SHARED {
         let path = sources.join(module).with_extension("rs");
-        let _ = writeln!(program, "#[path = {path:?}]\nmod {module};");
+        let _ = writeln!(
+            program,
+            "#[allow(dead_code)]\n#[path = {path:?}]\nmod {module};"
+        );
     }
     let mut cases = String::new();
     for (name, declaration) in declarations(count) {

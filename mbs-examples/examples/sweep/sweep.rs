@@ -102,10 +102,13 @@ pub fn sweep(case: &Case, count: usize, seed: u64, only: Option<usize>) -> Resul
             continue;
         }
         let trial = Trial::draw(case, &trusted, &accepted, seed, number);
+        if only.is_some() {
+            println!("{trial}");
+        }
         let end = trial.run(case, &trusted, 1.0);
         let expected = trial.lost(case, &trusted, &end);
         if only.is_some() {
-            println!("{trial}: {end:?} of {:.1e} J", trusted.energy);
+            println!("    {end:?} of {:.1e} J", trusted.energy);
             for part in [1.1, 1.05, 0.95, 0.9, 0.8, 0.64, 0.5, 0.25, 0.125] {
                 println!("    {part}: {:?}", trial.run(case, &trusted, part));
             }
