@@ -1,7 +1,7 @@
 //! Random runs of every scene: steps of three decades, every method that accepts the scene, in one piece or some, with
 //! placement and without. The end of each run is compared with the motion that fine runs agree on.
 //!
-//! `cargo run --release -p mbs-examples --example sweep [COUNT] [SEED] [SCENE] [RUN] [--csv book/src/results/readme]`
+//! `cargo run --release -p mbs-examples --example sweep -- [COUNT] [SEED] [SCENE] [RUN] [--csv book/src/results/readme]`
 //!
 //! It fails if a run of the two-level or the projected method is lost without a word, or if a run panics.
 //!
