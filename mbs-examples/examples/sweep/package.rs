@@ -41,9 +41,9 @@ pub fn write(folder: &Path, count: usize) -> io::Result<()> {
     }
     let mut cases = String::new();
     for (name, declaration) in declarations(count) {
-        let _ = write!(
+        let _ = writeln!(
             program,
-            "mod {name} {{ mbs_runtime::mechanism!({declaration}); }}\n"
+            "mod {name} {{ mbs_runtime::mechanism!({declaration}); }}"
         );
         let _ = writeln!(cases, "        case!({name}),");
     }
