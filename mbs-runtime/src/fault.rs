@@ -10,6 +10,8 @@ pub(crate) enum Fault {
         residual: f64,
         iterations: usize,
     },
+    /// A stage has moved the mechanism by so many of its lengths, or radians, beside what its velocities account for.
+    Astray(f64),
     /// The equations of an implicit flow did not converge.
     Flow { residual: f64, iterations: usize },
     /// A quantity became infinite or NaN.

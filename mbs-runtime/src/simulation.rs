@@ -293,7 +293,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 self.keep_books(monitor);
                 Ok(())
             }
-            Err(SimulationError::NotConverged { .. }) if left > 0 => {
+            Err(error) if error.asks_for_less() && left > 0 => {
                 self.report.rejected_steps += 1;
                 // The halves of a step may also end beside the singular pose, so that other lengths are tried first.
                 let watched = monitor.rank_margin.is_some() || monitor.clearance == 0.0;
@@ -319,6 +319,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let ledger = &mut self.integrator.state_mut().ledger;
         ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
         ledger.drive_work += std::mem::take(&mut monitor.drive_work);
+        self.energy_guard.doubt += std::mem::take(&mut monitor.work_doubt);
         self.balance = self.energy();
         self.report.energy_error = self.report.energy_error.max(self.balance.error.abs());
     }

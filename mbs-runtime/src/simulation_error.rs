@@ -71,6 +71,15 @@ pub enum SimulationError {
         /// Iterations taken.
         iterations: usize,
     },
+    /// The rows hold at the end of the step, but in another pose than that of the motion.
+    Astray {
+        /// Time at the start of the step, s.
+        time: f64,
+        /// The step, s.
+        step: f64,
+        /// The way that the velocities do not account for, in lengths of the mechanism or radians.
+        by: f64,
+    },
     /// A quantity became infinite or NaN.
     NonFinite {
         /// Time at the start of the step, s.
@@ -97,8 +106,8 @@ pub enum SimulationError {
         /// The energy that start and works have given, J.
         available: f64,
     },
-    /// A motion without brakes has lost a large part of its energy: the steps are too long for it, and the results before
-    /// are doubtful.
+    /// The motion has lost a large part of its energy, which no force has taken: the steps are too long for it, and the
+    /// results before are doubtful.
     EnergyLoss {
         /// Time at the end of the step, s.
         time: f64,
@@ -106,7 +115,7 @@ pub enum SimulationError {
         step: f64,
         /// The error of the energy balance with its sign changed, J.
         lost: f64,
-        /// The energy that the start has given, J.
+        /// The energy that start and works have given, J.
         available: f64,
     },
     /// The mass matrix is not positive definite.
@@ -160,6 +169,12 @@ pub enum SimulationError {
 }
 
 impl SimulationError {
+    /// Whether a shorter step can succeed.
+    pub(crate) fn asks_for_less(&self) -> bool {
+        use SimulationError::{Astray, NotConverged};
+        matches!(self, NotConverged { .. } | Astray { .. })
+    }
+
     /// Adds names and time to the reason for which a step failed.
     #[cold]
     pub(crate) fn from_fault(fault: Fault, model: &'static Model, time: f64, step: f64) -> Self {
@@ -187,6 +202,7 @@ impl SimulationError {
                 residual,
                 iterations,
             },
+            Fault::Astray(by) => SimulationError::Astray { time, step, by },
             Fault::NonFinite(what) => SimulationError::NonFinite { time, what },
             Fault::Mass => SimulationError::Mass { time },
             Fault::Underflow { row, step } => SimulationError::StepUnderflow {
@@ -269,6 +285,11 @@ impl fmt::Display for SimulationError {
                 "`{row}` did not converge in the step from t = {} s (h = {step} s): residual {residual:.3e} after {iterations} iterations; use a smaller step",
                 clock(*time)
             ),
+            Astray { time, step, by } => write!(
+                out,
+                "the step from t = {} s (h = {step} s) leads to another assembly of the mechanism, {by:.1} of its lengths or radians from where its velocities lead; use a smaller step",
+                clock(*time)
+            ),
             NonFinite { time, what } => write!(
                 out,
                 "the {what} became infinite or NaN in the step from t = {} s; use a smaller step, or look for a force that grows without bound",
@@ -296,7 +317,7 @@ impl fmt::Display for SimulationError {
                 available,
             } => write!(
                 out,
-                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {step} s, although no force brakes it: {TOO_LONG}",
+                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {step} s, which no force has taken: {TOO_LONG}",
                 clock(*time)
             ),
             Mass { time } => write!(

@@ -150,3 +150,72 @@ fn a_tolerance_recovers_from_a_long_first_step() {
     simulation.run_until(10.0).unwrap();
     assert!(simulation.energy().error.abs() < 1e-2);
 }
+
+mechanism!(PushedBob {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    stiffness: Param(2e10_N_per_m),
+    stretch: Param(1e-4_m),
+    push: Input(0.1_N),
+    bob: Particle(mass = 1.0_kg, at = [1.0_m + stretch, 0.0]),
+    spring: SpringDamper(
+        ground.origin,
+        bob.origin,
+        stiffness = stiffness,
+        length = 1.0_m
+    ),
+    thrust: Force(bob.origin, value = [push, 0.0]),
+});
+
+/// The same where a force does work: until ten times the energy of the motion was gained, nothing was said.
+#[test]
+fn pushed_motions_are_refused_too() {
+    for (stiffness, stretch, step) in [(2e10, 0.5, 1e-3), (1e8, 0.5, 1e-3), (1e6, 0.5, 1e-2)] {
+        let bob = PushedBob { stiffness, stretch };
+        let mut simulation = Simulation::with_settings(bob, settings(step, 2)).unwrap();
+        let end = simulation.run_until(3.0);
+        println!("{stiffness:e} {stretch:e} {step:e}: {end:?}");
+        assert!(
+            matches!(
+                end,
+                Err(SimulationError::EnergyGain { .. } | SimulationError::EnergyLoss { .. })
+            ),
+            "{stiffness:e}: {end:?}"
+        );
+    }
+}
+
+mechanism!(Braked {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    damping: Param(1.0_N_s_per_m),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.0_deg),
+    bob: Particle(mass = 1.0_kg, at = [1.5_m, 0.5]),
+    pivot: Revolute(ground.origin, rod.a),
+    link: SpringDamper(
+        rod.b,
+        bob.origin,
+        stiffness = 0.0,
+        damping = damping,
+        length = 0.5_m
+    ),
+    brake: SpringDamper(
+        ground.point(0.0, -2.0_m),
+        rod.b,
+        stiffness = 0.0,
+        damping = damping,
+        length = 0.5_m
+    ),
+});
+
+/// A damper that stops a part within a step takes another work than the trapezoidal rule says; the motion is right.
+#[test]
+fn stiff_dampers_are_not_refused() {
+    for damping in [1.0, 1e2, 1e4, 1e6, 1e8] {
+        for step in [1e-3, 1e-2, 5e-2] {
+            let mut simulation =
+                Simulation::with_settings(Braked { damping }, settings(step, 2)).unwrap();
+            let end = simulation.run_until(2.0);
+            println!("{damping:e} {step:e}: {:?}", simulation.energy());
+            assert_eq!(end, Ok(()), "{damping:e} {step:e}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! With a tolerance, what rests in equilibrium stays there in long steps: differences of steps are then round-off.
 
-use mbs_runtime::{Mechanism, Settings, Simulation, System, mechanism};
+use mbs_runtime::{BaumgarteSettings, Mechanism, Method, Settings, Simulation, System, mechanism};
 
 mechanism!(Hanging {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
@@ -139,4 +139,59 @@ fn a_truss() {
 #[test]
 fn a_body_below_its_pivot() {
     rests(Plumb::default);
+}
+
+mechanism!(Locked {
+    world: Spatial(gravity = [-0.09, 0.0, -9.81_m_per_s2], coordinates = Joint),
+    body: Body(
+        mass = 1.1_kg,
+        inertia = diag(0.27, 0.33, 0.28),
+        at = [-0.346_m, 0.887, 0.917],
+        center_of_mass = [-0.02, -0.007, 0.08],
+        orientation = turn([0.0, -0.564, -0.742], 1.678_rad)
+    ),
+    pivot: Universal(
+        ground,
+        body,
+        at = [-0.376, 0.891, 0.182],
+        axis = [0.0, 1.0, 0.2],
+        second_axis = [1.0, 0.0, 0.0]
+    ),
+    close: Planar(
+        ground,
+        body,
+        at = [0.065, 0.58, 0.273],
+        axis = [0.798, -0.486, 0.54]
+    ),
+    anchor: Point([-0.942_m, 0.366, -0.455]),
+    spring: SpringDamper(
+        anchor,
+        body.origin,
+        stiffness = 20.0,
+        damping = 0.5,
+        length = 0.4
+    ),
+    push: Force(body.origin, value = [4.8_N, 2.4, -3.0]),
+});
+
+/// Velocities are round-off there, which was held to the tolerance: steps of a billionth.
+#[test]
+fn a_locked_body_in_explicit_steps_with_error_control() {
+    for tolerance in [1e-4, 1e-8, 1e-10] {
+        let baumgarte = BaumgarteSettings {
+            adaptive: Some(tolerance),
+            ..BaumgarteSettings::default()
+        };
+        let settings = Settings {
+            method: Method::Baumgarte(baumgarte),
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::with_any_method(Locked::default(), settings).unwrap();
+        let start = *simulation.positions();
+        simulation.run_until(0.4).unwrap();
+        let (moved, report) = ((simulation.positions() - start).amax(), simulation.report());
+        println!("{tolerance:e}: {moved:e}, {report:?}");
+        assert!(moved < 1e-9, "{tolerance:e}: {moved:e}");
+        assert!(report.stages < 20 * 400, "{tolerance:e}: {report:?}");
+    }
 }

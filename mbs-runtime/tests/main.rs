@@ -18,6 +18,7 @@ mod hostile_settings;
 mod known_cost;
 mod methods;
 mod names;
+mod other_assemblies;
 mod paper;
 mod rank_losses;
 mod redundant_short_steps;

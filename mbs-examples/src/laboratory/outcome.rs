@@ -72,6 +72,7 @@ impl Outcome {
         match error {
             SimulationError::StepUnderflow { .. } => Outcome::StepUnderflow,
             SimulationError::NotConverged { .. } => Outcome::NoConvergence,
+            SimulationError::Astray { .. } => Outcome::WrongBranch,
             SimulationError::NonFinite { .. }
             | SimulationError::Mass { .. }
             | SimulationError::EnergyGain { .. } => Outcome::EnergyGrowth,

@@ -26,6 +26,7 @@ pub mod rows;
 pub mod scene_runs;
 mod scenes;
 mod springs;
+mod sweep;
 pub mod tolerances;
 mod tuning;
 pub mod update;

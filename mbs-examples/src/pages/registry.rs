@@ -3,7 +3,7 @@
 use super::data::Data;
 use super::{
     calls, candidates, charts, compile_times, compositions, derivation, instructions, model_size,
-    orders, paper, phases, rival, rows, scenes, springs, tolerances, tuning, which,
+    orders, paper, phases, rival, rows, scenes, springs, sweep, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -62,6 +62,7 @@ const TUNING: &str = "book/src/results/tuning.md";
 const WHICH: &str = "book/src/results/which-method.md";
 const WORK_PRECISION: &str = "book/src/results/work-precision.md";
 const STABILITY: &str = "book/src/results/stability.md";
+const SWEEPS: &str = "book/src/results/sweeps.md";
 const MODEL_SIZE: &str = "book/src/results/model-size.md";
 const COMPILE_TIMES: &str = "book/src/results/compile-times.md";
 
@@ -107,6 +108,9 @@ pub const ENTRIES: &[Entry] = &[
     block(TUNING, "tuning", tuning::table),
     block(WORK_PRECISION, "source", charts::work_precision_source),
     block(STABILITY, "source", charts::stability_source),
+    block(SWEEPS, "lost", sweep::sentence),
+    block(SWEEPS, "by method", sweep::by_method),
+    block(SWEEPS, "by scene", sweep::by_scene),
     file(
         "book/src/results/work-precision-tables.txt",
         charts::work_precision,

@@ -13,7 +13,7 @@
 
 use super::closing::{self, Closing, Limits, Refining, refine};
 use super::closing::{not_converged, residual_of};
-use super::step_context::{REFINEMENTS, StepContext};
+use super::step_context::{PROMPT, REFINEMENTS, StepContext};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -127,7 +127,11 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         work.impulse[0] = kappa;
 
         end.metric(system, t1, &q)?;
+        let before = vb;
         work.impulse[1] = self.project(system, end, &mut vb, &scale.weights)?;
+        if closed.iterations > PROMPT {
+            context.check_way(0.5 * h, &(vb - before))?;
+        }
         let weak = context.work.projection.regularised || self.end_projection.regularised;
         context.commit(t1, h, q, vb, weak)?;
         Ok(Outcome::Done)

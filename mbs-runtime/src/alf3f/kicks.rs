@@ -8,7 +8,7 @@
 //! ```
 
 use super::closing::{self, Closed, Closing, Limits, not_converged, residual_of};
-use super::step_context::StepContext;
+use super::step_context::{PROMPT, StepContext};
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::KickFlow;
@@ -48,11 +48,14 @@ where
         kick.by = Factor::Start;
     }
     context.work.projection.regularised = false;
-    let left = close(context, flow, h, &mut kick, beside)?;
+    let Closed { left, iterations } = close(context, flow, h, &mut kick, beside)?;
     let mut v = arrive(context, flow, t1, &kick)?;
     let unforeseen = context.work.delassus.beside && !beside && left > EXACT;
     if unforeseen && context.fixed_iterations.is_none() {
         v = close_again(context, flow, h, &mut kick)?;
+    }
+    if iterations > PROMPT {
+        context.check_kicks(h)?;
     }
     let weak = weak_start || context.work.delassus.weak || context.work.projection.regularised;
     context.commit(t1, h, kick.q, v, weak)?;
@@ -117,8 +120,7 @@ enum Factor {
     Projection,
 }
 
-/// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; returns the residual, in squared
-/// tolerances.
+/// Corrects κ₁ until φ(q₁) = 0, to round-off `beside` a singular pose; the residual is in squared tolerances.
 #[inline(always)]
 fn close<S, F, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
@@ -126,7 +128,7 @@ fn close<S, F, const Q: usize, const N: usize, const R: usize>(
     h: f64,
     kick: &mut Kick<Q, N, R>,
     beside: bool,
-) -> Result<f64, Fault>
+) -> Result<Closed, Fault>
 where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
@@ -145,9 +147,9 @@ where
         enough: if beside { EXACT } else { 1.0 },
     };
     match closing::close(&mut rows, limits, factored)? {
-        Some(Closed { left, iterations }) => {
-            context.counters.iterations += iterations as u64;
-            Ok(left)
+        Some(closed) => {
+            context.counters.iterations += closed.iterations as u64;
+            Ok(closed)
         }
         None => unreachable!("the proximal solve loses no row"),
     }

@@ -11,7 +11,7 @@
 
 use super::closing::{self, Closing, Limits, Refining, refine};
 use super::closing::{not_converged, residual_of};
-use super::step_context::{REFINEMENTS, StepContext, Workspace, factor_holonomic};
+use super::step_context::{PROMPT, REFINEMENTS, StepContext, Workspace, factor_holonomic};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -59,8 +59,12 @@ where
     };
     let closed = closing::close(&mut rows, limits, false)?;
     let Rows { kappa, q, v, .. } = rows;
-    context.counters.iterations += closed.map_or(0, |closed| closed.iterations as u64);
+    let iterations = closed.map_or(0, |closed| closed.iterations);
+    context.counters.iterations += iterations as u64;
     context.work.impulse[0] = kappa;
+    if iterations > PROMPT {
+        context.check_kicks(h)?;
+    }
     let weak = context.work.projection.regularised
         || (S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.weak);
     context.commit(t1, h, q, v, weak)

@@ -15,7 +15,7 @@ use super::closing::residual_of;
 use super::closing::{self, Closed, Closing, Limits, Refining, refine};
 use super::kicks;
 use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
-use super::step_context::{REFINEMENTS, StepContext};
+use super::step_context::{PROMPT, REFINEMENTS, StepContext};
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
@@ -170,10 +170,13 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let weak_start = start != Rows::Independent;
         let mut kick = self.depart(context, h, weak_start);
         let mut enough = if start == Rows::Beside { EXACT } else { 1.0 };
+        let mut many = false;
         let rows = loop {
-            let Some(left) = self.close(context, h, &mut kick, enough) else {
+            let Some(Closed { left, iterations }) = self.close(context, h, &mut kick, enough)
+            else {
                 return Ok(Outcome::Lost);
             };
+            many |= iterations > PROMPT;
             self.end.factor(self.plan);
             let rows = self.end.rows(self.plan);
             if !(rows == Rows::Beside && left > EXACT && enough == 1.0) {
@@ -224,6 +227,13 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             rates: SVector::zeros(),
         };
         refine(&mut left, passes, enough);
+        if many {
+            let (v0, a1) = (&context.state.velocities, &context.end.acceleration);
+            let a0 = &context.start.acceleration;
+            // The kick at the beginning less the one at the end.
+            let apart = vector(|i| 2.0 * va[i] - v0[i] - v[i] + 0.5 * h * (a0[i] + a1[i]));
+            context.check_way(0.5 * h, &apart)?;
+        }
         context.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
         std::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
@@ -273,7 +283,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         h: f64,
         kick: &mut Kick<Q, N, R>,
         enough: f64,
-    ) -> Option<f64> {
+    ) -> Option<Closed> {
         let limits = Limits {
             most: context.max_iterations,
             fixed: None,
@@ -287,10 +297,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             h,
             enough,
         };
-        let Closed { left, iterations } = closing::close(&mut rows, limits, factored).ok()??;
-        context.counters.iterations += iterations as u64;
+        let closed = closing::close(&mut rows, limits, factored).ok()??;
+        context.counters.iterations += closed.iterations as u64;
         context.work.impulse[0] = kick.kappa;
-        Some(left)
+        Some(closed)
     }
 }
 

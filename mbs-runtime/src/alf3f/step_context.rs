@@ -14,6 +14,12 @@ use nalgebra::SVector;
 /// Most passes of the iteration on the velocity rows: in general, and with `fixed_iterations`.
 pub(super) const REFINEMENTS: usize = 10;
 pub(crate) const FIXED_REFINEMENTS: usize = 2;
+/// After more corrections of κ₁ than this the rows may hold in another pose than that of the motion: a few lead to the
+/// near one.
+pub(super) const PROMPT: usize = 4;
+/// The way of a stage, in lengths of the mechanism or radians, that its velocities do not account for, from which the
+/// pose at its end has nothing to do with that at its beginning.
+const ASTRAY: f64 = 1.0;
 
 /// System, state, and the workspace of a step.
 pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -145,6 +151,36 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         std::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
+    }
+
+    /// Refuses the end of a kick, flow, kick of h seconds in another assembly of the mechanism, to which the rows do not
+    /// object: axes of a hinge are parallel in either direction. There the two kicks, which are halves of one force, are
+    /// large and cancel.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn check_kicks(&mut self, h: f64) -> Result<(), Fault> {
+        let mut apart = SVector::zeros();
+        let [first, second] = &self.work.impulse;
+        crate::linear::accumulate(&mut apart, &self.start.w, first);
+        crate::linear::accumulate(&mut apart, &self.end.w, &negative(second));
+        let checked = self.check_way(0.5 * h, &apart);
+        if checked.is_err() {
+            // The factor is that of the velocity rows at the end.
+            self.refresh()?;
+        }
+        checked
+    }
+
+    /// The same for a velocity of which the way of a stage differs from the mean of its ends.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn check_way(&self, h: f64, apart: &SVector<f64, N>) -> Result<(), Fault> {
+        let by = (self.yardstick.measure(apart) * h).abs();
+        if by < ASTRAY {
+            Ok(())
+        } else {
+            Err(Fault::Astray(by))
+        }
     }
 
     /// Moves what redundant rows carry at the beginning of a step to the rows that they follow from: the same force

@@ -11,6 +11,9 @@ pub(crate) struct StepMonitor {
     pub(crate) power: f64,
     /// Work of these forces so far, J.
     pub(crate) nonconservative_work: f64,
+    /// How far the trapezoidal rule may be from the work of these forces, J: the sum of the differences of the two ends
+    /// of each stage.
+    pub(crate) work_doubt: f64,
     /// Work of the rheonomic rows so far, J.
     pub(crate) drive_work: f64,
     /// The distance of the ends of stages from a singular pose, as a fraction of the step: σ₁/(σ₀ + σ₁) for a step of
@@ -27,6 +30,7 @@ impl StepMonitor {
         StepMonitor {
             power,
             nonconservative_work: 0.0,
+            work_doubt: 0.0,
             drive_work: 0.0,
             clearance: f64::INFINITY,
             rank_margin,
@@ -47,6 +51,7 @@ impl StepMonitor {
                 .system
                 .nonconservative_power(state.time, &state.positions, &state.velocities);
         self.nonconservative_work += 0.5 * h * (self.power + power);
+        self.work_doubt += (0.5 * h * (power - self.power)).abs();
         self.power = power;
         // After the commit `end` has the geometry of the beginning of the stage.
         let impulse = &context.work.impulse;

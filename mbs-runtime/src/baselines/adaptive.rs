@@ -98,9 +98,11 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         let [turn, change] = self.stages.error(h);
         let (q, v) = (bench.state.positions, bench.state.velocities);
         let yardstick = &bench.yardstick;
-        // At rest, the speed that the acceleration gives in the step.
+        // At rest, the speed that the acceleration gives in the step, and that which moves no position.
         let gained = h.abs() * yardstick.measure(self.stages.first_acceleration());
-        let scales = [yardstick.farthest(&q), yardstick.measure(&v).max(gained)];
+        let noise = yardstick.imperceptible(&q, h) / self.tolerance;
+        let speed = yardstick.measure(&v).max(gained).max(noise);
+        let scales = [yardstick.farthest(&q), speed];
         let square = |x: &SVector<f64, N>, scale: f64| match scale > 0.0 {
             true => yardstick.square(x) / (scale * scale),
             false => 0.0,

@@ -2,9 +2,11 @@
 //!
 //! The kinetic energy is at most what the start and the works have given, above the least potential energy. Steps that
 //! are too long for the motion, or for a stiff spring, may gain many times this or lose nearly all of it, and go on.
-//! Where works belong to the balance their own error counts: ten times what the motion has is nonsense there, and for
-//! methods that do not conserve energy. Two-level steps of a conservative mechanism have oscillating errors, of some
-//! hundredths for coarse steps: an error of a quarter says that the steps do not follow the motion.
+//! Two-level steps have oscillating errors, of some hundredths for coarse steps: an error of a quarter says that the
+//! steps do not follow the motion. Where works belong to the balance they count among what the motion has, and the error
+//! of their quadrature is allowed besides: in a step in which a stiff damper stops a part the trapezoidal rule is far from
+//! its work. For methods that do not conserve energy, and for drives, whose rates may jump, ten times what the motion has
+//! is nonsense.
 
 use crate::linear::vector;
 use crate::sink::{Diagonal, Discard};
@@ -15,7 +17,7 @@ use nalgebra::SVector;
 /// The gain of energy that is refused, as a multiple of the energy that the motion has. Coarse steps through singular
 /// poses have reached 1 with some methods.
 const GROSS: f64 = 10.0;
-/// The same of gains and losses of a conservative mechanism with two-level steps. A smaller value also refuses coarse
+/// The same of gains and losses with two-level steps. A smaller value also refuses coarse
 /// but useful runs.
 const WRONG: f64 = 0.25;
 /// Round-off of displacements in a step, in sizes of the mechanism: with less energy than such a motion has nothing is
@@ -33,7 +35,9 @@ pub(super) struct EnergyGuard {
     works: f64,
     /// Round-off.
     noise: f64,
-    /// Whether forces and rows do no work, and the method conserves energy.
+    /// The doubt about the works of forces so far.
+    pub(super) doubt: f64,
+    /// Whether the method conserves energy.
     conserves: bool,
     /// What is accepted in any case, so that most steps compare this only.
     accepted: f64,
@@ -61,10 +65,7 @@ impl EnergyGuard {
         };
         let depth = (0..N).map(along).sum();
         let noise = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
-        let structure = &S::STRUCTURE;
-        let conserves = settings.method == Method::TwoLevel
-            && !(structure.velocity_forces || structure.time_dependent)
-            && S::MODEL.inputs.is_empty();
+        let conserves = settings.method == Method::TwoLevel;
         let bound = if conserves { WRONG } else { GROSS };
         EnergyGuard {
             depth,
@@ -72,6 +73,7 @@ impl EnergyGuard {
             accepted: bound * (depth + noise),
             least: f64::INFINITY,
             works: 0.0,
+            doubt: 0.0,
             noise,
         }
     }
@@ -99,8 +101,8 @@ impl EnergyGuard {
             - energy.nonconservative_work
             - energy.drive_work;
         let available = initial - self.least + self.depth + self.works + self.noise;
-        let refused = match self.conserves && self.works == 0.0 {
-            true => energy.error.abs() > WRONG * available,
+        let refused = match self.conserves && energy.drive_work == 0.0 {
+            true => energy.error.abs() > WRONG * available + self.doubt,
             false => energy.error > GROSS * (available + initial.abs()),
         };
         refused.then_some(available)

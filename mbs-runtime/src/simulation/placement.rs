@@ -83,7 +83,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match first {
             Ok(clearance) if !(clearance < wanted) => Ok(h),
             // Without a clearance nothing is known of singular poses.
-            Err(error) if !matches!(error, SimulationError::NotConverged { .. }) => Err(error),
+            Err(error) if !error.asks_for_less() => Err(error),
             _ => self.choose(h, left, first, (report, power)),
         }
     }

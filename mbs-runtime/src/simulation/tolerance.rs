@@ -113,6 +113,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 }
                 Err(
                     error @ (SimulationError::NotConverged { .. }
+                    | SimulationError::Astray { .. }
                     | SimulationError::NonFinite { .. }
                     | SimulationError::EnergyGain { .. }
                     | SimulationError::EnergyLoss { .. }),
@@ -222,9 +223,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         for step in steps.into_iter().filter(|step| *step > 0.0) {
             match self.advance(step) {
                 Ok(clearance) => least = least.min(clearance),
-                Err(SimulationError::NotConverged { .. } | SimulationError::NonFinite { .. }) => {
-                    return Ok(None);
-                }
+                Err(error) if error.asks_for_less() => return Ok(None),
+                Err(SimulationError::NonFinite { .. }) => return Ok(None),
                 Err(error) => return Err(error),
             }
         }
