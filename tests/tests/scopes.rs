@@ -108,3 +108,9 @@ fn rustc_compiles_three_thousand_constants() {
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{errors}");
 }
+
+#[test]
+fn strings_have_no_statements() {
+    let text = r#"let t = 1; f("a;\"{"); { b"}" }"#;
+    assert_eq!(mbs_macros_core::emit::statements(text), 4);
+}

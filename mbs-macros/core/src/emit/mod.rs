@@ -28,7 +28,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 pub use fallback::fallback;
-pub use size::Size;
+pub use size::{Size, statements};
 
 /// All generated items.
 pub fn mechanism(declaration: &Declaration, analysis: &Analysis, program: &Program) -> TokenStream {

@@ -1,6 +1,6 @@
 //! Replacement of symbols by expressions.
 
-use super::{Expr, Function, Graph, Map, Node, Symbol};
+use super::{Expr, Function, Graph, Map, Node, Number, Symbol};
 
 /// A substitution with its memory, so that many expressions can share the work.
 #[derive(Debug, Clone, Default)]
@@ -47,11 +47,7 @@ impl Graph {
             Node::Sum { constant, terms } => {
                 let mut replaced: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
                 for &(x, c) in &terms {
-                    let sum = match self.node(x) {
-                        Node::Symbol(symbol) => substitution.sums.get(symbol),
-                        _ => None,
-                    };
-                    match sum {
+                    match self.sum_of(x, &terms, substitution) {
                         Some(sum) => replaced.extend(sum.iter().map(|&(y, k)| (y, c.value() * k))),
                         None => replaced.push((self.substitute(x, substitution), c.value())),
                     }
@@ -105,6 +101,28 @@ impl Graph {
         }
         substitution.done.insert(expr, result);
         result
+    }
+
+    /// The sum that a symbol stands for, if it is better to enter its terms in another sum: that has a second symbol of the same
+    /// row of a rotation, whose sum has the same terms.
+    fn sum_of<'a>(
+        &self,
+        x: Expr,
+        terms: &[(Expr, Number)],
+        substitution: &'a Substitution,
+    ) -> Option<&'a [(Expr, f64)]> {
+        let entry = |x: Expr| match *self.node(x) {
+            Node::Symbol(Symbol::LocalRotation(first, entry)) => Some((first, entry / 3)),
+            _ => None,
+        };
+        let row = entry(x)?;
+        let alike = terms.iter().filter(|(x, _)| entry(*x) == Some(row));
+        match *self.node(x) {
+            Node::Symbol(symbol) if alike.count() > 1 => {
+                substitution.sums.get(&symbol).map(Vec::as_slice)
+            }
+            _ => None,
+        }
     }
 
     /// `expr` where all velocities are zero.
