@@ -40,7 +40,7 @@ impl Size {
 }
 
 /// Statements, fields and blocks of a text: what ends with `;`, `{` or `}`, outside of strings.
-fn statements(text: &str) -> usize {
+pub fn statements(text: &str) -> usize {
     let (mut count, mut inside, mut escaped) = (0, false, false);
     for byte in text.bytes() {
         match byte {
