@@ -4,6 +4,7 @@ use super::data::Data;
 use super::markdown::{table as markdown_table, thousands};
 
 const FILE: &str = "readme/compile.csv";
+const ORIGINS: &str = "readme/compile_origins.csv";
 
 /// Sizes and times as mechanisms grow.
 pub fn table(data: &Data) -> Result<String, String> {
@@ -15,11 +16,12 @@ pub fn table(data: &Data) -> Result<String, String> {
         "rows",
         "operations",
         "written out",
-        "lines",
+        "statements",
         "release, s",
         "dev, s",
+        "all methods, s",
     ];
-    let counts = ["velocities", "rows", "operations", "written", "lines"];
+    let counts = ["velocities", "rows", "operations", "written", "statements"];
     let rows: Result<Vec<Vec<String>>, String> = results
         .lines()
         .map(|line| {
@@ -30,7 +32,7 @@ pub fn table(data: &Data) -> Result<String, String> {
             for column in counts {
                 row.push(thousands(line.number(column)?));
             }
-            for column in ["release_s", "dev_s"] {
+            for column in ["release_s", "dev_s", "any_s"] {
                 row.push(line.text(column)?.to_owned());
             }
             Ok(row)
@@ -39,6 +41,30 @@ pub fn table(data: &Data) -> Result<String, String> {
     Ok(format!(
         "{}\n\nFrom {}.",
         markdown_table(&heading, &rows?),
+        results.source()
+    ))
+}
+
+/// Lines of LLVM IR by origin, with a column for each mechanism.
+pub fn origins(data: &Data) -> Result<String, String> {
+    let results = data.table(ORIGINS)?;
+    let mut heading = vec!["origin".to_owned()];
+    let mut rows: Vec<Vec<String>> = Vec::new();
+    for line in results.lines() {
+        let mechanism = format!("{} {}", line.text("mechanism")?, line.text("size")?);
+        if !heading.contains(&mechanism) {
+            heading.push(mechanism);
+        }
+        let (origin, lines) = (line.text("origin")?, thousands(line.number("lines")?));
+        match rows.iter_mut().find(|row| row[0] == origin) {
+            Some(row) => row.push(lines),
+            None => rows.push(vec![origin.to_owned(), lines]),
+        }
+    }
+    let heading: Vec<&str> = heading.iter().map(String::as_str).collect();
+    Ok(format!(
+        "{}\n\nFrom {}.",
+        markdown_table(&heading, &rows),
         results.source()
     ))
 }
