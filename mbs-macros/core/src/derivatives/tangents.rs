@@ -50,11 +50,14 @@ impl Tangents {
         }
     }
 
+    /// Counting stops where they are long.
     fn length(&self, graph: &Graph, beside: &Matrix) -> usize {
         let mut length = Length::default();
-        for matrix in [&self.by_position, &self.by_velocity, beside] {
-            for &entry in matrix.values() {
-                length.add(graph, entry);
+        let matrices = [&self.by_position, &self.by_velocity, beside];
+        for &entry in matrices.into_iter().flat_map(Matrix::values) {
+            length.add(graph, entry);
+            if length.operations() > SHORT {
+                break;
             }
         }
         length.operations()
@@ -118,7 +121,7 @@ pub(super) fn jacobian(graph: &mut Graph, values: &[Expr], by: impl Fn(u32) -> S
 
 /// ∂slopes/∂q, where slopes are ∂/∂q of a scalar: symmetric but within a rotation, whose directions do not commute. Each
 /// pair of entries is derived once.
-pub(super) fn hessian(graph: &mut Graph, slopes: &[Expr], rotations: &[Rotation]) -> Matrix {
+fn hessian(graph: &mut Graph, slopes: &[Expr], rotations: &[Rotation]) -> Matrix {
     let turn = |i: usize| {
         let mut turns = rotations.iter();
         turns.position(|rotation| (rotation.velocity..rotation.velocity + 3).contains(&i))
@@ -157,10 +160,7 @@ fn put(
 }
 
 /// The sum of matrices, each with a factor.
-pub(super) fn total<const COUNT: usize>(
-    graph: &mut Graph,
-    matrices: [(f64, &Matrix); COUNT],
-) -> Matrix {
+fn total<const COUNT: usize>(graph: &mut Graph, matrices: [(f64, &Matrix); COUNT]) -> Matrix {
     let mut terms: BTreeMap<(usize, usize), Vec<(Expr, f64)>> = BTreeMap::new();
     for (factor, matrix) in matrices {
         for (&place, &entry) in matrix {

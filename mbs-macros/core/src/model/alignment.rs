@@ -22,10 +22,10 @@ pub(super) fn aligned(
     inner: &Axes,
 ) -> Option<(Expr, Axes)> {
     let [x, y] = [inner[0], inner[1]];
-    let axes = (numbers(graph, x)?, numbers(graph, y)?);
+    let axes = (graph.numbers(x)?, graph.numbers(y)?);
     let mut directions = directions(graph, tree, joint, part).into_iter();
     let (along, across) = directions.find_map(|direction| {
-        let direction = numbers(graph, direction)?;
+        let direction = graph.numbers(direction)?;
         let (along, across) = (dot(axes.0, direction), dot(axes.1, direction));
         let is_across = along.hypot(across) > NONE * dot(direction, direction).sqrt();
         is_across.then_some((along, across))
@@ -60,11 +60,6 @@ fn directions(graph: &mut Graph, tree: &Tree, joint: &TreeJoint, part: &Part) ->
     }
     list.push(graph.vector_sub(part.center, place));
     list
-}
-
-fn numbers(graph: &Graph, vector: Vector) -> Option<[f64; 3]> {
-    let [x, y, z] = vector.map(|x| graph.as_constant(x));
-    Some([x?, y?, z?])
 }
 
 fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {

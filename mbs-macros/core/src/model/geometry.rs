@@ -200,13 +200,18 @@ impl Graph {
         })
     }
 
+    /// The components of a vector, if they are numbers.
+    pub(super) fn numbers(&self, vector: Vector) -> Option<[f64; 3]> {
+        let [x, y, z] = vector.map(|x| self.as_constant(x));
+        Some([x?, y?, z?])
+    }
+
     /// A constant direction along an axis, where it is one but for round-off.
     pub(super) fn snapped(&mut self, direction: Vector) -> Vector {
-        let numbers = direction.map(|x| self.as_constant(x));
-        let [Some(x), Some(y), Some(z)] = numbers else {
+        let Some(numbers) = self.numbers(direction) else {
             return direction;
         };
-        [x, y, z].map(|x| {
+        numbers.map(|x| {
             let whole = x.round();
             let is_whole = (x - whole).abs() <= 4.0 * f64::EPSILON;
             self.constant(if is_whole { whole } else { x })

@@ -1,12 +1,14 @@
 //! Poses and velocities along the tree, from each part to those that it carries.
 
-use super::alignment::aligned;
+mod carried;
+
 use super::geometry::{Axes, Owner, Tensor, Vector};
 use super::mobilizer::{Freedom, transposed};
 use super::parts::{Part, Representation};
 use super::tree::{BodyTwist, Tree, TreeJoint};
 use crate::schema::World;
-use crate::symbolic::{Expr, Function, Graph, Substitution, Symbol};
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+use carried::Carried;
 use std::collections::BTreeMap;
 
 /// A part in generalized coordinates and velocities.
@@ -33,18 +35,6 @@ struct State {
 
 /// A velocity and an acceleration.
 type Rates = [Vector; 2];
-
-/// What a joint makes of the state of its parent.
-struct Carried {
-    /// As in [`State`].
-    axes: Axes,
-    /// As in [`State`].
-    fixed: Axes,
-    /// Angular velocity and acceleration of the child.
-    turn: Rates,
-    /// Of the joint.
-    rates: Rates,
-}
 
 /// Walks along the tree.
 pub(super) struct Walk<'a> {
@@ -277,121 +267,6 @@ impl Walk<'_> {
         }
     }
 
-    /// A child that turns about axes of the joint at most; `outer` are the axes of the joint in those of the parent's
-    /// state, `rates` the joint's velocity and acceleration.
-    fn carried(
-        &mut self,
-        tree: &Tree,
-        joint: &TreeJoint,
-        parent: &State,
-        outer: &Axes,
-        rates: Rates,
-    ) -> Carried {
-        let inner = joint.mobilizer.child.local;
-        let mut turns = joint
-            .freedoms()
-            .filter(|(freedom, _)| freedom.turns())
-            .peekable();
-        if turns.peek().is_none() {
-            // The child keeps the axes of the parent's state.
-            let fixed = transposed(outer).map(|axis| {
-                let own = self.graph.turn(&inner, axis);
-                self.graph.snapped(own)
-            });
-            return Carried {
-                axes: parent.axes,
-                fixed,
-                turn: [parent.omega, parent.alpha],
-                rates,
-            };
-        }
-        let mut axes = self.graph.compose(&parent.axes, outer);
-        let vectors = [parent.omega, parent.alpha, rates[0], rates[1]];
-        let mut vectors = vectors.map(|v| self.graph.components(outer, v));
-        let mut fixed = inner;
-        let mut place = 0;
-        while let Some((freedom, local)) = turns.next() {
-            if let Freedom::Turn(Some(between)) = freedom {
-                axes = self.graph.compose(&axes, between);
-                vectors = vectors.map(|v| self.graph.components(between, v));
-            }
-            let name = match place {
-                0 => joint.joint.clone(),
-                _ => format!("{}_second", joint.joint),
-            };
-            place += 1;
-            let is_last = turns.peek().is_none();
-            let aligned = is_last.then(|| {
-                let part = &self.parts[joint.child];
-                aligned(self.graph, tree, joint, part, &inner)
-            });
-            let mut angle = self.symbol(Symbol::LocalPosition(local));
-            if let Some((offset, turned)) = aligned.flatten() {
-                angle = self.graph.add(angle, offset);
-                fixed = turned;
-            }
-            (axes, vectors) = self.turned(&name, (angle, local), axes, vectors);
-        }
-        let is_number = |&x: &Expr| self.graph.as_constant(x).is_some();
-        if !fixed.iter().flatten().all(is_number) {
-            // Axes that depend on parameters have entries that no number folds with: those of the part are as short.
-            let own = transposed(&fixed);
-            axes = self.graph.compose(&axes, &own);
-            vectors = vectors.map(|v| self.graph.turn(&fixed, v));
-            fixed = self.graph.ground_axes();
-        }
-        let [omega, alpha, velocity, acceleration] = vectors;
-        Carried {
-            axes,
-            fixed,
-            turn: [omega, alpha],
-            rates: [velocity, acceleration],
-        }
-    }
-
-    /// Axes turned about their z by an angle, and vectors in components of the former in those of the latter: ω, α, to which
-    /// the turn adds its own, a velocity and an acceleration.
-    fn turned(
-        &mut self,
-        name: &str,
-        (angle, local): (Expr, u32),
-        [x, y, z]: Axes,
-        vectors: [Vector; 4],
-    ) -> (Axes, [Vector; 4]) {
-        let [rate, second] = [
-            self.symbol(Symbol::LocalVelocity(local)),
-            self.symbol(Symbol::LocalAcceleration(local)),
-        ];
-        let graph = &mut *self.graph;
-        let (cos, sin) = (
-            graph.function(Function::Cos, angle),
-            graph.function(Function::Sin, angle),
-        );
-        graph.suggest_name(cos, format!("cos_{name}"));
-        graph.suggest_name(sin, format!("sin_{name}"));
-        let mut mixed = |a: Expr, b: Expr| {
-            let (first, second) = (graph.mul(cos, a), graph.mul(sin, b));
-            let sum = graph.add(first, second);
-            let (first, second) = (graph.mul(cos, b), graph.mul(sin, a));
-            (sum, graph.sub(first, second))
-        };
-        let pairs: [(Expr, Expr); 3] = std::array::from_fn(|k| mixed(x[k], y[k]));
-        let axes = [pairs.map(|pair| pair.0), pairs.map(|pair| pair.1), z];
-        let [mut omega, mut alpha, velocity, acceleration] = vectors.map(|[x, y, z]| {
-            let (along, across) = mixed(x, y);
-            [along, across, z]
-        });
-        // α = α_p + θ̈ z + ω × θ̇ z
-        let [p, q] = [omega[0], omega[1]].map(|x| graph.mul(rate, x));
-        alpha = [
-            graph.add(alpha[0], q),
-            graph.sub(alpha[1], p),
-            graph.add(alpha[2], second),
-        ];
-        omega[2] = graph.add(omega[2], rate);
-        (axes, [omega, alpha, velocity, acceleration])
-    }
-
     fn planar(&mut self, joint: &TreeJoint, parent: &State) -> State {
         let mobilizer = &joint.mobilizer;
         let part = &self.parts[joint.child];
@@ -497,13 +372,14 @@ impl Walk<'_> {
             let (row, column) = (usize::from(entry / 3), usize::from(entry % 3));
             let across = state.axes.map(|axis| axis[row]);
             let symbol = Symbol::LocalRotation(first, entry);
-            match own[column].map(|x| self.graph.as_constant(x)) {
-                [Some(x), Some(y), Some(z)] => {
-                    let terms = [(across[0], x), (across[1], y), (across[2], z)];
+            match self.graph.numbers(own[column]) {
+                Some(numbers) => {
+                    let terms = across.into_iter().zip(numbers);
+                    let terms: Vec<(Expr, f64)> = terms.filter(|(_, x)| *x != 0.0).collect();
                     let value = self.graph.linear(0.0, &terms);
-                    self.substitution.insert_sum(symbol, value, terms.to_vec());
+                    self.substitution.insert_sum(symbol, value, terms);
                 }
-                _ => {
+                None => {
                     let value = self.graph.dot(across, own[column]);
                     self.substitution.insert(symbol, value);
                 }
