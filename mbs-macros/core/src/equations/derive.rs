@@ -2,7 +2,7 @@
 
 use super::balance::{self, Balance};
 use super::constant_mass::constant_mass;
-use super::forces::Action;
+use super::forces::{Action, Potential};
 use super::generalized_forces::{Elements, ForceParts};
 use super::kinetic::{self, Kinetic};
 use super::system::System;
@@ -20,10 +20,11 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let gravity = generalized_forces::gravity_potential(&mut graph, &model);
     let actions = model.forces.iter();
     let actions: Vec<Action> = actions
-        .map(|force| forces::action(&mut graph, &force.element))
+        .map(|force| forces::action(&mut graph, &model, &force.element))
         .collect();
-    let energies = actions.iter().filter_map(|action| action.potential);
-    let potential = graph.sum([gravity].into_iter().chain(energies));
+    let potentials = actions.iter().filter_map(|action| action.potential);
+    let generators = potentials.map(|potential| potential.generator);
+    let potential = graph.sum([gravity].into_iter().chain(generators));
     let vacuous = vacuous::rows(&graph, &model);
     let rows = rows::rows(&mut graph, &mut reduction, &model);
     let solved = rows::solved_rows(&model.joints, &model.solved);
@@ -42,7 +43,13 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let elements = Elements {
         potentials: actions
             .iter()
-            .filter_map(|action| Some(global(&mut graph, action.potential?)))
+            .filter_map(|action| {
+                let Potential { energy, generator } = action.potential?;
+                Some(Potential {
+                    energy: global(&mut graph, energy),
+                    generator: global(&mut graph, generator),
+                })
+            })
             .collect(),
         loads: actions
             .iter()
@@ -56,7 +63,8 @@ pub fn derive(mut model: Model) -> (Outline, System) {
             .collect(),
     };
     let gravity = global(&mut graph, gravity);
-    let potential = elements.potential(&mut graph, gravity);
+    let potential = elements.potential(&mut graph, gravity, |potential| potential.energy);
+    let generator = elements.potential(&mut graph, gravity, |potential| potential.generator);
     let size = model.layout.velocities.len();
     let outputs = model
         .outputs
@@ -89,8 +97,8 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
     };
     let force_parts = match &kinetic {
-        Some(_) => ForceParts::by_gradients(&mut graph, size, potential, &elements),
-        None => ForceParts::new(&mut graph, size, potential, &elements),
+        Some(_) => ForceParts::by_gradients(&mut graph, size, generator, &elements),
+        None => ForceParts::new(&mut graph, size, generator, &elements),
     };
     let forces = force_parts.total(&mut graph);
     let power = generalized_forces::power(&mut graph, &elements);

@@ -1,5 +1,6 @@
 //! Generalized forces: of gravity, springs and loads.
 
+use super::forces::Potential;
 use super::inertia::center_of;
 use crate::model::Model;
 use crate::model::elements::force::Load;
@@ -23,7 +24,7 @@ const MANY: usize = 8;
 
 /// The force elements: potentials and loads of each, in generalized coordinates.
 pub(super) struct Elements {
-    pub potentials: Vec<Expr>,
+    pub potentials: Vec<Potential>,
     pub loads: Vec<Vec<Load>>,
 }
 
@@ -36,10 +37,15 @@ impl Elements {
         }
     }
 
-    /// V, where that of gravity is known.
-    pub(super) fn potential(&self, graph: &mut Graph, gravity: Expr) -> Expr {
-        let own = self.potentials.iter();
-        let mut terms: Vec<Expr> = own.map(|&energy| self.own(graph, energy)).collect();
+    /// V in one of its forms, where that of gravity is known.
+    pub(super) fn potential(
+        &self,
+        graph: &mut Graph,
+        gravity: Expr,
+        form: fn(&Potential) -> Expr,
+    ) -> Expr {
+        let own = self.potentials.iter().map(form);
+        let mut terms: Vec<Expr> = own.map(|energy| self.own(graph, energy)).collect();
         terms.insert(0, gravity);
         graph.sum(terms)
     }

@@ -385,7 +385,12 @@ impl Walk<'_> {
                 }
             }
         }
-        let [omega, alpha] = [state.omega, state.alpha].map(|v| self.graph.turn(&state.fixed, v));
+        let own = part.own_velocity(self.graph);
+        let [velocity, omega, alpha] =
+            [state.velocity, state.omega, state.alpha].map(|v| self.graph.turn(&state.fixed, v));
+        for (mark, value) in own.into_iter().zip(velocity) {
+            self.substitution.equate(mark, value);
+        }
         for k in 0..3 {
             let local = first + k;
             let (omega, alpha) = (omega[k as usize], alpha[k as usize]);

@@ -35,6 +35,12 @@ impl Function {
     }
 }
 
+/// Whether parts are shorter than one body, or that would be too long for any function.
+fn pays(function: &Function, parts: &Parts) -> bool {
+    let (divided, whole) = (parts.operations(), function.operations.len());
+    whole > LONGEST_BODY || 2 * divided < whole
+}
+
 impl Program {
     /// For a function that is not short the one that computes the same and more: the balance is called for the forces.
     pub fn whole_of(&self, function: &Function) -> Option<&Function> {
@@ -60,7 +66,8 @@ impl Program {
         let is_divided = function.is_long()
             && self.whole_of(function).is_none()
             && self.turning_of(function).is_none();
-        is_divided.then(|| Parts::of(function, &self.labels))
+        let parts = is_divided.then(|| Parts::of(function, &self.labels));
+        parts.filter(|parts| pays(function, parts))
     }
 
     /// How many operations of a function are written out; `parts` are its own.

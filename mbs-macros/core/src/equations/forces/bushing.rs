@@ -1,25 +1,37 @@
 //! An elastic joint: springs and dampers in all six directions.
 
-use super::action::Action;
+use super::action::{Action, Potential};
+use super::observer::Observer;
 use crate::model::elements::force::{Bushing, Load};
-use crate::model::{Tensor, Vector};
+use crate::model::{Axes, Model, Tensor, Vector};
 use crate::symbolic::{Expr, Function, Graph};
 
 /// V = ½ u·K u + ½ e·K_r e + u·C e with the displacement u and the turning e = 2 n sin(ψ/2), both in the parent's axes.
-pub(super) fn action(graph: &mut Graph, bushing: &Bushing) -> Action {
-    let [parent, child] = bushing.axes;
-    let gap = graph.vector_sub(bushing.origins[1], bushing.origins[0]);
-    let displacement = graph.components(&parent, gap);
-    let mut potential = quadratic(graph, &bushing.stiffness, displacement, displacement, 0.5);
+pub(super) fn action(graph: &mut Graph, model: &Model, bushing: &Bushing) -> Action {
+    let Bushing { parent, child, .. } = bushing;
+    let observer = Observer::new(model, parent.point.owner);
+    let [place, from] = [child, parent].map(|frame| observer.place(graph, &frame.point));
+    let gap = graph.vector_sub(place, from);
+    let displacement = graph.components(&parent.local, gap);
+    let translation = quadratic(graph, &bushing.stiffness, displacement, displacement, 0.5);
+    let mut potential = Potential::from(translation);
     if needed(graph, &bushing.torsion_stiffness) || needed(graph, &bushing.cross_stiffness) {
-        let turning = relative_rotation(graph, &parent, &child);
+        let relative = relative_rotation(graph, &parent.axes, &child.axes);
+        let turning = turning(graph, &relative);
         let torsion = quadratic(graph, &bushing.torsion_stiffness, turning, turning, 0.5);
+        let linear = torsion_generator(graph, &bushing.torsion_stiffness, &relative);
         let cross = quadratic(graph, &bushing.cross_stiffness, displacement, turning, 1.0);
-        potential = graph.sum([potential, torsion, cross]);
+        potential = Potential {
+            energy: graph.sum([translation, torsion, cross]),
+            generator: graph.sum([translation, linear, cross]),
+        };
     }
     let mut loads = Vec::new();
-    let rates = graph.vector_rate(displacement);
-    let spins = graph.components(&parent, bushing.spin);
+    let rates = observer.rate(graph, &child.point, place);
+    let rates = graph.components(&parent.local, rates);
+    let [spin, back] = [child, parent].map(|frame| observer.spin(graph, frame.point.owner));
+    let spins = graph.vector_sub(spin, back);
+    let spins = graph.components(&parent.local, spins);
     for (gain, rates) in [(&bushing.damping, rates), (&bushing.torsion_damping, spins)] {
         if !needed(graph, gain) {
             continue;
@@ -33,7 +45,7 @@ pub(super) fn action(graph: &mut Graph, bushing: &Bushing) -> Action {
         }
     }
     Action {
-        potential: (!graph.is_zero(potential)).then_some(potential),
+        potential: (!graph.is_zero(potential.energy)).then_some(potential),
         loads,
     }
 }
@@ -49,12 +61,19 @@ fn quadratic(graph: &mut Graph, gain: &Tensor, a: Vector, b: Vector, factor: f64
     graph.scale(factor, energy)
 }
 
-/// 2 n sin(ψ/2) in the parent's axes: the axial vector n sin ψ of the relative rotation over cos(ψ/2) = ½ √(1 + trace).
-fn relative_rotation(graph: &mut Graph, parent: &[Vector; 3], child: &[Vector; 3]) -> Vector {
-    let relative: [[Expr; 3]; 3] =
-        std::array::from_fn(|i| std::array::from_fn(|j| graph.dot(parent[i], child[j])));
-    let trace: Vec<_> = (0..3).map(|k| (relative[k][k], 1.0)).collect();
-    let trace = graph.linear(1.0, &trace);
+/// The rotation of the child in the axes of the parent.
+fn relative_rotation(graph: &mut Graph, parent: &Axes, child: &Axes) -> Tensor {
+    parent.map(|row| child.map(|column| graph.dot(row, column)))
+}
+
+fn trace(graph: &mut Graph, tensor: &Tensor, constant: f64, factor: f64) -> Expr {
+    let terms: Vec<_> = (0..3).map(|k| (tensor[k][k], factor)).collect();
+    graph.linear(constant, &terms)
+}
+
+/// e = 2 n sin(ψ/2) in the parent's axes: the axial vector n sin ψ of the relative rotation over cos(ψ/2) = ½ √(1 + trace).
+fn turning(graph: &mut Graph, relative: &Tensor) -> Vector {
+    let trace = trace(graph, relative, 1.0, 1.0);
     let root = graph.function(Function::Sqrt, trace);
     let one = graph.one();
     let inverse = graph.div(one, root);
@@ -63,4 +82,20 @@ fn relative_rotation(graph: &mut Graph, parent: &[Vector; 3], child: &[Vector; 3
         let twice = graph.sub(relative[j][i], relative[i][j]);
         graph.mul(inverse, twice)
     })
+}
+
+/// ½ e·K e, which is linear in the relative rotation R, because e eᵀ = R + Rᵀ + (1 − trace R) 1. Near zero it is a small
+/// difference of large terms, but its derivatives are not.
+fn torsion_generator(graph: &mut Graph, gain: &Tensor, relative: &Tensor) -> Expr {
+    let rest = trace(graph, relative, 1.0, -1.0);
+    let mut terms = Vec::new();
+    for i in 0..3 {
+        terms.push(graph.mul(gain[i][i], rest));
+        for k in 0..3 {
+            let sum = graph.add(relative[i][k], relative[k][i]);
+            terms.push(graph.mul(gain[i][k], sum));
+        }
+    }
+    let sum = graph.sum(terms);
+    graph.scale(0.5, sum)
 }

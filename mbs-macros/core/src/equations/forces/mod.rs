@@ -2,16 +2,20 @@
 
 mod action;
 mod bushing;
+mod observer;
 mod spring;
 mod wrench;
 
+use crate::model::Model;
 use crate::model::elements::force::ForceElement;
 use crate::symbolic::Graph;
 
-pub(super) use action::Action;
+use observer::Observer;
+
+pub(super) use action::{Action, Potential};
 
 /// What a force element contributes, in local coordinates.
-pub(super) fn action(graph: &mut Graph, element: &ForceElement) -> Action {
+pub(super) fn action(graph: &mut Graph, model: &Model, element: &ForceElement) -> Action {
     match element {
         ForceElement::Spring {
             from,
@@ -32,15 +36,20 @@ pub(super) fn action(graph: &mut Graph, element: &ForceElement) -> Action {
             spring::action(graph, characteristic, angle, rate)
         }
         ForceElement::Wrench {
-            at,
+            on,
             force,
             torque,
             axes,
-        } => wrench::action(graph, *at, *force, *torque, axes),
+        } => wrench::action(graph, Observer::new(model, *axes), on, *force, *torque),
+        ForceElement::Torque {
+            between,
+            torque,
+            axes,
+        } => wrench::torque(graph, Observer::new(model, *axes), *between, *torque),
         ForceElement::Loads(loads) => Action {
             potential: None,
             loads: loads.clone(),
         },
-        ForceElement::Bushing(bushing) => bushing::action(graph, bushing),
+        ForceElement::Bushing(bushing) => bushing::action(graph, model, bushing),
     }
 }

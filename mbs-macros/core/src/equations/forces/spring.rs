@@ -29,7 +29,7 @@ pub(super) fn action(
                 vec![Load { rate, force }]
             };
             Action {
-                potential: (!graph.is_zero(energy)).then_some(energy),
+                potential: (!graph.is_zero(energy)).then_some(energy.into()),
                 loads,
             }
         }

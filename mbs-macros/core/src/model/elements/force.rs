@@ -1,7 +1,6 @@
 //! A force element, as data.
 
-use crate::model::geometry::Tensor;
-use crate::model::geometry::{Axes, Owner, Point, Vector};
+use crate::model::geometry::{Attachment, Owner, Point, Tensor, Vector};
 use crate::symbolic::Expr;
 
 /// A force element: its points and parts, and its sort.
@@ -39,13 +38,22 @@ pub enum ForceElement {
     /// A force and a torque, given by components.
     Wrench {
         /// The point on which the force acts.
-        at: Vector,
+        on: Point,
         /// The force in components of `axes`.
         force: Vector,
-        /// The angular velocity of the part, and the torque in components of `axes`.
-        torque: Option<[Vector; 2]>,
-        /// The axes of the components.
-        axes: Axes,
+        /// A torque on the part of the point, in the same components.
+        torque: Option<Vector>,
+        /// The ground or the part whose axes these are.
+        axes: Owner,
+    },
+    /// A torque, given by components.
+    Torque {
+        /// The part on which it acts, and that on which it acts back.
+        between: [Owner; 2],
+        /// The torque in components of `axes`.
+        torque: Vector,
+        /// The ground or the part whose axes these are.
+        axes: Owner,
     },
     /// Scalar forces with their rates.
     Loads(Vec<Load>),
@@ -82,12 +90,10 @@ pub enum Characteristic {
 /// An elastic joint between two frames.
 #[derive(Debug, Clone)]
 pub struct Bushing {
-    /// The origins of the parent's and of the child's frame.
-    pub origins: [Vector; 2],
-    /// The axes of the parent's and of the child's frame.
-    pub axes: [Axes; 2],
-    /// Angular velocity of the child relative to the parent, in the ground's axes.
-    pub spin: Vector,
+    /// On the first partner; displacements and rotations are in its axes.
+    pub parent: Attachment,
+    /// On the second.
+    pub child: Attachment,
     /// Stiffness for displacements.
     pub stiffness: Tensor,
     /// Damping for velocities.

@@ -3,7 +3,7 @@
 use super::shape::Shape;
 use crate::model::formulation::Formulation;
 use crate::model::geometry::{Axes, Frame, Tensor, Vector};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Function, Graph, Symbol};
 use proc_macro2::Span;
 
 /// How a part is modelled.
@@ -109,5 +109,13 @@ impl Part {
     /// The first local of its rotation, for a rigid part.
     pub fn rotation(&self) -> Option<u32> {
         (self.representation == Representation::Rigid).then(|| self.locals[3])
+    }
+
+    /// The velocity of the centre of mass in the axes of a rigid part, marked (see [`Function::Same`]): joints that carry
+    /// the part know it without a rotation.
+    pub fn own_velocity(&self, graph: &mut Graph) -> Vector {
+        let velocity = [0, 1, 2].map(|k| graph.symbol(Symbol::LocalVelocity(self.locals[k])));
+        let own = graph.components(&self.frame.axes, velocity);
+        own.map(|x| graph.function(Function::Same, x))
     }
 }

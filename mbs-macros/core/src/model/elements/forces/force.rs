@@ -17,7 +17,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     let axes = force_in(arguments)?;
     Some(Force {
         element: ForceElement::Wrench {
-            at: on.position,
+            on: on.clone(),
             force: value,
             torque: None,
             axes,

@@ -29,12 +29,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         torsion_damping,
         cross_stiffness,
     ] = gains.try_into().ok()?;
-    let spins = [frames.child.point.owner, frames.parent.point.owner]
-        .map(|owner| arguments.frame(owner).spin);
+    let points = frames.points();
     let bushing = Bushing {
-        origins: [frames.parent.point.position, frames.child.point.position],
-        axes: [frames.parent.axes, frames.child.axes],
-        spin: arguments.graph().vector_sub(spins[0], spins[1]),
+        parent: frames.parent,
+        child: frames.child,
         stiffness,
         damping,
         torsion_stiffness,
@@ -42,7 +40,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         cross_stiffness,
     };
     Some(Force {
-        points: frames.points(),
+        points,
         owners: Vec::new(),
         element: ForceElement::Bushing(Box::new(bushing)),
     })

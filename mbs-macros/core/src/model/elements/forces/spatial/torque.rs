@@ -36,17 +36,14 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
             );
         }
     }
-    let spins = [on, from].map(|owner| arguments.frame(owner).spin);
-    let axes = arguments.frame(axes).axes;
-    let graph = arguments.graph();
-    let relative = graph.vector_sub(spins[0], spins[1]);
-    let rates = graph.components(&axes, relative);
-    let loads = rates.into_iter().zip(value);
-    let loads = loads.map(|(rate, force)| Load { rate, force }).collect();
     Some(Force {
         points: Vec::new(),
         owners: vec![on, from],
-        element: ForceElement::Loads(loads),
+        element: ForceElement::Torque {
+            between: [on, from],
+            torque: value,
+            axes,
+        },
     })
 }
 

@@ -33,12 +33,11 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     };
     let (force, torque) = (component("force")?, component("torque")?);
     let axes = force_in(arguments)?;
-    let spin = arguments.frame(on.owner).spin;
     Some(Force {
         element: ForceElement::Wrench {
-            at: on.position,
+            on: on.clone(),
             force,
-            torque: Some([spin, torque]),
+            torque: Some(torque),
             axes,
         },
         points: vec![on],
