@@ -34,7 +34,7 @@
 //!
 //! | method | what it is |
 //! |---|---|
-//! | [`Method::TwoLevel`] | the three fields of ALF-3F with separate multipliers for positions and for velocities: kick, flow, kick; second order, symmetric, composed to order 4, 6 or 8 ([`Settings::order`]); position rows are solved for and velocity rows projected onto at every step; redundant rows and singular poses are ordinary input |
+//! | [`Method::TwoLevel`] | the three fields of ALF-3F with separate multipliers for positions and for velocities: kick, flow, kick; second order, symmetric, composed to order 4, 6 or 8, or extrapolated where forces depend on velocities ([`Settings::order`]); position rows are solved for and velocity rows projected onto at every step; redundant rows and singular poses are ordinary input |
 //! | [`Method::Paper`] | Algorithm 1 of Potosakis, Paraskevopoulos, Natsiavas (Nonlinear Dynamics, 2020), to the letter |
 //! | [`Method::MAlf`] | the modified augmented Lagrangian that their paper compares with |
 //! | [`Method::Projected`] | explicit Runge–Kutta of order 4, 6 or 8 on the equations at acceleration level, positions and velocities projected onto the rows after each step |

@@ -12,6 +12,7 @@ mod dynamics;
 mod energy_gain;
 mod ensemble;
 mod equilibrium;
+mod extrapolation;
 mod flows;
 mod holonomic;
 mod hostile_settings;

@@ -2,7 +2,9 @@
 //! rows.
 
 use mbs_examples::scene::Scene;
-use mbs_examples::scenes::{bricard, chaplygin_sleigh, double_four_bar, pendulum, slider_crank};
+use mbs_examples::scenes::{
+    bricard, chaplygin_sleigh, double_four_bar, flyball_governor, pendulum, slider_crank,
+};
 use mbs_runtime::Settings;
 
 /// q after `time`, in this number of steps.
@@ -71,4 +73,18 @@ fn a_redundant_loop() {
 fn a_nonholonomic_row() {
     slope(&chaplygin_sleigh::SCENE, 6, 4.0, 16);
     slope(&chaplygin_sleigh::SCENE, 8, 4.0, 16);
+}
+
+/// Its dampers brake the slider in 38 µs; at order 2 the error of this step is 0.25.
+#[test]
+fn stiff_dampers_take_long_steps() {
+    let scene = &flyball_governor::SCENE;
+    let exact = run(scene, 8, 10.0, 1000);
+    for (order, bound) in [(4, 1e-3), (6, 1e-5), (8, 1e-5)] {
+        let end = run(scene, order, 10.0, 100);
+        let errors = end.iter().zip(&exact).map(|(a, b)| (a - b).abs());
+        let error = errors.fold(0.0, f64::max);
+        println!("order {order}: {error:.1e}");
+        assert!(error < bound, "order {order}: {error:e}");
+    }
 }

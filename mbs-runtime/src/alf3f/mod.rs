@@ -2,6 +2,7 @@
 
 pub(crate) mod closing;
 mod composition;
+mod extrapolation;
 mod implicit_step;
 mod kicks;
 mod mixed_kicks;

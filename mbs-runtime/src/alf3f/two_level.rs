@@ -1,5 +1,6 @@
 //! The two-level ALF-3F integrator: the default.
 
+use super::extrapolation::Extrapolation;
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
@@ -20,6 +21,8 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     flow: Stepping<Q, N, R>,
     /// Fractions of a step.
     stages: &'static [f64],
+    /// Instead of a composition, where forces depend on velocities.
+    extrapolation: Option<Box<Extrapolation<Q, N, R>>>,
     /// The state before a step of several stages.
     before: State<Q, N, R>,
     placement: StagePlacement,
@@ -83,10 +86,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         settings.check()?;
         let flow = crate::flow::choose(&system, &state, settings)?;
         let time = state.time;
-        if flow == Flow::Implicit && settings.order > 2 {
+        let is_high = settings.order > 2;
+        let extrapolates = is_high && flow == Flow::Implicit && S::STRUCTURE.velocity_forces;
+        if is_high && flow == Flow::Implicit && !extrapolates {
             return Err(SimulationError::Order {
                 order: settings.order,
-                because: "forces depend on velocities, or the implicit flow was asked for: stages that run back in time would feed dissipation backwards, and the implicit step is not symmetric",
+                because: "the implicit flow was asked for, which is not symmetric; leave `flow` out",
             });
         }
         let explicit = flow == Flow::Leapfrog && S::STRUCTURE.holonomic_rows == R;
@@ -97,9 +102,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 wanted: "`None` here: only kicks with the leapfrog flow and without nonholonomic rows have a known cost",
             });
         }
-        let stages = composition::stages(settings.order);
+        let stages = composition::stages(if extrapolates { 2 } else { settings.order });
         let mut state = state;
-        state.make_room(stages.len());
+        let extrapolation = extrapolates.then(|| Extrapolation::new(settings.order, &mut state));
+        if !extrapolates {
+            state.make_room(stages.len());
+        }
         let before = state.with_room(stages.len());
         let mut context = StepContext::new(system, state, settings, placed)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
@@ -128,6 +136,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             flow,
             placement: StagePlacement::new(stages),
             stages,
+            extrapolation: extrapolation.map(Box::new),
             before,
             impulse: SVector::zeros(),
             length: 0.0,
@@ -141,7 +150,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// The state is then still that before the step.
     #[inline]
     pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
-        if self.stages.len() > 1 {
+        if self.stages.len() > 1 || self.extrapolation.is_some() {
             return self.composed(h);
         }
         self.length = h;
@@ -223,6 +232,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     fn compose(&mut self, h: f64, mut monitor: Option<&mut StepMonitor>) -> Result<(), Fault> {
         let several = self.stages.len() > 1;
         self.length = h;
+        if const { S::STRUCTURE.velocity_forces } && self.extrapolation.is_some() {
+            return self.extrapolate(h, monitor);
+        }
         if several {
             self.impulse = SVector::zeros();
             self.before.copy_from(&self.context.state);
@@ -280,6 +292,25 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         Ok(())
     }
 
+    /// A step of high order for forces that depend on velocities.
+    #[inline(never)]
+    fn extrapolate(&mut self, h: f64, monitor: Option<&mut StepMonitor>) -> Result<(), Fault> {
+        let (Some(extrapolation), Stepping::Implicit(_, flow)) =
+            (&mut self.extrapolation, &mut self.flow)
+        else {
+            unreachable!("only the implicit flow extrapolates")
+        };
+        let mut unwatched = StepMonitor::new(0.0, None);
+        let monitor = monitor.unwrap_or(&mut unwatched);
+        self.impulse = extrapolation.step(&mut self.context, flow, h, monitor)?;
+        if monitor.rank_margin.is_some()
+            && let Some(now) = self.rank_margin()
+        {
+            monitor.land(now);
+        }
+        Ok(())
+    }
+
     #[inline(always)]
     fn try_step(&mut self, h: f64) -> Result<(), Fault> {
         if !(h.is_finite() && h != 0.0) {
@@ -314,8 +345,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// (κ₁ + κ₂)/h of the last step, over all stages: the mean forces of the rows; `None` before the first step.
     pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
-        let impulse = match self.stages.len() {
-            1 => {
+        let impulse = match (self.stages.len(), &self.extrapolation) {
+            (1, None) => {
                 let [first, second] = &self.context.work.impulse;
                 vector(|i| first[i] + second[i])
             }

@@ -131,8 +131,9 @@ pub struct Settings {
     /// The integrator.
     pub method: Method,
     /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 13 or 17 stages, some of
-    /// which run back in time; this is an error if forces depend on velocities, and for [`Method::Paper`]. For the
-    /// explicit Runge–Kutta methods it chooses order 4 (also for 2), 6 or 8.
+    /// which run back in time. Where forces depend on velocities it is extrapolated instead, from 6, 12 or 20 stages that
+    /// all run forwards: stable with stiff dampers, but not symmetric. For [`Method::Paper`] orders above 2 are an error.
+    /// For the explicit Runge–Kutta methods it chooses order 4 (also for 2), 6 or 8.
     pub order: u8,
     /// Step h, s; with a tolerance the first one that is tried.
     pub step: f64,
@@ -213,7 +214,7 @@ impl Default for Settings {
 
 impl Settings {
     /// Steps chosen by a [tolerance](Settings::tolerance), at the order that reaches it with the least work: 4 down to
-    /// 3e-4, 6 down to 3e-6, then 8; always 2 if forces depend on velocities.
+    /// 3e-4, 6 down to 3e-6, then 8.
     ///
     /// ```
     /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
@@ -232,7 +233,6 @@ impl Settings {
     /// ```
     pub fn for_tolerance(tolerance: f64, model: &Model) -> Self {
         let order = match tolerance {
-            _ if model.structure.velocity_forces => 2,
             t if t > 3e-4 => 4,
             t if t > 3e-6 => 6,
             _ => 8,
