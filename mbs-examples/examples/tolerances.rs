@@ -3,72 +3,13 @@
 //!
 //! `cargo run --release -p mbs-examples --example tolerances [scene…] [--csv book/src/results/readme]`
 
+use mbs_examples::pages::cases::{CASES, Case};
 use mbs_examples::pages::record::Recorder;
-use mbs_examples::pages::scene_runs::reference;
 use mbs_examples::pages::tolerances::{COLUMNS, KEYS};
 use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Scene;
-use mbs_examples::scenes::scenes;
-use mbs_runtime::output::Frame;
 use mbs_runtime::{Report, Settings, SimulationError};
 
-/// The position columns of a scene, and its size in their unit.
-struct Case {
-    scene: &'static str,
-    columns: &'static [&'static str],
-    size: f64,
-}
-
-const CASES: [Case; 8] = [
-    Case {
-        scene: "pendulum",
-        columns: &["x_m", "y_m"],
-        size: 1.0,
-    },
-    Case {
-        scene: "slider-crank",
-        columns: &["p1x_m", "p1y_m", "p2x_m"],
-        size: 2.0,
-    },
-    Case {
-        scene: "double-four-bar",
-        columns: &["b0x_m", "b0y_m"],
-        size: 2.0,
-    },
-    Case {
-        scene: "andrews",
-        columns: &[
-            "beta_rad",
-            "theta_rad",
-            "gamma_rad",
-            "phi_rad",
-            "delta_rad",
-            "omega_rad",
-            "epsilon_rad",
-        ],
-        size: 1.0,
-    },
-    Case {
-        scene: "bricard",
-        columns: &["p3x_m", "p3y_m", "p3z_m", "p2x_m", "p2z_m", "p5y_m"],
-        size: 1.0,
-    },
-    Case {
-        scene: "chaplygin-sleigh",
-        columns: &["edge_x_m", "edge_y_m", "theta_rad"],
-        size: 1.0,
-    },
-    Case {
-        scene: "heavy-top",
-        columns: &["x_m", "y_m", "z_m"],
-        size: 1.0,
-    },
-    Case {
-        scene: "flyball-governor",
-        columns: &["s_m", "ball1_x_m", "ball1_y_m", "ball1_z_m"],
-        size: 1.0,
-    },
-];
 const TOLERANCES: [f64; 7] = [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
 const ORDERS: [u8; 4] = [2, 4, 6, 8];
 /// Number of instants.
@@ -85,13 +26,10 @@ fn main() -> Result<(), String> {
     );
     println!("|---|---|---|---|---|---|---|---|---|");
     for case in &CASES {
-        let Some(scene) = scenes().iter().find(|scene| scene.name == case.scene) else {
-            continue;
-        };
         if !wanted.is_empty() && !wanted.iter().any(|name| name == case.scene) {
             continue;
         }
-        let Some(reference) = reference(scene)? else {
+        let Some((scene, reference)) = case.load()? else {
             continue;
         };
         for order in ORDERS {
@@ -136,24 +74,7 @@ fn run(
         tolerance: Some(tolerance),
         ..Settings::default()
     };
-    let mut simulation = (scene.build)(&[], settings)?;
-    let mut frames = vec![Frame::record(simulation.as_ref())];
-    let interval = reference.interval().unwrap_or(scene.duration);
-    for instant in 1..=(scene.duration / interval).round() as u32 {
-        let time = f64::from(instant) * interval;
-        simulation.run_past(time, scene.duration)?;
-        simulation.look_at(time, &mut |seen| frames.push(Frame::record(seen)))?;
-    }
-    let deviations = reference.compare(&frames);
-    let positions = deviations
-        .iter()
-        .filter(|deviation| case.columns.contains(&deviation.column));
-    let largest = positions.fold(0.0_f64, |largest, deviation| {
-        match deviation.largest > largest || deviation.largest.is_nan() {
-            true => deviation.largest,
-            false => largest,
-        }
-    });
+    let error = case.error(scene, reference, settings)?;
     let mut alone = (scene.build)(&[], settings)?;
     alone.run_until(scene.duration)?;
     let mut looking = (scene.build)(&[], settings)?;
@@ -163,5 +84,5 @@ fn run(
         looking.look_at(time, &mut |_| {})?;
     }
     looking.run_until(scene.duration)?;
-    Ok((largest / case.size, alone.report(), looking.report().stages))
+    Ok((error, alone.report(), looking.report().stages))
 }

@@ -113,10 +113,9 @@ fn every_method_is_compared() {
 
 #[test]
 fn controls_reach_the_settings() {
-    let model = mbs_examples::scenes::scenes()[0].model;
     for entry in entries() {
-        let fine = entry.settings(model, 10.0, 1e-5);
-        let coarse = entry.settings(model, 10.0, 1e-3);
+        let fine = entry.settings(10.0, 1e-5);
+        let coarse = entry.settings(10.0, 1e-3);
         assert_ne!(fine, coarse, "{}", entry.label);
         if entry.control() == Control::Step {
             assert_eq!(fine.step, 1e-5, "{}", entry.label);

@@ -7,7 +7,9 @@ use crate::{
 };
 
 /// The range of tolerances: larger ones give no accuracy, smaller ones are below round-off.
-const TOLERANCES: [f64; 2] = [1e-12, 0.1];
+const TOLERANCES: [f64; 2] = [Settings::LEAST_TOLERANCE, 0.1];
+/// The range of accuracies, which tolerances are a part of.
+const ACCURACIES: [f64; 2] = [1e-11, 0.1];
 /// The range of steps: powers of others overflow or vanish.
 const STEPS: [f64; 2] = [1e-100, 1e100];
 /// The least tolerance of rows, and of methods that control their error. It is far below round-off, and its powers are
@@ -29,11 +31,19 @@ impl Settings {
             require("fixed_iterations", count as f64, free, wanted)?;
             require("fixed_iterations", count as f64, count > 0, "1 or more")?;
         }
+        if let Some(wished) = self.accuracy {
+            let possible = (ACCURACIES[0]..=ACCURACIES[1]).contains(&wished);
+            require("accuracy", wished, possible, "a value from 1e-11 to 0.1")?;
+            let free = self.tolerance.is_none() && self.fixed_iterations.is_none();
+            let wanted = "`None` with a tolerance or fixed iterations: it chooses them";
+            require("accuracy", wished, free, wanted)?;
+        }
         if let Some(wished) = self.tolerance {
             let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&wished);
             require("tolerance", wished, possible, "a value from 1e-12 to 0.1")?;
-            let paced = matches!(self.method, Method::TwoLevel);
-            let wanted = "`None` with this method: only the two-level one chooses its steps";
+            let paced = matches!(self.method, Method::TwoLevel | Method::Projected);
+            let wanted =
+                "`None` with this method: the two-level and the projected one choose their steps";
             require("tolerance", wished, paced, wanted)?;
         }
         match &self.method {

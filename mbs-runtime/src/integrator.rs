@@ -63,6 +63,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// Whether its elimination is planned.
+    pub(crate) fn is_sparse(&self) -> bool {
+        match self {
+            Integrator::TwoLevel(stepper) => stepper.is_sparse(),
+            Integrator::Other(_) => false,
+        }
+    }
+
     /// The weight of each row in the combination that is nearest to dependence.
     pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         match self {

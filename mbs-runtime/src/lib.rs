@@ -94,6 +94,7 @@ mod singular;
 mod sink;
 mod state;
 mod stepper;
+mod work;
 mod yardstick;
 
 pub use alf3f::{PaperStepper, TwoLevelStepper};

@@ -1,6 +1,7 @@
 //! A mechanism in motion.
 
 mod access;
+mod accuracy;
 mod any;
 mod dense;
 mod energy_guard;
@@ -133,7 +134,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings.check()?;
         let system = mechanism.prepare()?;
         let (state, assembly) = assemble(&system, &settings)?;
-        Self::start(system, settings, state, assembly, other)
+        match settings.accuracy {
+            Some(accuracy) => {
+                Self::for_accuracy(system, (accuracy, settings), state, assembly, other)
+            }
+            None => Self::start(system, settings, state, assembly, other),
+        }
     }
 
     /// The same from a state.
@@ -146,7 +152,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings.check()?;
         let system = mechanism.prepare()?;
         let verdict = crate::assembly::inspect(&system, &settings, &state)?;
-        let simulation = Self::start(system, settings, state, verdict, other)?;
+        let simulation = match settings.accuracy {
+            Some(accuracy) => {
+                Self::for_accuracy(system, (accuracy, settings), state, verdict, other)?
+            }
+            None => Self::start(system, settings, state, verdict, other)?,
+        };
         let rates = simulation.integrator.trace().rates;
         let yardstick = &simulation.yardstick;
         let scale = RowScale::new(simulation.system(), yardstick, &settings)

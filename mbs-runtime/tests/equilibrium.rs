@@ -84,7 +84,7 @@ where
 {
     for exponent in 2..=10 {
         let tolerance = 10.0_f64.powi(-exponent);
-        let settings = Settings::for_tolerance(tolerance, S::MODEL);
+        let settings = Settings::for_tolerance(tolerance);
         let mut simulation = Simulation::with_settings(mechanism(), settings).expect("assembles");
         let start = *simulation.positions();
         simulation

@@ -3,6 +3,7 @@
 mod common;
 
 mod access;
+mod accuracy;
 mod baselines;
 mod clean;
 mod clock;

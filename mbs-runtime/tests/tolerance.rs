@@ -266,7 +266,7 @@ fn events_cost_few_stages() {
             8,
         ),
         (
-            Settings::for_tolerance(1e-4, <Swing as mbs_runtime::Mechanism>::MODEL),
+            Settings::for_tolerance(1e-4),
             // Eight looks of two steps of seven stages.
             112,
         ),

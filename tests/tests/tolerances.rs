@@ -18,7 +18,7 @@ fn check(name: &str, columns: &[&str], size: f64, tolerances: &[f64]) {
     for &tolerance in tolerances {
         let settings = Settings {
             step: scene.step,
-            ..Settings::for_tolerance(tolerance, scene.model)
+            ..Settings::for_tolerance(tolerance)
         };
         let mut simulation = (scene.build)(&[], settings).expect(name);
         let mut frames = Vec::new();

@@ -1,8 +1,6 @@
 //! The methods of the sweep, each with the parameter that refines it.
 
-use mbs_runtime::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, Settings,
-};
+use mbs_runtime::{BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Settings};
 
 /// A method of one order.
 #[derive(Clone, Copy)]
@@ -45,12 +43,12 @@ impl Entry {
     }
 
     /// Its settings; `tolerance` counts only where it refines the method.
-    pub fn settings(&self, model: &Model, step: f64, tolerance: f64, placement: bool) -> Settings {
+    pub fn settings(&self, step: f64, tolerance: f64, placement: bool) -> Settings {
         if self.tolerant && self.method == Method::TwoLevel {
             return Settings {
                 step,
                 placement,
-                ..Settings::for_tolerance(tolerance, model)
+                ..Settings::for_tolerance(tolerance)
             };
         }
         let method = match self.method {

@@ -83,7 +83,7 @@ pub fn sweep(case: &Case, count: usize, seed: u64, only: Option<usize>) -> Resul
         trusted.doubt[known - 1]
     );
     let accepts = |entry: &Entry| {
-        let settings = entry.settings(case.model, case.step, 1e-4, true);
+        let settings = entry.settings(case.step, 1e-4, true);
         case.start(settings).map(|_| ())
     };
     let (mut accepted, mut refused) = (Vec::new(), Vec::new());

@@ -118,9 +118,7 @@ impl Trial {
             true => (self.step, self.tolerance * part * part),
             false => (self.step * part, self.tolerance),
         };
-        let settings = self
-            .entry
-            .settings(case.model, step, tolerance, self.placement);
+        let settings = self.entry.settings(step, tolerance, self.placement);
         let mut simulation = case.start(settings)?;
         for &piece in &self.pieces {
             simulation.run_until(piece)?;

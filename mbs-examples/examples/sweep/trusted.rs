@@ -96,7 +96,7 @@ impl Trusted {
 
 /// A run until it stops: its poses at the instants.
 fn follow(case: &Case, label: &str, step: f64, instants: &[f64]) -> Result<Fine, SimulationError> {
-    let settings = entry(label).settings(case.model, step, 0.0, true);
+    let settings = entry(label).settings(step, 0.0, true);
     let mut simulation = case.start(settings)?;
     let mut fine = Fine {
         poses: Vec::new(),

@@ -21,9 +21,11 @@ impl Request {
     /// Checks the arguments against the scene and fills in its defaults.
     pub fn new(arguments: &Simulate, scene: &Scene) -> Result<Self, Failure> {
         let tolerance = arguments.tolerance.as_deref().map(tolerance).transpose()?;
-        let mut settings = match tolerance {
-            Some(tolerance) => Settings::for_tolerance(tolerance, scene.model),
-            None => Settings::default(),
+        let accuracy = arguments.accuracy.as_deref().map(accuracy).transpose()?;
+        let mut settings = match (tolerance, accuracy) {
+            (Some(tolerance), _) => Settings::for_tolerance(tolerance),
+            (None, Some(accuracy)) => Settings::accuracy(accuracy),
+            (None, None) => Settings::default(),
         };
         if let Some(text) = &arguments.order {
             settings.order = order(text)?;
@@ -100,6 +102,15 @@ fn tolerance(text: &str) -> Result<f64, Failure> {
         value if (1e-12..=0.1).contains(&value) => Ok(value),
         _ => Err(Failure(format!(
             "--tolerance {text}: give a part of the motion from 1e-12 to 0.1, or a constant step with --step"
+        ))),
+    }
+}
+
+fn accuracy(text: &str) -> Result<f64, Failure> {
+    match finite("--accuracy", text)? {
+        value if (1e-11..=0.1).contains(&value) => Ok(value),
+        _ => Err(Failure(format!(
+            "--accuracy {text}: give a part of the size of the mechanism from 1e-11 to 0.1"
         ))),
     }
 }

@@ -36,6 +36,10 @@ pub struct Simulate {
     /// Chooses the steps, and the order too: the accuracy wanted, relative to the size of the mechanism, for example 1e-6.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
+    /// Chooses method, order and steps: the largest error of a position over the run, relative to the size of the mechanism,
+    /// for example 1e-6.
+    #[arg(long, value_name = "X", allow_hyphen_values = true, conflicts_with_all = ["tolerance", "method", "order"])]
+    pub accuracy: Option<String>,
     /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
     /// penalty.
     #[arg(long, value_name = "M", default_value = "two-level")]
@@ -183,7 +187,7 @@ fn integrate(
 /// the reference.
 fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64 {
     let wanted = reference.and_then(ReferenceTable::interval);
-    if request.settings.tolerance.is_some() {
+    if request.settings.tolerance.is_some() || request.settings.accuracy.is_some() {
         let interval = wanted.unwrap_or(request.duration).min(request.duration);
         let parts = (interval / request.duration * LOOKS).ceil();
         return interval / parts.max(1.0);

@@ -1,7 +1,7 @@
 //! The methods that are compared, each with the settings that its users would choose.
 
 use mbs_runtime::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, Model, PaperSettings,
+    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,
     PenaltySettings, Settings,
 };
 
@@ -72,12 +72,12 @@ impl Entry {
     /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance. Settings
     /// with the unit of a frequency depend on the duration: for motions of milliseconds a user chooses a stiffer
     /// stabilisation than for motions of seconds. Runs of ten seconds have the default values.
-    pub fn settings(&self, model: &Model, duration: f64, control: f64) -> Settings {
+    pub fn settings(&self, duration: f64, control: f64) -> Settings {
         let pace = 10.0 / duration;
         if self.tolerant {
             return Settings {
                 step: duration / 1000.0,
-                ..Settings::for_tolerance(control, model)
+                ..Settings::for_tolerance(control)
             };
         }
         let method = match self.method {

@@ -110,11 +110,8 @@ fn coarsest(model: &Yardstick, method: &Entry, bound: f64, key: &[&str; KEYS]) -
         count *= FINER;
     }
     let scene = model.scene;
-    let rank = (scene.build)(
-        &[],
-        method.settings(scene.model, model.duration, scene.step),
-    )
-    .map_or(0, |simulation| simulation.assembly().rank);
+    let rank = (scene.build)(&[], method.settings(model.duration, scene.step))
+        .map_or(0, |simulation| simulation.assembly().rank);
     // Of all functions, each once.
     let operations = scene.model.operations.iter();
     let operations: usize = operations

@@ -61,10 +61,7 @@ impl Yardstick {
         entry: &Entry,
         control: f64,
     ) -> Result<Box<dyn AnySimulation>, SimulationError> {
-        (self.scene.build)(
-            &[],
-            entry.settings(self.scene.model, self.duration, control),
-        )
+        (self.scene.build)(&[], entry.settings(self.duration, control))
     }
 
     /// The i-th instant, s.

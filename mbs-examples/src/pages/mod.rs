@@ -5,9 +5,11 @@
 //! from the text rendered from its data. [`registry`] lists the blocks; a new one is a function from
 //! [`Data`](data::Data) to Markdown, a line there, and two comments on the page.
 
+pub mod accuracies;
 pub mod block;
 mod calls;
 pub mod candidates;
+pub mod cases;
 pub mod charts;
 mod compile_times;
 mod compositions;

@@ -2,8 +2,9 @@
 
 use super::data::Data;
 use super::{
-    calls, candidates, charts, compile_times, compositions, derivation, instructions, model_size,
-    orders, paper, phases, rival, rows, scenes, springs, sweep, tolerances, tuning, which,
+    accuracies, calls, candidates, charts, compile_times, compositions, derivation, instructions,
+    model_size, orders, paper, phases, rival, rows, scenes, springs, sweep, tolerances, tuning,
+    which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -77,6 +78,7 @@ pub const ENTRIES: &[Entry] = &[
     block(README, "instructions", instructions::beside_hand),
     block(README, "derivation", derivation::sentence),
     block(ACCURACY, "samples", orders::samples),
+    block(ACCURACY, "accuracies", accuracies::table),
     block(ACCURACY, "looks", tolerances::looks),
     block(ACCURACY, "tolerances", tolerances::table),
     block(ACCURACY, "other orders", tolerances::others),

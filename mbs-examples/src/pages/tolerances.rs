@@ -4,7 +4,6 @@ use mbs_runtime::Settings;
 
 use super::data::Data;
 use super::markdown::{paragraph, significant, table as markdown, thousands};
-use super::scene_runs::scene;
 
 /// Below `book/src/results`.
 pub const FILE: &str = "readme/tolerances.csv";
@@ -32,11 +31,9 @@ const SCENES: [&str; 8] = [
 const TOLERANCES: [&str; 7] = ["1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8", "1e-9"];
 
 /// The order of [`Settings::for_tolerance`].
-fn usual_order(name: &str, tolerance: &str) -> Result<String, String> {
+fn usual_order(tolerance: &str) -> Result<String, String> {
     let tolerance = tolerance.parse().map_err(|_| "a tolerance is no number")?;
-    Ok(Settings::for_tolerance(tolerance, scene(name)?.model)
-        .order
-        .to_string())
+    Ok(Settings::for_tolerance(tolerance).order.to_string())
 }
 
 /// The error as a multiple of the tolerance, and stages.
@@ -46,7 +43,7 @@ pub fn table(data: &Data) -> Result<String, String> {
     for scene in SCENES {
         let mut row = vec![scene.to_owned()];
         for tolerance in TOLERANCES {
-            let order = usual_order(scene, tolerance)?;
+            let order = usual_order(tolerance)?;
             let found = results.find(&[
                 ("scene", scene),
                 ("order", &order),
@@ -76,7 +73,7 @@ pub fn others(data: &Data) -> Result<String, String> {
             line.text("order")?,
             line.text("tolerance")?,
         ];
-        if order != "2" && usual_order(scene, tolerance)? != order {
+        if order != "2" && usual_order(tolerance)? != order {
             found.push((
                 line.number("error_over_tolerance")?,
                 scene,
@@ -103,7 +100,7 @@ pub fn others(data: &Data) -> Result<String, String> {
 /// The cost of instants between steps.
 pub fn looks(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
-    let order = usual_order("slider-crank", "1e-6")?;
+    let order = usual_order("1e-6")?;
     let keys = [
         ("scene", "slider-crank"),
         ("order", order.as_str()),

@@ -204,6 +204,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         work.delassus.combination(&start.delassus, rows)
     }
 
+    /// Whether its elimination is planned.
+    pub(crate) fn is_sparse(&self) -> bool {
+        matches!(self.flow, Stepping::Sparse(..))
+    }
+
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
         match &mut self.flow {

@@ -7,7 +7,6 @@ mod paper;
 mod penalty;
 mod projections;
 
-use crate::Model;
 pub use baumgarte::BaumgarteSettings;
 pub use bdf::BdfSettings;
 pub use generalized_alpha::GeneralizedAlphaSettings;
@@ -137,7 +136,7 @@ pub struct Settings {
     pub order: u8,
     /// Step h, s; with a tolerance the first one that is tried.
     pub step: f64,
-    /// The runtime chooses the steps of the two-level method: the error of two steps, of positions and of velocities
+    /// The runtime chooses the steps of the two-level or of the projected method: the error of two steps, of positions and of velocities
     /// times h, stays below a fiftieth of the tolerance times the motion in these steps. Motion is measured in sizes of
     /// the mechanism (the extent of its points at the start) and in radians; it counts as at least the duration times
     /// the greatest speed so far.
@@ -148,6 +147,8 @@ pub struct Settings {
     ///
     /// Between 1e-12 and 0.1. [`Settings::for_tolerance`] chooses the order with it.
     pub tolerance: Option<f64>,
+    /// The runtime chooses the method, too: [`Settings::accuracy`].
+    pub accuracy: Option<f64>,
     /// Whether a step of the two-level method with a stage that would end beside a singular pose gets another length
     /// (0.5 to 1.15 times h). At second order only if digits would be lost. Not with [`Settings::fixed_iterations`].
     /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event still end
@@ -203,6 +204,7 @@ impl Default for Settings {
             order: 2,
             step: 1e-3,
             tolerance: None,
+            accuracy: None,
             placement: true,
             flow: None,
             constraint_tolerance: 1e-13,
@@ -213,6 +215,47 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The order of the method: the explicit methods have 4 at least.
+    pub(crate) fn true_order(&self) -> u8 {
+        match self.method {
+            Method::Projected | Method::Baumgarte(_) => self.order.max(4),
+            _ => self.order,
+        }
+    }
+
+    /// The least tolerance: smaller ones are below round-off.
+    pub(crate) const LEAST_TOLERANCE: f64 = 1e-12;
+
+    /// An accuracy and nothing else: the largest error of a position over the run, in sizes of the mechanism and radians,
+    /// between 1e-11 and 0.1.
+    ///
+    /// The simulation runs the beginning of the motion with the two-level and, where it is compiled
+    /// ([`Simulation::with_any_method`](crate::Simulation::with_any_method)), with the projected explicit method; the one
+    /// that needs fewer operations for a second of the motion is taken from the start on, with a tolerance of an eighth of
+    /// the accuracy. [`Simulation::settings`](crate::Simulation::settings) tells which. The choice is not revised on the
+    /// way: the tolerance holds all the same, but a motion that becomes stiff later takes more steps than it had to.
+    ///
+    /// ```
+    /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+    /// # mechanism!(Pendulum {
+    /// #     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    /// #     rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 0.0_deg),
+    /// #     pivot: Revolute(ground.origin, rod.a),
+    /// # });
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let mut simulation = Simulation::with_any_method(Pendulum {}, Settings::accuracy(1e-8))?;
+    /// simulation.run_until(10.0)?;
+    /// println!("{}", simulation.settings().method.name());
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn accuracy(accuracy: f64) -> Self {
+        Settings {
+            accuracy: Some(accuracy),
+            ..Settings::default()
+        }
+    }
+
     /// Steps chosen by a [tolerance](Settings::tolerance), at the order that reaches it with the least work: 4 down to
     /// 3e-4, 6 down to 3e-6, then 8.
     ///
@@ -224,14 +267,19 @@ impl Settings {
     /// #     pivot: Revolute(ground.origin, rod.a),
     /// # });
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// let settings = Settings::for_tolerance(1e-8, Pendulum::MODEL);
+    /// let settings = Settings::for_tolerance(1e-8);
     /// let mut simulation = Simulation::with_settings(Pendulum {}, settings)?;
     /// simulation.run_until(10.0)?;
     /// assert!(simulation.energy().error.abs() < 1e-7);
     /// # Ok(())
     /// # }
     /// ```
-    pub fn for_tolerance(tolerance: f64, model: &Model) -> Self {
+    pub fn for_tolerance(tolerance: f64) -> Self {
+        Settings::default().with_tolerance(tolerance)
+    }
+
+    /// The same with other settings kept.
+    pub(crate) fn with_tolerance(self, tolerance: f64) -> Self {
         let order = match tolerance {
             t if t > 3e-4 => 4,
             t if t > 3e-6 => 6,
@@ -240,7 +288,7 @@ impl Settings {
         Settings {
             order,
             tolerance: Some(tolerance),
-            ..Settings::default()
+            ..self
         }
     }
 }

@@ -92,7 +92,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let found = self.compare(tolerance, h, left, (&step_controller, sigma), last);
             let (excess, error) = match found {
                 Ok(found) => {
-                    let notches = notches(self.settings.order, found.excess);
+                    let notches = notches(self.settings.true_order(), found.excess);
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
                         if h == step_controller.step && found.even {
@@ -130,7 +130,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             sidestep = 0;
             let excess = if excess.is_nan() { LEAP.exp2() } else { excess };
-            step_controller.shorten(h, notches(self.settings.order, excess));
+            step_controller.shorten(h, notches(self.settings.true_order(), excess));
             let clock = 1e-13 * self.pair.time.abs();
             if !(step_controller.step > SHORTEST * self.settings.step
                 && step_controller.step > clock)
@@ -169,7 +169,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
-        let order = i32::from(self.settings.order);
+        let order = i32::from(self.settings.true_order());
         // Relative to the length: powers of a short step vanish.
         let power = |h: f64| (h / length).powi(order + 1);
         let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();

@@ -111,7 +111,7 @@ fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
         Control::Tolerance => step * step,
     };
     // Settings with the unit of a frequency are those of ten seconds, for runs of any duration.
-    let mut settings = entry.settings(problem.scene.model, problem.duration.min(10.0), control);
+    let mut settings = entry.settings(problem.duration.min(10.0), control);
     if entry.control() == Control::Tolerance {
         settings.step = settings.step.min(0.1);
     }

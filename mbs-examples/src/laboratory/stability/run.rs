@@ -59,7 +59,7 @@ impl Motion {
     fn follow(problem: &Problem, part: f64) -> Result<Self, String> {
         let entry = entry("two-level 8").ok_or("two-level is no method")?;
         let followed = problem.duration.min(FOLLOWED);
-        let settings = entry.settings(problem.scene.model, followed, followed * part);
+        let settings = entry.settings(followed, followed * part);
         let words = |error: SimulationError| error.to_string();
         let mut simulation = problem.build(settings).map_err(words)?;
         let mut motion = Motion {

@@ -1,0 +1,73 @@
+//! Operations of stages, from the counts of the generated functions: an estimate by which methods are compared.
+
+use crate::{Flow, Method, Model, Settings};
+
+/// The cost of a division and of an elementary function, in additions.
+const DIVISION: f64 = 5.0;
+const CALL: f64 = 20.0;
+/// What a stage, or a correction, costs beside its functions: calls, copies, comparisons.
+const STAGE: f64 = 60.0;
+/// Operations of a planned elimination, by row.
+const SPARSE: f64 = 60.0;
+
+/// The operations of so many stages with so many corrections.
+pub(crate) fn work(
+    model: &Model,
+    settings: &Settings,
+    flow: Flow,
+    sparse: bool,
+    stages: u64,
+    iterations: u64,
+) -> f64 {
+    let (n, r) = (model.velocities.len() as f64, model.rows.len() as f64);
+    let of = |name: &str| {
+        let mut functions = model.operations.iter();
+        let cost = functions.find(|cost| cost.function == name)?;
+        let [additions, multiplications, divisions, calls] = [
+            cost.additions,
+            cost.multiplications,
+            cost.divisions,
+            cost.calls,
+        ]
+        .map(|count| count as f64);
+        Some(additions + multiplications + DIVISION * divisions + CALL * calls)
+    };
+    let cost = |name: &str| of(name).unwrap_or(0.0);
+    let constraints = cost("constraints");
+    let metric = of("metric").unwrap_or(cost("solve_mass_rows") + cost("delassus") + 2.0 * r * r);
+    let elimination = match sparse {
+        true => SPARSE * r,
+        false => r * r * r / 3.0,
+    };
+    let products = 4.0 * n * r;
+    let (stage, correction) = match (settings.method, flow) {
+        (Method::Projected, _) => {
+            let dense = constraints
+                + metric
+                + cost("constraint_rates")
+                + cost("forces")
+                + elimination
+                + products;
+            (
+                of("accelerations")
+                    .filter(|&cost| cost > 0.0)
+                    .unwrap_or(dense),
+                constraints,
+            )
+        }
+        (_, Flow::Leapfrog) => (
+            constraints + metric + cost("acceleration") + 3.0 * elimination + 2.0 * products,
+            constraints + 2.0 * r * r + 2.0 * n * r,
+        ),
+        _ => {
+            let tangents = of("balance_tangents").unwrap_or(cost("force_tangents"));
+            let balance = of("balance").unwrap_or(cost("forces"));
+            let factor = 2.0 / 3.0 * n * n * n;
+            (
+                constraints + metric + tangents + factor + 2.0 * n * n * r + 3.0 * elimination,
+                constraints + balance + 2.0 * n * n + 2.0 * r * r + products,
+            )
+        }
+    };
+    stages as f64 * (stage + STAGE) + iterations as f64 * (correction + STAGE)
+}
