@@ -123,11 +123,14 @@ impl<const Q: usize, const N: usize, const R: usize> Extrapolation<Q, N, R> {
             finest = works;
         }
         self.land(context, &mean, h)?;
-        let power = |state: &State<Q, N, R>| {
-            let (q, v) = (&state.positions, &state.velocities);
-            context.system.nonconservative_power(state.time, q, v)
-        };
-        monitor.power = power(&context.state);
+        let State {
+            time,
+            positions,
+            velocities,
+            ..
+        } = &context.state;
+        let system = &context.system;
+        monitor.power = system.nonconservative_power(*time, positions, velocities);
         monitor.nonconservative_work += mean.work;
         monitor.drive_work += mean.drive_work;
         monitor.work_doubt +=
