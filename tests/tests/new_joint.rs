@@ -8,6 +8,9 @@ use std::process::Command;
 /// Joints of space.
 const FOLDER: &str = "mbs-macros/core/src/model/elements/joints/spatial";
 
+/// The copy compiles two declarations, which takes less than to optimise it.
+const UNOPTIMISED: &str = "profile.dev.package.mbs-macros-core.opt-level=0";
+
 /// A table on a cross slide, by rows and by coordinates.
 const PROGRAM: &str = r#"
 fn main() {
@@ -54,11 +57,11 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// A workspace of the compiler and a program: without the profiles of this one, which are for speed at run time.
+/// A workspace of the compiler and a program, with the packages and profiles of this one, so that what is built of others
+/// is shared: `syn` takes the longest.
 fn workspace(folder: &Path) {
     let manifest = fs::read_to_string(root().join("Cargo.toml")).expect("a manifest");
     let shared = &manifest[manifest.find("[workspace.package]").expect("it is there")..];
-    let shared = &shared[..shared.find("[profile").expect("they are there")];
     let members = "[workspace]\nresolver = \"3\"\nmembers = [\"mbs-macros/core\", \"program\"]\n\n";
     let write = |path: &str, text: &str| {
         let path = folder.join(path);
@@ -68,7 +71,7 @@ fn workspace(folder: &Path) {
     write("Cargo.toml", &format!("{members}{shared}"));
     write(
         "program/Cargo.toml",
-        "[package]\nname = \"program\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\nmbs-macros-core = { workspace = true }\nproc-macro2 = { workspace = true }\n",
+        "[package]\nname = \"program\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\nmbs-macros-core = { workspace = true }\nproc-macro2 = { workspace = true }\nsyn = { workspace = true, features = [\"default\"] }\n",
     );
     write("program/src/main.rs", PROGRAM);
     fs::copy(root().join("Cargo.lock"), folder.join("Cargo.lock")).expect("a lock file");
@@ -97,8 +100,9 @@ fn a_joint_is_a_file_and_its_row() {
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let output = Command::new(cargo)
         .args(["run", "--offline", "--quiet", "-p", "program"])
+        .args(["--config", UNOPTIMISED])
         .current_dir(&folder)
-        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .env("CARGO_TARGET_DIR", folder.join("../.."))
         .output()
         .expect("cargo starts");
     let errors = String::from_utf8_lossy(&output.stderr);
