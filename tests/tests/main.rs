@@ -41,6 +41,7 @@ mod starts;
 mod tolerances;
 mod tree_joints;
 mod ui;
+mod undetermined;
 
 #[global_allocator]
 static ALLOCATOR: alloc::Counting = alloc::Counting;

@@ -24,7 +24,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         .collect();
     let energies = actions.iter().filter_map(|action| action.potential);
     let potential = graph.sum([gravity].into_iter().chain(energies));
-    let vacuous = vacuous::rows(&graph, &model);
+    let vacuous = vacuous::rows(&graph, &reduction, &model);
     let rows = rows::rows(&mut graph, &mut reduction, &model);
     let solved = rows::solved_rows(&model.joints, &model.solved);
     let balance = Balance {
