@@ -4,6 +4,7 @@
 pub mod compiled;
 pub mod differences;
 pub mod fixtures;
+pub mod flips;
 pub mod formulas;
 pub mod instant;
 pub mod interpreted;
