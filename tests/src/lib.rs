@@ -17,6 +17,7 @@ pub mod small;
 pub mod stages;
 pub mod table;
 pub mod tampered;
+pub mod units;
 pub mod values;
 
 #[doc = include_str!("../../README.md")]

@@ -90,13 +90,13 @@ fn compare(first: &Motion, other: &Motion) -> Verdict {
     if contradictory == [true, true] {
         return Verdict::Skipped("contradictory rows");
     }
-    if contradictory != [false, false] {
-        return Verdict::Different(format!("contradictory rows: {contradictory:?}"));
-    }
     let singular = |instants: [&Instant; 2]| instants.iter().any(|x| x.margin < SINGULAR);
     let start = [&first.start, &other.start];
     if singular(start) {
         return Verdict::Skipped("beside a singular pose");
+    }
+    if contradictory != [false, false] {
+        return Verdict::Different(format!("contradictory rows: {contradictory:?}"));
     }
     if start.iter().any(|instant| instant.kinetic() > FAST) {
         return Verdict::Skipped("a fast motion");

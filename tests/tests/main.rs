@@ -42,6 +42,7 @@ mod tolerances;
 mod tree_joints;
 mod ui;
 mod undetermined;
+mod units;
 
 #[global_allocator]
 static ALLOCATOR: alloc::Counting = alloc::Counting;
