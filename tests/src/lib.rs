@@ -4,6 +4,7 @@
 pub mod compiled;
 pub mod differences;
 pub mod fixtures;
+pub mod flips;
 pub mod formulas;
 pub mod instant;
 pub mod interpreted;
@@ -16,6 +17,7 @@ pub mod small;
 pub mod stages;
 pub mod table;
 pub mod tampered;
+pub mod units;
 pub mod values;
 
 #[doc = include_str!("../../README.md")]

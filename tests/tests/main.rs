@@ -44,6 +44,8 @@ mod starts;
 mod tolerances;
 mod tree_joints;
 mod ui;
+mod undetermined;
+mod units;
 
 #[global_allocator]
 static ALLOCATOR: alloc::Counting = alloc::Counting;

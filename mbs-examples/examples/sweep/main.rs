@@ -10,8 +10,8 @@
 
 mod case;
 mod entries;
-#[allow(dead_code)] // For tests, too.
-#[path = "../../../tests/src/mechanisms.rs"]
+#[allow(dead_code, unused_imports)] // For tests, too.
+#[path = "../../../tests/src/mechanisms/mod.rs"]
 mod mechanisms;
 mod own;
 mod package;

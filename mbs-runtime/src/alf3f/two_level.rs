@@ -123,7 +123,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 }
             }
             Flow::Midpoint if const { S::STRUCTURE.allows(Flow::Midpoint) } => {
-                Stepping::Midpoint(Midpoint::new(yardstick))
+                Stepping::Midpoint(Midpoint::new(yardstick, stages.len() > 1))
             }
             Flow::Trapezoid if const { S::STRUCTURE.allows(Flow::Trapezoid) } => {
                 Stepping::Trapezoid(Trapezoid::new(yardstick))
@@ -241,6 +241,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             return self.extrapolate(h, monitor);
         }
         if several {
+            if let Stepping::Midpoint(flow) = &mut self.flow {
+                flow.forget();
+            }
             self.impulse = SVector::zeros();
             self.before.copy_from(&self.context.state);
             if let Some(start) = monitor.as_ref().and_then(|monitor| monitor.rank_margin) {

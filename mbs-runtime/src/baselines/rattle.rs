@@ -52,7 +52,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<
             flow: if S::STRUCTURE.constant_mass {
                 Stepping::Leapfrog(Box::new(Leapfrog::new::<S>()))
             } else {
-                Stepping::Midpoint(Midpoint::new(yardstick))
+                Stepping::Midpoint(Midpoint::new(yardstick, false))
             },
             rows: Rows {
                 end: ConstraintGeometry::new(system, q)?,

@@ -45,6 +45,8 @@ pub(crate) struct Implicit<const N: usize> {
     momentum: SVector<f64, N>,
     /// Whether J is that of the present step.
     current: bool,
+    /// The iteration ends where the next correction would be below this fraction of the velocities.
+    pub(crate) negligible: f64,
 }
 
 impl<const N: usize> Implicit<N> {
@@ -62,6 +64,7 @@ impl<const N: usize> Implicit<N> {
             force: SVector::zeros(),
             momentum: SVector::zeros(),
             current: false,
+            negligible: ROUND_OFF,
         }
     }
 
@@ -196,7 +199,7 @@ impl<const N: usize> Implicit<N> {
             } else {
                 1.0
             };
-            let converged = size * rate <= ROUND_OFF * speed;
+            let converged = size * rate <= self.negligible * speed;
             if converged || stagnated {
                 return Ok(trapezoid(system, q0, va, vb, self.h));
             }

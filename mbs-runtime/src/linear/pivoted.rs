@@ -1,4 +1,7 @@
 //! LU factorisation with partial pivoting, for the Jacobians J of the implicit flows.
+//!
+//! Rows of lengths and rows of angles have different units. Pivots are therefore compared relative to the diagonal:
+//! J_ik²/|J_ii| has the same unit in all rows, as J_ik and J_ii are energies by products of velocities.
 
 use super::{SPARSE_FROM, Square};
 use nalgebra::{SMatrix, SVector};
@@ -44,17 +47,25 @@ impl<const K: usize> Pivoted<K> {
     }
 }
 
+/// The size of a diagonal entry; a row that has none is compared as it is.
+fn unit(diagonal: f64) -> f64 {
+    if diagonal == 0.0 { 1.0 } else { diagonal.abs() }
+}
+
 /// Not a method: writes to what a field points to would make the optimiser read the field again after each.
 fn eliminate<const K: usize>(lu: &mut [[f64; K]; K], order: &mut [usize; K]) -> bool {
+    let mut units: [f64; K] = std::array::from_fn(|i| unit(lu[i][i]));
     for k in 0..K {
         let mut best = k;
         for i in k + 1..K {
-            if lu[i][k].abs() > lu[best][k].abs() {
+            // Written without a quotient.
+            if lu[i][k] * lu[i][k] * units[best] > lu[best][k] * lu[best][k] * units[i] {
                 best = i;
             }
         }
         order[k] = best;
         lu.swap(k, best);
+        units.swap(k, best);
         let pivot_row = lu[k];
         let pivot = pivot_row[k];
         if !(pivot.abs() > f64::MIN_POSITIVE && pivot.is_finite()) {

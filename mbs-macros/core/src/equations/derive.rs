@@ -25,7 +25,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let potentials = actions.iter().filter_map(|action| action.potential);
     let generators = potentials.map(|potential| potential.generator);
     let potential = graph.sum([gravity].into_iter().chain(generators));
-    let vacuous = vacuous::rows(&graph, &model);
+    let vacuous = vacuous::rows(&graph, &reduction, &model);
     let rows = rows::rows(&mut graph, &mut reduction, &model);
     let solved = rows::solved_rows(&model.joints, &model.solved);
     let balance = Balance {

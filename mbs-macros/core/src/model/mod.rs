@@ -67,3 +67,4 @@ pub use reduction::MergedJoint;
 pub use solved::{Solved, SolvedCoordinate};
 pub use tree::{BodyTwist, Tree, TreeJoint};
 pub use vacuous::VacuousPlace;
+pub(crate) use vacuous::scattered_motion;

@@ -86,11 +86,6 @@ impl Tree {
         })
     }
 
-    /// The joints from the ground, or from a root, to a part.
-    pub fn chain(&self, part: Option<usize>) -> BTreeSet<usize> {
-        chain(&self.joints, part)
-    }
-
     /// A part and all that it carries.
     pub fn carried_by(&self, part: usize) -> Vec<usize> {
         let mut found = vec![part];

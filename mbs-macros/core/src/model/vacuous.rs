@@ -121,24 +121,33 @@ fn vanishing(
     vanishing
 }
 
-/// A value for each symbol, scattered over (−1, 1); parameters and inputs are near their defaults at most.
+/// A value for each symbol of a pose; parameters and inputs are near their defaults at most.
 fn sample(resolver: &Resolver, symbol: Symbol, pose: u32, varied: bool) -> f64 {
-    let scattered = |index: u32, salt: f64| {
-        let x = f64::from(index + 1) * 0.754_877_666_246_693 + f64::from(pose) * 0.569_840_290_998;
-        2.0 * (x + salt).fract() - 1.0
-    };
     let near = |default: f64, index: u32| match varied {
-        true => default * (1.0 + 0.1 * scattered(index, 0.3)) + 0.01 * f64::from(pose + 1),
+        true => default * (1.0 + 0.1 * scattered(pose, index, 0.3)) + 0.01 * f64::from(pose + 1),
         false => default,
     };
     match symbol {
         Symbol::Parameter(i) => near(resolver.parameters[i as usize].default, i),
         Symbol::Input(i) => near(resolver.inputs[i as usize].default, i),
+        other => scattered_motion(other, pose),
+    }
+}
+
+/// A number in (−1, 1).
+fn scattered(pose: u32, index: u32, salt: f64) -> f64 {
+    let x = f64::from(index + 1) * 0.754_877_666_246_693 + f64::from(pose) * 0.569_840_290_998;
+    2.0 * (x + salt).fract() - 1.0
+}
+
+/// A value for time and each symbol of the motion, in a pose of this number.
+pub(crate) fn scattered_motion(symbol: Symbol, pose: u32) -> f64 {
+    match symbol {
         Symbol::Time => 0.17 * f64::from(pose + 1),
-        Symbol::Coordinate(i) | Symbol::UnwrappedAngle(i) => scattered(i, 0.0),
-        Symbol::Velocity(i) => scattered(i, 0.5),
+        Symbol::Coordinate(i) | Symbol::UnwrappedAngle(i) => scattered(pose, i, 0.0),
+        Symbol::Velocity(i) => scattered(pose, i, 0.5),
         Symbol::Rotation(first, entry) => {
-            let quaternion = [0.1, 0.4, 0.6, 0.8].map(|salt| scattered(first, salt));
+            let quaternion = [0.1, 0.4, 0.6, 0.8].map(|salt| scattered(pose, first, salt));
             let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
             rotation_entry(quaternion.map(|x| x / length), entry)
         }

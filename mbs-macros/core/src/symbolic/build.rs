@@ -2,6 +2,9 @@
 
 use super::{Expr, Function, Graph, Node, Number, Symbol, reach_of};
 
+/// A sum of more terms is not flattened into another: one that grows name by name would be copied for each name.
+const LONG_SUM: usize = 512;
+
 impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Expr {
         if let Some(&expr) = self.index.get(&node) {
@@ -133,10 +136,14 @@ impl Graph {
 
     /// Whether a term of a sum is a sum to be dissolved.
     fn dissolves(&self, term: Expr, coefficient: f64) -> bool {
-        coefficient.abs() == 1.0 && matches!(self.node(term), Node::Sum { .. })
+        let Node::Sum { terms, .. } = self.node(term) else {
+            return false;
+        };
+        coefficient.abs() == 1.0 && terms.len() <= LONG_SUM
     }
 
-    /// A nested sum is flattened if this needs no multiplication: coefficient ±1, or a single scaled term.
+    /// A nested sum is flattened if this needs no multiplication, coefficient ±1 or a single scaled term, and if it is
+    /// not long.
     fn flatten_term(
         &mut self,
         term: Expr,
@@ -160,7 +167,7 @@ impl Graph {
             Node::Sum {
                 constant: inner,
                 terms,
-            } if coefficient.abs() == 1.0 => {
+            } if coefficient.abs() == 1.0 && terms.len() <= LONG_SUM => {
                 constant.add(coefficient * inner.value());
                 flat.extend(
                     terms

@@ -1,24 +1,24 @@
-//! Random mechanisms as declarations: trees of parts in any pose, with loops that close exactly at the guess, springs,
-//! and loads.
+//! Mechanisms of the plane.
 
+use super::planar_conditions;
 use crate::random::Random;
 use std::fmt::Write;
 
 /// A point of a part: how the declaration names it, and where it is at the guess.
-type Point = (String, [f64; 2]);
+pub(super) type Point = (String, [f64; 2]);
 
 /// A planar part at its guess.
-struct Part {
-    name: String,
+pub(super) struct Part {
+    pub name: String,
     is_body: bool,
     at: [f64; 2],
-    angle: f64,
+    pub angle: f64,
     length: f64,
 }
 
 impl Part {
     /// A point of it that is not the one it hangs on.
-    fn point(&self, random: &mut Random) -> Point {
+    pub fn point(&self, random: &mut Random) -> Point {
         let (sin, cos) = self.angle.sin_cos();
         let [x, y] = match self.is_body {
             true => [random.within(0.6), random.within(0.6)],
@@ -37,13 +37,31 @@ impl Part {
     }
 }
 
-fn ground([x, y]: [f64; 2]) -> String {
+pub(super) fn ground([x, y]: [f64; 2]) -> String {
     format!("ground.point({x}, {y})")
 }
 
 /// A mechanism of this number in the plane; `coordinates` is the choice of the description.
 pub fn planar(number: usize, coordinates: &str) -> String {
     let random = &mut Random::of(&format!("planar {number}"));
+    let (mut text, parts, _) = parts(random, coordinates);
+    loads(&mut text, &parts, random);
+    outputs(&mut text, &parts, random);
+    text + "}"
+}
+
+/// The same with conditions on positions and velocities, some of which follow from others or change with time.
+pub fn planar_conditioned(number: usize, coordinates: &str) -> String {
+    let random = &mut Random::of(&format!("planar conditioned {number}"));
+    let (mut text, parts, freedoms) = parts(random, coordinates);
+    planar_conditions::write(&mut text, &parts, freedoms, random);
+    loads(&mut text, &parts, random);
+    outputs(&mut text, &parts, random);
+    text + "}"
+}
+
+/// The declaration up to the joints that close loops, its parts, and the freedoms that are left.
+fn parts(random: &mut Random, coordinates: &str) -> (String, Vec<Part>, usize) {
     let mut text = format!(
         "Random {{ world: Planar(gravity = [{}, -9.81], coordinates = {coordinates}), ",
         random.within(2.0)
@@ -93,9 +111,14 @@ pub fn planar(number: usize, coordinates: &str) -> String {
         };
         parts.push(part);
     }
-    close(&mut text, &parts, random);
-    loads(&mut text, &parts, random);
-    for part in &parts {
+    let closed = close(&mut text, &parts, random);
+    let freedoms = parts.len() - closed;
+    (text, parts, freedoms)
+}
+
+/// Where a point of each part is, and its velocity.
+fn outputs(text: &mut String, parts: &[Part], random: &mut Random) {
+    for part in parts {
         let (point, _) = part.point(random);
         let name = &part.name;
         let _ = write!(
@@ -103,7 +126,6 @@ pub fn planar(number: usize, coordinates: &str) -> String {
             "{name}_at: Output({point}), {name}_speed: Output({point}.velocity), "
         );
     }
-    text + "}"
 }
 
 /// Declares a body with its centre of mass off its origin.
@@ -149,13 +171,14 @@ fn slide(
     part
 }
 
-/// Joints that close loops, at most as many as leave a freedom.
-fn close(text: &mut String, parts: &[Part], random: &mut Random) {
+/// Joints that close loops, at most as many as leave a freedom; how many freedoms they take.
+fn close(text: &mut String, parts: &[Part], random: &mut Random) -> usize {
     let last = parts.len() - 1;
     let (point, at) = parts[last].point(random);
     match random.between(0, 3) {
         0 if last >= 2 => {
             let _ = write!(text, "close: Revolute({}, {point}), ", ground(at));
+            2
         }
         1 => {
             let _ = write!(
@@ -163,6 +186,7 @@ fn close(text: &mut String, parts: &[Part], random: &mut Random) {
                 "close: PointOnLine({point}, {}, axis = X), ",
                 ground(at)
             );
+            1
         }
         2 if last >= 2 && parts[0].is_body => {
             let (sin, cos) = parts[0].angle.sin_cos();
@@ -172,8 +196,9 @@ fn close(text: &mut String, parts: &[Part], random: &mut Random) {
                 text,
                 "close: Revolute(part0.point({x}, {y}), {point}), again: Revolute({point}, part0.point({x}, {y})), "
             );
+            2
         }
-        _ => {}
+        _ => 0,
     }
 }
 
@@ -189,78 +214,4 @@ fn loads(text: &mut String, parts: &[Part], random: &mut Random) {
          push: Force({first}, value = [{x}, {y}]), motor: Torque(part0, value = {turn}), ",
         ground([1.3, -0.7])
     );
-}
-
-/// A mechanism of this number in space.
-pub fn spatial(number: usize, coordinates: &str) -> String {
-    let random = &mut Random::of(&format!("spatial {number}"));
-    let mut text = format!(
-        "Random {{ world: Spatial(gravity = [{}, 0.0, -9.81], coordinates = {coordinates}), ",
-        random.within(2.0)
-    );
-    let count = random.between(1, 3);
-    for i in 0..count {
-        let [at, axis] = [vector(random, 1.0), vector(random, 1.0)];
-        let ([a, b, c], off) = (
-            [(); 3].map(|()| 0.3 + random.within(0.05)),
-            vector(random, 0.2),
-        );
-        let (mass, turn) = (1.0 + random.within(0.5), random.within(2.0));
-        let _ = write!(
-            text,
-            "part{i}: Body(mass = {mass}, inertia = diag({a}, {b}, {c}), at = {at}, center_of_mass = {off}, \
-             orientation = turn({axis}, {turn})), "
-        );
-        let before = match i {
-            0 => "ground".to_owned(),
-            _ => format!("part{}", random.between(0, i - 1)),
-        };
-        let _ = write!(
-            text,
-            "pin{i}: {}, ",
-            joint(random, &before, &format!("part{i}"), 6)
-        );
-    }
-    let last = format!("part{}", count - 1);
-    if random.between(0, 1) == 1 {
-        let _ = write!(text, "close: {}, ", joint(random, "ground", &last, 3));
-    }
-    let [from, to, push] = [
-        vector(random, 1.0),
-        vector(random, 0.4),
-        vector(random, 5.0),
-    ];
-    let [x, y, z] = [(); 3].map(|()| random.within(0.5));
-    let _ = write!(
-        text,
-        "anchor: Point({from}), spring: SpringDamper(anchor, {last}.origin, stiffness = 20.0, damping = 0.5, length = 0.4), \
-         push: Force(part0.origin, value = {push}), stir: Torque({last}, value = {to}), "
-    );
-    for i in 0..count {
-        let _ = write!(
-            text,
-            "part{i}_at: Output(part{i}.point({x}, {y}, {z})), part{i}_speed: Output(part{i}.point({x}, {y}, {z}).velocity), "
-        );
-    }
-    text + "}"
-}
-
-fn vector(random: &mut Random, size: f64) -> String {
-    let [x, y, z] = [(); 3].map(|()| random.within(size));
-    format!("[{x}, {y}, {z}]")
-}
-
-/// One of the first kinds of joints, at any place and with any axis.
-fn joint(random: &mut Random, first: &str, second: &str, kinds: usize) -> String {
-    let (at, axis) = (vector(random, 1.0), vector(random, 1.0));
-    match random.between(0, kinds - 1) {
-        0 => format!("Spherical({first}, {second}, at = {at})"),
-        1 => format!("Cylindrical({first}, {second}, at = {at}, axis = {axis})"),
-        2 => format!("Planar({first}, {second}, at = {at}, axis = {axis})"),
-        3 => format!("Revolute({first}, {second}, at = {at}, axis = {axis})"),
-        4 => format!("Prismatic({first}, {second}, at = {at}, axis = {axis})"),
-        _ => format!(
-            "Universal({first}, {second}, at = {at}, axis = [0.0, 1.0, 0.2], second_axis = [1.0, 0.0, 0.0])"
-        ),
-    }
 }
