@@ -1,5 +1,5 @@
-//! No test is left out: a library or program that is not built for tests (`test = false`) has no test in its sources, and
-//! every file of tests is compiled.
+//! No test is left out: a library or program that is not built for tests (`test = false`) has no test in its sources, one
+//! without documentation tests (`doctest = false`) no code in its documentation, and every file of tests is compiled.
 
 use mbs_tests::pages::root;
 use std::fs;
@@ -14,24 +14,35 @@ fn members() -> Vec<PathBuf> {
     names.map(|name| root().join(name)).collect()
 }
 
-/// Whether a file below a folder has a test.
-fn has_test(folder: &Path) -> bool {
+/// Whether a file below a folder has a line of some sort.
+fn has(folder: &Path, sort: fn(&str) -> bool) -> bool {
     fs::read_dir(folder).expect("sources").any(|entry| {
         let path = entry.expect("readable").path();
         if path.is_dir() {
-            has_test(&path)
+            has(&path, sort)
         } else {
-            fs::read_to_string(&path).is_ok_and(|text| text.contains("#[test]"))
+            fs::read_to_string(&path).is_ok_and(|text| text.lines().any(sort))
         }
     })
 }
 
+fn begins_test(line: &str) -> bool {
+    line.contains("#[test]")
+}
+
+/// Code in documentation, or a page that may have some.
+fn begins_documentation_test(line: &str) -> bool {
+    let line = line.trim_start();
+    line.starts_with("//") && line.contains("```") || line.contains("doc = include_str!")
+}
+
 #[test]
 fn what_is_not_built_for_tests_has_none() {
-    let (mut checked, mut others) = (0, 0);
+    let (mut checked, mut others, mut undocumented) = (0, 0, 0);
     for package in members() {
         let manifest = fs::read_to_string(package.join("Cargo.toml")).expect("UTF-8");
-        let inside = has_test(&package.join("src"));
+        let source = package.join("src");
+        let inside = has(&source, begins_test);
         if manifest.lines().any(|line| line == "test = false") {
             checked += 1;
             assert!(
@@ -42,10 +53,23 @@ fn what_is_not_built_for_tests_has_none() {
         } else {
             others += usize::from(inside);
         }
+        if manifest.lines().any(|line| line == "doctest = false") {
+            undocumented += 1;
+            assert!(
+                !has(&source, begins_documentation_test),
+                "{} has a documentation test that no command runs: remove `doctest = false`",
+                package.display()
+            );
+        }
     }
-    // Both lists have entries, so that both were read.
+    // The lists have entries, so that they were read.
     assert!(checked >= 4, "{checked} packages checked");
     assert!(others >= 2, "{others} packages with tests inside");
+    assert!(
+        undocumented >= 1,
+        "{undocumented} without documentation tests"
+    );
+    assert!(has(&root().join("tests/src"), begins_documentation_test));
 }
 
 /// The tests of a package are one program: a file beside its `main.rs` that this does not name would not be compiled.

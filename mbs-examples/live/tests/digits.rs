@@ -5,7 +5,7 @@ mod module;
 
 use mbs_live::{Figure, HEAD, MECHANISMS, METHODS, description};
 use module::{Page, folder};
-use std::fs;
+use std::{fs, thread};
 
 /// Numbers of [`Figure::read`].
 const ROOM: usize = 512;
@@ -198,10 +198,9 @@ fn what_cannot_be_is_answered_with_a_sentence() {
     refused(2, 0, 1e-3, &[1.0, 0.0], "not positive definite");
 }
 
-/// Parameters at and beyond the ends of the sliders, and meaningless ones. Either side may refuse or stop; neither
-/// panics, and both have the same messages, except for the digits of residuals that are round-off.
-#[test]
-fn no_value_makes_a_panic() {
+/// Both sides of one mechanism with parameters at and beyond the ends of its sliders, and meaningless ones: how many starts
+/// were taken, and how many refused.
+fn with_hostile_values(index: usize) -> (usize, usize) {
     const HOSTILE: [f64; 9] = [
         0.0,
         -1.0,
@@ -215,36 +214,52 @@ fn no_value_makes_a_panic() {
     ];
     let (mut page, mut figure, mut out) = (Page::open(), Figure::default(), [0.0; ROOM]);
     let (mut ran, mut refused) = (0, 0);
-    for (index, mechanism) in MECHANISMS.iter().enumerate() {
-        let defaults = mechanism.scene.model.parameters.iter().map(|p| p.default);
-        let defaults: Vec<f64> = defaults.collect();
-        for (place, range) in mechanism.ranges.iter().enumerate() {
-            for value in HOSTILE.iter().chain(range) {
-                let mut parameters = defaults.clone();
-                parameters[place] = *value;
-                for method in 0..METHODS.len() {
-                    for step in [1e-3, 0.2] {
-                        let native = figure.start(0, index, method, step, &parameters);
-                        let module = page.start(0, index, method, step, &parameters);
-                        // The module is older: it measures lengths in metres, native code in the mechanism. They may
-                        // disagree about a size whose square is no number.
-                        let size = value.abs();
-                        if !(size > 0.0) || (1e-150..1e150).contains(&size) {
-                            assert_eq!(native.is_ok(), module.is_ok(), "{parameters:?}");
-                        }
-                        match native {
-                            Ok(()) => ran += 1,
-                            Err(_) => refused += 1,
-                        }
-                        // If the outcome depends on rounding, a run may stop on one side only.
-                        let _ = figure.advance(0, f64::INFINITY, 20);
-                        let _ = page.advance(0, f64::INFINITY, 20);
-                        let _ = (figure.read(0, &mut out), page.read(0));
+    let mechanism = &MECHANISMS[index];
+    let defaults = mechanism.scene.model.parameters.iter().map(|p| p.default);
+    let defaults: Vec<f64> = defaults.collect();
+    for (place, range) in mechanism.ranges.iter().enumerate() {
+        for value in HOSTILE.iter().chain(range) {
+            let mut parameters = defaults.clone();
+            parameters[place] = *value;
+            for method in 0..METHODS.len() {
+                for step in [1e-3, 0.2] {
+                    let native = figure.start(0, index, method, step, &parameters);
+                    let module = page.start(0, index, method, step, &parameters);
+                    // The module is older: it measures lengths in metres, native code in the mechanism. They may
+                    // disagree about a size whose square is no number.
+                    let size = value.abs();
+                    if !(size > 0.0) || (1e-150..1e150).contains(&size) {
+                        assert_eq!(native.is_ok(), module.is_ok(), "{parameters:?}");
                     }
+                    match native {
+                        Ok(()) => ran += 1,
+                        Err(_) => refused += 1,
+                    }
+                    // If the outcome depends on rounding, a run may stop on one side only.
+                    let _ = figure.advance(0, f64::INFINITY, 20);
+                    let _ = page.advance(0, f64::INFINITY, 20);
+                    let _ = (figure.read(0, &mut out), page.read(0));
                 }
             }
         }
     }
+    (ran, refused)
+}
+
+/// Either side may refuse or stop; neither panics, and both have the same messages, except for the digits of residuals
+/// that are round-off. A thread for each mechanism: one alone would keep the other
+/// processors waiting at the end of this program.
+#[test]
+fn no_value_makes_a_panic() {
+    let (ran, refused) = thread::scope(|scope| {
+        let threads: Vec<_> = (0..MECHANISMS.len())
+            .map(|index| scope.spawn(move || with_hostile_values(index)))
+            .collect();
+        let counts = threads
+            .into_iter()
+            .map(|thread| thread.join().expect("no panic"));
+        counts.fold((0, 0), |sum, count| (sum.0 + count.0, sum.1 + count.1))
+    });
     assert!(
         ran > 300 && refused > 300,
         "{ran} ran, {refused} were refused"
