@@ -3,8 +3,6 @@
 #[path = "../../mbs-runtime/tests/common/alloc.rs"]
 mod alloc;
 mod common;
-#[path = "../../mbs-runtime/tests/common/rustc.rs"]
-mod rustc;
 #[allow(dead_code)]
 #[path = "../../mbs-examples/examples/compile_times/declarations.rs"]
 mod sizes;

@@ -1,12 +1,13 @@
 //! rustc compiles what is generated for large mechanisms with the stack that it has: no scope holds many `let`s, each of
 //! which opens a scope inside the last.
 
-use crate::rustc::rustc;
 use crate::sizes;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::fmt::Write;
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::SystemTime;
+use std::{env, fs};
 
 /// The most `let`s of one scope. rustc overflows its stack at more than 2000.
 const MOST: usize = 500;
@@ -65,9 +66,24 @@ fn no_scope_has_many_lets() {
     }
 }
 
+/// The newest library of a crate beside this program.
+fn library(folder: &Path, name: &str) -> PathBuf {
+    let prefix = format!("lib{name}-");
+    let files = fs::read_dir(folder).expect("the folder of this program");
+    let files = files.map(|file| file.expect("an entry").path());
+    let libraries = files.filter(|path| {
+        let file = path.file_name().unwrap_or_default().to_string_lossy();
+        file.starts_with(&prefix) && file.ends_with(".rlib")
+    });
+    let changed = |path: &PathBuf| -> Option<SystemTime> { path.metadata().ok()?.modified().ok() };
+    libraries.max_by_key(changed).expect("it is built")
+}
+
 /// With full debug information, as a user's build has it.
 #[test]
 fn rustc_compiles_three_thousand_constants() {
+    let program = env::current_exe().expect("this program");
+    let folder = program.parent().expect("its folder");
     let target = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scopes");
     fs::create_dir_all(&target).expect("a folder");
     let source = target.join("outputs.rs");
@@ -76,9 +92,17 @@ fn rustc_compiles_three_thousand_constants() {
         outputs(3000)
     );
     fs::write(&source, text).expect("a file");
-    let output = rustc(&["mbs_runtime"])
-        .args(["--emit=obj", "-Cdebuginfo=2", "-o"])
+    let output = Command::new(env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned()))
+        .args(["--edition=2024", "--emit=obj", "-Cdebuginfo=2", "-L"])
+        .arg(format!("dependency={}", folder.display()))
+        .arg("--extern")
+        .arg(format!(
+            "mbs_runtime={}",
+            library(folder, "mbs_runtime").display()
+        ))
+        .arg("-o")
         .args([target.join("outputs.o"), source])
+        .env_remove("RUST_MIN_STACK")
         .output()
         .expect("rustc starts");
     let errors = String::from_utf8_lossy(&output.stderr);

@@ -5,7 +5,6 @@ pub mod alloc;
 pub mod bennett;
 pub mod bricard;
 pub mod planar;
-pub mod rustc;
 pub mod scenes;
 pub mod space;
 pub mod spatial;
