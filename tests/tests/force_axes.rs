@@ -38,7 +38,7 @@ fn analysed(text: &str) -> Analysis {
 fn descriptions_agree() {
     let [joint, free] =
         ["Joint", "Reference"].map(|name| analysed(&ARM.replace("COORDINATES", name)));
-    let [a, b] = [&joint, &free].map(|analysis| Instant::at_start(analysis));
+    let [a, b] = [&joint, &free].map(Instant::at_start);
     for instant in [&a, &b] {
         let [gained, given, size] = instant.power();
         assert!(

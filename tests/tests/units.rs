@@ -54,7 +54,7 @@ where
     let step = scenes.find(|scene| scene.name == name).expect(name).step;
     let with_tolerance = Settings {
         step,
-        ..Settings::for_tolerance(1e-5, M::MODEL)
+        ..Settings::for_tolerance(1e-5)
     };
     let of_order = |order| Settings {
         order,
