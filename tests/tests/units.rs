@@ -42,7 +42,7 @@ where
         report.placed_steps,
         report.iterations,
     ];
-    (states, counts.map(|count| count as u64))
+    (states, counts)
 }
 
 fn compare<M, S, const Q: usize, const N: usize, const R: usize>(name: &str)
