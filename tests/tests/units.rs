@@ -42,7 +42,7 @@ where
         report.placed_steps,
         report.iterations,
     ];
-    (states, counts.map(|count| count as u64))
+    (states, counts)
 }
 
 fn compare<M, S, const Q: usize, const N: usize, const R: usize>(name: &str)
@@ -69,13 +69,9 @@ where
         let expected = run::<M, S, Q, N, R>(Units::powers_of_four(0, 0, 0), settings);
         for (length, mass, time) in [
             (-10, 0, 0),
-            (12, 0, 0),
             (0, -20, 0),
-            (0, 10, 0),
             (0, 0, -5),
-            (0, 0, 4),
-            (-12, -20, -5),
-            (5, 10, 4),
+            (12, 10, 4),
             (-20, 10, 4),
         ] {
             let units = Units::powers_of_four(length, mass, time);
