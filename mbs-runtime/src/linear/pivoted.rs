@@ -1,7 +1,9 @@
-//! LU factorisation with partial pivoting, for the Jacobians J of the implicit flows.
+//! LU factorisation with pivoting, for the Jacobians J of the implicit flows.
 //!
-//! Rows of lengths and rows of angles have different units. Pivots are therefore compared relative to the diagonal:
-//! J_ik²/|J_ii| has the same unit in all rows, as J_ik and J_ii are energies by products of velocities.
+//! J is M with the tangents of a short step, so that its diagonal serves as a rule. Where elimination has left little of a
+//! diagonal entry, the largest entry of the column is taken. Rows of lengths and rows of angles have different units:
+//! entries are compared by J_ik²/|J_ii|, which has the same unit in all rows, as J_ik and J_ii are energies by products of
+//! velocities.
 
 use super::{SPARSE_FROM, Square};
 use nalgebra::{SMatrix, SVector};
@@ -47,25 +49,20 @@ impl<const K: usize> Pivoted<K> {
     }
 }
 
-/// The size of a diagonal entry; a row that has none is compared as it is.
-fn unit(diagonal: f64) -> f64 {
-    if diagonal == 0.0 { 1.0 } else { diagonal.abs() }
-}
+/// A diagonal entry is a pivot if this fraction of it is left.
+const LEFT: f64 = 0.1;
 
 /// Not a method: writes to what a field points to would make the optimiser read the field again after each.
 fn eliminate<const K: usize>(lu: &mut [[f64; K]; K], order: &mut [usize; K]) -> bool {
-    let mut units: [f64; K] = std::array::from_fn(|i| unit(lu[i][i]));
+    let mut diagonal: [f64; K] = std::array::from_fn(|i| lu[i][i].abs());
     for k in 0..K {
         let mut best = k;
-        for i in k + 1..K {
-            // Written without a quotient.
-            if lu[i][k] * lu[i][k] * units[best] > lu[best][k] * lu[best][k] * units[i] {
-                best = i;
-            }
+        if !(lu[k][k].abs() >= LEFT * diagonal[k]) || diagonal[k] == 0.0 {
+            best = largest(lu, &diagonal, k);
+            diagonal.swap(k, best);
         }
         order[k] = best;
         lu.swap(k, best);
-        units.swap(k, best);
         let pivot_row = lu[k];
         let pivot = pivot_row[k];
         if !(pivot.abs() > f64::MIN_POSITIVE && pivot.is_finite()) {
@@ -84,4 +81,20 @@ fn eliminate<const K: usize>(lu: &mut [[f64; K]; K], order: &mut [usize; K]) -> 
         }
     }
     true
+}
+
+/// The row with the largest entry of column k, from row k on.
+#[cold]
+#[inline(never)]
+fn largest<const K: usize>(lu: &[[f64; K]; K], diagonal: &[f64; K], k: usize) -> usize {
+    // A row without diagonal entry is compared as it is.
+    let unit = |i: usize| if diagonal[i] == 0.0 { 1.0 } else { diagonal[i] };
+    let mut best = k;
+    for i in k + 1..K {
+        // Written without a quotient.
+        if lu[i][k] * lu[i][k] * unit(best) > lu[best][k] * lu[best][k] * unit(i) {
+            best = i;
+        }
+    }
+    best
 }
