@@ -163,7 +163,7 @@ pub struct Settings {
     pub max_iterations: usize,
     /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ with one factorisation, and
     /// accepts the residual of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)); the next stage reduces
-    /// it again, so that residuals do not grow. [`Model::step_flops`] bounds the work. There is no placement. For the
+    /// it again, so that residuals do not grow. [`Model::step_flops`](crate::Model::step_flops) bounds the work. There is no placement. For the
     /// leapfrog flow without nonholonomic rows; otherwise, and with a tolerance, it is an error.
     ///
     /// A loop at 1 kHz, in which every step has the same number of corrections:
