@@ -15,6 +15,17 @@ const TANGENT: usize = 60;
 const VELOCITY_SOLVES: usize = 1 + FIXED_REFINEMENTS;
 
 impl Model {
+    /// Operations of a generated function; `None` if there is none of this name.
+    pub(crate) fn cost_of(&self, name: &str) -> Option<usize> {
+        let function = self.operations.iter().find(|cost| cost.function == name)?;
+        Some(
+            function.additions
+                + function.multiplications
+                + DIVISION * function.divisions
+                + CALL * function.calls,
+        )
+    }
+
     /// Operations of a step of second order with this many corrections, at most; `None` where no such step exists
     /// ([`Settings::fixed_iterations`](crate::Settings::fixed_iterations)). Multiply by 7, 13 or 17 at orders 4, 6
     /// and 8. A division counts as 5 and an elementary function as 20.
@@ -36,15 +47,7 @@ impl Model {
         if !known {
             return None;
         }
-        let of = |name: &str| {
-            let function = self.operations.iter().find(|cost| cost.function == name)?;
-            Some(
-                function.additions
-                    + function.multiplications
-                    + DIVISION * function.divisions
-                    + CALL * function.calls,
-            )
-        };
+        let of = |name: &str| self.cost_of(name);
         let cost = |name: &str| of(name).unwrap_or(0);
         let delassus = cost("delassus");
         let metric = of("metric").unwrap_or(cost("solve_mass_rows") + delassus);

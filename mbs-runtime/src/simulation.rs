@@ -134,12 +134,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings.check()?;
         let system = mechanism.prepare()?;
         let (state, assembly) = assemble(&system, &settings)?;
-        match settings.accuracy {
-            Some(accuracy) => {
-                Self::for_accuracy(system, (accuracy, settings), state, assembly, other)
-            }
-            None => Self::start(system, settings, state, assembly, other),
-        }
+        Self::begin(system, settings, state, assembly, other)
     }
 
     /// The same from a state.
@@ -152,12 +147,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings.check()?;
         let system = mechanism.prepare()?;
         let verdict = crate::assembly::inspect(&system, &settings, &state)?;
-        let simulation = match settings.accuracy {
-            Some(accuracy) => {
-                Self::for_accuracy(system, (accuracy, settings), state, verdict, other)?
-            }
-            None => Self::start(system, settings, state, verdict, other)?,
-        };
+        let simulation = Self::begin(system, settings, state, verdict, other)?;
         let rates = simulation.integrator.trace().rates;
         let yardstick = &simulation.yardstick;
         let scale = RowScale::new(simulation.system(), yardstick, &settings)
@@ -188,14 +178,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             ..Report::default()
         };
         let integrator = Integrator::new(system, state, &settings, other)?;
-        let stages = crate::alf3f::stages(settings.order).len();
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let mut simulation = Simulation {
-            before: Box::new(integrator.state().with_room(stages)),
-            pair: Box::new(integrator.state().with_room(stages)),
+            before: Box::new(integrator.state().with_same_room()),
+            pair: Box::new(integrator.state().with_same_room()),
             behind: Box::new(State {
                 time: f64::INFINITY,
-                ..integrator.state().with_room(stages)
+                ..integrator.state().with_same_room()
             }),
             balance: Energy::default(),
             energy_guard: EnergyGuard::new(

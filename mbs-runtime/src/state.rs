@@ -88,10 +88,12 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         }
     }
 
-    /// A copy with room for this many stages.
-    pub(crate) fn with_room(&self, stages: usize) -> Self {
+    /// A copy with room for the same stages.
+    pub(crate) fn with_same_room(&self) -> Self {
         let mut copy = self.clone();
-        copy.make_room(stages);
+        let room = self.stage_multipliers.capacity();
+        copy.stage_multipliers
+            .reserve(room - self.stage_multipliers.len());
         copy
     }
 

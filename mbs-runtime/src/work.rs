@@ -2,9 +2,6 @@
 
 use crate::{Flow, Method, Model, Settings};
 
-/// The cost of a division and of an elementary function, in additions.
-const DIVISION: f64 = 5.0;
-const CALL: f64 = 20.0;
 /// What a stage, or a correction, costs beside its functions: calls, copies, comparisons.
 const STAGE: f64 = 60.0;
 /// Operations of a planned elimination, by row.
@@ -20,18 +17,7 @@ pub(crate) fn work(
     iterations: u64,
 ) -> f64 {
     let (n, r) = (model.velocities.len() as f64, model.rows.len() as f64);
-    let of = |name: &str| {
-        let mut functions = model.operations.iter();
-        let cost = functions.find(|cost| cost.function == name)?;
-        let [additions, multiplications, divisions, calls] = [
-            cost.additions,
-            cost.multiplications,
-            cost.divisions,
-            cost.calls,
-        ]
-        .map(|count| count as f64);
-        Some(additions + multiplications + DIVISION * divisions + CALL * calls)
-    };
+    let of = |name: &str| model.cost_of(name).map(|cost| cost as f64);
     let cost = |name: &str| of(name).unwrap_or(0.0);
     let constraints = cost("constraints");
     let metric = of("metric").unwrap_or(cost("solve_mass_rows") + cost("delassus") + 2.0 * r * r);

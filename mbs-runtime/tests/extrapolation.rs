@@ -97,11 +97,21 @@ fn a_resumed_run_is_the_same_bit_for_bit() {
 #[test]
 fn a_step_allocates_nothing() {
     for order in [4, 8] {
-        let mut simulation =
-            Simulation::with_settings(Parameters(DampedSliderCrank), settings(order, 1e-2))
-                .unwrap();
-        let before = count();
-        simulation.run_until(1.0).unwrap();
-        assert_eq!(count() - before, 0, "order {order}");
+        let plain = settings(order, 1e-2);
+        let placed = Settings {
+            placement: true,
+            ..plain
+        };
+        let paced = Settings {
+            tolerance: Some(1e-6),
+            ..placed
+        };
+        for settings in [plain, placed, paced] {
+            let mut simulation =
+                Simulation::with_settings(Parameters(DampedSliderCrank), settings).unwrap();
+            let before = count();
+            simulation.run_until(1.0).unwrap();
+            assert_eq!(count() - before, 0, "{settings:?}");
+        }
     }
 }

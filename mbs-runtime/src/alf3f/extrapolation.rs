@@ -20,8 +20,9 @@
 //! | 6 | 12 | −0.16 … 1 | 2.8 |
 //! | 8 | 20 | −0.20 … 1 | 4.2 |
 
+use super::StepMonitor;
+use super::kick_flow_kick::kick_flow_kick;
 use super::step_context::StepContext;
-use super::{StepMonitor, kicks, mixed_kicks};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{KickFlow, Trapezoid};
@@ -37,10 +38,8 @@ const WEIGHTS: [&[f64]; 3] = [
 ];
 
 /// The weighted mean of the ends of a step taken in different numbers of parts.
-pub(super) struct Extrapolation<const Q: usize, const N: usize, const R: usize> {
+pub(super) struct Extrapolation {
     weights: &'static [f64],
-    /// The state before the step.
-    before: State<Q, N, R>,
 }
 
 /// Sums over the columns, with their weights.
@@ -52,39 +51,25 @@ struct Mean<const N: usize, const R: usize> {
     drive_work: f64,
 }
 
-impl<const Q: usize, const N: usize, const R: usize> Extrapolation<Q, N, R> {
+impl Extrapolation {
     /// Of order 4, 6 or 8.
-    pub(super) fn new(order: u8, state: &mut State<Q, N, R>) -> Self {
+    pub(super) fn new(order: u8) -> Self {
         let weights = WEIGHTS[usize::from(order / 2).clamp(2, 4) - 2];
-        let parts = weights.len() * (weights.len() + 1);
-        state.make_room(parts);
-        Extrapolation {
-            weights,
-            before: state.with_room(parts),
-        }
+        Extrapolation { weights }
     }
 
-    /// One step of h seconds; returns κ₁ + κ₂ over it. After a fault the state is that before the step.
-    pub(super) fn step<S: System<Q, N, R>>(
-        &mut self,
-        context: &mut StepContext<S, Q, N, R>,
-        flow: &mut Trapezoid<Q, N, R>,
-        h: f64,
-        monitor: &mut StepMonitor,
-    ) -> Result<SVector<f64, R>, Fault> {
-        self.before.copy_from(&context.state);
-        self.extrapolate(context, flow, h, monitor)
-            .inspect_err(|_| {
-                context.state.copy_from(&self.before);
-                // What fails again here fails in the next step, too.
-                let _ = context.refresh();
-            })
+    /// The parts of a step: 2 + 4 + … + 2n.
+    pub(super) fn parts(&self) -> usize {
+        self.weights.len() * (self.weights.len() + 1)
     }
 
-    fn extrapolate<S: System<Q, N, R>>(
-        &mut self,
+    /// One step of h seconds from the state `before`, which is that of the context; returns κ₁ + κ₂ over it. After a fault
+    /// the state of the context is one on the way.
+    pub(super) fn step<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        &self,
         context: &mut StepContext<S, Q, N, R>,
         flow: &mut Trapezoid<Q, N, R>,
+        before: &State<Q, N, R>,
         h: f64,
         monitor: &mut StepMonitor,
     ) -> Result<SVector<f64, R>, Fault> {
@@ -100,13 +85,13 @@ impl<const Q: usize, const N: usize, const R: usize> Extrapolation<Q, N, R> {
         let mut stage = 0;
         for (column, &weight) in self.weights.iter().enumerate() {
             if column > 0 {
-                self.begin_again(context)?;
+                begin_again(context, before)?;
             }
             let parts = 2 * (column + 1);
             let mut works = start;
             for _ in 0..parts {
                 context.state.recall_stage(stage);
-                step(context, flow, h / parts as f64)?;
+                kick_flow_kick(context, flow, h / parts as f64)?;
                 context.state.keep_stage(stage);
                 stage += 1;
                 works.add(context, h / parts as f64);
@@ -115,14 +100,14 @@ impl<const Q: usize, const N: usize, const R: usize> Extrapolation<Q, N, R> {
             }
             let moved = context
                 .system
-                .difference(&self.before.positions, &context.state.positions);
+                .difference(&before.positions, &context.state.positions);
             mean.moved += moved * weight;
             mean.velocities += context.state.velocities * weight;
             mean.work += weight * (works.nonconservative_work - start.nonconservative_work);
             mean.drive_work += weight * (works.drive_work - start.drive_work);
             finest = works;
         }
-        self.land(context, &mean, h)?;
+        land(context, before, &mean, h)?;
         let State {
             time,
             positions,
@@ -137,62 +122,45 @@ impl<const Q: usize, const N: usize, const R: usize> Extrapolation<Q, N, R> {
             (finest.nonconservative_work - start.nonconservative_work - mean.work).abs();
         Ok(mean.impulse)
     }
-
-    /// Back to the beginning of the step, but with the multipliers that its parts have kept.
-    fn begin_again<S: System<Q, N, R>>(
-        &self,
-        context: &mut StepContext<S, Q, N, R>,
-    ) -> Result<(), Fault> {
-        let state = &mut context.state;
-        state.time = self.before.time;
-        state.positions = self.before.positions;
-        state.velocities = self.before.velocities;
-        context.refresh()
-    }
-
-    /// Puts the mean on the rows, as the end of a step.
-    fn land<S: System<Q, N, R>>(
-        &self,
-        context: &mut StepContext<S, Q, N, R>,
-        mean: &Mean<N, R>,
-        h: f64,
-    ) -> Result<(), Fault> {
-        let (system, state) = (&context.system, &mut context.state);
-        let place = system.advance(&self.before.positions, &mean.moved, 1.0);
-        state.time = self.before.time;
-        state.positions = place;
-        state.velocities = SVector::zeros();
-        state.multipliers = SVector::zeros();
-        state.multiplier_changes = SVector::zeros();
-        context.refresh()?;
-        let mut rest = Rest {
-            h,
-            place,
-            velocities: mean.velocities,
-        };
-        step(context, &mut rest, h)?;
-        // Stages are counted by parts.
-        context.counters.stages -= 1;
-        context.state.time = self.before.time + h;
-        Ok(())
-    }
 }
 
-/// The form of the step for the sorts of rows.
-fn step<S, F, const Q: usize, const N: usize, const R: usize>(
+/// Back to the beginning of the step, but with the multipliers that its parts have kept.
+fn begin_again<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
-    flow: &mut F,
+    before: &State<Q, N, R>,
+) -> Result<(), Fault> {
+    let state = &mut context.state;
+    state.time = before.time;
+    state.positions = before.positions;
+    state.velocities = before.velocities;
+    context.refresh()
+}
+
+/// Puts the mean on the rows, as the end of a step.
+fn land<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    context: &mut StepContext<S, Q, N, R>,
+    before: &State<Q, N, R>,
+    mean: &Mean<N, R>,
     h: f64,
-) -> Result<(), Fault>
-where
-    S: System<Q, N, R>,
-    F: KickFlow<S, Q, N, R>,
-{
-    if const { S::STRUCTURE.holonomic_rows == R } {
-        kicks::step(context, flow, h)
-    } else {
-        mixed_kicks::step(context, flow, h)
-    }
+) -> Result<(), Fault> {
+    let (system, state) = (&context.system, &mut context.state);
+    let place = system.advance(&before.positions, &mean.moved, 1.0);
+    state.time = before.time;
+    state.positions = place;
+    state.velocities = SVector::zeros();
+    state.multipliers = SVector::zeros();
+    state.multiplier_changes = SVector::zeros();
+    context.refresh()?;
+    let mut rest = Rest {
+        h,
+        place,
+        velocities: mean.velocities,
+    };
+    kick_flow_kick(context, &mut rest, h)?;
+    // Stages are counted by parts.
+    context.counters.stages -= 1;
+    context.state.time = before.time + h;
+    Ok(())
 }
 
 /// The flow of a mechanism at rest, which only the kick at the beginning moves: q₁ = q ⊕ h v_a, and a given velocity at

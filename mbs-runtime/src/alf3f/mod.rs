@@ -4,6 +4,7 @@ pub(crate) mod closing;
 mod composition;
 mod extrapolation;
 mod implicit_step;
+mod kick_flow_kick;
 mod kicks;
 mod mixed_kicks;
 mod paper;
@@ -16,7 +17,6 @@ mod two_level;
 
 pub(crate) use self::step_context::{Counters, FIXED_REFINEMENTS};
 pub(crate) use closing::{not_converged, residual_of};
-pub(crate) use composition::stages;
 pub use paper::PaperStepper;
 pub(crate) use stage_placement::{CLEAR, StagePlacement};
 pub(crate) use step_monitor::StepMonitor;

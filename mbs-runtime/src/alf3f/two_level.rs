@@ -2,11 +2,12 @@
 
 use super::extrapolation::Extrapolation;
 use super::implicit_step::{ImplicitStep, Outcome};
+use super::kick_flow_kick::kick_flow_kick;
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
-use super::{StagePlacement, StepMonitor, composition, kicks, mixed_kicks};
+use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
-use crate::flow::{KickFlow, Leapfrog, Midpoint, Trapezoid};
+use crate::flow::{Leapfrog, Midpoint, Trapezoid};
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
@@ -22,7 +23,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     /// Fractions of a step.
     stages: &'static [f64],
     /// Instead of a composition, where forces depend on velocities.
-    extrapolation: Option<Box<Extrapolation<Q, N, R>>>,
+    extrapolation: Option<Extrapolation>,
     /// The state before a step of several stages.
     before: State<Q, N, R>,
     placement: StagePlacement,
@@ -41,24 +42,6 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Trapezoid(Box<Trapezoid<Q, N, R>>),
     /// The second is for steps near singular poses.
     Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
-}
-
-/// The form of the step for the sorts of rows.
-#[inline(always)]
-fn kick_flow_kick<S, F, const Q: usize, const N: usize, const R: usize>(
-    context: &mut StepContext<S, Q, N, R>,
-    flow: &mut F,
-    h: f64,
-) -> Result<(), Fault>
-where
-    S: System<Q, N, R>,
-    F: KickFlow<S, Q, N, R>,
-{
-    if const { S::STRUCTURE.holonomic_rows == R } {
-        kicks::step(context, flow, h)
-    } else {
-        mixed_kicks::step(context, flow, h)
-    }
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -87,8 +70,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let flow = crate::flow::choose(&system, &state, settings)?;
         let time = state.time;
         let is_high = settings.order > 2;
-        let extrapolates = is_high && flow == Flow::Implicit && S::STRUCTURE.velocity_forces;
-        if is_high && flow == Flow::Implicit && !extrapolates {
+        let implicit = is_high && flow == Flow::Implicit;
+        if implicit && !S::STRUCTURE.velocity_forces {
             return Err(SimulationError::Order {
                 order: settings.order,
                 because: "the implicit flow was asked for, which is not symmetric; leave `flow` out",
@@ -102,13 +85,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 wanted: "`None` here: only kicks with the leapfrog flow and without nonholonomic rows have a known cost",
             });
         }
-        let stages = composition::stages(if extrapolates { 2 } else { settings.order });
+        let extrapolation = implicit.then(|| Extrapolation::new(settings.order));
+        let (stages, count) = match &extrapolation {
+            Some(extrapolation) => (composition::stages(2), extrapolation.parts()),
+            None => {
+                let stages = composition::stages(settings.order);
+                (stages, stages.len())
+            }
+        };
         let mut state = state;
-        let extrapolation = extrapolates.then(|| Extrapolation::new(settings.order, &mut state));
-        if !extrapolates {
-            state.make_room(stages.len());
-        }
-        let before = state.with_room(stages.len());
+        state.make_room(count);
+        let before = state.with_same_room();
         let mut context = StepContext::new(system, state, settings, placed)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let yardstick = &*context.yardstick.clone();
@@ -136,7 +123,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             flow,
             placement: StagePlacement::new(stages),
             stages,
-            extrapolation: extrapolation.map(Box::new),
+            extrapolation,
             before,
             impulse: SVector::zeros(),
             length: 0.0,
@@ -304,13 +291,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     #[inline(never)]
     fn extrapolate(&mut self, h: f64, monitor: Option<&mut StepMonitor>) -> Result<(), Fault> {
         let (Some(extrapolation), Stepping::Implicit(_, flow)) =
-            (&mut self.extrapolation, &mut self.flow)
+            (&self.extrapolation, &mut self.flow)
         else {
             unreachable!("only the implicit flow extrapolates")
         };
+        let (context, before) = (&mut self.context, &mut self.before);
+        before.copy_from(&context.state);
         let mut unwatched = StepMonitor::new(0.0, None);
         let monitor = monitor.unwrap_or(&mut unwatched);
-        self.impulse = extrapolation.step(&mut self.context, flow, h, monitor)?;
+        match extrapolation.step(context, flow, before, h, monitor) {
+            Ok(impulse) => self.impulse = impulse,
+            Err(fault) => {
+                context.state.copy_from(before);
+                context.refresh()?;
+                return Err(fault);
+            }
+        }
         if monitor.rank_margin.is_some()
             && let Some(now) = self.rank_margin()
         {

@@ -215,6 +215,9 @@ impl Default for Settings {
 }
 
 impl Settings {
+    /// The least tolerance: smaller ones are below round-off.
+    pub(crate) const LEAST_TOLERANCE: f64 = 1e-12;
+
     /// The order of the method: the explicit methods have 4 at least.
     pub(crate) fn true_order(&self) -> u8 {
         match self.method {
@@ -223,17 +226,15 @@ impl Settings {
         }
     }
 
-    /// The least tolerance: smaller ones are below round-off.
-    pub(crate) const LEAST_TOLERANCE: f64 = 1e-12;
-
     /// An accuracy and nothing else: the largest error of a position over the run, in sizes of the mechanism and radians,
     /// between 1e-11 and 0.1.
     ///
-    /// The simulation runs the beginning of the motion with the two-level and, where it is compiled
-    /// ([`Simulation::with_any_method`](crate::Simulation::with_any_method)), with the projected explicit method; the one
-    /// that needs fewer operations for a second of the motion is taken from the start on, with a tolerance of an eighth of
-    /// the accuracy. [`Simulation::settings`](crate::Simulation::settings) tells which. The choice is not revised on the
-    /// way: the tolerance holds all the same, but a motion that becomes stiff later takes more steps than it had to.
+    /// The tolerance is an eighth of the accuracy. Where all methods are compiled
+    /// ([`Simulation::with_any_method`](crate::Simulation::with_any_method)) the simulation runs the beginning of the motion
+    /// with the two-level and with the projected explicit method, and takes the one that needs fewer operations for a
+    /// second of it, from the start on; otherwise it takes the two-level one.
+    /// [`Simulation::settings`](crate::Simulation::settings) tells which. The choice is not revised on the way: the tolerance
+    /// holds all the same, but a motion that becomes stiff later takes more steps than it had to.
     ///
     /// ```
     /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};

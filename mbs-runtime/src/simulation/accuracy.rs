@@ -27,19 +27,26 @@ impl<S, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R>
 where
     S: System<Q, N, R> + Clone,
 {
-    /// The simulation with the candidate that takes the least work from this state on.
-    pub(super) fn for_accuracy(
+    /// With the given method or, for an accuracy, with the candidate that takes the least work from this state on.
+    pub(super) fn begin(
         system: S,
-        (accuracy, settings): (f64, Settings),
+        settings: Settings,
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
         other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
+        let Some(accuracy) = settings.accuracy else {
+            return Self::start(system, settings, state, assembly, other);
+        };
         let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
         let two_level = Settings {
             accuracy: None,
             ..settings.with_tolerance(tolerance)
         };
+        if other.is_none() {
+            // There is nothing to choose from.
+            return Self::start(system, two_level, state, assembly, None);
+        }
         let projected = Settings {
             method: Method::Projected,
             order: 8,
@@ -50,10 +57,7 @@ where
             Self::start(system, candidate, state, assembly, other)
         };
         let mut best = (f64::INFINITY, two_level);
-        for candidate in [Some(two_level), other.map(|_| projected)]
-            .into_iter()
-            .flatten()
-        {
+        for candidate in [two_level, projected] {
             // A candidate that cannot begin here is none.
             let Ok(mut trial) = make(candidate) else {
                 continue;
