@@ -53,11 +53,13 @@ impl StepMonitor {
         self.nonconservative_work += 0.5 * h * (self.power + power);
         self.work_doubt += (0.5 * h * (power - self.power)).abs();
         self.power = power;
-        // After the commit `end` has the geometry of the beginning of the stage.
-        let impulse = &context.work.impulse;
-        self.drive_work += (0..R)
-            .map(|i| -impulse[0][i] * context.end.b[i] - impulse[1][i] * context.start.b[i])
-            .sum::<f64>();
+        if const { S::STRUCTURE.time_dependent } {
+            // After the commit `end` has the geometry of the beginning of the stage.
+            let impulse = &context.work.impulse;
+            self.drive_work += (0..R)
+                .map(|i| -impulse[0][i] * context.end.b[i] - impulse[1][i] * context.start.b[i])
+                .sum::<f64>();
+        }
     }
 
     /// Records the end of a step of one stage. The step before has recorded its beginning.
