@@ -46,8 +46,9 @@
 //! | [`Method::Penalty`] | rows as stiff springs and dampers |
 //!
 //! All except the first are methods of the literature for comparison, on the same generated equations and with the same
-//! diagnostics. They are compiled for a mechanism only where a program calls [`Simulation::with_any_method`],
-//! [`Simulation::resume_with_any_method`] or [`simulate_ensemble_with_any_method`]; the other constructors refuse them.
+//! diagnostics. A method is compiled for a mechanism only where a program names it ([`methods`]) for
+//! [`Simulation::with_methods`], or asks for all: [`Simulation::with_any_method`], [`simulate_ensemble_with_any_method`].
+//! The other constructors refuse them.
 //!
 //! The two-level step chooses the flow between its kicks from the structure of the equations ([`Structure`]):
 //!
@@ -81,6 +82,7 @@ mod integrator;
 mod known_cost;
 mod linear;
 mod mechanism;
+pub mod methods;
 mod model;
 pub mod output;
 mod reactions;

@@ -18,9 +18,10 @@ use crate::assembly::{RESUMABLE, assemble};
 use crate::fault::Fault;
 use crate::integrator::Integrator;
 use crate::linear::largest;
+use crate::methods::{self, Methods};
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
-use crate::stepper::{MakeStepper, other};
+use crate::stepper::MakeStepper;
 use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
@@ -80,7 +81,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ///
     /// # Errors
     /// As [`Simulation::new`], and settings that cannot be used. For a method other than the two-level one it is
-    /// [`SimulationError::NotCompiled`]: [`Simulation::with_any_method`] accepts it.
+    /// [`SimulationError::NotCompiled`]: [`Simulation::with_methods`] accepts it.
     pub fn with_settings<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
@@ -88,16 +89,42 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::assembled(mechanism, settings, None)
     }
 
-    /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes more
-    /// than twice as long as the two-level method alone.
+    /// The same with methods beside the two-level one, which a value of [`methods`] names: only these are compiled for
+    /// this mechanism.
     ///
     /// # Errors
-    /// As [`Simulation::new`], settings that cannot be used, and a method that cannot integrate this mechanism.
+    /// As [`Simulation::new`], settings that cannot be used, a method that is not among these, and one that cannot integrate
+    /// this mechanism.
+    pub fn with_methods<M: Mechanism<System = S>, C: Methods>(
+        mechanism: M,
+        settings: Settings,
+        _: C,
+    ) -> Result<Self, SimulationError> {
+        Self::assembled(mechanism, settings, Some(C::make))
+    }
+
+    /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes up to
+    /// twice as long as the two-level method alone.
+    ///
+    /// # Errors
+    /// As [`Simulation::with_methods`].
     pub fn with_any_method<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
     ) -> Result<Self, SimulationError> {
-        Self::assembled(mechanism, settings, Some(other))
+        Self::with_methods(mechanism, settings, methods::Any)
+    }
+
+    /// One number instead of settings: the largest error of a position over the run, in sizes of the mechanism and radians
+    /// ([`Settings::accuracy`]). Compiles the two candidates, the two-level and the projected explicit method.
+    ///
+    /// # Errors
+    /// As [`Simulation::new`], and an accuracy that is not between 1e-11 and 0.1.
+    pub fn with_accuracy<M: Mechanism<System = S>>(
+        mechanism: M,
+        accuracy: f64,
+    ) -> Result<Self, SimulationError> {
+        Self::with_methods(mechanism, Settings::accuracy(accuracy), methods::Projected)
     }
 
     /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same.
@@ -112,17 +139,30 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::resumed(mechanism, settings, state, None)
     }
 
-    /// The same for any [`Method`](crate::Method), if it has no memory besides the state.
+    /// The same with methods beside the two-level one, if they have no memory besides the state.
     /// ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3 projections do, and begin anew.)
     ///
     /// # Errors
-    /// As [`Simulation::with_any_method`], and a state that is not finite or violates the constraints.
+    /// As [`Simulation::with_methods`], and a state that is not finite or violates the constraints.
+    pub fn resume_with_methods<M: Mechanism<System = S>, C: Methods>(
+        mechanism: M,
+        settings: Settings,
+        state: State<Q, N, R>,
+        _: C,
+    ) -> Result<Self, SimulationError> {
+        Self::resumed(mechanism, settings, state, Some(C::make))
+    }
+
+    /// The same for any [`Method`](crate::Method).
+    ///
+    /// # Errors
+    /// As [`Simulation::resume_with_methods`].
     pub fn resume_with_any_method<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
         state: State<Q, N, R>,
     ) -> Result<Self, SimulationError> {
-        Self::resumed(mechanism, settings, state, Some(other))
+        Self::resume_with_methods(mechanism, settings, state, methods::Any)
     }
 
     /// With `other` for the methods other than the two-level one, from the declared guess.

@@ -246,7 +246,7 @@ impl fmt::Display for SimulationError {
             ),
             NotCompiled { method } => write!(
                 out,
-                "method `{method}` is not compiled into this simulation; construct it with `Simulation::with_any_method`, or resume it with `Simulation::resume_with_any_method`"
+                "method `{method}` is not compiled into this simulation; construct it with `Simulation::with_methods` and a value of `mbs_runtime::methods`, or resume it with `Simulation::resume_with_methods`"
             ),
             Order { order, because } => write!(
                 out,

@@ -1,12 +1,12 @@
 //! The methods other than the two-level one behind one object-safe trait.
 //!
-//! A simulation calls them through a table of functions, which only [`other`] fills: a program that never passes it to
-//! an integrator does not compile them.
+//! A simulation calls them through a table of functions, which only the types of [`methods`](crate::methods) fill: a
+//! program that does not name a method there does not compile it.
 
 use crate::alf3f::{Counters, PaperStepper, StepMonitor};
 use crate::fault::Fault;
 use crate::singular::RankMargin;
-use crate::{BaselineStepper, Flow, Method, Settings, SimulationError, State, System};
+use crate::{BaselineStepper, Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
 /// A method as a simulation uses it; the functions are those of the enumeration `Integrator`.
@@ -39,24 +39,9 @@ pub(crate) struct Trace<'a, const Q: usize, const N: usize, const R: usize> {
 pub(crate) type AnyStepper<S, const Q: usize, const N: usize, const R: usize> =
     Box<dyn Stepper<S, Q, N, R>>;
 
-/// Makes the stepper of any method but the two-level one.
+/// Makes the stepper of a method other than the two-level one.
 pub(crate) type MakeStepper<S, const Q: usize, const N: usize, const R: usize> =
     fn(S, State<Q, N, R>, &Settings) -> Result<AnyStepper<S, Q, N, R>, SimulationError>;
-
-/// The stepper of the method of the settings.
-pub(crate) fn other<S, const Q: usize, const N: usize, const R: usize>(
-    system: S,
-    state: State<Q, N, R>,
-    settings: &Settings,
-) -> Result<AnyStepper<S, Q, N, R>, SimulationError>
-where
-    S: System<Q, N, R>,
-{
-    Ok(match settings.method {
-        Method::Paper(_) | Method::MAlf(_) => Box::new(PaperStepper::new(system, state, settings)?),
-        _ => Box::new(BaselineStepper::new(system, state, settings)?),
-    })
-}
 
 impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
     for PaperStepper<S, Q, N, R>

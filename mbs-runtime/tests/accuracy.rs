@@ -12,7 +12,7 @@ fn with_accuracy<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usi
     scene: T,
     accuracy: f64,
 ) -> Run<T, Q, N, R> {
-    Simulation::with_any_method(Parameters(scene), Settings::accuracy(accuracy)).unwrap()
+    Simulation::with_accuracy(Parameters(scene), accuracy).unwrap()
 }
 
 #[test]

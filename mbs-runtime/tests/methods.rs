@@ -1,7 +1,8 @@
 //! Which constructors accept which methods.
 
+use mbs_runtime::methods::{self, Methods};
 use mbs_runtime::{
-    Method, Settings, Simulation, SimulationError, mechanism, simulate_ensemble,
+    BaumgarteSettings, Method, Settings, Simulation, SimulationError, mechanism, simulate_ensemble,
     simulate_ensemble_with_any_method,
 };
 
@@ -44,7 +45,8 @@ fn assert_not_compiled<T>(outcome: Result<T, SimulationError>, name: &str) {
         error.to_string(),
         format!(
             "method `{name}` is not compiled into this simulation; construct it with \
-             `Simulation::with_any_method`, or resume it with `Simulation::resume_with_any_method`"
+             `Simulation::with_methods` and a value of `mbs_runtime::methods`, or resume it with \
+             `Simulation::resume_with_methods`"
         )
     );
 }
@@ -126,6 +128,49 @@ fn the_constructors_for_any_method_run_each() {
         let apart = resumed.positions() - simulation.positions();
         assert!(apart.norm() < 1e-6, "{name}: {apart}");
     }
+}
+
+/// A program that names a method has this one, with the same digits, and no other.
+#[test]
+fn named_methods_run_and_no_others() {
+    fn run<C: Methods + Copy>(methods: C, named: &[&str]) {
+        for name in others() {
+            let settings = settings(name);
+            let simulation = Simulation::with_methods(SliderCrank::default(), settings, methods);
+            if !named.contains(&name) {
+                assert_not_compiled(simulation, name);
+                continue;
+            }
+            let mut simulation = simulation.unwrap();
+            let start = simulation.state().clone();
+            let mut resumed =
+                Simulation::resume_with_methods(SliderCrank::default(), settings, start, methods)
+                    .unwrap();
+            let mut any = Simulation::with_any_method(SliderCrank::default(), settings).unwrap();
+            for simulation in [&mut simulation, &mut resumed, &mut any] {
+                simulation.run_until(0.02).unwrap();
+            }
+            assert_eq!(simulation.state(), any.state(), "{name}");
+            assert_eq!(simulation.state(), resumed.state(), "{name}");
+        }
+    }
+    run(methods::Projected, &["projected"]);
+    run(methods::Baumgarte, &["baumgarte"]);
+    run(methods::Rattle, &["rattle"]);
+    run(methods::Penalty, &["penalty"]);
+    run(methods::Index3Projections, &["index3-projections"]);
+    run(methods::GeneralizedAlpha, &["generalized-alpha"]);
+    run(methods::Bdf, &["bdf"]);
+    run(methods::Paper, &["alf3f-paper", "m-alf"]);
+    let adaptive = Settings {
+        method: Method::Baumgarte(BaumgarteSettings {
+            adaptive: Some(1e-6),
+            ..BaumgarteSettings::default()
+        }),
+        ..Settings::default()
+    };
+    let named = Simulation::with_methods(SliderCrank::default(), adaptive, methods::Baumgarte);
+    named.unwrap().run_until(0.02).unwrap();
 }
 
 /// The two-level method is the same with both.

@@ -28,14 +28,30 @@ const COLUMNS: [&str; 10] = [
     "any_s",
 ];
 const ORIGIN_COLUMNS: [&str; 4] = ["mechanism", "size", "origin", "lines"];
+const METHOD_COLUMNS: [&str; 4] = ["mechanism", "size", "methods", "release_s"];
 
-/// The mechanisms of the table of origins.
+/// The mechanisms of the tables of origins and methods.
 const DISSECTED: [(&str, usize); 4] = [("chain", 10), ("platform", 6), ("frame", 2), ("loops", 10)];
+
+/// The method that every program has.
+const TWO_LEVEL: &str = "TwoLevel";
+/// The types of `mbs_runtime::methods` that stand for one method.
+const ONE: [&str; 8] = [
+    "Projected",
+    "Baumgarte",
+    "Rattle",
+    "Paper",
+    "Bdf",
+    "GeneralizedAlpha",
+    "Index3Projections",
+    "Penalty",
+];
 
 fn main() -> Result<(), String> {
     let recorder = Recorder::new("cargo run --release -p mbs-examples --example compile_times");
     let mut file = recorder.file("compile.csv", &COLUMNS, 2)?;
     let mut origins = recorder.file("compile_origins.csv", &ORIGIN_COLUMNS, 3)?;
+    let mut methods = recorder.file("compile_methods.csv", &METHOD_COLUMNS, 3)?;
     let user = User::new()?;
     println!(
         "{:<12} {:>5} {:>10} {:>6} {:>11} {:>8} {:>10} {:>10} {:>7} {:>11}",
@@ -57,7 +73,10 @@ fn main() -> Result<(), String> {
             continue;
         }
         let [velocities, rows, operations, written, statements] = counts(&declaration.text)?;
-        let [release, dev, any] = user.seconds(&declaration)?;
+        let seconds = |profile: &str, compiled: &str| user.seconds(&declaration, profile, compiled);
+        let release = seconds("--release", TWO_LEVEL)?;
+        let dev = seconds("--profile=dev", TWO_LEVEL)?;
+        let any = seconds("--release", "Any")?;
         println!(
             "{name:<12} {size:>5} {velocities:>10} {rows:>6} {operations:>11} {written:>8} {statements:>10} {release:>10.1} {dev:>7.1} {any:>7.1}"
         );
@@ -68,11 +87,22 @@ fn main() -> Result<(), String> {
         row.extend([release, dev, any].map(|time| format!("{time:.1}")));
         file.put(row)?;
         if DISSECTED.contains(&(name, declaration.size)) {
-            let [usual, any] = ["new", "any"].map(|make| user.ir(&declaration, make));
-            for (origin, lines) in origins::rows(&usual?, &any?) {
+            let size = declaration.size.to_string();
+            let [usual, all] = [TWO_LEVEL, "Any"].map(|methods| user.ir(&declaration, methods));
+            for (origin, lines) in origins::rows(&usual?, &all?) {
                 println!("    {origin:<40} {lines:>8}");
-                let size = declaration.size.to_string();
-                origins.put(vec![name.to_owned(), size, origin, lines.to_string()])?;
+                let row = [name, &size, &origin, &lines.to_string()];
+                origins.put(row.map(str::to_owned).to_vec())?;
+            }
+            let mut timed = vec![(TWO_LEVEL, release)];
+            for method in ONE {
+                timed.push((method, seconds("--release", method)?));
+            }
+            timed.push(("Any", any));
+            for (method, time) in timed {
+                println!("    {method:<40} {time:>8.1}");
+                let row = [name, &size, method, &format!("{time:.1}")];
+                methods.put(row.map(str::to_owned).to_vec())?;
             }
         }
     }
@@ -125,27 +155,23 @@ impl User {
         Ok(User { directory })
     }
 
-    /// Processor seconds for the crate alone, with the profiles `release` and `dev`, and in release with all methods.
-    fn seconds(&self, declaration: &Declaration) -> Result<[f64; 3], String> {
-        let mut times = [0.0; 3];
-        let builds = [
-            ("--release", "new"),
-            ("--profile=dev", "new"),
-            ("--release", "any"),
-        ];
-        for (time, (profile, make)) in times.iter_mut().zip(builds) {
-            // What the crate depends on is built first, with an empty one.
-            self.write("fn main() {}\n")?;
-            self.build(&["build", profile])?;
-            self.write(&program(declaration, make))?;
-            *time = self.build(&["build", profile])?;
-        }
-        Ok(times)
+    /// Processor seconds for the crate alone.
+    fn seconds(
+        &self,
+        declaration: &Declaration,
+        profile: &str,
+        methods: &str,
+    ) -> Result<f64, String> {
+        // What the crate depends on is built first, with an empty one.
+        self.write("fn main() {}\n")?;
+        self.build(&["build", profile])?;
+        self.write(&program(declaration, methods))?;
+        self.build(&["build", profile])
     }
 
     /// The LLVM IR of the crate before any optimisation.
-    fn ir(&self, declaration: &Declaration, make: &str) -> Result<String, String> {
-        self.write(&program(declaration, make))?;
+    fn ir(&self, declaration: &Declaration, methods: &str) -> Result<String, String> {
+        self.write(&program(declaration, methods))?;
         let path = self.directory.join("user.ll");
         let emit = format!("--emit=llvm-ir={}", path.display());
         let flags = ["-Cno-prepopulate-passes", "-Ccodegen-units=1"];
@@ -185,13 +211,15 @@ impl User {
     }
 }
 
-/// The program of a user: with the two-level method alone, or with any method.
-fn program(declaration: &Declaration, make: &str) -> String {
+/// The program of a user: with the two-level method alone, or with others beside it.
+fn program(declaration: &Declaration, methods: &str) -> String {
     let mut words = declaration.text.split_whitespace();
     let name = words.next().unwrap_or_default();
-    let make = match make {
-        "any" => format!("with_any_method({name}::default(), mbs_runtime::Settings::default())"),
-        _ => format!("new({name}::default())"),
+    let make = match methods {
+        TWO_LEVEL => format!("new({name}::default())"),
+        methods => format!(
+            "with_methods({name}::default(), mbs_runtime::Settings::default(), mbs_runtime::methods::{methods})"
+        ),
     };
     format!(
         "use mbs_runtime::{{Simulation, mechanism}};\nmechanism!({});\nfn main() {{\n    let mut simulation = Simulation::{make}.unwrap();\n    simulation.run_until(0.1).unwrap();\n    println!(\"{{}}\", simulation.energy().error);\n}}\n",

@@ -1,10 +1,11 @@
 //! What rustc compiles for a mechanism.
 
-use super::data::Data;
+use super::data::{Data, Line};
 use super::markdown::{table as markdown_table, thousands};
 
 const FILE: &str = "readme/compile.csv";
 const ORIGINS: &str = "readme/compile_origins.csv";
+const METHODS: &str = "readme/compile_methods.csv";
 
 /// Sizes and times as mechanisms grow.
 pub fn table(data: &Data) -> Result<String, String> {
@@ -45,20 +46,39 @@ pub fn table(data: &Data) -> Result<String, String> {
     ))
 }
 
-/// Lines of LLVM IR by origin, with a column for each mechanism.
+/// Lines of LLVM IR by origin.
 pub fn origins(data: &Data) -> Result<String, String> {
-    let results = data.table(ORIGINS)?;
-    let mut heading = vec!["origin".to_owned()];
+    by_mechanism(data, ORIGINS, "origin", |line| {
+        Ok(thousands(line.number("lines")?))
+    })
+}
+
+/// Seconds of a program with each method.
+pub fn methods(data: &Data) -> Result<String, String> {
+    by_mechanism(data, METHODS, "methods", |line| {
+        Ok(line.text("release_s")?.to_owned())
+    })
+}
+
+/// A row for each value of `key`, with a column for each mechanism.
+fn by_mechanism(
+    data: &Data,
+    file: &str,
+    key: &str,
+    entry: impl Fn(Line) -> Result<String, String>,
+) -> Result<String, String> {
+    let results = data.table(file)?;
+    let mut heading = vec![key.to_owned()];
     let mut rows: Vec<Vec<String>> = Vec::new();
     for line in results.lines() {
         let mechanism = format!("{} {}", line.text("mechanism")?, line.text("size")?);
         if !heading.contains(&mechanism) {
             heading.push(mechanism);
         }
-        let (origin, lines) = (line.text("origin")?, thousands(line.number("lines")?));
-        match rows.iter_mut().find(|row| row[0] == origin) {
-            Some(row) => row.push(lines),
-            None => rows.push(vec![origin.to_owned(), lines]),
+        let (name, entry) = (line.text(key)?.to_owned(), entry(line)?);
+        match rows.iter_mut().find(|row| row[0] == name) {
+            Some(row) => row.push(entry),
+            None => rows.push(vec![name, entry]),
         }
     }
     let heading: Vec<&str> = heading.iter().map(String::as_str).collect();

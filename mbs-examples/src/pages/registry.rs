@@ -93,6 +93,7 @@ pub const ENTRIES: &[Entry] = &[
     block(TWO_LEVELS, "redundant rows", instructions::redundant),
     block(MODEL_SIZE, "models", model_size::table),
     block(COMPILE_TIMES, "compile times", compile_times::table),
+    block(COMPILE_TIMES, "methods", compile_times::methods),
     block(COMPILE_TIMES, "origins", compile_times::origins),
     block(FIGURES[0], "runs", paper::runs_1),
     block(FIGURES[0], "deviations", paper::deviations),

@@ -6,10 +6,11 @@
 
 use super::bench::Bench;
 use super::index1::Index1;
+use super::rule::{AnyRule, Rule};
 use super::runge_kutta::RungeKutta;
 use super::tableau::DORMAND_PRINCE5;
-use crate::System;
 use crate::fault::Fault;
+use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
 const SAFETY: f64 = 0.9;
@@ -29,21 +30,56 @@ pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
-    pub(crate) fn new(gain: f64, tolerance: f64) -> Self {
-        Adaptive {
-            equations: Index1::new(gain),
+    /// Baumgarte's method with a tolerance.
+    pub(crate) fn rule<S: System<Q, N, R>>(
+        _: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        let Method::Baumgarte(settings) = &settings.method else {
+            return None;
+        };
+        Some(Ok(Box::new(Adaptive {
+            equations: Index1::new(settings.gain),
             stages: RungeKutta::new(&DORMAND_PRINCE5),
-            tolerance,
+            tolerance: settings.adaptive?,
             last: 1e-4,
-        }
+        })))
     }
 
-    /// Advances by h, in steps of its own. The length of the next one is kept in the state.
-    pub(crate) fn advance<S: System<Q, N, R>>(
+    /// Tries a step; returns its error in tolerances. It is taken if that is at most one.
+    fn try_step<S: System<Q, N, R>>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
-    ) -> Result<(), Fault> {
+    ) -> Result<f64, Fault> {
+        let end = self.stages.step(bench, &mut self.equations, h)?;
+        bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
+        let [turn, change] = self.stages.error(h);
+        let (q, v) = (bench.state.positions, bench.state.velocities);
+        let yardstick = &bench.yardstick;
+        // At rest, the speed that the acceleration gives in the step, and that which moves no position.
+        let gained = h.abs() * yardstick.measure(self.stages.first_acceleration());
+        let noise = yardstick.imperceptible(&q, h) / self.tolerance;
+        let speed = yardstick.measure(&v).max(gained).max(noise);
+        let scales = [yardstick.farthest(&q), speed];
+        let square = |x: &SVector<f64, N>, scale: f64| match scale > 0.0 {
+            true => yardstick.square(x) / (scale * scale),
+            false => 0.0,
+        };
+        let sum = square(&turn, scales[0]) + square(&change, scales[1]);
+        let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
+        if error <= 1.0 {
+            bench.commit(bench.state.time + h, end.q, end.v, false)?;
+        }
+        Ok(if error.is_nan() { f64::INFINITY } else { error })
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for Adaptive<Q, N, R>
+{
+    /// In steps of its own. The length of the next one is kept in the state.
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
         let end = bench.state.time + h;
         let mut left = h;
         let mut size = match bench.state.fields.step {
@@ -85,33 +121,5 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         bench.state.time = end;
         bench.state.fields.step = size;
         Ok(())
-    }
-
-    /// Tries a step; returns its error in tolerances. It is taken if that is at most one.
-    fn try_step<S: System<Q, N, R>>(
-        &mut self,
-        bench: &mut Bench<S, Q, N, R>,
-        h: f64,
-    ) -> Result<f64, Fault> {
-        let end = self.stages.step(bench, &mut self.equations, h)?;
-        bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
-        let [turn, change] = self.stages.error(h);
-        let (q, v) = (bench.state.positions, bench.state.velocities);
-        let yardstick = &bench.yardstick;
-        // At rest, the speed that the acceleration gives in the step, and that which moves no position.
-        let gained = h.abs() * yardstick.measure(self.stages.first_acceleration());
-        let noise = yardstick.imperceptible(&q, h) / self.tolerance;
-        let speed = yardstick.measure(&v).max(gained).max(noise);
-        let scales = [yardstick.farthest(&q), speed];
-        let square = |x: &SVector<f64, N>, scale: f64| match scale > 0.0 {
-            true => yardstick.square(x) / (scale * scale),
-            false => 0.0,
-        };
-        let sum = square(&turn, scales[0]) + square(&change, scales[1]);
-        let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
-        if error <= 1.0 {
-            bench.commit(bench.state.time + h, end.q, end.v, false)?;
-        }
-        Ok(if error.is_nan() { f64::INFINITY } else { error })
     }
 }

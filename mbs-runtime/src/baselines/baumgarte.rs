@@ -11,17 +11,16 @@
 
 use super::bench::Bench;
 use super::index1::Index1;
+use super::rule::{AnyRule, Rule};
 use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
-use crate::BaumgarteSettings;
 use crate::alf3f::closing::{self, Closing, Limits};
 use crate::alf3f::{not_converged, residual_of};
 use crate::fault::Fault;
 use crate::linear::{accumulate, negative};
 use crate::row_scale::RowScale;
 use crate::singular::{EXACT, RankMargin};
-use crate::yardstick::Yardstick;
-use crate::{Settings, State, System};
+use crate::{BaumgarteSettings, Method, Settings, System};
 use nalgebra::SVector;
 
 /// The treatment of violations of the rows.
@@ -39,40 +38,58 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
-    pub(crate) fn stabilised(order: u8, settings: &BaumgarteSettings) -> Self {
-        Explicit {
-            equations: Index1::new(settings.gain),
-            stages: RungeKutta::new(tableau(order)),
+    /// For Baumgarte's method with constant steps.
+    pub(crate) fn stabilised<S: System<Q, N, R>>(
+        _: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        let Method::Baumgarte(BaumgarteSettings {
+            gain,
+            adaptive: None,
+        }) = settings.method
+        else {
+            return None;
+        };
+        Some(Ok(Box::new(Explicit {
+            equations: Index1::new(gain),
+            stages: RungeKutta::new(tableau(settings.order)),
             remedy: Remedy::Terms,
             placed: false,
-        }
+        })))
     }
 
+    /// For the projected method.
     pub(crate) fn projected<S: System<Q, N, R>>(
-        system: &S,
-        state: &State<Q, N, R>,
-        yardstick: &Yardstick<Q, N>,
+        bench: &Bench<S, Q, N, R>,
         settings: &Settings,
-    ) -> Result<Self, Fault> {
-        let scale = Box::new(RowScale::new(system, yardstick, settings)?);
-        Ok(Explicit {
-            equations: Index1::detecting(system, state, scale.usual)?,
-            stages: RungeKutta::new(tableau(settings.order)),
-            remedy: Remedy::Projection(scale),
-            placed: false,
-        })
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        if settings.method != Method::Projected {
+            return None;
+        }
+        let make = || -> Result<AnyRule<S, Q, N, R>, Fault> {
+            let (system, state) = (&bench.system, &bench.state);
+            let scale = Box::new(RowScale::new(system, &bench.yardstick, settings)?);
+            Ok(Box::new(Explicit {
+                equations: Index1::detecting(system, state, scale.usual)?,
+                stages: RungeKutta::new(tableau(settings.order)),
+                remedy: Remedy::Projection(scale),
+                placed: false,
+            }))
+        };
+        Some(make())
     }
 
     /// Whether it detects singular poses, for which the rows are factored at the current state.
     fn watches(&self) -> bool {
         matches!(self.remedy, Remedy::Projection(_))
     }
+}
 
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for Explicit<Q, N, R>
+{
     /// The rank margin of the rows at the current state; `None` without rows, or if it is not needed.
-    pub(crate) fn rank_margin<S: System<Q, N, R>>(
-        &mut self,
-        bench: &mut Bench<S, Q, N, R>,
-    ) -> Option<RankMargin> {
+    fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {
         if !self.watches() {
             return None;
         }
@@ -85,10 +102,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
-    pub(crate) fn weakest_rows<S: System<Q, N, R>>(
-        &self,
-        bench: &Bench<S, Q, N, R>,
-    ) -> SVector<f64, R> {
+    fn weakest_rows(&self, bench: &Bench<S, Q, N, R>) -> SVector<f64, R> {
         let rows = S::STRUCTURE.holonomic_rows;
         self.equations
             .delassus
@@ -96,21 +110,16 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
     }
 
     /// See [`Index1::clearance`].
-    pub(crate) fn clearance(&self) -> f64 {
+    fn clearance(&self) -> f64 {
         self.equations.clearance()
     }
 
     /// After the state or an input was changed.
-    pub(crate) fn refresh(&mut self) {
+    fn refresh(&mut self) {
         self.placed = false;
     }
 
-    #[inline(always)]
-    pub(crate) fn step<S: System<Q, N, R>>(
-        &mut self,
-        bench: &mut Bench<S, Q, N, R>,
-        h: f64,
-    ) -> Result<(), Fault> {
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
         self.equations.begin();
         self.placed = false;
         let end = if self.stages.tableau.order == CLASSICAL.order {

@@ -20,13 +20,14 @@ use super::bdf_history::{History, MOST_ORDER};
 use super::bench::Bench;
 use super::index1::Index1;
 use super::motion::{Motion, consistent};
+use super::rule::{AnyRule, Rule};
 use super::saddle::Saddle;
 use crate::BdfSettings;
-use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
 use crate::linear::{dot, finite, scaled, vector};
 use crate::yardstick::Yardstick;
+use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
 /// Newton's corrections of positions end below this fraction of the tolerance of a step.
@@ -73,7 +74,18 @@ struct Trial<const Q: usize, const N: usize, const R: usize> {
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
-    pub(crate) fn new(settings: &BdfSettings) -> Self {
+    /// For the method of the settings.
+    pub(crate) fn rule<S: System<Q, N, R>>(
+        _: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        let Method::Bdf(bdf) = &settings.method else {
+            return None;
+        };
+        Some(Ok(Box::new(Bdf::new(bdf))))
+    }
+
+    fn new(settings: &BdfSettings) -> Self {
         Bdf {
             settings: *settings,
             history: Box::new(History::new()),
@@ -86,14 +98,14 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         }
     }
 
-    pub(crate) fn refresh(&mut self) {
+    fn refresh(&mut self) {
         self.history.keep(0);
         self.lambda = SVector::zeros();
         self.size = 0.0;
     }
 
     /// Advances by h, in steps of its own of which none is longer.
-    pub(crate) fn advance<S: System<Q, N, R>>(
+    fn advance<S: System<Q, N, R>>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
@@ -333,5 +345,17 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         self.history.push(t0 + h, &next.q, &next.v, &self.motion.p);
         self.lambda = next.lambda;
         Ok(())
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for Bdf<Q, N, R>
+{
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
+        Bdf::advance(self, bench, h)
+    }
+
+    fn refresh(&mut self) {
+        Bdf::refresh(self);
     }
 }

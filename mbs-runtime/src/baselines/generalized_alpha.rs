@@ -15,12 +15,13 @@
 use super::bench::Bench;
 use super::index1::Index1;
 use super::motion::{Motion, Progress, carry, consistent, move_rows};
+use super::rule::{AnyRule, Rule};
 use super::saddle::Saddle;
 use crate::GeneralizedAlphaSettings;
-use crate::System;
 use crate::fault::Fault;
 use crate::flow::pull_back;
 use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
+use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
@@ -46,7 +47,18 @@ struct History<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
-    pub(crate) fn new(settings: &GeneralizedAlphaSettings) -> Self {
+    /// For the method of the settings.
+    pub(crate) fn rule<S: System<Q, N, R>, const Q: usize>(
+        _: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        let Method::GeneralizedAlpha(alpha) = &settings.method else {
+            return None;
+        };
+        Some(Ok(Box::new(GeneralizedAlpha::new(alpha))))
+    }
+
+    fn new(settings: &GeneralizedAlphaSettings) -> Self {
         let rho = settings.spectral_radius;
         let (alpha_m, alpha_f) = ((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0));
         let gamma = 0.5 + alpha_f - alpha_m;
@@ -64,11 +76,11 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         }
     }
 
-    pub(crate) fn refresh(&mut self) {
+    fn refresh(&mut self) {
         self.history = None;
     }
 
-    pub(crate) fn step<S: System<Q, N, R>, const Q: usize>(
+    fn step<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
@@ -214,5 +226,17 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         }
         self.shift.solve(&mut shift, &mut rows, &self.moved);
         Ok(shift)
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for GeneralizedAlpha<N, R>
+{
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
+        GeneralizedAlpha::step(self, bench, h)
+    }
+
+    fn refresh(&mut self) {
+        GeneralizedAlpha::refresh(self);
     }
 }

@@ -15,12 +15,13 @@
 use super::bench::Bench;
 use super::index1::Index1;
 use super::motion::{Motion, Progress, consistent, move_rows};
+use super::rule::{AnyRule, Rule};
 use crate::ProjectionSettings;
-use crate::System;
 use crate::fault::Fault;
 use crate::flow::pull_back;
 use crate::linear::{Pivoted, RowMatrix, accumulate, dot, scaled, vector};
 use crate::sink::Discard;
+use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
 pub(crate) struct Index3<const N: usize, const R: usize> {
@@ -42,7 +43,18 @@ struct History<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> Index3<N, R> {
-    pub(crate) fn new(settings: &ProjectionSettings) -> Self {
+    /// For the method of the settings.
+    pub(crate) fn rule<S: System<Q, N, R>, const Q: usize>(
+        _: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        let Method::Index3Projections(projections) = &settings.method else {
+            return None;
+        };
+        Some(Ok(Box::new(Index3::new(projections))))
+    }
+
+    fn new(settings: &ProjectionSettings) -> Self {
         Index3 {
             penalty: settings.penalty,
             motion: Motion::new(),
@@ -53,11 +65,11 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         }
     }
 
-    pub(crate) fn refresh(&mut self) {
+    fn refresh(&mut self) {
         self.history = None;
     }
 
-    pub(crate) fn step<S: System<Q, N, R>, const Q: usize>(
+    fn step<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
@@ -187,5 +199,17 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         for i in 0..N {
             x[i] += change[i];
         }
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for Index3<N, R>
+{
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
+        Index3::step(self, bench, h)
+    }
+
+    fn refresh(&mut self) {
+        Index3::refresh(self);
     }
 }

@@ -14,10 +14,17 @@ mod index3_projections;
 mod motion;
 mod penalty;
 mod rattle;
+pub(crate) mod rule;
 mod runge_kutta;
 mod saddle;
 mod stepper;
 mod tableau;
 
+pub(crate) use baumgarte::Explicit;
+pub(crate) use bdf::Bdf;
 pub(crate) use bench::Works;
+pub(crate) use generalized_alpha::GeneralizedAlpha;
+pub(crate) use index3_projections::Index3;
+pub(crate) use penalty::Penalty;
+pub(crate) use rattle::Rattle;
 pub use stepper::BaselineStepper;

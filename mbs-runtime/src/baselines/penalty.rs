@@ -12,12 +12,13 @@
 
 use super::bench::Bench;
 use super::motion::{Motion, Progress, move_rows};
+use super::rule::{AnyRule, Rule};
 use crate::PenaltySettings;
-use crate::System;
 use crate::fault::Fault;
 use crate::flow::{pull_back, trapezoid};
 use crate::linear::{Pivoted, RowMatrix, array, largest, scaled, vector};
 use crate::row_scale::RowScale;
+use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
 pub(crate) struct Penalty<const N: usize, const R: usize> {
@@ -31,7 +32,19 @@ pub(crate) struct Penalty<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> Penalty<N, R> {
-    pub(crate) fn new(settings: PenaltySettings, scale: RowScale<R>) -> Self {
+    /// For the method of the settings.
+    pub(crate) fn rule<S: System<Q, N, R>, const Q: usize>(
+        bench: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        let Method::Penalty(penalty) = settings.method else {
+            return None;
+        };
+        let scale = RowScale::new(&bench.system, &bench.yardstick, settings);
+        Some(scale.map(|scale| -> AnyRule<S, Q, N, R> { Box::new(Penalty::new(penalty, scale)) }))
+    }
+
+    fn new(settings: PenaltySettings, scale: RowScale<R>) -> Self {
         Penalty {
             settings,
             scale: Box::new(scale),
@@ -72,7 +85,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
         })
     }
 
-    pub(crate) fn step<S: System<Q, N, R>, const Q: usize>(
+    fn step<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
@@ -186,4 +199,12 @@ fn pull<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     force: &SVector<f64, R>,
 ) {
     crate::linear::accumulate(x, &bench.geometry.a, &scaled(weight, force));
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for Penalty<N, R>
+{
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
+        Penalty::step(self, bench, h)
+    }
 }

@@ -10,6 +10,7 @@
 //! factored by plain elimination, which fails with dependent rows and at singular poses.
 
 use super::bench::Bench;
+use super::rule::{AnyRule, Rule};
 use crate::alf3f::closing::{self, Closing, Limits};
 use crate::alf3f::{not_converged, residual_of};
 use crate::constraint_geometry::ConstraintGeometry;
@@ -18,7 +19,7 @@ use crate::flow::{KickFlow, Leapfrog, Midpoint};
 use crate::linear::{Pivoted, RowMatrix, accumulate, negative, scaled, vector};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
-use crate::{Settings, System};
+use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
 pub(crate) struct Rattle<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -42,7 +43,24 @@ struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> 
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<S, Q, N, R> {
-    pub(crate) fn new(
+    /// For the method of the settings.
+    pub(crate) fn rule(
+        bench: &Bench<S, Q, N, R>,
+        settings: &Settings,
+    ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+        if settings.method != Method::Rattle {
+            return None;
+        }
+        let rattle = Self::new(
+            &bench.system,
+            &bench.state.positions,
+            &bench.yardstick,
+            settings,
+        );
+        Some(rattle.map(|rattle| -> AnyRule<S, Q, N, R> { Box::new(rattle) }))
+    }
+
+    fn new(
         system: &S,
         q: &SVector<f64, Q>,
         yardstick: &Yardstick<Q, N>,
@@ -64,11 +82,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rattle<
         })
     }
 
-    pub(crate) fn refresh(&mut self) {
+    fn refresh(&mut self) {
         self.rows.force = SVector::zeros();
     }
 
-    pub(crate) fn step(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
+    fn step(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
         match &mut self.flow {
             Stepping::Leapfrog(flow) => self.rows.step(bench, &mut **flow, h),
             Stepping::Midpoint(flow) => self.rows.step(bench, &mut **flow, h),
@@ -203,5 +221,17 @@ where
     #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
         not_converged(&self.bench.phi, &self.rows.scale.weights, iterations)
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
+    for Rattle<S, Q, N, R>
+{
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
+        Rattle::step(self, bench, h)
+    }
+
+    fn refresh(&mut self) {
+        Rattle::refresh(self);
     }
 }

@@ -1,18 +1,11 @@
 //! One interface for all baselines.
 
 use super::Works;
-use super::adaptive::Adaptive;
-use super::baumgarte::Explicit;
-use super::bdf::Bdf;
 use super::bench::Bench;
-use super::generalized_alpha::GeneralizedAlpha;
-use super::index3_projections::Index3;
-use super::penalty::Penalty;
-use super::rattle::Rattle;
+use super::rule::{self, AnyRule, MakeRule};
 use crate::alf3f::Counters;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
@@ -23,18 +16,7 @@ use nalgebra::SVector;
 /// A step allocates nothing. [`Simulation`](crate::Simulation) wraps it; use it directly to measure.
 pub struct BaselineStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) bench: Bench<S, Q, N, R>,
-    rule: Rule<S, Q, N, R>,
-}
-
-/// The method and its workspace.
-enum Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
-    Explicit(Box<Explicit<Q, N, R>>),
-    Adaptive(Box<Adaptive<Q, N, R>>),
-    Rattle(Box<Rattle<S, Q, N, R>>),
-    Penalty(Box<Penalty<N, R>>),
-    Index3(Box<Index3<N, R>>),
-    GeneralizedAlpha(Box<GeneralizedAlpha<N, R>>),
-    Bdf(Box<Bdf<Q, N, R>>),
+    rule: AnyRule<S, Q, N, R>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -50,67 +32,48 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
-        settings.check()?;
-        if let Some(because) = refusal(&settings.method, &S::STRUCTURE, R) {
-            return Err(SimulationError::Method {
-                method: settings.method.name(),
-                because,
+        if let Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) = settings.method {
+            return Err(SimulationError::Setting {
+                name: "method",
+                value: f64::NAN,
+                wanted: "one of the baselines",
             });
+        }
+        Self::with(rule::any, system, state, settings)
+    }
+
+    /// The same with the rule of one baseline, so that the others are not compiled.
+    pub(crate) fn with(
+        make: MakeRule<S, Q, N, R>,
+        system: S,
+        state: State<Q, N, R>,
+        settings: &Settings,
+    ) -> Result<Self, SimulationError> {
+        settings.check()?;
+        let method = settings.method.name();
+        if let Some(because) = refusal(&settings.method, &S::STRUCTURE, R) {
+            return Err(SimulationError::Method { method, because });
         }
         let time = state.time;
         let fault =
             |fault: Fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step);
-        let yardstick = Box::new(Yardstick::new(&system, settings.step));
-        let rule = match &settings.method {
-            Method::Baumgarte(baumgarte) => match baumgarte.adaptive {
-                None => Rule::Explicit(Box::new(Explicit::stabilised(settings.order, baumgarte))),
-                Some(tolerance) => {
-                    Rule::Adaptive(Box::new(Adaptive::new(baumgarte.gain, tolerance)))
-                }
-            },
-            Method::Projected => Rule::Explicit(Box::new(
-                Explicit::projected(&system, &state, &yardstick, settings).map_err(fault)?,
-            )),
-            Method::Rattle => Rule::Rattle(Box::new(
-                Rattle::new(&system, &state.positions, &yardstick, settings).map_err(fault)?,
-            )),
-            Method::Penalty(penalty) => {
-                let scale = RowScale::new(&system, &yardstick, settings).map_err(fault)?;
-                Rule::Penalty(Box::new(Penalty::new(*penalty, scale)))
-            }
-            Method::Index3Projections(projections) => {
-                Rule::Index3(Box::new(Index3::new(projections)))
-            }
-            Method::GeneralizedAlpha(alpha) => {
-                Rule::GeneralizedAlpha(Box::new(GeneralizedAlpha::new(alpha)))
-            }
-            Method::Bdf(bdf) => Rule::Bdf(Box::new(Bdf::new(bdf))),
-            Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) => {
-                return Err(SimulationError::Setting {
-                    name: "method",
-                    value: f64::NAN,
-                    wanted: "one of the baselines",
-                });
-            }
+        let mut bench = Bench {
+            yardstick: Box::new(Yardstick::new(&system, settings.step)),
+            geometry: ConstraintGeometry::new(&system, &state.positions).map_err(fault)?,
+            system,
+            state,
+            phi: SVector::zeros(),
+            settled: false,
+            counters: Counters::default(),
+            works: Works::default(),
+            multipliers: None,
+            max_iterations: settings.max_iterations,
         };
-        let geometry = ConstraintGeometry::new(&system, &state.positions).map_err(fault)?;
-        let mut stepper = BaselineStepper {
-            bench: Bench {
-                system,
-                state,
-                geometry,
-                phi: SVector::zeros(),
-                settled: false,
-                counters: Counters::default(),
-                works: Works::default(),
-                multipliers: None,
-                max_iterations: settings.max_iterations,
-                yardstick,
-            },
-            rule,
-        };
-        stepper.bench.settle().map_err(fault)?;
-        Ok(stepper)
+        let rule = make(&bench, settings)
+            .ok_or(SimulationError::NotCompiled { method })?
+            .map_err(fault)?;
+        bench.settle().map_err(fault)?;
+        Ok(BaselineStepper { bench, rule })
     }
 
     /// Advances by h seconds.
@@ -130,15 +93,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             return Err(Fault::NonFinite("step"));
         }
         self.bench.works = Works::default();
-        let outcome = match &mut self.rule {
-            Rule::Explicit(rule) => rule.step(&mut self.bench, h),
-            Rule::Adaptive(rule) => rule.advance(&mut self.bench, h),
-            Rule::Rattle(rule) => rule.step(&mut self.bench, h),
-            Rule::Penalty(rule) => rule.step(&mut self.bench, h),
-            Rule::Index3(rule) => rule.step(&mut self.bench, h),
-            Rule::GeneralizedAlpha(rule) => rule.step(&mut self.bench, h),
-            Rule::Bdf(rule) => rule.advance(&mut self.bench, h),
-        };
+        let outcome = self.rule.advance(&mut self.bench, h);
         // A step that failed leaves the geometry of its last trial.
         self.bench.settled &= outcome.is_ok();
         outcome
@@ -166,26 +121,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// The rank margin of the rows at the current state; `None` if there are no rows, or if the method does not compute
     /// it.
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
-        match &mut self.rule {
-            Rule::Explicit(rule) => rule.rank_margin(&mut self.bench),
-            _ => None,
-        }
+        self.rule.rank_margin(&mut self.bench)
     }
 
     /// The weight of each row in the combination that is nearest to dependence.
     pub(crate) fn weakest_rows(&self) -> SVector<f64, R> {
-        match &self.rule {
-            Rule::Explicit(rule) => rule.weakest_rows(&self.bench),
-            _ => SVector::zeros(),
-        }
+        self.rule.weakest_rows(&self.bench)
     }
 
     /// How far the evaluations of the last step stayed from singular poses, as a fraction of the way.
     pub(crate) fn clearance(&self) -> f64 {
-        match &self.rule {
-            Rule::Explicit(rule) => rule.clearance(),
-            _ => f64::INFINITY,
-        }
+        self.rule.clearance()
     }
 
     /// Results of the last step: its works, and the rows at its end.
@@ -198,15 +144,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// Forgets what was known of the current instant, after the state or an input was changed.
     pub(crate) fn refresh(&mut self) -> Result<(), Fault> {
-        match &mut self.rule {
-            Rule::Rattle(rule) => rule.refresh(),
-            Rule::Index3(rule) => rule.refresh(),
-            Rule::GeneralizedAlpha(rule) => rule.refresh(),
-            Rule::Bdf(rule) => rule.refresh(),
-            Rule::Explicit(rule) => rule.refresh(),
-            // The springs of penalties are those of the start.
-            Rule::Adaptive(_) | Rule::Penalty(_) => {}
-        }
+        self.rule.refresh();
         self.bench.settled = false;
         self.bench.settle()
     }

@@ -229,10 +229,10 @@ impl Settings {
     /// An accuracy and nothing else: the largest error of a position over the run, in sizes of the mechanism and radians,
     /// between 1e-11 and 0.1.
     ///
-    /// The tolerance is an eighth of the accuracy. Where all methods are compiled
-    /// ([`Simulation::with_any_method`](crate::Simulation::with_any_method)) the simulation runs the beginning of the motion
-    /// with the two-level and with the projected explicit method, and takes the one that needs fewer operations for a
-    /// second of it, from the start on; otherwise it takes the two-level one.
+    /// The tolerance is an eighth of the accuracy. Where the projected explicit method is compiled
+    /// ([`Simulation::with_accuracy`](crate::Simulation::with_accuracy)) the simulation runs the beginning of the motion
+    /// with it and with the two-level method, and takes the one that needs fewer operations for a second of it, from the
+    /// start on; otherwise it takes the two-level one.
     /// [`Simulation::settings`](crate::Simulation::settings) tells which. The choice is not revised on the way: the tolerance
     /// holds all the same, but a motion that becomes stiff later takes more steps than it had to.
     ///
@@ -244,7 +244,7 @@ impl Settings {
     /// #     pivot: Revolute(ground.origin, rod.a),
     /// # });
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-    /// let mut simulation = Simulation::with_any_method(Pendulum {}, Settings::accuracy(1e-8))?;
+    /// let mut simulation = Simulation::with_accuracy(Pendulum {}, 1e-8)?;
     /// simulation.run_until(10.0)?;
     /// println!("{}", simulation.settings().method.name());
     /// # Ok(())

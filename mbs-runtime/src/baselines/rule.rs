@@ -1,0 +1,74 @@
+//! What the baselines have in common: steps from the state of the bench.
+
+use super::adaptive::Adaptive;
+use super::baumgarte::Explicit;
+use super::bdf::Bdf;
+use super::bench::Bench;
+use super::generalized_alpha::GeneralizedAlpha;
+use super::index3_projections::Index3;
+use super::penalty::Penalty;
+use super::rattle::Rattle;
+use crate::fault::Fault;
+use crate::singular::RankMargin;
+use crate::{Settings, System};
+use nalgebra::SVector;
+
+/// A method and its workspace.
+pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>:
+    Send + Sync
+{
+    /// Advances by h seconds.
+    fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault>;
+
+    /// Forgets what is known of the current instant, after the state or an input was changed.
+    fn refresh(&mut self) {}
+
+    /// The rank margin of the rows at the current state; `None` if there are no rows, or if the method does not compute
+    /// it.
+    fn rank_margin(&mut self, _: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {
+        None
+    }
+
+    /// The weight of each row in the combination that is nearest to dependence.
+    fn weakest_rows(&self, _: &Bench<S, Q, N, R>) -> SVector<f64, R> {
+        SVector::zeros()
+    }
+
+    /// How far the evaluations of the last step stayed from singular poses, as a fraction of the way.
+    fn clearance(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// A rule that a program has compiled.
+pub(crate) type AnyRule<S, const Q: usize, const N: usize, const R: usize> =
+    Box<dyn Rule<S, Q, N, R>>;
+
+/// Makes the rule of the settings for a bench at its start; `None` if they have another method.
+pub(crate) type MakeRule<S, const Q: usize, const N: usize, const R: usize> =
+    fn(&Bench<S, Q, N, R>, &Settings) -> Option<Result<AnyRule<S, Q, N, R>, Fault>>;
+
+/// The rule of Baumgarte's method, with constant steps or with a tolerance.
+pub(crate) fn baumgarte<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    bench: &Bench<S, Q, N, R>,
+    settings: &Settings,
+) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+    Explicit::stabilised(bench, settings).or_else(|| Adaptive::rule(bench, settings))
+}
+
+/// The rule of any baseline.
+pub(crate) fn any<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    bench: &Bench<S, Q, N, R>,
+    settings: &Settings,
+) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+    let makes: [MakeRule<S, Q, N, R>; 7] = [
+        Explicit::projected,
+        baumgarte,
+        Rattle::rule,
+        Penalty::rule,
+        Index3::rule,
+        GeneralizedAlpha::rule,
+        Bdf::rule,
+    ];
+    makes.iter().find_map(|make| make(bench, settings))
+}
