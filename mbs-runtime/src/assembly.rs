@@ -173,9 +173,18 @@ pub(crate) fn independent_rows<
     yardstick: &Yardstick<Q, N>,
 ) -> Dependence {
     dependence(geometry.a.rows(), geometry.w.rows(), |i| {
-        let expected = RowScale::<R>::expected::<S, Q, N>(i, yardstick.length);
-        yardstick.row_length_squared(&geometry.a[i]) <= (NOTHING * expected).powi(2)
+        vanishes(geometry, yardstick, i)
     })
+}
+
+/// Whether a row is zero except for round-off.
+pub(crate) fn vanishes<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    yardstick: &Yardstick<Q, N>,
+    row: usize,
+) -> bool {
+    let expected = RowScale::<R>::expected::<S, Q, N>(row, yardstick.length);
+    yardstick.row_length_squared(&geometry.a[row]) <= (NOTHING * expected).powi(2)
 }
 
 /// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.

@@ -67,7 +67,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     pub(crate) fn is_sparse(&self) -> bool {
         match self {
             Integrator::TwoLevel(stepper) => stepper.is_sparse(),
-            Integrator::Other(_) => false,
+            Integrator::Other(stepper) => stepper.is_sparse(),
         }
     }
 

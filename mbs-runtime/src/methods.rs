@@ -17,7 +17,7 @@
 //! # Ok::<(), mbs_runtime::SimulationError>(())
 //! ```
 
-use crate::baselines::{self, rule};
+use crate::baselines::{self, registry};
 use crate::stepper::AnyStepper;
 use crate::{BaselineStepper, Method, PaperStepper, Settings, SimulationError, State, System};
 
@@ -66,7 +66,7 @@ macro_rules! baselines {
 
 baselines! {
     Projected: baselines::Explicit::projected;
-    Baumgarte: rule::baumgarte;
+    Baumgarte: registry::baumgarte;
     Rattle: baselines::Rattle::rule;
     Penalty: baselines::Penalty::rule;
     Index3Projections: baselines::Index3::rule;

@@ -1,6 +1,6 @@
 //! Joint reactions at an instant, from the equations at acceleration level.
 
-use crate::assembly::independent_rows;
+use crate::assembly::{independent_rows, vanishes};
 use crate::dynamics::Dynamics;
 use crate::fault::Fault;
 use crate::yardstick::Yardstick;
@@ -17,14 +17,26 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     let (acceleration, lambda) = (dynamics.accelerations(), dynamics.multipliers());
     let mut values = vec![0.0; S::MODEL.reactions.len()];
     system.reactions(t, q, v, acceleration, lambda, &mut values);
-    let geometry = &dynamics.geometry;
     Ok(Reactions {
-        unique: !dynamics.solver.regularised
-            && !S::MODEL.leaves_rows_out()
-            && independent_rows(system, geometry, &Yardstick::new(system, step))
-                .dependent
-                .is_empty(),
+        unique: is_unique(&dynamics, &Yardstick::new(system, step)),
         values,
         multipliers: lambda.as_slice().to_vec(),
     })
+}
+
+/// Whether the rows are independent, so that there is one solution for λ.
+fn is_unique<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    dynamics: &Dynamics<S, Q, N, R>,
+    yardstick: &Yardstick<Q, N>,
+) -> bool {
+    let (geometry, solver) = (&dynamics.geometry, &dynamics.solver);
+    if solver.regularised || S::MODEL.leaves_rows_out() {
+        return false;
+    }
+    // Pivots that are far from round-off leave no doubt; otherwise the rows themselves are compared.
+    let clear = !solver.weak && !(0..R).any(|row| vanishes(geometry, yardstick, row));
+    clear
+        || independent_rows(&dynamics.system, geometry, yardstick)
+            .dependent
+            .is_empty()
 }

@@ -15,7 +15,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
 {
     fn step(&mut self, h: f64, monitor: &mut StepMonitor) -> Result<(), SimulationError>;
     fn rank_margin(&mut self) -> Option<RankMargin>;
-    fn weakest_rows(&self) -> SVector<f64, R>;
+    fn weakest_rows(&mut self) -> SVector<f64, R>;
     fn system(&self) -> &S;
     fn system_mut(&mut self) -> &mut S;
     fn state(&self) -> &State<Q, N, R>;
@@ -25,6 +25,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn multipliers(&self) -> Option<SVector<f64, R>>;
     fn flow(&self) -> Flow;
     fn counters(&self) -> Counters;
+    fn is_sparse(&self) -> bool;
 }
 
 /// Quantities after a step, for the report.
@@ -69,7 +70,7 @@ where
         None
     }
 
-    fn weakest_rows(&self) -> SVector<f64, R> {
+    fn weakest_rows(&mut self) -> SVector<f64, R> {
         SVector::zeros()
     }
 
@@ -112,6 +113,10 @@ where
     fn counters(&self) -> Counters {
         PaperStepper::counters(self)
     }
+
+    fn is_sparse(&self) -> bool {
+        false
+    }
 }
 
 impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
@@ -135,7 +140,7 @@ where
         BaselineStepper::rank_margin(self)
     }
 
-    fn weakest_rows(&self) -> SVector<f64, R> {
+    fn weakest_rows(&mut self) -> SVector<f64, R> {
         BaselineStepper::weakest_rows(self)
     }
 
@@ -180,5 +185,9 @@ where
 
     fn counters(&self) -> Counters {
         BaselineStepper::counters(self)
+    }
+
+    fn is_sparse(&self) -> bool {
+        BaselineStepper::is_sparse(self)
     }
 }

@@ -20,12 +20,13 @@ pub(crate) fn work(
     let of = |name: &str| model.cost_of(name).map(|cost| cost as f64);
     let cost = |name: &str| of(name).unwrap_or(0.0);
     let constraints = cost("constraints");
-    let metric = of("metric").unwrap_or(cost("solve_mass_rows") + cost("delassus") + 2.0 * r * r);
-    let elimination = match sparse {
-        true => SPARSE * r,
-        false => r * r * r / 3.0,
+    let metric =
+        || of("metric").unwrap_or(cost("solve_mass_rows") + cost("delassus") + 2.0 * r * r);
+    // Of a dense elimination with its metric, or of a planned one with its products; a solution; products with A.
+    let (metric, elimination, solution, products) = match sparse {
+        true => (0.0, SPARSE * r, 0.3 * SPARSE * r, 0.0),
+        false => (metric(), r * r * r / 3.0, 2.0 * r * r, 4.0 * n * r),
     };
-    let products = 4.0 * n * r;
     let (stage, correction) = match (settings.method, flow) {
         (Method::Projected, _) => {
             let dense = constraints
@@ -33,6 +34,7 @@ pub(crate) fn work(
                 + cost("constraint_rates")
                 + cost("forces")
                 + elimination
+                + solution
                 + products;
             (
                 of("accelerations")
@@ -43,7 +45,7 @@ pub(crate) fn work(
         }
         (_, Flow::Leapfrog) => (
             constraints + metric + cost("acceleration") + 3.0 * elimination + 2.0 * products,
-            constraints + 2.0 * r * r + 2.0 * n * r,
+            constraints + solution + 0.5 * products,
         ),
         _ => {
             let tangents = of("balance_tangents").unwrap_or(cost("force_tangents"));
@@ -51,7 +53,7 @@ pub(crate) fn work(
             let factor = 2.0 / 3.0 * n * n * n;
             (
                 constraints + metric + tangents + factor + 2.0 * n * n * r + 3.0 * elimination,
-                constraints + balance + 2.0 * n * n + 2.0 * r * r + products,
+                constraints + balance + 2.0 * n * n + solution + products,
             )
         }
     };

@@ -8,7 +8,7 @@ mod kick_flow_kick;
 mod kicks;
 mod mixed_kicks;
 mod paper;
-mod sparse;
+pub(crate) mod sparse;
 mod sparse_kicks;
 mod stage_placement;
 mod step_context;

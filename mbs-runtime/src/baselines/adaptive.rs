@@ -32,14 +32,14 @@ pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
 impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
     /// Baumgarte's method with a tolerance.
     pub(crate) fn rule<S: System<Q, N, R>>(
-        _: &Bench<S, Q, N, R>,
+        bench: &Bench<S, Q, N, R>,
         settings: &Settings,
     ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
         let Method::Baumgarte(settings) = &settings.method else {
             return None;
         };
         Some(Ok(Box::new(Adaptive {
-            equations: Index1::new(settings.gain),
+            equations: Index1::planned(bench, settings.gain),
             stages: RungeKutta::new(&DORMAND_PRINCE5),
             tolerance: settings.adaptive?,
             last: 1e-4,

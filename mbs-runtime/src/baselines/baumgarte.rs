@@ -40,7 +40,7 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
 impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
     /// For Baumgarte's method with constant steps.
     pub(crate) fn stabilised<S: System<Q, N, R>>(
-        _: &Bench<S, Q, N, R>,
+        bench: &Bench<S, Q, N, R>,
         settings: &Settings,
     ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
         let Method::Baumgarte(BaumgarteSettings {
@@ -51,7 +51,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             return None;
         };
         Some(Ok(Box::new(Explicit {
-            equations: Index1::new(gain),
+            equations: Index1::planned(bench, gain),
             stages: RungeKutta::new(tableau(settings.order)),
             remedy: Remedy::Terms,
             placed: false,
@@ -67,10 +67,9 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             return None;
         }
         let make = || -> Result<AnyRule<S, Q, N, R>, Fault> {
-            let (system, state) = (&bench.system, &bench.state);
-            let scale = Box::new(RowScale::new(system, &bench.yardstick, settings)?);
+            let scale = Box::new(RowScale::new(&bench.system, &bench.yardstick, settings)?);
             Ok(Box::new(Explicit {
-                equations: Index1::detecting(system, state, scale.usual)?,
+                equations: Index1::detecting(bench, scale.usual)?,
                 stages: RungeKutta::new(tableau(settings.order)),
                 remedy: Remedy::Projection(scale),
                 placed: false,
@@ -95,18 +94,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         }
         if !self.placed {
             let (t, q) = (bench.state.time, bench.state.positions);
-            self.equations.place(bench, t, &q).ok()?;
+            self.equations.settle(bench, t, &q).ok()?;
             self.placed = true;
         }
         self.equations.rank_margin(bench)
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
-    fn weakest_rows(&self, bench: &Bench<S, Q, N, R>) -> SVector<f64, R> {
+    fn weakest_rows(&mut self, bench: &Bench<S, Q, N, R>) -> SVector<f64, R> {
         let rows = S::STRUCTURE.holonomic_rows;
+        if let Some(planned) = &mut self.equations.planned
+            && planned.is_sound()
+        {
+            return planned.weakest_rows();
+        }
         self.equations
             .delassus
             .combination(&bench.geometry.delassus, rows)
+    }
+
+    fn is_sparse(&self) -> bool {
+        self.equations.planned.is_some()
     }
 
     /// See [`Index1::clearance`].
@@ -157,6 +165,12 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         q: &mut SVector<f64, Q>,
         scale: &RowScale<R>,
     ) -> Result<(), Fault> {
+        if let Some(planned) = &mut self.planned
+            && let Some(closed) = planned.close(bench, t, q, scale)?
+        {
+            bench.counters.iterations += closed.iterations as u64;
+            return Ok(());
+        }
         self.place(bench, t, q)?;
         let limits = Limits {
             most: bench.max_iterations,
@@ -183,6 +197,11 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         bench: &Bench<S, Q, N, R>,
         v: &mut SVector<f64, N>,
     ) {
+        if let Some(planned) = &mut self.planned
+            && planned.is_sound()
+        {
+            return planned.project(&bench.geometry.b, v);
+        }
         for _ in 0..2 {
             let mut multiplier = negative(&bench.geometry.velocity_rows(&bench.system, v));
             self.delassus.solve(&mut multiplier);

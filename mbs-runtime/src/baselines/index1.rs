@@ -1,13 +1,14 @@
 //! The equations at acceleration level (index 1): M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0.
 
 use super::bench::Bench;
+use super::planned::Planned;
+use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, accumulate, vector};
 use crate::singular::{REDUNDANT_OFF_ROWS, RankMargin};
 use crate::sink::Discard;
-use crate::{State, System};
 use nalgebra::SVector;
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte if the settings have them:
@@ -17,6 +18,8 @@ use nalgebra::SVector;
 /// ```
 pub(crate) struct Index1<const N: usize, const R: usize> {
     pub(crate) delassus: Box<DelassusFactor<R>>,
+    /// Instead of it where rows are many.
+    pub(crate) planned: Option<Box<Planned<N, R>>>,
     /// 2α, 1/s.
     damping: f64,
     /// β², 1/s².
@@ -35,6 +38,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     pub(crate) fn new(gain: f64) -> Self {
         Index1 {
             delassus: Box::new(DelassusFactor::new()),
+            planned: None,
             damping: 2.0 * gain,
             stiffness: gain * gain,
             gamma: SVector::zeros(),
@@ -44,14 +48,24 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         }
     }
 
-    /// The same without stabilising terms, for steps that detect singular poses and redundant rows from those at this
-    /// state.
+    /// The same, by planned elimination where there is one.
+    pub(crate) fn planned<S: System<Q, N, R>, const Q: usize>(
+        bench: &Bench<S, Q, N, R>,
+        gain: f64,
+    ) -> Self {
+        let mut equations = Index1::new(gain);
+        equations.planned = Planned::new(bench, equations.delassus.thresholds);
+        equations
+    }
+
+    /// The same without stabilising terms, for steps that detect singular poses and redundant rows from those at the
+    /// state of the bench.
     pub(crate) fn detecting<S: System<Q, N, R>, const Q: usize>(
-        system: &S,
-        state: &State<Q, N, R>,
+        bench: &Bench<S, Q, N, R>,
         usual: SVector<f64, R>,
     ) -> Result<Self, Fault> {
-        let mut equations = Index1::new(0.0);
+        let (system, state) = (&bench.system, &bench.state);
+        let mut equations = Index1::planned(bench, 0.0);
         let mut geometry = ConstraintGeometry::new(system, &state.positions)?;
         let mut phi = SVector::zeros();
         geometry.evaluate(system, state.time, &state.positions, &mut phi)?;
@@ -115,11 +129,46 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                 }
             }
         }
+        if let Some(acceleration) = self.by_plan(bench, t, q, v) {
+            return Ok(acceleration);
+        }
         self.place(bench, t, q)?;
         if let Some(now) = self.rank_margin(bench) {
             self.note(1.0 / (now.least * now.least));
         }
         Ok(self.acceleration(bench, t, q, v))
+    }
+
+    /// v̇ by the planned elimination; `None` where there is none, and where rows are nearly dependent.
+    #[inline(always)]
+    fn by_plan<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> Option<SVector<f64, N>> {
+        if const { S::ELIMINATION.is_none() } {
+            return None;
+        }
+        let planned = self.planned.as_mut()?;
+        if !planned.place(bench, t, q) {
+            return None;
+        }
+        let system = &bench.system;
+        system.constraint_rates(t, q, v, &mut Discard, &mut self.gamma);
+        let mut demand = self.gamma;
+        if self.damping != 0.0 || self.stiffness != 0.0 {
+            let rates = planned.rates(v);
+            for i in 0..R {
+                demand[i] +=
+                    self.damping * (rates[i] + bench.geometry.b[i]) + self.stiffness * bench.phi[i];
+            }
+        }
+        let acceleration = planned.acceleration(system, (t, q), &demand, &mut self.lambda);
+        let least = planned.rank_margin().least;
+        self.note(1.0 / (least * least));
+        Some(acceleration)
     }
 
     /// How independent the holonomic rows are where the bench was placed; `None` without such rows.
@@ -128,6 +177,11 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         bench: &Bench<S, Q, N, R>,
     ) -> Option<RankMargin> {
         let rows = S::STRUCTURE.holonomic_rows;
+        if let Some(planned) = &self.planned
+            && planned.is_sound()
+        {
+            return Some(planned.rank_margin());
+        }
         (rows > 0).then(|| self.delassus.rank_margin(&bench.geometry.delassus, rows))
     }
 
@@ -152,6 +206,20 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         system.constraints(t, q, phi, geometry.a.entries_mut(), &mut geometry.b);
         let rates = geometry.velocity_rows(system, v);
         vector(|i| self.damping * rates[i] + self.stiffness * phi[i])
+    }
+
+    /// The rows at (t, q), factored in whichever way.
+    pub(crate) fn settle<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &SVector<f64, Q>,
+    ) -> Result<(), Fault> {
+        let planned = self.planned.as_mut();
+        if planned.is_some_and(|planned| planned.place(bench, t, q)) {
+            return Ok(());
+        }
+        self.place(bench, t, q)
     }
 
     /// Constraints and metric at (t, q), with S factored.

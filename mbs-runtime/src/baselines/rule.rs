@@ -1,13 +1,6 @@
 //! What the baselines have in common: steps from the state of the bench.
 
-use super::adaptive::Adaptive;
-use super::baumgarte::Explicit;
-use super::bdf::Bdf;
 use super::bench::Bench;
-use super::generalized_alpha::GeneralizedAlpha;
-use super::index3_projections::Index3;
-use super::penalty::Penalty;
-use super::rattle::Rattle;
 use crate::fault::Fault;
 use crate::singular::RankMargin;
 use crate::{Settings, System};
@@ -30,8 +23,13 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     }
 
     /// The weight of each row in the combination that is nearest to dependence.
-    fn weakest_rows(&self, _: &Bench<S, Q, N, R>) -> SVector<f64, R> {
+    fn weakest_rows(&mut self, _: &Bench<S, Q, N, R>) -> SVector<f64, R> {
         SVector::zeros()
+    }
+
+    /// Whether its elimination is planned.
+    fn is_sparse(&self) -> bool {
+        false
     }
 
     /// How far the evaluations of the last step stayed from singular poses, as a fraction of the way.
@@ -47,28 +45,3 @@ pub(crate) type AnyRule<S, const Q: usize, const N: usize, const R: usize> =
 /// Makes the rule of the settings for a bench at its start; `None` if they have another method.
 pub(crate) type MakeRule<S, const Q: usize, const N: usize, const R: usize> =
     fn(&Bench<S, Q, N, R>, &Settings) -> Option<Result<AnyRule<S, Q, N, R>, Fault>>;
-
-/// The rule of Baumgarte's method, with constant steps or with a tolerance.
-pub(crate) fn baumgarte<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    bench: &Bench<S, Q, N, R>,
-    settings: &Settings,
-) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
-    Explicit::stabilised(bench, settings).or_else(|| Adaptive::rule(bench, settings))
-}
-
-/// The rule of any baseline.
-pub(crate) fn any<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    bench: &Bench<S, Q, N, R>,
-    settings: &Settings,
-) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
-    let makes: [MakeRule<S, Q, N, R>; 7] = [
-        Explicit::projected,
-        baumgarte,
-        Rattle::rule,
-        Penalty::rule,
-        Index3::rule,
-        GeneralizedAlpha::rule,
-        Bdf::rule,
-    ];
-    makes.iter().find_map(|make| make(bench, settings))
-}

@@ -2,7 +2,8 @@
 
 use super::Works;
 use super::bench::Bench;
-use super::rule::{self, AnyRule, MakeRule};
+use super::registry;
+use super::rule::{AnyRule, MakeRule};
 use crate::alf3f::Counters;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -39,7 +40,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 wanted: "one of the baselines",
             });
         }
-        Self::with(rule::any, system, state, settings)
+        Self::with(registry::any, system, state, settings)
     }
 
     /// The same with the rule of one baseline, so that the others are not compiled.
@@ -125,8 +126,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// The weight of each row in the combination that is nearest to dependence.
-    pub(crate) fn weakest_rows(&self) -> SVector<f64, R> {
+    pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         self.rule.weakest_rows(&self.bench)
+    }
+
+    /// Whether its elimination is planned.
+    pub(crate) fn is_sparse(&self) -> bool {
+        self.rule.is_sparse()
     }
 
     /// How far the evaluations of the last step stayed from singular poses, as a fraction of the way.

@@ -1,0 +1,235 @@
+//! Accelerations and projections of large mechanisms by the elimination that was planned when they were compiled:
+//! operations in proportion to the length of a chain.
+//!
+//! ```text
+//! M a = f,    [ M  Aᵀ ] [ v̇ − a ]   [ 0              ]
+//!             [ A  0  ] [  −λ   ] = [ −γ − … − A a   ]
+//! ```
+//!
+//! Where rows are nearly dependent the dense equations take over, which have a proximal solve.
+
+use super::bench::Bench;
+use crate::System;
+use crate::alf3f::closing::{self, Closed, Closing, Limits};
+use crate::alf3f::sparse::{Bordered, Rows, Slots, SparseMass, constant_mass};
+use crate::alf3f::{not_converged, residual_of};
+use crate::fault::Fault;
+use crate::generated::Elimination;
+use crate::linear::{negative, vector};
+use crate::row_scale::RowScale;
+use crate::singular::{EXACT, RankMargin, Thresholds};
+use nalgebra::SVector;
+
+/// K at one instant with its factor.
+pub(crate) struct Planned<const N: usize, const R: usize> {
+    plan: &'static Elimination<N, R>,
+    matrix: Bordered,
+    mass: SparseMass,
+    /// A vector in the order of elimination.
+    x: Slots,
+    rows: Rows,
+}
+
+impl<const N: usize, const R: usize> Planned<N, R> {
+    /// `None` where dense arrays are the faster, and where rows follow from others: their pivots are not zero in stages
+    /// that violate the rows.
+    #[inline(never)]
+    pub(crate) fn new<S: System<Q, N, R>, const Q: usize>(
+        bench: &Bench<S, Q, N, R>,
+        thresholds: Thresholds,
+    ) -> Option<Box<Self>> {
+        let plan = S::ELIMINATION?;
+        let (system, state) = (&bench.system, &bench.state);
+        let mass = constant_mass(system, &state.positions);
+        let mut planned = Box::new(Planned {
+            plan,
+            matrix: Bordered::new(plan, &mass, thresholds),
+            mass: SparseMass::new(plan, &mass),
+            x: vec![0.0; plan.unknowns].into_boxed_slice(),
+            rows: Rows::Lost,
+        });
+        let entries = &mut planned.matrix.entries;
+        let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
+        system.sparse_constraints(state.time, &state.positions, &mut phi, entries, &mut b);
+        planned.factor();
+        (!planned.matrix.leaves_rows_out(plan)).then_some(planned)
+    }
+
+    fn factor(&mut self) {
+        self.matrix.factor(self.plan);
+        self.rows = self.matrix.rows(self.plan);
+    }
+
+    /// Whether solutions with the factor are those of the equations.
+    pub(crate) fn is_sound(&self) -> bool {
+        matches!(self.rows, Rows::Independent | Rows::Weak)
+    }
+
+    fn evaluate<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &SVector<f64, Q>,
+    ) {
+        let entries = &mut self.matrix.entries;
+        let (phi, b) = (&mut bench.phi, &mut bench.geometry.b);
+        bench.system.sparse_constraints(t, q, phi, entries, b);
+    }
+
+    /// K at (t, q), factored; false where the dense equations are needed.
+    pub(crate) fn place<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &SVector<f64, Q>,
+    ) -> bool {
+        self.evaluate(bench, t, q);
+        self.factor();
+        self.is_sound()
+    }
+
+    /// v̇ where it was placed, and λ, for A v̇ + `demand` = 0.
+    pub(crate) fn acceleration<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        system: &S,
+        (t, q): (f64, &SVector<f64, Q>),
+        demand: &SVector<f64, R>,
+        lambda: &mut SVector<f64, R>,
+    ) -> SVector<f64, N> {
+        let mut acceleration = SVector::zeros();
+        let forces = &mut acceleration;
+        (self.mass).weigh_forces(self.plan, system, (t, q), &mut self.x, forces);
+        *lambda = SVector::zeros();
+        self.correct(demand, &mut acceleration, lambda);
+        if self.rows == Rows::Weak {
+            // What the elimination has lost.
+            self.correct(demand, &mut acceleration, lambda);
+        }
+        acceleration
+    }
+
+    /// A v where it was placed.
+    pub(crate) fn rates(&self, v: &SVector<f64, N>) -> SVector<f64, R> {
+        let mut rates = SVector::zeros();
+        (self.plan.rates)(&self.matrix.entries, v, &mut rates);
+        rates
+    }
+
+    /// Moves v along M⁻¹Aᵀ until A v + `demand` = 0; adds the multipliers to κ.
+    fn correct(
+        &mut self,
+        demand: &SVector<f64, R>,
+        v: &mut SVector<f64, N>,
+        kappa: &mut SVector<f64, R>,
+    ) {
+        let rates = self.rates(v);
+        let missing = vector(|i| -(rates[i] + demand[i]));
+        (self.matrix).solve(self.plan, &missing, &mut self.x, (v, kappa));
+    }
+
+    /// Moves q onto the position rows, with the factors of where it was first, and evaluates the rows there for the
+    /// bench; `None` where the dense equations are needed.
+    pub(crate) fn close<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &mut SVector<f64, Q>,
+        scale: &RowScale<R>,
+    ) -> Result<Option<Closed>, Fault> {
+        if !self.place(bench, t, q) {
+            return Ok(None);
+        }
+        let limits = Limits {
+            most: bench.max_iterations,
+            fixed: None,
+        };
+        let mut rows = Near {
+            planned: self,
+            bench: &mut *bench,
+            scale,
+            t,
+            q,
+            is_evaluated: true,
+        };
+        let closed = closing::close(&mut rows, limits, true)?;
+        let geometry = &mut bench.geometry;
+        let a = geometry.a.entries_mut();
+        (bench.system).constraints(t, q, &mut bench.phi, a, &mut geometry.b);
+        Ok(closed)
+    }
+
+    /// Moves v onto the velocity rows where q was closed.
+    pub(crate) fn project(&mut self, b: &SVector<f64, R>, v: &mut SVector<f64, N>) {
+        let mut kappa = SVector::zeros();
+        // The factors are those of a nearby pose.
+        for _ in 0..2 {
+            self.correct(b, v, &mut kappa);
+        }
+    }
+
+    /// How independent the rows are where it was placed.
+    pub(crate) fn rank_margin(&self) -> RankMargin {
+        self.matrix.rank_margin(self.plan)
+    }
+
+    /// The weight of each row in the combination that is nearest to dependence.
+    #[cold]
+    pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
+        self.matrix.combination(self.plan, &mut self.x)
+    }
+}
+
+/// The position rows about the end of a step.
+struct Near<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    planned: &'a mut Planned<N, R>,
+    bench: &'a mut Bench<S, Q, N, R>,
+    scale: &'a RowScale<R>,
+    t: f64,
+    q: &'a mut SVector<f64, Q>,
+    is_evaluated: bool,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
+    for Near<'_, S, Q, N, R>
+{
+    /// The factors of where q was first are nearly those of where it is closed.
+    const PATIENCE: i32 = 3;
+
+    fn residual(&mut self) -> Result<f64, Fault> {
+        if !std::mem::take(&mut self.is_evaluated) {
+            self.planned.evaluate(self.bench, self.t, self.q);
+        }
+        Ok(residual_of(&self.bench.phi, &self.scale.weights))
+    }
+
+    fn factor(&mut self) -> Result<bool, Fault> {
+        self.planned.factor();
+        Ok(self.planned.is_sound())
+    }
+
+    fn solve(&mut self) -> bool {
+        let Planned {
+            plan, matrix, x, ..
+        } = &mut *self.planned;
+        let change = negative(&self.bench.phi);
+        let mut way = SVector::zeros();
+        matrix.solve(plan, &change, x, (&mut way, &mut SVector::zeros()));
+        *self.q = self.bench.system.advance(self.q, &way, 1.0);
+        false
+    }
+
+    fn enough(&self) -> f64 {
+        match self.planned.rows {
+            Rows::Independent => 1.0,
+            _ => EXACT,
+        }
+    }
+
+    fn round_off(&self) -> f64 {
+        self.scale.lost
+    }
+
+    fn fault(&self, iterations: usize) -> Fault {
+        not_converged(&self.bench.phi, &self.scale.weights, iterations)
+    }
+}
