@@ -171,8 +171,9 @@ pub enum SimulationError {
 impl SimulationError {
     /// Whether a shorter step can succeed.
     pub(crate) fn asks_for_less(&self) -> bool {
-        use SimulationError::{Astray, NotConverged};
-        matches!(self, NotConverged { .. } | Astray { .. })
+        use SimulationError::{Astray, Mass, NotConverged};
+        // In poses that a step much too long tries, M may be anything.
+        matches!(self, NotConverged { .. } | Astray { .. } | Mass { .. })
     }
 
     /// Adds names and time to the reason for which a step failed.

@@ -14,6 +14,7 @@ mod derivatives;
 mod descriptions;
 mod elimination;
 mod flipped_signs;
+mod folding;
 mod force_axes;
 mod formulations;
 mod fuzz;

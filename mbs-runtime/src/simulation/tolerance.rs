@@ -114,6 +114,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Err(
                     error @ (SimulationError::NotConverged { .. }
                     | SimulationError::Astray { .. }
+                    | SimulationError::Mass { .. }
                     | SimulationError::NonFinite { .. }
                     | SimulationError::EnergyGain { .. }
                     | SimulationError::EnergyLoss { .. }),

@@ -1,0 +1,53 @@
+//! A spherical linkage through the poses in which it folds flat: rows are redundant everywhere, and dependent there.
+
+#[path = "../../mbs-examples/examples/passages/spherical.rs"]
+mod spherical;
+
+use mbs_runtime::{Settings, Simulation, methods};
+
+mod by_bodies {
+    super::spherical::spherical!(Spherical, Reference);
+}
+mod by_joints {
+    super::spherical::spherical!(Spherical, Auto);
+}
+
+/// The proximal solve follows the multipliers of nearly dependent rows slowly: the step is taken with kicks.
+#[test]
+fn an_implicit_step_that_does_not_settle_is_taken_with_kicks() {
+    let linkage = by_bodies::Spherical {
+        phase: -0.8232662763334841,
+        rate: -1.5391129603267426,
+        damping: 0.0,
+    };
+    let settings = Settings {
+        step: 0.0011550351156728454,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::with_settings(linkage, settings).expect("assembled");
+    for piece in 1..=130 {
+        let end = f64::from(piece) * 0.0053883841654237714;
+        simulation.run_until(end).expect("no step is refused");
+    }
+    assert!(simulation.energy().error.abs() < 1e-3);
+    assert!(simulation.output("astray").expect("declared").abs() < 1e-3);
+}
+
+/// A step much too long reaches poses in which M is not positive definite: it is shortened.
+#[test]
+fn a_step_without_a_mass_matrix_is_shortened() {
+    let linkage = by_joints::Spherical {
+        phase: -1.2556326990292377,
+        rate: -3.7180246443058858,
+        damping: 0.010970697247441312,
+    };
+    let settings = Settings::accuracy(1.2012313838710853e-5);
+    let mut simulation =
+        Simulation::with_methods(linkage, settings, methods::Projected).expect("assembled");
+    for piece in 1..=15 {
+        let end = f64::from(piece) * 0.3327642665900511;
+        simulation.run_until(end).expect("no step is refused");
+    }
+    assert!(simulation.energy().error.abs() < 1e-4);
+    assert!(simulation.output("astray").expect("declared").abs() < 1e-3);
+}
