@@ -230,9 +230,9 @@ fn two_runs_into_one_directory_do_not_mix() {
             .spawn()
             .expect("mbs starts")
     };
-    let first = run("60");
+    let first = run("20");
     std::thread::sleep(std::time::Duration::from_millis(200));
-    let second = run("0.5");
+    let second = run("0.1");
     let [first, second] = [first, second].map(|run| run.wait_with_output().expect("it ends"));
     assert!(second.status.success(), "{}", stderr(&second));
     assert!(stderr(&first).contains("--out"), "{}", stderr(&first));
@@ -249,7 +249,7 @@ fn two_runs_into_one_directory_do_not_mix() {
         })
         .collect();
     assert!(times.windows(2).all(|pair| pair[0] < pair[1]));
-    assert_eq!(times.last(), Some(&0.5));
+    assert_eq!(times.last(), Some(&0.1));
 }
 
 #[test]

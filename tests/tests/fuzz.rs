@@ -37,7 +37,7 @@ fn changed_declarations_are_answered() {
     assert!(seeds.len() > 100, "{} declarations", seeds.len());
     let mut faults = Vec::new();
     let limit = Duration::from_secs(20);
-    let report = find::run(&command, &seeds, 2, 4000, limit, |event| {
+    let report = find::run(&command, &seeds, 2, 2500, limit, |event| {
         if let find::Event::Found(found) = event {
             let (fault, text) = (&found.fault, tree::text(&found.input));
             faults.push(format!("{}: {fault}\n{text}", found.number));

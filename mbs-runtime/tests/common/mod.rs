@@ -1,4 +1,5 @@
-//! Hand-written mechanisms: what `mechanism!` would generate, as plainly as possible.
+//! Hand-written mechanisms: what `mechanism!` would generate, as plainly as possible. Sums over entries are loops over
+//! arrays: without optimisation these are ten times as fast as the same operations of nalgebra.
 #![allow(dead_code)]
 
 pub mod alloc;
@@ -94,6 +95,8 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Mechanis
 #[derive(Clone)]
 pub struct Hand<T, const Q: usize, const N: usize, const R: usize> {
     pub scene: T,
+    /// M of the guess: of all poses, if M is constant.
+    start: [[f64; N]; N],
     inverse: SMatrix<f64, N, N>,
     spins: Vec<Spin>,
     inputs: [f64; 1],
@@ -101,47 +104,67 @@ pub struct Hand<T, const Q: usize, const N: usize, const R: usize> {
 
 impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Hand<T, Q, N, R> {
     pub fn new(scene: T) -> Self {
+        let start = scene.mass(&scene.guess().0);
         Hand {
             spins: scene.spins(),
-            inverse: matrix(scene.mass(&scene.guess().0)).try_inverse().unwrap(),
+            start,
+            inverse: matrix(start).try_inverse().unwrap(),
             scene,
             inputs: [0.0],
         }
     }
-    /// Calls `translation(i in q, j in v)` and `rotation(i, j, number)`.
-    fn each(
-        mut translation: impl FnMut(usize, usize),
-        mut rotation: impl FnMut(usize, usize, usize),
-    ) {
+    /// Calls `entry(i in q, j in v, the number of the rotation that begins there)`.
+    fn each(mut entry: impl FnMut(usize, usize, Option<usize>)) {
         let (mut i, mut j, mut number) = (0, 0, 0);
         while j < N {
-            if T::ROTATIONS.contains(&j) {
-                rotation(i, j, number);
+            if T::ROTATIONS.get(number) == Some(&j) {
+                entry(i, j, Some(number));
                 (i, j, number) = (i + 4, j + 3, number + 1);
             } else {
-                translation(i, j);
+                entry(i, j, None);
                 (i, j) = (i + 1, j + 1);
             }
         }
     }
-    /// Column by column D_j f, by central differences along the velocities.
+    fn mass(&self, q: &SVector<f64, Q>) -> [[f64; N]; N] {
+        match T::STRUCTURE.constant_mass {
+            true => self.start,
+            false => self.scene.mass(entries(q)),
+        }
+    }
+    fn momenta(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> [f64; N] {
+        let (mass, v) = (self.mass(q), entries(v));
+        let mut p = [0.0; N];
+        let mut i = 0;
+        while i < N {
+            p[i] = dot(&mass[i], v);
+            i += 1;
+        }
+        p
+    }
+    fn force(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> [f64; N] {
+        self.scene.force(t, entries(q), entries(v))
+    }
+    fn total(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> [f64; N] {
+        let mut total = self.force(t, q, v);
+        let gradient = self.scene.kinetic_gradient(entries(q), entries(v));
+        let mut i = 0;
+        while i < N {
+            total[i] += gradient[i];
+            i += 1;
+        }
+        total
+    }
+    /// Column by column D_j f, by central differences along the velocities; zero unless f `varies`.
     fn along(
         &self,
+        varies: bool,
         q: &SVector<f64, Q>,
         sink: &mut impl MatrixSink,
-        f: impl Fn(&SVector<f64, Q>) -> SVector<f64, N>,
+        f: impl Fn(&SVector<f64, Q>) -> [f64; N],
     ) {
-        differences(&SVector::zeros(), sink, |way| f(&self.advance(q, way, 1.0)));
-    }
-    fn mass(&self, q: &SVector<f64, Q>) -> SMatrix<f64, N, N> {
-        matrix(self.scene.mass(entries(q)))
-    }
-    fn force(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> SVector<f64, N> {
-        self.scene.force(t, entries(q), entries(v)).into()
-    }
-    fn total(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> SVector<f64, N> {
-        let gradient: SVector<f64, N> = self.scene.kinetic_gradient(entries(q), entries(v)).into();
-        self.force(t, q, v) + gradient
+        let way = SVector::zeros();
+        differences(varies, &way, sink, |way| f(&self.advance(q, way, 1.0)));
     }
 }
 
@@ -164,30 +187,75 @@ pub fn matrix<const N: usize, const R: usize>(rows: [[f64; N]; R]) -> SMatrix<f6
 }
 
 fn part<const K: usize>(x: &[f64], i: usize) -> [f64; K] {
-    std::array::from_fn(|k| x[i + k])
+    let mut part = [0.0; K];
+    part.copy_from_slice(&x[i..i + K]);
+    part
 }
 
-fn put<const N: usize, const R: usize>(matrix: &SMatrix<f64, R, N>, sink: &mut impl MatrixSink) {
-    for i in 0..R {
-        for j in 0..N {
-            sink.set(i, j, matrix[(i, j)]);
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    let (mut sum, mut i) = (0.0, 0);
+    while i < N {
+        sum += a[i] * b[i];
+        i += 1;
+    }
+    sum
+}
+
+/// The product with a symmetric matrix.
+fn solved<const N: usize>(inverse: &SMatrix<f64, N, N>, x: &[f64; N]) -> [f64; N] {
+    let columns = &inverse.data.0;
+    let mut product = [0.0; N];
+    let mut j = 0;
+    while j < N {
+        if x[j] != 0.0 {
+            let mut i = 0;
+            while i < N {
+                product[i] += columns[j][i] * x[j];
+                i += 1;
+            }
         }
+        j += 1;
+    }
+    product
+}
+
+fn put<const N: usize, const R: usize>(rows: &[[f64; N]; R], sink: &mut impl MatrixSink) {
+    let mut i = 0;
+    while i < R {
+        let mut j = 0;
+        while j < N {
+            sink.set(i, j, rows[i][j]);
+            j += 1;
+        }
+        i += 1;
     }
 }
 
-/// Column by column ∂f/∂x by central differences, into a sink.
+/// Column by column ∂f/∂x by central differences, into a sink; zero unless f `varies`.
 fn differences<const N: usize>(
+    varies: bool,
     x: &SVector<f64, N>,
     sink: &mut impl MatrixSink,
-    f: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
+    f: impl Fn(&SVector<f64, N>) -> [f64; N],
 ) {
-    for j in 0..N {
-        let e = 1e-6;
-        let step = e * unit(j);
-        let slope = (f(&(x + step)) - f(&(x - step))) / (2.0 * e);
-        for i in 0..N {
-            sink.set(i, j, slope[i]);
+    if !varies {
+        return put(&[[0.0; N]; N], sink);
+    }
+    let e = 1e-6;
+    let at = |j: usize, e: f64| {
+        let mut x = *entries(x);
+        x[j] += e;
+        f(&x.into())
+    };
+    let mut j = 0;
+    while j < N {
+        let (up, down) = (at(j, e), at(j, -e));
+        let mut i = 0;
+        while i < N {
+            sink.set(i, j, (up[i] - down[i]) / (2.0 * e));
+            i += 1;
         }
+        j += 1;
     }
 }
 
@@ -201,44 +269,35 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Configur
         (q.into(), v.into())
     }
     fn advance(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>, h: f64) -> SVector<f64, Q> {
-        let next = std::cell::Cell::new(*q);
-        let set = |i: usize, values: &[f64]| {
-            let mut q = next.get();
-            q.as_mut_slice()[i..i + values.len()].copy_from_slice(values);
-            next.set(q);
-        };
         let (q, v) = (entries(q), entries(v));
-        Self::each(
-            |i, j| set(i, &[q[i] + h * v[j]]),
-            |i, j, _| set(i, &turned(part(q, i), part(v, j), h)),
-        );
-        next.get()
+        let mut next = *q;
+        Self::each(|i, j, rotation| match rotation {
+            None => next[i] = q[i] + h * v[j],
+            Some(_) => next[i..i + 4].copy_from_slice(&turned(part(q, i), part(v, j), h)),
+        });
+        next.into()
     }
     fn difference(&self, from: &SVector<f64, Q>, to: &SVector<f64, Q>) -> SVector<f64, N> {
-        let way = std::cell::Cell::new(SVector::<f64, N>::zeros());
-        let set = |j: usize, values: &[f64]| {
-            let mut v = way.get();
-            v.as_mut_slice()[j..j + values.len()].copy_from_slice(values);
-            way.set(v);
-        };
         let (from, to) = (entries(from), entries(to));
-        Self::each(
-            |i, j| set(j, &[to[i] - from[i]]),
-            |i, j, _| set(j, &rotation_between(part(from, i), part(to, i))),
-        );
-        way.get()
+        let mut way = [0.0; N];
+        Self::each(|i, j, rotation| match rotation {
+            None => way[j] = to[i] - from[i],
+            Some(_) => {
+                way[j..j + 3].copy_from_slice(&rotation_between(part(from, i), part(to, i)));
+            }
+        });
+        way.into()
     }
     fn free_flight(&self, q: &mut SVector<f64, Q>, v: &mut SVector<f64, N>, h: f64) {
         let mut next = self.advance(q, v, h);
-        Self::each(
-            |_, _| {},
-            |i, j, number| {
+        Self::each(|i, j, rotation| {
+            if let Some(number) = rotation {
                 let (q, omega) = (part(entries(q), i), part(entries(v), j));
                 let (turned, omega) = self.spins[number].flight(q, omega, h);
                 next.as_mut_slice()[i..i + 4].copy_from_slice(&turned);
                 v.as_mut_slice()[j..j + 3].copy_from_slice(&omega);
-            },
-        );
+            }
+        });
         *q = next;
     }
 }
@@ -252,18 +311,21 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Inertia<
         put(&self.mass(q), mass);
     }
     fn factor_mass(&self, q: &SVector<f64, Q>) -> Option<Self::Mass> {
-        self.mass(q).try_inverse()
+        match T::STRUCTURE.constant_mass {
+            true => Some(self.inverse),
+            false => matrix(self.mass(q)).try_inverse(),
+        }
     }
     fn solve_mass(&self, mass: &Self::Mass, x: &mut SVector<f64, N>) {
-        *x = mass * *x;
+        *x = solved(mass, entries(x)).into();
     }
     fn momentum(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>, p: &mut SVector<f64, N>) {
-        *p = self.mass(q) * v;
+        *p = self.momenta(q, v).into();
     }
     fn affinities(&self, q: &SVector<f64, Q>, gamma: &mut impl TensorSink) {
         let e = 1e-6;
         let slope: [SMatrix<f64, N, N>; N] = std::array::from_fn(|k| {
-            let at = |e: f64| self.mass(&self.advance(q, &unit(k), e));
+            let at = |e: f64| matrix(self.mass(&self.advance(q, &unit(k), e)));
             (at(e) - at(-e)) / (2.0 * e)
         });
         for i in 0..N {
@@ -280,7 +342,7 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Inertia<
         }
     }
     fn kinetic_energy(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64 {
-        0.5 * v.dot(&(self.mass(q) * v))
+        0.5 * dot(entries(v), &self.momenta(q, v))
     }
 }
 
@@ -301,7 +363,7 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constrai
         let rows = self.scene.rows(t, entries(q));
         *phi = rows.0.into();
         *b = rows.2.into();
-        put(&matrix(rows.1), a);
+        put(&rows.1, a);
     }
     fn constraint_rates(
         &self,
@@ -314,12 +376,20 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constrai
         let e = 1e-6;
         let at = |e: f64| {
             let (_, a, b) = self.scene.rows(t + e, entries(&self.advance(q, v, e)));
-            (matrix(a), SVector::from(b))
+            (a, b)
         };
-        let (up, down) = (at(e), at(-e));
-        let rate = (up.0 - down.0) / (2.0 * e);
-        put(&rate, a_rate);
-        *gamma = (up.1 - down.1) / (2.0 * e) + rate * v;
+        let (mut up, down) = (at(e), at(-e));
+        let mut i = 0;
+        while i < R {
+            let mut j = 0;
+            while j < N {
+                up.0[i][j] = (up.0[i][j] - down.0[i][j]) / (2.0 * e);
+                j += 1;
+            }
+            gamma[i] = (up.1[i] - down.1[i]) / (2.0 * e) + dot(&up.0[i], entries(v));
+            i += 1;
+        }
+        put(&up.0, a_rate);
     }
     fn solve_mass_rows(
         &self,
@@ -327,7 +397,11 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constrai
         a: &SMatrix<f64, N, R>,
         w: &mut SMatrix<f64, N, R>,
     ) {
-        mass.mul_to(a, w);
+        let mut i = 0;
+        while i < R {
+            w.data.0[i] = solved(mass, &a.data.0[i]);
+            i += 1;
+        }
     }
     fn delassus(
         &self,
@@ -335,7 +409,25 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constrai
         w: &SMatrix<f64, N, R>,
         delassus: &mut SMatrix<f64, R, R>,
     ) {
-        w.tr_mul_to(a, delassus);
+        let (a, w) = (&a.data.0, &w.data.0);
+        let mut i = 0;
+        while i < R {
+            let mut sums = [0.0; R];
+            let mut k = 0;
+            while k < N {
+                // Most entries of A are zero.
+                if a[i][k] != 0.0 {
+                    let mut j = 0;
+                    while j < R {
+                        sums[j] += a[i][k] * w[j][k];
+                        j += 1;
+                    }
+                }
+                k += 1;
+            }
+            delassus.data.0[i] = sums;
+            i += 1;
+        }
     }
 }
 
@@ -357,10 +449,10 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Loads<Q,
         v: &SVector<f64, N>,
         f: &mut SVector<f64, N>,
     ) {
-        *f = self.force(t, q, v);
+        *f = self.force(t, q, v).into();
     }
     fn forces(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, f: &mut SVector<f64, N>) {
-        *f = self.total(t, q, v);
+        *f = self.total(t, q, v).into();
     }
     fn applied_force_tangents(
         &self,
@@ -370,8 +462,9 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Loads<Q,
         f_q: &mut impl MatrixSink,
         f_v: &mut impl MatrixSink,
     ) {
-        self.along(q, f_q, |q| self.force(t, q, v));
-        differences(v, f_v, |v| self.force(t, q, v));
+        let structure = T::STRUCTURE;
+        self.along(structure.position_forces, q, f_q, |q| self.force(t, q, v));
+        differences(structure.velocity_forces, v, f_v, |v| self.force(t, q, v));
     }
     fn force_tangents(
         &self,
@@ -382,13 +475,17 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> Loads<Q,
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
     ) {
-        self.along(q, f_q, |q| self.total(t, q, v));
-        differences(v, f_v, |v| self.total(t, q, v));
-        self.along(q, p_q, |q| self.mass(q) * v);
+        let structure = T::STRUCTURE;
+        let mass_varies = !structure.constant_mass;
+        let with_positions = structure.position_forces || mass_varies;
+        let with_velocities = structure.velocity_forces || mass_varies || structure.rotations > 0;
+        self.along(with_positions, q, f_q, |q| self.total(t, q, v));
+        differences(with_velocities, v, f_v, |v| self.total(t, q, v));
+        self.along(mass_varies, q, p_q, |q| self.momenta(q, v));
     }
     fn acceleration(&self, t: f64, q: &SVector<f64, Q>, acceleration: &mut SVector<f64, N>) {
         if T::STRUCTURE.constant_mass && !T::STRUCTURE.velocity_forces {
-            *acceleration = self.inverse * self.force(t, q, &SVector::zeros());
+            *acceleration = solved(&self.inverse, &self.force(t, q, &SVector::zeros())).into();
         }
     }
     fn potential_energy(&self, q: &SVector<f64, Q>) -> f64 {

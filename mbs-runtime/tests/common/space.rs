@@ -17,11 +17,11 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
 }
 
 pub fn sum(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|i| a[i] + b[i])
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
 pub fn scaled(a: f64, b: Vector) -> Vector {
-    b.map(|b| a * b)
+    [a * b[0], a * b[1], a * b[2]]
 }
 
 /// Body axes to space axes.
@@ -47,11 +47,12 @@ pub fn matrix(q: &[f64]) -> Rotation {
 }
 
 pub fn to_space(r: &Rotation, x: Vector) -> Vector {
-    r.map(|row| dot(row, x))
+    [dot(r[0], x), dot(r[1], x), dot(r[2], x)]
 }
 
 pub fn to_body(r: &Rotation, x: Vector) -> Vector {
-    std::array::from_fn(|i| (0..3).map(|k| r[k][i] * x[k]).sum())
+    let along = |i: usize| r[0][i] * x[0] + r[1][i] * x[1] + r[2][i] * x[2];
+    [along(0), along(1), along(2)]
 }
 
 /// The unit quaternion of a rotation.
