@@ -1,5 +1,5 @@
 //! The implicit step of damped mechanisms ends in round-off, at any step and any distance from the origin. Of the random
-//! mechanisms of each kind the first 400 are taken; more of them: `CASES=10000 cargo test --release -p mbs-runtime
+//! mechanisms of each kind the first 1000 are taken; more of them: `CASES=10000 cargo test --release -p mbs-runtime
 //! small_implicit_steps::`.
 
 use mbs_runtime::{Flow, Mechanism, Settings, Simulation, System, mechanism};
@@ -75,7 +75,7 @@ where
     let wanted = std::env::var("CASES")
         .ok()
         .and_then(|text| text.parse().ok());
-    for number in 0..wanted.unwrap_or(400) {
+    for number in 0..wanted.unwrap_or(1000) {
         let x = [0.0, 1.0, 50.0, 1e4][number % 4] * numbers.next();
         let turn = 6.0 * numbers.next();
         let size = 0.3 + 2.0 * numbers.next();

@@ -1,6 +1,6 @@
 //! A spherical linkage through the poses in which it folds flat: rows are redundant everywhere, and dependent there.
 
-#[path = "../../mbs-examples/examples/passages/spherical.rs"]
+#[path = "../../mbs-examples/examples/random_passages/spherical.rs"]
 mod spherical;
 
 use mbs_runtime::{Settings, Simulation, methods};

@@ -21,6 +21,7 @@ mod model_size;
 pub mod orders;
 mod paper;
 pub mod phases;
+mod random_passages;
 pub mod record;
 pub mod registry;
 pub mod rival;

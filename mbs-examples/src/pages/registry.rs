@@ -3,8 +3,8 @@
 use super::data::Data;
 use super::{
     accuracies, calls, candidates, charts, compile_times, compositions, derivation, instructions,
-    model_size, orders, paper, phases, rival, rows, scenes, springs, sweep, tolerances, tuning,
-    which,
+    model_size, orders, paper, phases, random_passages, rival, rows, scenes, springs, sweep,
+    tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -115,6 +115,7 @@ pub const ENTRIES: &[Entry] = &[
     block(SWEEPS, "lost", sweep::sentence),
     block(SWEEPS, "by method", sweep::by_method),
     block(SWEEPS, "by scene", sweep::by_scene),
+    block(SWEEPS, "random passages", random_passages::table),
     file(
         "book/src/results/work-precision-tables.txt",
         charts::work_precision,

@@ -1,7 +1,7 @@
 //! Random runs through singular poses: phases, speeds, steps, orders, tolerances, whole runs and pieces, damped and
 //! undamped. A run fails if it stops, if it ends on another branch of the motion, or if its energy balance is wrong.
 //!
-//! `cargo run --release -p mbs-examples --example passages -- [COUNT] [SEED] [NAME RUN] [--csv book/src/results/readme]`
+//! `cargo run --release -p mbs-examples --example random_passages -- [COUNT] [SEED] [NAME RUN] [--csv book/src/results/readme]`
 
 mod mechanisms;
 #[allow(dead_code)] // For tests, too.
@@ -43,7 +43,7 @@ struct Count {
 }
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example passages");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example random_passages");
     let number = |place: usize, usual: usize| {
         let text = recorder.arguments.get(place);
         text.and_then(|text| text.parse().ok()).unwrap_or(usual)
@@ -76,7 +76,7 @@ fn main() -> Result<(), String> {
             scope.spawn(work);
         }
     });
-    let mut file = recorder.file("passages.csv", &COLUMNS, 2)?;
+    let mut file = recorder.file("random_passages.csv", &COLUMNS, 2)?;
     println!(
         "{:<26} {:>7} {:>6} {:>7} {:>8} {:>7} {:>7} {:>8} {:>9}",
         "mechanism", "damped", "runs", "passed", "stopped", "branch", "energy", "poses", "worst"
