@@ -6,6 +6,7 @@ mod any;
 mod dense;
 mod energy_guard;
 mod hermite;
+mod passage;
 mod placement;
 mod run;
 mod singularity_detector;
