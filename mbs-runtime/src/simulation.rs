@@ -6,6 +6,7 @@ mod any;
 mod dense;
 mod energy_guard;
 mod hermite;
+mod passage;
 mod placement;
 mod run;
 mod singularity_detector;
@@ -359,7 +360,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let ledger = &mut self.integrator.state_mut().ledger;
         ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
         ledger.drive_work += std::mem::take(&mut monitor.drive_work);
-        self.energy_guard.doubt += std::mem::take(&mut monitor.work_doubt);
+        self.energy_guard
+            .doubt(std::mem::take(&mut monitor.work_doubt));
         self.balance = self.energy();
         self.report.energy_error = self.report.energy_error.max(self.balance.error.abs());
     }

@@ -50,7 +50,7 @@ fn run<M, S, const Q: usize, const N: usize, const R: usize>(
             available,
             ..
         }) => {
-            assert!(time <= until && gained > 0.25 * available, "{what}");
+            assert!(time <= until && gained > 0.2 * available, "{what}");
         }
         Err(SimulationError::EnergyLoss {
             time,
@@ -58,7 +58,7 @@ fn run<M, S, const Q: usize, const N: usize, const R: usize>(
             available,
             ..
         }) => {
-            assert!(time <= until && lost > 0.25 * available, "{what}");
+            assert!(time <= until && lost > 0.2 * available, "{what}");
         }
         Err(SimulationError::NotConverged { .. } | SimulationError::NonFinite { .. }) => {}
         Err(error) => panic!("{what}: {error}"),
@@ -169,7 +169,13 @@ mechanism!(PushedBob {
 /// The same where a force does work: until ten times the energy of the motion was gained, nothing was said.
 #[test]
 fn pushed_motions_are_refused_too() {
-    for (stiffness, stretch, step) in [(2e10, 0.5, 1e-3), (1e8, 0.5, 1e-3), (1e6, 0.5, 1e-2)] {
+    for (stiffness, stretch, step) in [
+        (2e10, 0.5, 1e-3),
+        (1e8, 0.5, 1e-3),
+        (1e6, 0.5, 1e-2),
+        // The energy of the spring at the start was counted twice.
+        (2e10, 1e-4, 1e-3),
+    ] {
         let bob = PushedBob { stiffness, stretch };
         let mut simulation = Simulation::with_settings(bob, settings(step, 2)).unwrap();
         let end = simulation.run_until(3.0);
@@ -182,6 +188,21 @@ fn pushed_motions_are_refused_too() {
             "{stiffness:e}: {end:?}"
         );
     }
+}
+
+/// The works of forces that push a vibration back and forth have errors that cancel each other. Their sum without signs
+/// grew until nothing was refused: a run ended with `Ok` and fifteen times the energy of its spring.
+#[test]
+fn pushed_vibrations_are_refused_however_long() {
+    let (stiffness, stretch) = (1e8, 1e-4);
+    let bob = PushedBob { stiffness, stretch };
+    let mut simulation = Simulation::with_settings(bob, settings(1e-2, 2)).unwrap();
+    simulation.set_input("push", 10.0).unwrap();
+    let end = simulation.run_until(10.0);
+    assert!(
+        matches!(end, Err(SimulationError::EnergyGain { time, .. }) if time < 0.2),
+        "{end:?}"
+    );
 }
 
 mechanism!(Braked {

@@ -20,6 +20,7 @@ mod hostile_settings;
 mod known_cost;
 mod methods;
 mod names;
+mod near_singular;
 mod other_assemblies;
 mod paper;
 mod rank_losses;

@@ -14,9 +14,13 @@
 //!
 //! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
 //! unequal steps, and after these with a shorter pair.
+//!
+//! A pair that leaps over a pose that is nearly singular is not kept, though its error seems small (`passage.rs`).
 
 use super::Simulation;
+use super::passage::Passage;
 use crate::linear::vector;
+use crate::singular::RankMargin;
 use crate::{SimulationError, StepController, System};
 use nalgebra::SVector;
 
@@ -57,6 +61,7 @@ struct Found {
     speed: f64,
     /// Whether the pair had its two equal steps.
     even: bool,
+    passage: Passage,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
@@ -84,14 +89,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         let (mut report, power) = (self.report, self.power);
         self.pair.copy_from(self.integrator.state());
-        let sigma = self.sigma();
+        let margin = self.margin();
         let mut sidestep = 0;
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
-            let found = self.compare(tolerance, h, left, (&step_controller, sigma), last);
+            let found = self.compare(tolerance, h, left, (&step_controller, margin), last);
             let (excess, error) = match found {
-                Ok(found) => {
+                Ok(mut found) => {
+                    if found.excess <= 1.0 && self.leaps(&found.passage)? {
+                        found.excess = LEAP.exp2();
+                    }
                     let notches = notches(self.settings.true_order(), found.excess);
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
@@ -147,14 +155,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         tolerance: f64,
         h: f64,
         left: f64,
-        (controller, sigma): (&StepController, f64),
+        (controller, start): (&StepController, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
         let first = self.place(h, left)?;
+        let middle = self.margin();
         let second = self.place(h.min(left - first), left - first)?;
+        let end = self.margin();
         let exact = (self.yardstick).round_off_of_positions(self.positions());
         let noise =
-            self.settings.constraint_tolerance.max(exact) / self.sigma().min(sigma).max(WEAKEST);
+            self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST);
         self.before.copy_from(self.integrator.state());
         let kept = (self.report, self.power, self.rank_margin);
 
@@ -167,6 +177,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             worst: 0,
             speed: self.size(&moved) / length,
             even: first == h && second == h,
+            passage: Passage {
+                steps: [first, second],
+                margins: [start, middle, end],
+            },
         };
         let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
@@ -208,10 +222,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// How far the rows are from losing their independence, 1 at most.
-    fn sigma(&mut self) -> f64 {
+    pub(super) fn margin(&mut self) -> RankMargin {
         let known = self.rank_margin;
         let now = known.or_else(|| self.integrator.rank_margin());
-        now.map_or(1.0, |now| now.least.min(1.0))
+        now.map_or(RankMargin::FULL, |now| RankMargin {
+            least: now.least.min(1.0),
+            ..now
+        })
     }
 
     /// From the beginning of the pair in other steps; their least clearance, or `None` if one does not converge.

@@ -2,11 +2,13 @@
 
 use super::Units;
 use super::sinks::Sink;
+use mbs_runtime::generated::Elimination;
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
     Configuration, Constraints, Inertia, Loads, MatrixSink, Mechanism, Model, Observables,
     ParameterError, Structure, System, TensorSink, UnknownName,
 };
+use std::sync::OnceLock;
 
 /// A mechanism in other units.
 #[derive(Debug, Clone)]
@@ -61,6 +63,8 @@ pub struct Scaled<S> {
     rate: Vec<f64>,
     output: Vec<f64>,
     reaction: Vec<f64>,
+    /// The slots of the entries of A in the array of K, and their factors.
+    slots: OnceLock<Vec<(usize, f64)>>,
 }
 
 impl<S> Scaled<S> {
@@ -87,6 +91,7 @@ impl<S> Scaled<S> {
                 .collect(),
             rate: rates.collect(),
             row,
+            slots: OnceLock::new(),
             output: (model.outputs.iter())
                 .map(|output| units.factor(output.unit))
                 .collect(),
@@ -116,6 +121,22 @@ impl<S> Scaled<S> {
     fn delassus_factor(&self, row: usize, other: usize) -> f64 {
         self.rate[row] * self.rate[other] / self.energy
     }
+}
+
+/// Slot, row and column of the entries of A in the array of K: where A v of a single entry is not zero, and by which v.
+fn entries<const N: usize, const R: usize>(plan: &Elimination<N, R>) -> Vec<[usize; 3]> {
+    let mut k = vec![0.0; plan.slots];
+    let numbers = SVector::from_fn(|j, _| (j + 1) as f64);
+    let mut found = Vec::new();
+    for slot in 0..plan.slots {
+        let mut rates = SVector::zeros();
+        k[slot] = 1.0;
+        (plan.rates)(&k, &numbers, &mut rates);
+        k[slot] = 0.0;
+        let entry = rates.iter().enumerate().find(|(_, rate)| **rate != 0.0);
+        found.extend(entry.map(|(row, number)| [slot, row, *number as usize - 1]));
+    }
+    found
 }
 
 /// Each entry by its factor, or divided by it.
@@ -189,6 +210,33 @@ impl<S: Inertia<Q, N>, const Q: usize, const N: usize> Inertia<Q, N> for Scaled<
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constraints<Q, N, R>
     for Scaled<S>
 {
+    // It works on the entries of K, which are scaled where they are written.
+    const ELIMINATION: Option<&'static Elimination<N, R>> = S::ELIMINATION;
+
+    fn sparse_constraints(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        phi: &mut SVector<f64, R>,
+        k: &mut [f64],
+        b: &mut SVector<f64, R>,
+    ) {
+        let slots = self.slots.get_or_init(|| {
+            let plan = S::ELIMINATION.expect("an array of K is that of an elimination");
+            let factor = |row: usize, j: usize| self.rate[row] / self.v[j];
+            let entries = entries(plan).into_iter();
+            entries
+                .map(|[slot, row, j]| (slot, factor(row, j)))
+                .collect()
+        });
+        let q = over(q, |i| self.q[i]);
+        self.inner.sparse_constraints(t / self.time, &q, phi, k, b);
+        for &(slot, factor) in slots {
+            k[slot] *= factor;
+        }
+        *phi = times(phi, |i| self.row[i]);
+        *b = times(b, |i| self.rate[i]);
+    }
     fn holonomic(&self, t: f64, q: &SVector<f64, Q>, phi: &mut SVector<f64, R>) {
         self.inner
             .holonomic(t / self.time, &over(q, |i| self.q[i]), phi);
