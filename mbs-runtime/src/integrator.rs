@@ -63,6 +63,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// The error of the last step by an embedded method, in sizes of the mechanism and radians; `None` without one.
+    pub(crate) fn estimate(&self) -> Option<f64> {
+        match self {
+            Integrator::TwoLevel(_) => None,
+            Integrator::Other(stepper) => stepper.estimate(),
+        }
+    }
+
     /// Whether its elimination is planned.
     pub(crate) fn is_sparse(&self) -> bool {
         match self {

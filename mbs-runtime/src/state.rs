@@ -187,6 +187,10 @@ pub struct StepController {
     pub eager: bool,
     /// The greatest speed so far, in sizes of the mechanism and radians a second.
     pub speed: f64,
+    /// The error of a pair by comparison, as a multiple of the estimate by an embedded method; zero: not known.
+    pub gauge: f64,
+    /// Pairs since the last comparison.
+    pub unseen: u32,
 }
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.

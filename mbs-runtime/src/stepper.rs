@@ -26,6 +26,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn flow(&self) -> Flow;
     fn counters(&self) -> Counters;
     fn is_sparse(&self) -> bool;
+    fn estimate(&self) -> Option<f64>;
 }
 
 /// Quantities after a step, for the report.
@@ -117,6 +118,10 @@ where
     fn is_sparse(&self) -> bool {
         false
     }
+
+    fn estimate(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
@@ -189,5 +194,9 @@ where
 
     fn is_sparse(&self) -> bool {
         BaselineStepper::is_sparse(self)
+    }
+
+    fn estimate(&self) -> Option<f64> {
+        BaselineStepper::estimate(self)
     }
 }

@@ -35,6 +35,8 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
     remedy: Remedy<R>,
     /// Whether the rows are factored at the current state.
     placed: bool,
+    /// See [`Rule::estimate`].
+    estimate: Option<f64>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
@@ -55,6 +57,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             stages: RungeKutta::new(tableau(settings.order)),
             remedy: Remedy::Terms,
             placed: false,
+            estimate: None,
         })))
     }
 
@@ -73,6 +76,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
                 stages: RungeKutta::new(tableau(settings.order)),
                 remedy: Remedy::Projection(scale),
                 placed: false,
+                estimate: None,
             }))
         };
         Some(make())
@@ -113,6 +117,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
             .combination(&bench.geometry.delassus, rows)
     }
 
+    fn estimate(&self) -> Option<f64> {
+        self.estimate
+    }
+
     fn is_sparse(&self) -> bool {
         self.equations.planned.is_some()
     }
@@ -137,6 +145,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         };
         let t1 = bench.state.time + h;
         let (mut q, mut v) = (end.q, end.v);
+        if bench.estimates {
+            let yardstick = &bench.yardstick;
+            let size = |turn: &_, change: &SVector<f64, N>| {
+                yardstick
+                    .measure(turn)
+                    .max(h.abs() * yardstick.measure(change))
+            };
+            self.estimate = self.stages.estimate(h, size);
+        }
         if let Remedy::Projection(scale) = &self.remedy {
             self.equations.close(bench, t1, &mut q, scale)?;
             self.equations.project(bench, &mut v);

@@ -27,6 +27,11 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
         SVector::zeros()
     }
 
+    /// The error of the last step by an embedded method, in sizes of the mechanism and radians; `None` without one.
+    fn estimate(&self) -> Option<f64> {
+        None
+    }
+
     /// Whether its elimination is planned.
     fn is_sparse(&self) -> bool {
         false

@@ -78,6 +78,27 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         [turn, change]
     }
 
+    /// An estimate of the error of the last step, as that of the code DOP853 (Hairer, Nørsett, Wanner: Solving Ordinary
+    /// Differential Equations I, II.10), e₅²/√(e₅² + e₃²/100), with `size` of a change of θ and v; `None` where the method
+    /// has none.
+    pub(crate) fn estimate(
+        &self,
+        h: f64,
+        size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
+    ) -> Option<f64> {
+        let [fifth, third] = self.tableau.embedded?.map(|differences| {
+            let [mut turn, mut change] = [SVector::zeros(); 2];
+            self.combine(differences, h, &mut turn, &mut change);
+            size(&turn, &change)
+        });
+        let both = (fifth * fifth + 0.01 * third * third).sqrt();
+        Some(if both > 0.0 {
+            fifth * fifth / both
+        } else {
+            0.0
+        })
+    }
+
     /// θ and v ← + h Σ c_j k_j.
     #[inline(always)]
     fn combine(

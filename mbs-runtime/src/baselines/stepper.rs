@@ -69,6 +69,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             works: Works::default(),
             multipliers: None,
             max_iterations: settings.max_iterations,
+            estimates: settings.tolerance.is_some(),
         };
         let rule = make(&bench, settings)
             .ok_or(SimulationError::NotCompiled { method })?
@@ -128,6 +129,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// The weight of each row in the combination that is nearest to dependence.
     pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         self.rule.weakest_rows(&self.bench)
+    }
+
+    /// See [`Rule::estimate`](super::rule::Rule::estimate).
+    pub(crate) fn estimate(&self) -> Option<f64> {
+        self.rule.estimate()
     }
 
     /// Whether its elimination is planned.

@@ -13,6 +13,9 @@ pub(crate) struct Tableau {
     pub(crate) weights: &'static [f64],
     /// b − b̂ of the embedded method of one order less, where there is one. Then the last stage is the end of the step.
     pub(crate) error: &'static [f64],
+    /// b − b̂ of embedded methods of orders 5 and 3, by which [`RungeKutta`](super::runge_kutta::RungeKutta) estimates the
+    /// error, where there are some.
+    pub(crate) embedded: Option<[&'static [f64]; 2]>,
 }
 
 impl Tableau {
@@ -31,6 +34,7 @@ pub(crate) static CLASSICAL: Tableau = Tableau {
     stages: &[&[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
     weights: &[1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
     error: &[],
+    embedded: None,
 };
 
 /// Order 5 with an embedded method of order 4 (Dormand & Prince, J. Comput. Appl. Math. 6, 1980, 19–26).
@@ -81,6 +85,7 @@ pub(crate) static DORMAND_PRINCE5: Tableau = Tableau {
         22.0 / 525.0,
         -1.0 / 40.0,
     ],
+    embedded: None,
 };
 
 /// Order 6 in seven stages (Butcher 1964; Hairer, Nørsett, Wanner: Solving Ordinary Differential Equations I, II.5).
@@ -112,6 +117,7 @@ static BUTCHER6: Tableau = Tableau {
         11.0 / 120.0,
     ],
     error: &[],
+    embedded: None,
 };
 
 /// The method of order 8 in twelve stages of the code DOP853 (Dormand & Prince; Hairer, Nørsett, Wanner: Solving Ordinary
@@ -235,6 +241,36 @@ static DORMAND_PRINCE8: Tableau = Tableau {
         4.47106157277725905176885569043e-2,
     ],
     error: &[],
+    embedded: Some([
+        &[
+            0.1312004499419488073250102996e-1,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            -0.1225156446376204440720569753e1,
+            -0.4957589496572501915214079952,
+            0.1664377182454986536961530415e1,
+            -0.3503288487499736816886487290,
+            0.3341791187130174790297318841,
+            0.8192320648511571246570742613e-1,
+            -0.2235530786388629525884427845e-1,
+        ],
+        &[
+            5.42937341165687622380535766363e-2 - 0.244094488188976377952755905512,
+            0.0,
+            0.0,
+            0.0,
+            0.0,
+            4.45031289275240888144113950566,
+            1.89151789931450038304281599044,
+            -5.8012039600105847814672114227,
+            3.1116436695781989440891606237e-1 - 0.733846688281611857341361741547,
+            -1.52160949662516078556178806805e-1,
+            2.01365400804030348374776537501e-1,
+            4.47106157277725905176885569043e-2 - 0.220588235294117647058823529412e-1,
+        ],
+    ]),
 };
 
 #[cfg(test)]
@@ -265,6 +301,24 @@ mod tests {
             for k in 1..=i32::from(tableau.order) {
                 assert!(moment(k).abs() < 1e-14, "{} {k}", tableau.order);
             }
+        }
+    }
+
+    /// Σ (b − b̂) c^{k−1} = 0 up to the order of the embedded method, and not beyond.
+    #[test]
+    fn embedded_methods_have_their_orders() {
+        let Some(embedded) = DORMAND_PRINCE8.embedded else {
+            unreachable!("it has two");
+        };
+        for (differences, order) in embedded.into_iter().zip([5, 3]) {
+            let moment = |k: i32| -> f64 {
+                let pairs = differences.iter().zip(DORMAND_PRINCE8.nodes);
+                pairs.map(|(b, c)| b * c.powi(k - 1)).sum()
+            };
+            for k in 1..=order {
+                assert!(moment(k).abs() < 1e-14, "{order} {k}: {}", moment(k));
+            }
+            assert!(moment(order + 1).abs() > 1e-4);
         }
     }
 }

@@ -12,6 +12,9 @@
 //! follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
 //! powers of 2^¼ times the first one.
 //!
+//! A method with an embedded estimate is not compared in every pair: a comparison tells by which factor the estimate
+//! differs from the error, and the pairs that follow use this factor.
+//!
 //! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
 //! unequal steps, and after these with a shorter pair.
 //!
@@ -46,6 +49,11 @@ const TELLING: f64 = 0.2;
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
 const WEAKEST: f64 = 1e-5;
+/// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
+/// factor of the estimate is that of another part of the motion.
+const UNSEEN: u32 = 7;
+/// The excess of an estimate, times the last factor, up to which a pair is kept without a comparison.
+const CLEARLY: f64 = 0.5;
 /// Steps shorter than this part of the first one are not tried.
 const SHORTEST: f64 = 1e-9;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -61,6 +69,8 @@ struct Found {
     speed: f64,
     /// Whether the pair had its two equal steps.
     even: bool,
+    /// The factor of the embedded estimate, if the pair was compared.
+    gauge: Option<f64>,
     passage: Passage,
 }
 
@@ -103,6 +113,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     let notches = notches(self.settings.true_order(), found.excess);
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
+                        step_controller.note(found.gauge);
                         if h == step_controller.step && found.even {
                             step_controller.lengthen(notches);
                         }
@@ -159,8 +170,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         last: bool,
     ) -> Result<Found, SimulationError> {
         let first = self.place(h, left)?;
+        let mut estimate = self.integrator.estimate();
         let middle = self.margin();
         let second = self.place(h.min(left - first), left - first)?;
+        let later = self.integrator.estimate();
+        estimate = estimate.zip(later).map(|(first, second)| first + second);
         let end = self.margin();
         let exact = (self.yardstick).round_off_of_positions(self.positions());
         let noise =
@@ -177,6 +191,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             worst: 0,
             speed: self.size(&moved) / length,
             even: first == h && second == h,
+            gauge: None,
             passage: Passage {
                 steps: [first, second],
                 margins: [start, middle, end],
@@ -184,6 +199,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
+        let estimate = estimate.filter(|_| found.even);
+        if let Some(estimate) = estimate
+            && controller.gauge > 0.0
+            && controller.unseen < UNSEEN
+            && controller.gauge * estimate <= CLEARLY * allowed
+        {
+            found.excess = controller.gauge * estimate / allowed;
+            return Ok(found);
+        }
         let order = i32::from(self.settings.true_order());
         // Relative to the length: powers of a short step vanish.
         let power = |h: f64| (h / length).powi(order + 1);
@@ -209,6 +233,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             if excess <= 1.0 || last || !(clearance < self.clear()) {
                 (found.excess, found.worst) = (excess, worst);
+                let gauge = estimate.map(|estimate| apart / (ratio * estimate));
+                found.gauge = gauge.filter(|gauge| gauge.is_finite());
                 break;
             }
         }
@@ -286,9 +312,18 @@ impl StepController {
         }
     }
 
+    /// Takes note of the factor of the estimate, or of a pair that was not compared.
+    fn note(&mut self, gauge: Option<f64>) {
+        match gauge {
+            Some(gauge) => (self.gauge, self.unseen) = (gauge.max(0.5 * self.gauge), 0),
+            None => self.unseen = self.unseen.saturating_add(1),
+        }
+    }
+
     /// Shortens the step after h was too long, by this (negative) number of notches.
     fn shorten(&mut self, h: f64, notches: f64) {
         self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
+        self.gauge = 0.0;
         if std::mem::take(&mut self.raised) {
             self.patience = (2 * self.patience).min(PATIENCE[1]);
         }
@@ -304,6 +339,7 @@ impl StepController {
         self.allowed = self.allowed.min(notches - 1.0);
         if self.eager || self.quiet >= self.patience {
             self.step *= (self.allowed / NOTCHES).exp2();
+            self.gauge = 0.0;
             if std::mem::replace(&mut self.raised, !self.eager) {
                 self.patience = (self.patience / 2).max(PATIENCE[0]);
             }
