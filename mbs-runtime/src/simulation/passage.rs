@@ -26,7 +26,8 @@ const SINGULAR: f64 = 30.0;
 /// A pair may begin or end at this multiple of the least σ between. With a larger value a pair may pass the pose as if
 /// the branches met; a smaller one takes shorter steps there.
 const LEAP: f64 = 8.0;
-/// Probes of a pair, at most: two are usual at a singular pose.
+/// Probes of a pair, at most: two are usual at a singular pose. (Probes of one stage instead of a step were tried: they
+/// end too far from the motion, and one run in ninety of `tests/near_singular.rs` took the wrong branch.)
 const PROBES: usize = 8;
 /// The minimum of the parabola is no other than the least probe if σ² there is more than this fraction.
 const FOUND: f64 = 0.5;
