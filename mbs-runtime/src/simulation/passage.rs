@@ -42,7 +42,7 @@ pub(super) struct Passage {
 impl Passage {
     /// The time, s after the beginning of the pair, at which a straight σ comes to zero within the pair, or may do so.
     #[inline]
-    fn pose(&self) -> Option<f64> {
+    pub(super) fn pose(&self) -> Option<f64> {
         let ([first, second], [start, middle, end]) = (self.steps, self.margins);
         let falls = |from: f64, h: f64, ahead: f64| {
             middle.least * h < AHEAD * (from - middle.least) * ahead
