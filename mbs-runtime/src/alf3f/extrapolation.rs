@@ -37,9 +37,21 @@ const WEIGHTS: [&[f64]; 3] = [
     &[-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0],
 ];
 
+/// Columns whose ends are further apart than this part of the way do not follow the same motion, or are far too coarse for
+/// it.
+const UNLIKE: f64 = 0.5;
+
 /// The weighted mean of the ends of a step taken in different numbers of parts.
 pub(super) struct Extrapolation {
     weights: &'static [f64],
+}
+
+/// A step that was taken.
+pub(super) struct Taken<const R: usize> {
+    /// κ₁ + κ₂ over it.
+    pub(super) impulse: SVector<f64, R>,
+    /// Whether its columns have gone the same way.
+    pub(super) alike: bool,
 }
 
 /// Sums over the columns, with their weights.
@@ -63,8 +75,8 @@ impl Extrapolation {
         self.weights.len() * (self.weights.len() + 1)
     }
 
-    /// One step of h seconds from the state `before`, which is that of the context; returns κ₁ + κ₂ over it. After a fault
-    /// the state of the context is one on the way.
+    /// One step of h seconds from the state `before`, which is that of the context. After a fault the state of the context
+    /// is one on the way.
     pub(super) fn step<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         &self,
         context: &mut StepContext<S, Q, N, R>,
@@ -72,7 +84,7 @@ impl Extrapolation {
         before: &State<Q, N, R>,
         h: f64,
         monitor: &mut StepMonitor,
-    ) -> Result<SVector<f64, R>, Fault> {
+    ) -> Result<Taken<R>, Fault> {
         let mut mean = Mean {
             moved: crate::linear::zeros(),
             velocities: crate::linear::zeros(),
@@ -83,6 +95,7 @@ impl Extrapolation {
         let start = *monitor;
         let mut finest = start;
         let mut stage = 0;
+        let (mut alike, mut last) = (true, None);
         for (column, &weight) in self.weights.iter().enumerate() {
             if column > 0 {
                 begin_again(context, before)?;
@@ -101,6 +114,11 @@ impl Extrapolation {
             let moved = context
                 .system
                 .difference(&before.positions, &context.state.positions);
+            let measure = |way: &SVector<f64, N>| context.yardstick.measure(way);
+            if let Some(last) = last.replace(moved) {
+                let way = measure(&moved).max(measure(&last));
+                alike &= measure(&(moved - last)) <= UNLIKE * way;
+            }
             mean.moved += moved * weight;
             mean.velocities += context.state.velocities * weight;
             mean.work += weight * (works.nonconservative_work - start.nonconservative_work);
@@ -120,7 +138,10 @@ impl Extrapolation {
         monitor.drive_work += mean.drive_work;
         monitor.work_doubt +=
             (finest.nonconservative_work - start.nonconservative_work - mean.work).abs();
-        Ok(mean.impulse)
+        Ok(Taken {
+            impulse: mean.impulse,
+            alike,
+        })
     }
 }
 

@@ -13,6 +13,9 @@ use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
+/// With a smaller σ another branch of the motion is within reach of a step.
+const NEAR: f64 = 0.3;
+
 /// The integrator by itself: steps of any length, without energy balance or report.
 ///
 /// A step allocates nothing and has the given length, near singular poses too. [`Simulation`](crate::Simulation) wraps
@@ -299,8 +302,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         before.copy_from(&context.state);
         let mut unwatched = StepMonitor::new(0.0, None);
         let monitor = monitor.unwrap_or(&mut unwatched);
-        match extrapolation.step(context, flow, before, h, monitor) {
-            Ok(impulse) => self.impulse = impulse,
+        let near = (monitor.rank_margin).is_some_and(|margin| margin.least < NEAR);
+        let mut taken = extrapolation.step(context, flow, before, h, monitor);
+        if near && matches!(&taken, Ok(taken) if !taken.alike) {
+            // Beside a singular pose a part may turn into another branch, where its rows hold as well.
+            taken = Err(Fault::Astray(
+                h * context.yardstick.measure(&before.velocities),
+            ));
+        }
+        match taken {
+            Ok(taken) => self.impulse = taken.impulse,
             Err(fault) => {
                 context.state.copy_from(before);
                 context.refresh()?;
