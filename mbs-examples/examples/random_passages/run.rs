@@ -6,10 +6,9 @@ use mbs_runtime::{AnySimulation, Settings, SimulationError};
 
 /// The length of a run, s.
 const DURATION: f64 = 5.0;
-/// A part of this size away from the branch of the motion is on another one, m.
+/// A pose this far from the branch of the motion is on another one, m.
 const ASTRAY: f64 = 0.02;
-/// The largest error of energy, as a part of the greatest kinetic energy: with orders 2, above, and with a tolerance or an
-/// accuracy of 1e-3.
+/// An error of energy that is wrong, as a part of the greatest kinetic energy.
 const WRONG: f64 = 0.1;
 
 /// What was drawn.
@@ -91,11 +90,8 @@ impl Run {
     }
 
     fn follow(&self, mechanism: &Passing, simulation: &mut dyn AnySimulation) -> End {
-        let place = mechanism
-            .model
-            .outputs
-            .iter()
-            .position(|output| output.name == "astray");
+        let mut outputs = mechanism.model.outputs.iter();
+        let place = outputs.position(|output| output.name == "astray");
         let mut kinetic: f64 = 0.0;
         let mut count = 0.0;
         while simulation.time() < DURATION {
@@ -108,7 +104,7 @@ impl Run {
                 return End::Stopped(error);
             }
             kinetic = kinetic.max(simulation.energy().kinetic);
-            let astray = place.map_or(0.0, |place| simulation.output_values()[place].abs());
+            let astray = place.map_or(f64::NAN, |place| simulation.output_values()[place].abs());
             if !(astray < ASTRAY) {
                 return End::Astray(simulation.time());
             }

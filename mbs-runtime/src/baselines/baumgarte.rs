@@ -20,6 +20,7 @@ use crate::fault::Fault;
 use crate::linear::{accumulate, negative};
 use crate::row_scale::RowScale;
 use crate::singular::{EXACT, RankMargin};
+use crate::yardstick::Yardstick;
 use crate::{BaumgarteSettings, Method, Settings, System};
 use nalgebra::SVector;
 
@@ -35,8 +36,8 @@ pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
     remedy: Remedy<R>,
     /// Whether the rows are factored at the current state.
     placed: bool,
-    /// See [`Rule::estimate`].
-    estimate: Option<f64>,
+    /// The length of the last step, s.
+    length: f64,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
@@ -57,7 +58,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
             stages: RungeKutta::new(tableau(settings.order)),
             remedy: Remedy::Terms,
             placed: false,
-            estimate: None,
+            length: 0.0,
         })))
     }
 
@@ -76,7 +77,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
                 stages: RungeKutta::new(tableau(settings.order)),
                 remedy: Remedy::Projection(scale),
                 placed: false,
-                estimate: None,
+                length: 0.0,
             }))
         };
         Some(make())
@@ -117,8 +118,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
             .combination(&bench.geometry.delassus, rows)
     }
 
-    fn estimate(&self) -> Option<f64> {
-        self.estimate
+    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<f64> {
+        let h = self.length;
+        self.stages.estimate(h, |turn, change| {
+            yardstick
+                .measure(turn)
+                .max(h.abs() * yardstick.measure(change))
+        })
     }
 
     fn is_sparse(&self) -> bool {
@@ -145,15 +151,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         };
         let t1 = bench.state.time + h;
         let (mut q, mut v) = (end.q, end.v);
-        if bench.estimates {
-            let yardstick = &bench.yardstick;
-            let size = |turn: &_, change: &SVector<f64, N>| {
-                yardstick
-                    .measure(turn)
-                    .max(h.abs() * yardstick.measure(change))
-            };
-            self.estimate = self.stages.estimate(h, size);
-        }
+        self.length = h;
         if let Remedy::Projection(scale) = &self.remedy {
             self.equations.close(bench, t1, &mut q, scale)?;
             self.equations.project(bench, &mut v);

@@ -22,8 +22,6 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     /// λ at the end of the last step, of methods that have it as an unknown.
     pub(crate) multipliers: Option<SVector<f64, R>>,
     pub(crate) max_iterations: usize,
-    /// Whether the errors of steps are asked for.
-    pub(crate) estimates: bool,
     pub(crate) yardstick: Box<Yardstick<Q, N>>,
 }
 

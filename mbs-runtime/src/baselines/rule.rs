@@ -3,6 +3,7 @@
 use super::bench::Bench;
 use crate::fault::Fault;
 use crate::singular::RankMargin;
+use crate::yardstick::Yardstick;
 use crate::{Settings, System};
 use nalgebra::SVector;
 
@@ -28,7 +29,7 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     }
 
     /// The error of the last step by an embedded method, in sizes of the mechanism and radians; `None` without one.
-    fn estimate(&self) -> Option<f64> {
+    fn estimate(&self, _: &Yardstick<Q, N>) -> Option<f64> {
         None
     }
 

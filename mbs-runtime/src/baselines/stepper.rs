@@ -69,7 +69,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             works: Works::default(),
             multipliers: None,
             max_iterations: settings.max_iterations,
-            estimates: settings.tolerance.is_some(),
         };
         let rule = make(&bench, settings)
             .ok_or(SimulationError::NotCompiled { method })?
@@ -133,7 +132,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// See [`Rule::estimate`](super::rule::Rule::estimate).
     pub(crate) fn estimate(&self) -> Option<f64> {
-        self.rule.estimate()
+        self.rule.estimate(&self.bench.yardstick)
     }
 
     /// Whether its elimination is planned.
