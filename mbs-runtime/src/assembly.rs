@@ -231,12 +231,13 @@ fn holonomic_delassus<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     geometry: &ConstraintGeometry<S, Q, N, R>,
 ) -> RowMatrix<R, R> {
     let mut delassus = geometry.delassus.clone();
+    let rows = delassus.entries_mut();
     for i in S::STRUCTURE.holonomic_rows..R {
         for j in 0..R {
-            delassus[i][j] = 0.0;
-            delassus[j][i] = 0.0;
+            rows[i][j] = 0.0;
+            rows[j][i] = 0.0;
         }
-        delassus[i][i] = 1.0;
+        rows[i][i] = 1.0;
     }
     delassus
 }

@@ -2,7 +2,7 @@
 
 use crate::System;
 use crate::fault::Fault;
-use crate::linear::{RowMatrix, vector};
+use crate::linear::{RowMatrix, add, vector};
 use nalgebra::SVector;
 
 /// A, b, W = M⁻¹Aᵀ, S = A M⁻¹ Aᵀ and M⁻¹f at one instant.
@@ -79,7 +79,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// 1/m̄ of each row.
     #[inline(always)]
     pub(crate) fn lengths_squared(&self) -> SVector<f64, R> {
-        vector(|i| self.delassus[i][i])
+        let delassus = &self.delassus.data.0;
+        vector(|i| delassus[i][i])
     }
 
     /// A v + b.
@@ -87,6 +88,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     pub(crate) fn velocity_rows(&self, system: &S, v: &SVector<f64, N>) -> SVector<f64, R> {
         let mut rates = crate::linear::zeros();
         system.row_rates(&self.a, v, &mut rates);
-        vector(|i| rates[i] + self.b[i])
+        add(&mut rates, &self.b);
+        rates
     }
 }

@@ -3,10 +3,11 @@
 
 use crate::ParameterError;
 pub use crate::affinities::by_tangents as affinities;
-use crate::linear::vector;
+use crate::linear::{added, vector};
 use nalgebra::{SMatrix, SVector};
 
 pub use crate::contract::{Elimination, Rates};
+pub use crate::linear::{entries, entries_mut};
 pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
 pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
@@ -67,7 +68,7 @@ pub fn translated<const N: usize>(
     v: &SVector<f64, N>,
     h: f64,
 ) -> SVector<f64, N> {
-    vector(|i| q[i] + h * v[i])
+    added(q, h, v)
 }
 
 /// to − from: [`difference`](crate::Configuration::difference) where no coordinate is a rotation.
@@ -76,6 +77,7 @@ pub fn displacement<const N: usize>(
     from: &SVector<f64, N>,
     to: &SVector<f64, N>,
 ) -> SVector<f64, N> {
+    let (from, to) = (entries(from), entries(to));
     vector(|i| to[i] - from[i])
 }
 
@@ -135,18 +137,6 @@ pub fn solve_rows<const N: usize, const R: usize>(
         solve(&mut row);
         { w }.copy_from(&row);
     }
-}
-
-/// The entries of a vector.
-#[inline(always)]
-pub fn entries<const N: usize>(vector: &SVector<f64, N>) -> &[f64; N] {
-    &vector.data.0[0]
-}
-
-/// The entries of a vector, to be written.
-#[inline(always)]
-pub fn entries_mut<const N: usize>(vector: &mut SVector<f64, N>) -> &mut [f64; N] {
-    &mut vector.data.0[0]
 }
 
 /// The rows of a matrix that holds them as columns.

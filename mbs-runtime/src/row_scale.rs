@@ -2,7 +2,7 @@
 
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{dot, larger, vector};
+use crate::linear::{dot, entries, larger, products, vector};
 use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
@@ -70,7 +70,8 @@ impl<const R: usize> RowScale<R> {
         &self,
         geometry: &ConstraintGeometry<S, Q, N, R>,
     ) -> SVector<f64, R> {
-        vector(|i| larger(geometry.delassus[i][i], self.usual[i]))
+        let (delassus, usual) = (&geometry.delassus.data.0, entries(&self.usual));
+        vector(|i| larger(delassus[i][i], usual[i]))
     }
 
     /// The largest |φ_i|/|a_i|, a displacement in lengths of the mechanism; NaN if any φ is.
@@ -99,8 +100,7 @@ impl<const R: usize> RowScale<R> {
     /// Σ |a_i|² x_i² of multipliers.
     #[inline(always)]
     pub(crate) fn square(&self, x: &SVector<f64, R>) -> f64 {
-        let weighted: SVector<f64, R> = vector(|i| self.lengths_squared[i] * x[i]);
-        dot(&weighted, x)
+        dot(&products(&self.lengths_squared, x), x)
     }
 }
 

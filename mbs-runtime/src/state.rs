@@ -1,6 +1,6 @@
 //! The state of a simulation: all data to continue it bit for bit.
 
-use crate::linear::vector;
+use crate::linear::{entries, entries_mut, vector};
 use crate::row_scale::RowScale;
 use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
 use nalgebra::SVector;
@@ -34,7 +34,11 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// The impulses κ₁ that a step of h begins with.
     #[inline(always)]
     pub(crate) fn expected_impulse(&self, h: f64) -> SVector<f64, R> {
-        vector(|i| h * (self.multipliers[i] + self.multiplier_changes[i]))
+        let (now, change) = (
+            entries(&self.multipliers),
+            entries(&self.multiplier_changes),
+        );
+        vector(|i| h * (now[i] + change[i]))
     }
 
     /// Keeps the impulses κ₁ of a step of h for the next one.
@@ -63,10 +67,13 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             self.multiplier_changes = SVector::zeros();
             return;
         }
+        let now = entries_mut(&mut self.multipliers);
+        let change = entries_mut(&mut self.multiplier_changes);
+        let impulse = entries(impulse);
         for i in 0..R {
             let force = rate * impulse[i];
-            self.multiplier_changes[i] = force - self.multipliers[i];
-            self.multipliers[i] = force;
+            change[i] = force - now[i];
+            now[i] = force;
         }
     }
 

@@ -3,7 +3,7 @@
 //!
 //! No length is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
 
-use crate::linear::{dot, largest, largest_of, vector};
+use crate::linear::{dot, largest, largest_of, products, vector};
 use crate::sink::Diagonal;
 use crate::{Coordinate, Model, System};
 use nalgebra::SVector;
@@ -79,7 +79,7 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
 
     #[inline(always)]
     fn sizes(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
-        vector(|i| self.velocities[i] * x[i])
+        products(&self.velocities, x)
     }
 
     /// x whose entries are these numbers of lengths of the mechanism, or of radians.
@@ -97,8 +97,7 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
     /// The largest coordinate in these units, at least 1.
     #[inline(always)]
     pub(crate) fn farthest(&self, q: &SVector<f64, Q>) -> f64 {
-        let sizes: SVector<f64, Q> = vector(|i| self.positions[i] * q[i]);
-        largest(&sizes).max(1.0)
+        largest(&products(&self.positions, q)).max(1.0)
     }
 
     /// Round-off of positions in these units.

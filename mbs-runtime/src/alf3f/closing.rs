@@ -4,6 +4,7 @@
 //! the baselines that iterate on rows; they differ in residual, factor and correction.
 
 use crate::fault::Fault;
+use crate::linear::entries;
 use crate::singular::{STAGNATED, STALLED};
 use nalgebra::SVector;
 
@@ -150,6 +151,7 @@ pub(crate) fn refine(rows: &mut impl Refining, passes: usize, enough: f64) {
 /// Σ φ_i² / tolerance_i²: if it is at most 1, every row is within its tolerance; NaN if any row is.
 #[inline(always)]
 pub(crate) fn residual_of<const R: usize>(phi: &SVector<f64, R>, weights: &SVector<f64, R>) -> f64 {
+    let (phi, weights) = (entries(phi), entries(weights));
     let mut sum = 0.0;
     for i in 0..R {
         sum += phi[i] * phi[i] * weights[i];

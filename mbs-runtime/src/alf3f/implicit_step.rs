@@ -296,8 +296,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             self.defect[i] = dot(&end.a[i], &self.vb) + end.b[i];
         }
         let ImplicitStep { solver, mean, .. } = &mut *self.step;
-        for i in 0..R {
-            mean[i] = vector(|j| 0.5 * (start.a[i][j] + end.a[i][j]));
+        let (before, after) = (&start.a.data.0, &end.a.data.0);
+        for (i, row) in mean.entries_mut().iter_mut().enumerate() {
+            for j in 0..N {
+                row[j] = 0.5 * (before[i][j] + after[i][j]);
+            }
         }
         solver.known = self.known;
         accumulate(&mut solver.known, mean, &self.kappa);

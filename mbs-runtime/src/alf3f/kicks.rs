@@ -12,7 +12,7 @@ use super::step_context::{PROMPT, StepContext};
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::KickFlow;
-use crate::linear::accumulate;
+use crate::linear::{accumulate, add, scaled};
 use crate::singular::EXACT;
 use nalgebra::SVector;
 
@@ -218,10 +218,8 @@ where
         } else {
             work.projection.solve(&mut change);
         }
-        for i in 0..R {
-            change[i] *= self.rate;
-            self.kick.kappa[i] += change[i];
-        }
+        change = scaled(self.rate, &change);
+        add(&mut self.kick.kappa, &change);
         accumulate(&mut self.kick.va, &start.w, &change);
         self.flow.predict(&change);
         false

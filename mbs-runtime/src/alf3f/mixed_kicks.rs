@@ -16,7 +16,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::KickFlow;
-use crate::linear::{accumulate, dot, negative, vector};
+use crate::linear::{accumulate, add, dot, negative, vector};
 use crate::singular::EXACT;
 use nalgebra::SVector;
 
@@ -185,10 +185,8 @@ where
             *value /= self.h;
         }
         work.projection.solve(&mut change);
-        for i in 0..R {
-            change[i] = -change[i];
-            self.kappa[i] += change[i];
-        }
+        change = negative(&change);
+        add(&mut self.kappa, &change);
         accumulate(&mut self.va, &start.w, &change);
         self.flow.predict(&change);
         false

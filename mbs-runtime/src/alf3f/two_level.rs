@@ -8,7 +8,7 @@ use super::step_context::{Counters, StepContext};
 use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
-use crate::linear::vector;
+use crate::linear::{add, added, vector};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
@@ -254,9 +254,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             if several {
                 self.context.state.keep_stage(index);
                 let [first, second] = &self.context.work.impulse;
-                for i in 0..R {
-                    self.impulse[i] += first[i] + second[i];
-                }
+                add(&mut self.impulse, &added(first, 1.0, second));
             }
             if let Some(monitor) = monitor.as_deref_mut() {
                 monitor.add(&self.context, fraction * h);
@@ -363,7 +361,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let impulse = match (self.stages.len(), &self.extrapolation) {
             (1, None) => {
                 let [first, second] = &self.context.work.impulse;
-                vector(|i| first[i] + second[i])
+                added(first, 1.0, second)
             }
             _ => self.impulse,
         };

@@ -25,7 +25,7 @@ use super::saddle::Saddle;
 use crate::BdfSettings;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{dot, finite, scaled, vector};
+use crate::linear::{add, dot, finite, scaled, vector};
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
@@ -243,9 +243,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             self.saddle.solve(&mut change, &mut rows, &geometry.a);
             bench.counters.regularised += u64::from(self.saddle.left_out() > 0);
             bench.counters.iterations += 1;
-            for i in 0..N {
-                v[i] += change[i];
-            }
+            add(&mut v, &change);
             lambda = scaled(alpha, &rows);
             let size = bench.yardstick.measure(&change) / alpha;
             ended = size <= NEWTON * bound;

@@ -1,7 +1,7 @@
 //! The last instants of a multistep method, with variable distances.
 
 use crate::System;
-use crate::linear::vector;
+use crate::linear::{add_scaled, vector};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
@@ -179,9 +179,7 @@ impl<const Q: usize, const N: usize> History<Q, N> {
 fn combine<const N: usize>(weights: &[f64], values: &[SVector<f64, N>; KEPT]) -> SVector<f64, N> {
     let mut sum = SVector::zeros();
     for (c, value) in weights.iter().zip(values) {
-        for i in 0..N {
-            sum[i] += c * value[i];
-        }
+        add_scaled(&mut sum, *c, value);
     }
     sum
 }

@@ -83,10 +83,11 @@ impl<const N: usize> Motion<N> {
     /// Some terms of the derivatives of (∂p/∂q) v and M v̇ are left out, so that the iteration is a little slower if M
     /// varies.
     pub(crate) fn combine(&mut self, c: f64, k: f64) {
-        for i in 0..N {
+        let (mass, p_q) = (&self.mass.data.0, &self.p_q.data.0);
+        let (f_q, f_v) = (&self.f_q.data.0, &self.f_v.data.0);
+        for (i, row) in self.jacobian.entries_mut().iter_mut().enumerate() {
             for j in 0..N {
-                self.jacobian[i][j] =
-                    self.mass[i][j] + c * (self.p_q[i][j] - self.f_v[i][j]) - k * self.f_q[i][j];
+                row[j] = mass[i][j] + c * (p_q[i][j] - f_v[i][j]) - k * f_q[i][j];
             }
         }
     }

@@ -9,7 +9,7 @@ use super::tableau::Tableau;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{scaled, vector};
+use crate::linear::{add_scaled, added, scaled};
 use nalgebra::SVector;
 
 /// Room for the stages of a step.
@@ -110,11 +110,8 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
     ) {
         for (c, [rate, acceleration]) in coefficients.iter().zip(&*self.slopes) {
             if *c != 0.0 {
-                let c = h * c;
-                for i in 0..N {
-                    turn[i] += c * rate[i];
-                    v[i] += c * acceleration[i];
-                }
+                add_scaled(turn, h * c, rate);
+                add_scaled(v, h * c, acceleration);
             }
         }
     }
@@ -138,20 +135,18 @@ pub(crate) fn classical<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     for (c, weight) in [(0.5, 2.0), (0.5, 2.0), (1.0, 1.0)] {
         let (t, step) = (t0 + c * h, c * h);
         let turn = scaled(step, &slope[0]);
-        let mut v = vector(|i| v0[i] + step * slope[1][i]);
+        let mut v = added(&v0, step, &slope[1]);
         let q = bench.system.advance(&q0, &turn, 1.0);
         let acceleration = equations.evaluate(bench, t, &q, &v)?;
         let powers = bench.powers(t, &q, &v, &equations.lambda);
         bench.add_works(weight * h / 6.0, powers);
         unroll::<S, Q, N, R>(&turn, &mut v);
         slope = [v, acceleration];
-        for i in 0..N {
-            sum[0][i] += weight * v[i];
-            sum[1][i] += weight * acceleration[i];
-        }
+        add_scaled(&mut sum[0], weight, &v);
+        add_scaled(&mut sum[1], weight, &acceleration);
     }
     Ok(End {
         q: bench.system.advance(&q0, &sum[0], h / 6.0),
-        v: vector(|i| v0[i] + h / 6.0 * sum[1][i]),
+        v: added(&v0, h / 6.0, &sum[1]),
     })
 }

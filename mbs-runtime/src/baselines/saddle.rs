@@ -7,7 +7,7 @@
 //! by elimination of x. The R × R matrix Ã J⁻¹ Aᵀ is factored with complete pivoting; rows whose pivots are round-off are
 //! left out, and their multipliers are zero: the treatment of redundant rows that codes of this kind have.
 
-use crate::linear::{Pivoted, RowMatrix, accumulate, dot};
+use crate::linear::{Pivoted, RowMatrix, accumulate, dot, entries, entries_mut};
 use nalgebra::SVector;
 
 /// Pivots below this fraction of the largest are round-off.
@@ -64,10 +64,10 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
                 0.0
             };
         }
-        for i in 0..R {
+        let scale = entries(&self.scale);
+        for (i, row) in self.matrix.entries_mut().iter_mut().enumerate() {
             for j in 0..R {
-                self.matrix[i][j] =
-                    self.scale[i] * dot(&a_moved[i], &self.along[j]) * self.scale[j];
+                row[j] = scale[i] * dot(&a_moved[i], &self.along[j]) * scale[j];
             }
         }
         self.eliminate();
@@ -75,7 +75,7 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
     }
 
     fn eliminate(&mut self) {
-        let matrix = self.matrix.rows_mut();
+        let matrix = self.matrix.entries_mut();
         let mut first = 0.0;
         self.rank = R;
         for k in 0..R {
@@ -97,7 +97,7 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
             (self.order[0][k], self.order[1][k]) = (row, column);
             matrix.swap(k, row);
             for line in matrix.iter_mut() {
-                line.as_mut_slice().swap(k, column);
+                line.swap(k, column);
             }
             let pivot_row = matrix[k];
             for line in &mut matrix[k + 1..] {
@@ -131,27 +131,28 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
     }
 
     fn solve_rows(&self, rows: &mut SVector<f64, R>) {
-        let rank = self.rank;
+        let (rank, matrix, scale) = (self.rank, &self.matrix.data.0, entries(&self.scale));
+        let rows = entries_mut(rows);
         for k in 0..rank {
-            rows.as_mut_slice().swap(k, self.order[0][k]);
+            rows.swap(k, self.order[0][k]);
         }
         for i in 0..rank {
             for j in 0..i {
-                rows[i] -= self.matrix[i][j] * rows[j];
+                rows[i] -= matrix[i][j] * rows[j];
             }
         }
         for i in (0..rank).rev() {
             for j in i + 1..rank {
-                rows[i] -= self.matrix[i][j] * rows[j];
+                rows[i] -= matrix[i][j] * rows[j];
             }
-            rows[i] /= self.matrix[i][i];
+            rows[i] /= matrix[i][i];
         }
-        rows.as_mut_slice()[rank..].fill(0.0);
+        rows[rank..].fill(0.0);
         for k in (0..rank).rev() {
-            rows.as_mut_slice().swap(k, self.order[1][k]);
+            rows.swap(k, self.order[1][k]);
         }
         for i in 0..R {
-            rows[i] *= self.scale[i];
+            rows[i] *= scale[i];
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Free flight between the kicks of leapfrog, and its tangents.
 
 use crate::System;
-use crate::linear::RowMatrix;
+use crate::linear::{RowMatrix, entries, entries_mut};
 use nalgebra::SVector;
 
 /// Rotation in a step, rad, above which the factors of A₀M⁻¹A₀ᵀ are not used: they neglect the rotation of a kick, and
@@ -43,6 +43,7 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
         h: f64,
     ) {
         (self.start.0, self.h) = (*q, h);
+        let va = entries(va);
         let square = |&i: &usize| va[i] * va[i] + va[i + 1] * va[i + 1] + va[i + 2] * va[i + 2];
         let most = S::ROTATIONS.iter().map(square).fold(0.0, f64::max);
         self.swift = h * h * most > SWIFT * SWIFT;
@@ -83,16 +84,18 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
             }
             system.free_flight(&mut q, &mut v, self.h);
             let mut turn = system.difference(&self.end.0, &q);
+            let (turn, v) = (entries_mut(&mut turn), entries_mut(&mut v));
+            let end = entries(&self.end.1);
             for &i in S::ROTATIONS {
                 for j in i..i + 3 {
                     turn[j] /= DIFFERENCE;
-                    v[j] = (v[j] - self.end.1[j]) / step;
+                    v[j] = (v[j] - end[j]) / step;
                 }
             }
-            (turn, v)
+            (*turn, *v)
         };
         let tangents = [tangent(0), tangent(1), tangent(2)];
-        for (r, w) in w0.rows().iter().enumerate() {
+        for (r, w) in w0.data.0.iter().enumerate() {
             let (mut direction, mut far) = (*w, *w);
             for &i in S::ROTATIONS {
                 for j in i..i + 3 {
@@ -103,7 +106,8 @@ impl<const Q: usize, const N: usize, const R: usize> Drift<Q, N, R> {
                     }
                 }
             }
-            (self.directions[r], self.far[r]) = (direction, far);
+            self.directions.entries_mut()[r] = direction;
+            self.far.entries_mut()[r] = far;
         }
         &self.directions
     }

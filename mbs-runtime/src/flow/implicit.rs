@@ -3,7 +3,7 @@
 use super::group::pull_back;
 use crate::System;
 use crate::fault::Fault;
-use crate::linear::{Pivoted, RowMatrix, vector};
+use crate::linear::{Pivoted, RowMatrix, add, added, entries, vector};
 use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::sink::Discard;
 use crate::yardstick::Yardstick;
@@ -25,7 +25,7 @@ pub(crate) fn trapezoid<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     v1: &SVector<f64, N>,
     h: f64,
 ) -> SVector<f64, Q> {
-    system.advance(q0, &vector(|i| v0[i] + v1[i]), 0.5 * h)
+    system.advance(q0, &added(v0, 1.0, v1), 0.5 * h)
 }
 
 pub(crate) struct Implicit<const N: usize> {
@@ -117,7 +117,9 @@ impl<const N: usize> Implicit<N> {
         vb: &SVector<f64, N>,
     ) -> SVector<f64, N> {
         system.balance(self.t1, q1, vb, &mut self.momentum, &mut self.force);
-        vector(|i| self.known[i] - self.momentum[i] + 0.5 * self.h * self.force[i])
+        let (known, momentum) = (entries(&self.known), entries(&self.momentum));
+        let force = entries(&self.force);
+        vector(|i| known[i] - momentum[i] + 0.5 * self.h * force[i])
     }
 
     /// J at (q₁, v_b) after a step that began with v_a, factored.
@@ -131,9 +133,10 @@ impl<const N: usize> Implicit<N> {
         let h = self.h;
         let (f_q, f_v) = (&mut self.f_q, &mut self.f_v);
         system.balance_tangents(self.t1, q1, vb, &mut self.mass, f_q, f_v, &mut self.p_q);
-        for i in 0..N {
+        let (p_q, f_q) = (&self.p_q.data.0, &self.f_q.data.0);
+        for (i, row) in self.by_end.entries_mut().iter_mut().enumerate() {
             for j in 0..N {
-                self.by_end[i][j] = self.p_q[i][j] - 0.5 * h * self.f_q[i][j];
+                row[j] = p_q[i][j] - 0.5 * h * f_q[i][j];
             }
         }
         if !S::ROTATIONS.is_empty() {
@@ -141,10 +144,10 @@ impl<const N: usize> Implicit<N> {
             pull_back::<S, Q, N, R>(&turn, &mut self.by_end);
         }
         let mut jacobian = *self.mass;
-        let rows = &mut jacobian.data.0;
-        for i in 0..N {
+        let (by_end, f_v) = (&self.by_end.data.0, &self.f_v.data.0);
+        for (i, row) in jacobian.data.0.iter_mut().enumerate() {
             for j in 0..N {
-                rows[i][j] += 0.5 * h * (self.by_end[i][j] - self.f_v[i][j]);
+                row[j] += 0.5 * h * (by_end[i][j] - f_v[i][j]);
             }
         }
         self.current = self.jacobian.factor(&jacobian);
@@ -154,10 +157,10 @@ impl<const N: usize> Implicit<N> {
     /// M₁ − h/2 F_v₁ as of the last J, factored: the metric in which the velocities of the step follow an impulse.
     pub(crate) fn velocity_metric(&self, metric: &mut Pivoted<N>) -> Result<(), Fault> {
         let mut matrix = *self.mass;
-        let rows = &mut matrix.data.0;
-        for i in 0..N {
+        let f_v = &self.f_v.data.0;
+        for (i, row) in matrix.data.0.iter_mut().enumerate() {
             for j in 0..N {
-                rows[i][j] -= 0.5 * self.h * self.f_v[i][j];
+                row[j] -= 0.5 * self.h * f_v[i][j];
             }
         }
         if metric.factor(&matrix) {
@@ -185,9 +188,7 @@ impl<const N: usize> Implicit<N> {
                 self.refresh(system, &q1, va, vb)?;
             }
             self.jacobian.solve(&mut change);
-            for i in 0..N {
-                vb[i] += change[i];
-            }
+            add(vb, &change);
             let size = yardstick.measure(&change);
             let speed = yardstick.measure(vb);
             let stagnated = fresh

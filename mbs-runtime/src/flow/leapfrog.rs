@@ -8,7 +8,7 @@ use super::drift::Drift;
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{RowMatrix, vector};
+use crate::linear::{RowMatrix, added, entries, entries_mut, scaled, vector};
 use nalgebra::SVector;
 
 pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {
@@ -49,13 +49,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     ) {
         self.h = h;
         self.t1 = t + h;
-        for i in 0..N {
-            self.half_kick[i] = 0.5 * h * start.acceleration[i];
-        }
+        self.half_kick = scaled(0.5 * h, &start.acceleration);
         if S::ROTATIONS.is_empty() {
-            for i in 0..N {
-                self.base[i] = q[i] + h * self.half_kick[i];
-            }
+            let (q, half_kick) = (entries(q), entries(&self.half_kick));
+            self.base = vector(|i| q[i] + h * half_kick[i]);
         } else if let Some(drift) = &mut self.drift {
             drift.begin::<S>(q, va, h);
         }
@@ -74,11 +71,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         q: &mut SVector<f64, Q>,
     ) -> Result<(), Fault> {
         if S::ROTATIONS.is_empty() {
+            let (q, base, va) = (entries_mut(q), entries(&self.base), entries(va));
             for i in 0..N {
-                q[i] = self.base[i] + self.h * va[i];
+                q[i] = base[i] + self.h * va[i];
             }
         } else if let Some(drift) = &mut self.drift {
-            *q = drift.fly(system, vector(|i| va[i] + self.half_kick[i]));
+            *q = drift.fly(system, added(va, 1.0, &self.half_kick));
         }
         Ok(())
     }
@@ -121,9 +119,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         system.acceleration(self.t1, q1, &mut end.acceleration);
         match &self.drift {
             Some(drift) if !S::ROTATIONS.is_empty() => {
-                vector(|i| drift.velocities()[i] + 0.5 * self.h * end.acceleration[i])
+                added(drift.velocities(), 0.5 * self.h, &end.acceleration)
             }
-            _ => vector(|i| va[i] + (self.half_kick[i] + 0.5 * self.h * end.acceleration[i])),
+            _ => added(
+                va,
+                1.0,
+                &added(&self.half_kick, 0.5 * self.h, &end.acceleration),
+            ),
         }
     }
 }

@@ -15,7 +15,7 @@ use super::implicit::Implicit;
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-use crate::linear::{RowMatrix, vector};
+use crate::linear::{RowMatrix, entries, entries_mut, vector};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
@@ -99,18 +99,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         self.solver
             .start_tangent(system, self.t0, &self.q0, va, f_v);
         for r in 0..R {
-            let w = &start.w[r];
+            let w = &start.w.data.0[r];
+            let (f_v, by_end) = (&f_v.data.0, &self.solver.by_end.data.0);
             // M₀ w is the row of A₀ that w came from.
             let mut far = start.a[r];
-            for i in 0..N {
+            for (i, far) in entries_mut(&mut far).iter_mut().enumerate() {
                 let mut sum = 0.0;
                 for j in 0..N {
-                    sum += (f_v[i][j] - self.solver.by_end[i][j]) * w[j];
+                    sum += (f_v[i][j] - by_end[i][j]) * w[j];
                 }
-                far[i] += 0.5 * h * sum;
+                *far += 0.5 * h * sum;
             }
             self.solver.jacobian.solve(&mut far);
             self.far[r] = far;
+            let far = entries(&far);
             self.directions[r] = vector(|i| 0.5 * (w[i] + far[i]));
         }
         if !S::ROTATIONS.is_empty() {

@@ -15,9 +15,10 @@ pub(crate) use projection_lu::ProjectionLu;
 pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
 pub(crate) use vector::{
-    accumulate, array, dot, dot_of, finite, larger, largest, largest_of, negative, scaled, vector,
-    zeros,
+    accumulate, add, add_scaled, added, array, dot, dot_of, finite, larger, largest, largest_of,
+    negative, products, scaled, vector, zeros,
 };
+pub use vector::{entries, entries_mut};
 
 /// The entries of a matrix inside a solver, row by row.
 type Square<const K: usize> = Box<[[f64; K]; K]>;

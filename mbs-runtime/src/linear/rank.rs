@@ -1,6 +1,6 @@
 //! The constraint rows that depend on others, for the verdict of assembly; not used in steps.
 
-use super::dot;
+use super::{add_scaled, dot};
 use crate::singular::NOTHING;
 use nalgebra::SVector;
 
@@ -27,19 +27,13 @@ pub(crate) fn dependence<const N: usize, const R: usize>(
         for _ in 0..2 {
             for (unit, unit_lifted) in &basis {
                 let component = dot(&row, unit_lifted);
-                for j in 0..N {
-                    row[j] -= component * unit[j];
-                    lifted[j] -= component * unit_lifted[j];
-                }
+                add_scaled(&mut row, -component, unit);
+                add_scaled(&mut lifted, -component, unit_lifted);
             }
         }
         let left = dot(&row, &lifted).max(0.0).sqrt();
         if left > NOTHING * length && !vanishes(i) {
-            for j in 0..N {
-                row[j] /= left;
-                lifted[j] /= left;
-            }
-            basis.push((row, lifted));
+            basis.push((row / left, lifted / left));
         } else {
             dependent.push(i);
         }

@@ -23,10 +23,59 @@ pub(crate) fn array<T: Copy + Default, const N: usize>(
     entries
 }
 
+/// The entries of a vector. (An index of the vector itself is five calls where nothing is inlined.)
+#[inline(always)]
+pub fn entries<const N: usize>(vector: &SVector<f64, N>) -> &[f64; N] {
+    &vector.data.0[0]
+}
+
+/// The entries of a vector, to be written.
+#[inline(always)]
+pub fn entries_mut<const N: usize>(vector: &mut SVector<f64, N>) -> &mut [f64; N] {
+    &mut vector.data.0[0]
+}
+
 /// s x.
 #[inline(always)]
 pub(crate) fn scaled<const N: usize>(scale: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
+    let x = entries(x);
     vector(|i| scale * x[i])
+}
+
+/// x + s y.
+#[inline(always)]
+pub(crate) fn added<const N: usize>(
+    x: &SVector<f64, N>,
+    scale: f64,
+    y: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    let (x, y) = (entries(x), entries(y));
+    vector(|i| x[i] + scale * y[i])
+}
+
+/// x ← x + y.
+#[inline(always)]
+pub(crate) fn add<const N: usize>(x: &mut SVector<f64, N>, y: &SVector<f64, N>) {
+    add_scaled(x, 1.0, y);
+}
+
+/// x ← x + s y.
+#[inline(always)]
+pub(crate) fn add_scaled<const N: usize>(x: &mut SVector<f64, N>, scale: f64, y: &SVector<f64, N>) {
+    let (x, y) = (entries_mut(x), entries(y));
+    for i in 0..N {
+        x[i] += scale * y[i];
+    }
+}
+
+/// a_i b_i.
+#[inline(always)]
+pub(crate) fn products<const N: usize>(
+    a: &SVector<f64, N>,
+    b: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    let (a, b) = (entries(a), entries(b));
+    vector(|i| a[i] * b[i])
 }
 
 /// The vector of zeros.
@@ -38,13 +87,14 @@ pub(crate) fn zeros<const N: usize>() -> SVector<f64, N> {
 /// −x.
 #[inline(always)]
 pub(crate) fn negative<const N: usize>(x: &SVector<f64, N>) -> SVector<f64, N> {
+    let x = entries(x);
     vector(|i| -x[i])
 }
 
 /// a · b.
 #[inline(always)]
 pub(crate) fn dot<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {
-    dot_of(&a.data.0[0], &b.data.0[0])
+    dot_of(entries(a), entries(b))
 }
 
 /// The same for arrays.
@@ -101,7 +151,7 @@ pub(crate) fn larger(a: f64, b: f64) -> f64 {
 /// max |x_i|; NaN if any entry is NaN.
 #[inline(always)]
 pub(crate) fn largest<const N: usize>(x: &SVector<f64, N>) -> f64 {
-    largest_of(x.as_slice())
+    largest_of(entries(x))
 }
 
 /// The same for any number of values.
@@ -123,7 +173,7 @@ pub(crate) fn largest_of(values: &[f64]) -> f64 {
 #[inline(always)]
 pub(crate) fn finite<const N: usize>(x: &SVector<f64, N>) -> bool {
     let mut sum = 0.0;
-    for value in &x.data.0[0] {
+    for value in entries(x) {
         sum += value * 0.0;
     }
     sum == 0.0

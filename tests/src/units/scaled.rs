@@ -2,7 +2,7 @@
 
 use super::Units;
 use super::sinks::Sink;
-use mbs_runtime::generated::Elimination;
+use mbs_runtime::generated::{self, Elimination};
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
     Configuration, Constraints, Inertia, Loads, MatrixSink, Mechanism, Model, Observables,
@@ -141,11 +141,33 @@ fn entries<const N: usize, const R: usize>(plan: &Elimination<N, R>) -> Vec<[usi
 
 /// Each entry by its factor, or divided by it.
 fn times<const K: usize>(x: &SVector<f64, K>, factor: impl Fn(usize) -> f64) -> SVector<f64, K> {
-    SVector::from_fn(|i, _| factor(i) * x[i])
+    let mut scaled = *x;
+    for (i, value) in generated::entries_mut(&mut scaled).iter_mut().enumerate() {
+        *value *= factor(i);
+    }
+    scaled
 }
 
 fn over<const K: usize>(x: &SVector<f64, K>, factor: impl Fn(usize) -> f64) -> SVector<f64, K> {
-    SVector::from_fn(|i, _| x[i] / factor(i))
+    let mut scaled = *x;
+    for (i, value) in generated::entries_mut(&mut scaled).iter_mut().enumerate() {
+        *value /= factor(i);
+    }
+    scaled
+}
+
+/// Each entry of rows by its factor, of the row and the column.
+fn each<const N: usize, const R: usize>(
+    matrix: &SMatrix<f64, N, R>,
+    factor: impl Fn(usize, usize) -> f64,
+) -> SMatrix<f64, N, R> {
+    let mut scaled = *matrix;
+    for (row, entries) in generated::rows_mut(&mut scaled).iter_mut().enumerate() {
+        for (i, value) in entries.iter_mut().enumerate() {
+            *value *= factor(row, i);
+        }
+    }
+    scaled
 }
 
 impl<S: Configuration<Q, N>, const Q: usize, const N: usize> Configuration<Q, N> for Scaled<S> {
@@ -281,9 +303,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constra
         a: &SMatrix<f64, N, R>,
         w: &mut SMatrix<f64, N, R>,
     ) {
-        let a = SMatrix::from_fn(|i, row| a[(i, row)] * self.v[i] / self.rate[row]);
+        let a = each(a, |row, i| self.v[i] / self.rate[row]);
         self.inner.solve_mass_rows(mass, &a, w);
-        *w = SMatrix::from_fn(|i, row| self.weighted_factor(i, row) * w[(i, row)]);
+        *w = each(w, |row, i| self.weighted_factor(i, row));
     }
     fn delassus(
         &self,
@@ -291,10 +313,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constra
         w: &SMatrix<f64, N, R>,
         delassus: &mut SMatrix<f64, R, R>,
     ) {
-        let a = SMatrix::from_fn(|i, row| a[(i, row)] * self.v[i] / self.rate[row]);
-        let w = SMatrix::from_fn(|i, row| w[(i, row)] / self.weighted_factor(i, row));
+        let a = each(a, |row, i| self.v[i] / self.rate[row]);
+        let w = each(w, |row, i| 1.0 / self.weighted_factor(i, row));
         self.inner.delassus(&a, &w, delassus);
-        *delassus = SMatrix::from_fn(|i, j| self.delassus_factor(i, j) * delassus[(i, j)]);
+        *delassus = each(delassus, |i, j| self.delassus_factor(i, j));
     }
     fn metric(
         &self,
@@ -305,14 +327,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constra
         w: &mut SMatrix<f64, N, R>,
         delassus: &mut SMatrix<f64, R, R>,
     ) {
-        let a = SMatrix::from_fn(|i, row| a[(i, row)] * self.v[i] / self.rate[row]);
+        let a = each(a, |row, i| self.v[i] / self.rate[row]);
         let q = over(q, |i| self.q[i]);
         self.inner.metric(mass, t / self.time, &q, &a, w, delassus);
-        *w = SMatrix::from_fn(|i, row| self.weighted_factor(i, row) * w[(i, row)]);
-        *delassus = SMatrix::from_fn(|i, j| self.delassus_factor(i, j) * delassus[(i, j)]);
+        *w = each(w, |row, i| self.weighted_factor(i, row));
+        *delassus = each(delassus, |i, j| self.delassus_factor(i, j));
     }
     fn row_rates(&self, a: &SMatrix<f64, N, R>, v: &SVector<f64, N>, rates: &mut SVector<f64, R>) {
-        let a = SMatrix::from_fn(|i, row| a[(i, row)] * self.v[i] / self.rate[row]);
+        let a = each(a, |row, i| self.v[i] / self.rate[row]);
         self.inner.row_rates(&a, &over(v, |i| self.v[i]), rates);
         *rates = times(rates, |i| self.rate[i]);
     }
