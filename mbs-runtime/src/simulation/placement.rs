@@ -53,10 +53,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Whether the length of a step may be chosen.
+    /// Whether steps may be divided or have other lengths.
     pub(super) fn is_free(&self) -> bool {
         let watches = matches!(self.settings.method, Method::TwoLevel | Method::Projected);
-        self.settings.placement && watches && self.settings.fixed_iterations.is_none()
+        watches && self.settings.fixed_iterations.is_none()
     }
 
     /// The clearance below which a step suffers from a singular pose.
@@ -79,7 +79,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Ok(h);
         }
         self.before.copy_motion_from(self.integrator.state());
-        if h < REMAINDER * self.nominal() {
+        if !self.settings.placement || h < REMAINDER * self.nominal() {
             self.advance(h)?;
             return Ok(h);
         }
