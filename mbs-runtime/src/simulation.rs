@@ -7,6 +7,7 @@ mod dense;
 mod energy_guard;
 mod fixed_steps;
 mod hermite;
+mod known_poses;
 mod passage;
 mod placement;
 mod pose;
@@ -15,6 +16,7 @@ mod singularity_detector;
 mod tolerance;
 
 use self::energy_guard::EnergyGuard;
+use self::known_poses::KnownPoses;
 use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::StepMonitor;
@@ -67,6 +69,7 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     pair: Box<State<Q, N, R>>,
     /// The last step, if its length was fixed.
     last_step: Option<LastStep>,
+    known_poses: KnownPoses<Q>,
     /// The pose that is near, in runs of fixed steps.
     foreseen: Option<Foreseen>,
     yardstick: Box<Yardstick<Q, N>>,
@@ -227,6 +230,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let integrator = Integrator::new(system, state, &settings, other)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
+        let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
+        let known_poses = KnownPoses::new(by_position && assembly.rank + 1 == N);
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_same_room()),
             pair: Box::new(integrator.state().with_same_room()),
@@ -250,6 +255,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             rank_margin: None,
             last_step: None,
             foreseen: None,
+            known_poses,
             singularities: SingularityDetector::new(),
             refused: None,
             events: vec![0.0; S::MODEL.events.len()],

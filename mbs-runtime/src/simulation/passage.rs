@@ -12,9 +12,11 @@
 //! ```
 //!
 //! with g = 0, otherwise g > 0 on each of the branches. Steps from the beginning of the pair to the minimum of this
-//! parabola tell which. They are taken only where σ of the pair itself has a minimum that may be small.
+//! parabola tell which. They are taken only where σ of the pair itself has a minimum that may be small. The poses of a
+//! mechanism of one degree of freedom form a curve, so that each of its singular poses is looked at once.
 
 use super::Simulation;
+use super::hermite::Hermite;
 use super::pose::{Passage, Probe, minimum};
 use crate::singular::RankMargin;
 use crate::{SimulationError, System};
@@ -46,9 +48,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline]
     pub(super) fn leaps(&mut self, passage: &Passage) -> Result<bool, SimulationError> {
         match passage.pose() {
-            Some(pose) => self.look_between(passage, pose),
-            None => Ok(false),
+            Some(pose) if !self.is_known(passage, pose) => self.look_between(passage, pose),
+            _ => Ok(false),
         }
+    }
+
+    /// Whether this pose of the pair is a singular one that has been found before.
+    fn is_known(&self, passage: &Passage, pose: f64) -> bool {
+        if self.known_poses.is_empty() {
+            return false;
+        }
+        let ([first, second], system) = (passage.steps, self.system());
+        let cubic = Hermite::new(system, &self.pair, self.state());
+        let (_, q, _) = cubic.at(system, pose / (first + second));
+        let distance = |known: &_| self.yardstick.measure(&system.difference(known, &q));
+        self.known_poses.contain(distance)
     }
 
     #[cold]
@@ -91,6 +105,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             };
             if margin.dependent != middle.dependent || margin.least <= singular {
+                self.known_poses.add(self.integrator.state().positions);
                 return Ok(Pose::Singular);
             }
             seen += 1;
