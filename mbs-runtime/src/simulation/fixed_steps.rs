@@ -5,6 +5,7 @@
 //! least σ g and its rate k: steps of a part of σ/k take the place of longer ones until the pose is left behind.
 
 use super::Simulation;
+use super::known_poses::{ALIKE, SAME};
 use super::passage::{LEAP, Pose};
 use super::pose::{Foreseen, LastStep, NEAR_AHEAD, Passage};
 use crate::singular::RankMargin;
@@ -85,8 +86,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         {
             return Ok(false);
         }
-        let kept = (self.report, self.power, self.rank_margin, self.balance);
         let behind = pose < length;
+        // Beyond the end of the step the cubic is not exact: the pose is looked at from the next one, if it is no other.
+        let within = if behind { SAME } else { ALIKE };
+        if self.is_known(&self.before, (pose - first) / second, within) {
+            return Ok(false);
+        }
+        let kept = (self.report, self.power, self.rank_margin, self.balance);
         if behind {
             std::mem::swap(&mut self.pair, &mut self.before);
             self.before.copy_from(self.integrator.state());

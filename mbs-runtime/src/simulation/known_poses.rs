@@ -6,7 +6,9 @@ use nalgebra::SVector;
 const REMEMBERED: usize = 8;
 /// Two poses that are this near are the same, in lengths of the mechanism and radians: more than the error of the cubic
 /// between the ends of two steps.
-const SAME: f64 = 0.02;
+pub(super) const SAME: f64 = 0.02;
+/// A pose beyond the end of a step that is this near to a known one may be the same.
+pub(super) const ALIKE: f64 = 0.2;
 
 /// Positions at singular poses that were found.
 pub(super) struct KnownPoses<const Q: usize> {
@@ -22,9 +24,9 @@ impl<const Q: usize> KnownPoses<Q> {
         }
     }
 
-    /// Whether one of the poses is this one, by their distances from it.
-    pub(super) fn contain(&self, distance: impl Fn(&SVector<f64, Q>) -> f64) -> bool {
-        self.positions.iter().any(|known| distance(known) < SAME)
+    /// Whether one of the poses is nearer than this.
+    pub(super) fn contain(&self, within: f64, distance: impl Fn(&SVector<f64, Q>) -> f64) -> bool {
+        self.positions.iter().any(|known| distance(known) < within)
     }
 
     /// Keeps a pose.

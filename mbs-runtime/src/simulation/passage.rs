@@ -17,9 +17,10 @@
 
 use super::Simulation;
 use super::hermite::Hermite;
+use super::known_poses::SAME;
 use super::pose::{Passage, Probe, minimum};
 use crate::singular::RankMargin;
-use crate::{SimulationError, System};
+use crate::{SimulationError, State, System};
 
 /// The least σ of a pose that is not singular, as a multiple of √e for an error e of the position rows, as a
 /// displacement: it shifts a row that is quadratic in the distance from the pose by √e.
@@ -48,21 +49,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline]
     pub(super) fn leaps(&mut self, passage: &Passage) -> Result<bool, SimulationError> {
         match passage.pose() {
-            Some(pose) if !self.is_known(passage, pose) => self.look_between(passage, pose),
-            _ => Ok(false),
+            Some(pose) => {
+                let [first, second] = passage.steps;
+                match self.is_known(&self.pair, pose / (first + second), SAME) {
+                    true => Ok(false),
+                    false => self.look_between(passage, pose),
+                }
+            }
+            None => Ok(false),
         }
     }
 
-    /// Whether this pose of the pair is a singular one that has been found before.
-    fn is_known(&self, passage: &Passage, pose: f64) -> bool {
+    /// Whether a singular pose that has been found before is nearer than this to the pose after the part s of the way
+    /// from `begin` to the state.
+    pub(super) fn is_known(&self, begin: &State<Q, N, R>, s: f64, within: f64) -> bool {
         if self.known_poses.is_empty() {
             return false;
         }
-        let ([first, second], system) = (passage.steps, self.system());
-        let cubic = Hermite::new(system, &self.pair, self.state());
-        let (_, q, _) = cubic.at(system, pose / (first + second));
+        let system = self.system();
+        let (_, q, _) = Hermite::new(system, begin, self.state()).at(system, s);
         let distance = |known: &_| self.yardstick.measure(&system.difference(known, &q));
-        self.known_poses.contain(distance)
+        self.known_poses.contain(within, distance)
     }
 
     #[cold]
