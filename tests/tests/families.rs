@@ -118,7 +118,7 @@ fn a_mistake_is_told_once() {
                 pivot: Each(0..40, |i| Revolute(ground.origin, bar[i].a)) }}"
         );
         let (_, outcome) = analyse(tokens(&text));
-        let failure = outcome.err().expect("a mistake");
+        let failure = outcome.expect_err("a mistake");
         let messages = failure.messages().into_iter();
         messages.map(|(message, _)| message).collect()
     };
@@ -161,7 +161,7 @@ fn members_are_bounded() {
             if range.starts_with('(') { ", j" } else { "" }
         );
         let (_, outcome) = analyse(tokens(&text));
-        let messages = outcome.err().expect("too many").messages();
+        let messages = outcome.expect_err("too many").messages();
         assert_eq!(messages.len(), 1, "{messages:?}");
     }
     let mut errors = mbs_macros_core::diagnostics::Errors::new();

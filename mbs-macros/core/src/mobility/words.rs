@@ -142,7 +142,7 @@ fn counted(count: usize) -> String {
     }
 }
 
-/// "a, b, c", where names are numbered in order "j1…j5", or "j[1]…j[5]".
+/// "a, b, c", where names are numbered in order "j1…j5", or `j[1]…j[5]`.
 fn list(names: &[&str]) -> String {
     let numbered = |name: &str| {
         let stem = name.trim_end_matches(']');
