@@ -65,7 +65,7 @@ Points have components and `velocity`; a coordinate has `rate`. Joints of space 
 whose items may be taken apart: `Each([(x, y), (z, w)], |(a, b)| …)`. `Each((0..5, 0..3), |i, j| …)` has two indices:
 `name[i][j]`. `if i == 0 { … } else { … }` takes the branch of each member, inside expressions or around its kind; an `if`
 without `else` around the kind leaves members out. A family of `Param`, `Input` or `Output` is an array in the program,
-`name: [f64; 5]`; its indices begin at 0.
+`name: [f64; 5]`; its indices begin at 0. A family has at most 10000 members, and no families inside.
 
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.

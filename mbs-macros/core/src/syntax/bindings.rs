@@ -133,7 +133,9 @@ fn bind<'f>(
 ) -> syn::Result<()> {
     match (pattern, bound) {
         (Pat::Wild(_), _) => Ok(()),
-        (Pat::Ident(name), bound) => {
+        (Pat::Ident(name), bound)
+            if name.by_ref.is_none() && name.mutability.is_none() && name.subpat.is_none() =>
+        {
             list.push((&name.ident, bound));
             Ok(())
         }

@@ -51,7 +51,10 @@ impl Family {
             let indices: Vec<usize> = self.ranges.iter().map(end).collect();
             Name::of_member(&self.name, &indices).to_string()
         };
-        [of(|range| range.start), of(|range| range.end - 1)]
+        [
+            of(|range| range.start),
+            of(|range| range.end.saturating_sub(1)),
+        ]
     }
 }
 

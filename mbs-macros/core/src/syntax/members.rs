@@ -40,24 +40,8 @@ pub(super) fn place_family(
     let first = declaration.entries.len();
     match Written::read(name, call) {
         Ok(written) => {
-            for parameter in written.parameters() {
-                is_free(parameter, errors);
-            }
             declaration.families.push(written.family.clone());
-            for (member, value) in written.members() {
-                let before = errors.enter(member.as_str());
-                match value.and_then(|value| {
-                    let entry = value.map(|value| entry(member, doc.clone(), value));
-                    entry.transpose()
-                }) {
-                    Ok(Some(entry)) => {
-                        place(entry, kinds, declaration, errors);
-                    }
-                    Ok(None) => {}
-                    Err(error) => errors.push(error),
-                }
-                errors.leave(before);
-            }
+            expand(&written, doc, kinds, declaration, errors);
             if errors.count() == found {
                 check_members(&declaration.entries[first..], &written.family, call, errors);
             }
@@ -75,6 +59,34 @@ pub(super) fn place_family(
         declaration
             .lost
             .extend(lost_parameter(name, quote::quote! { #call }, kinds));
+    }
+}
+
+/// Every member becomes an entry.
+fn expand(
+    family: &Written,
+    doc: &str,
+    kinds: &Kinds,
+    declaration: &mut Declaration,
+    errors: &mut Errors,
+) {
+    for parameter in family.parameters() {
+        is_free(parameter, errors);
+    }
+    for (member, value) in family.members() {
+        let before = errors.enter(member.as_str());
+        let entry = match value {
+            Ok(Some(value)) => entry(member, doc.to_owned(), value).map(Some),
+            Ok(None) => Ok(None),
+            Err(error) => Err(error),
+        };
+        match entry {
+            Ok(entry) => {
+                entry.map(|entry| place(entry, kinds, declaration, errors));
+            }
+            Err(error) => errors.push(error),
+        }
+        errors.leave(before);
     }
 }
 
