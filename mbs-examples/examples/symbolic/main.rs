@@ -19,8 +19,9 @@ mod tableau;
 mod trial;
 
 use branch::Branch;
-use candidate::{BOUNDS, Candidate};
+use candidate::{BOUNDS, Candidate, Steps};
 use chain::Chain;
+use contest::Contest;
 use equations::Equations;
 use mbs_examples::pages::record::{File, Recorder};
 use mbs_examples::pages::scene_runs::reference;
@@ -39,6 +40,15 @@ const COMPARED: (f64, u32, f64) = (0.5, 500, 1e-9);
 const LOST: f64 = 1e-5;
 /// Gains of Baumgarte's terms, per run of ten seconds.
 const GAINS: [f64; 10] = [0.0, 1.0, 3.0, 5.0, 10.0, 20.0, 30.0, 60.0, 100.0, 300.0];
+/// Numbers of steps that are tried, and those for a scene whose steps take long.
+const FINE: Steps = Steps {
+    most: 20_000,
+    factor: 1.01,
+};
+const COARSE: Steps = Steps {
+    most: 10_000,
+    factor: 1.03,
+};
 const STABILISED_BOUNDS: [f64; 2] = [1e-1, 1e-6];
 
 /// What the program was asked for.
@@ -81,7 +91,7 @@ fn against_symbolic<M, S, E, const A: usize, const Q: usize, const N: usize, con
     mechanism: M,
     branch: fn(f64) -> Branch,
     angles: fn(f64) -> [f64; A],
-    most: u32,
+    steps: Steps,
     wish: &Wish,
     file: &mut File,
 ) -> Result<(), String>
@@ -97,10 +107,10 @@ where
         scene,
         duration: DURATION,
         branch: branch(DURATION),
-        most,
+        steps,
     };
     let bare = Bare::new(mechanism)?;
-    let mut candidates = trial::candidates::<E, A>(angles(DURATION), most);
+    let mut candidates = trial::candidates::<E, A>(angles(DURATION), steps);
     candidates.extend(course.accuracies());
     candidates.extend(bare.given_steps(&course));
     candidates.extend(course.tolerances());
@@ -136,7 +146,7 @@ where
         scene,
         duration: scene.duration,
         branch: Branch::Reference(table, columns),
-        most: 20_000,
+        steps: FINE,
     };
     let mut bare = Bare::new(mechanism)?;
     bare.pull = pull;
@@ -169,7 +179,14 @@ fn settle(
         println!("{:.5} ms", 1e3 * (candidate.time)(*value));
         return Ok(());
     }
-    contest::compete(scene, part, bounds, families, candidates, file)
+    let contest = Contest {
+        scene,
+        part,
+        bounds,
+        families,
+        candidates,
+    };
+    contest.hold(file)
 }
 
 /// Compares the tips of the cranks with those of the generated equations after a while, and the energy at any angles.
@@ -238,6 +255,7 @@ fn main() -> Result<(), String> {
     let recorder = Recorder::new("cargo run --release -p mbs-examples --example symbolic");
     let wish = &Wish::read(&recorder.arguments)?;
     let file = &mut recorder.file("symbolic.csv", &COLUMNS, KEYS)?;
+    let stabilised = &mut recorder.file("stabilised.csv", &COLUMNS, KEYS)?;
     same_motion::<SliderCrank, 2>(
         &scenes::slider_crank::SCENE,
         |[crank, rod]| {
@@ -256,7 +274,7 @@ fn main() -> Result<(), String> {
         scenes::slider_crank::SliderCrank::default(),
         |time| Branch::SliderCrank(exact::slider_crank(time)),
         |time| [exact::slider_crank(time), -exact::slider_crank(time)],
-        20_000,
+        FINE,
         wish,
         file,
     )?;
@@ -265,7 +283,7 @@ fn main() -> Result<(), String> {
         scenes::double_four_bar::DoubleFourBar::default(),
         |time| Branch::Cranks(exact::cranks(2, time)),
         parallelograms::<2, 5>,
-        20_000,
+        FINE,
         wish,
         file,
     )?;
@@ -274,7 +292,7 @@ fn main() -> Result<(), String> {
         scenes::four_bar_10::FourBar10::default(),
         |time| Branch::Cranks(exact::cranks(10, time)),
         parallelograms::<10, 21>,
-        10_000,
+        FINE,
         wish,
         file,
     )?;
@@ -283,19 +301,18 @@ fn main() -> Result<(), String> {
         scenes::four_bar_40::FourBar40::default(),
         |time| Branch::Cranks(exact::cranks(40, time)),
         parallelograms::<40, 81>,
-        10_000,
+        COARSE,
         wish,
         file,
     )?;
 
-    let file = &mut recorder.file("stabilised.csv", &COLUMNS, KEYS)?;
     against_stabilised(
         &scenes::slider_crank::SCENE,
         scenes::slider_crank::SliderCrank::default(),
         &["p1x_m", "p1y_m", "p2x_m"],
         std::array::from_fn(|_| 0.0),
         wish,
-        file,
+        stabilised,
     )?;
     against_stabilised(
         &scenes::double_four_bar::SCENE,
@@ -303,7 +320,7 @@ fn main() -> Result<(), String> {
         &["b0x_m", "b0y_m"],
         std::array::from_fn(|_| 0.0),
         wish,
-        file,
+        stabilised,
     )?;
     // The work of the motor; the crank is the first coordinate.
     let andrews = scenes::andrews::Andrews::default();
@@ -321,7 +338,7 @@ fn main() -> Result<(), String> {
         ],
         pull,
         wish,
-        file,
+        stabilised,
     )?;
     against_stabilised(
         &scenes::bricard::SCENE,
@@ -329,6 +346,6 @@ fn main() -> Result<(), String> {
         &["p3x_m", "p3y_m", "p3z_m", "p2x_m", "p2z_m", "p5y_m"],
         std::array::from_fn(|_| 0.0),
         wish,
-        file,
+        stabilised,
     )
 }

@@ -1,7 +1,7 @@
 //! The candidates of the toolkit for a scene: an accuracy, given steps, tolerances, and Baumgarte's terms.
 
 use super::branch::Branch;
-use super::candidate::{BOUNDS, Candidate, Outcome, measured, steps};
+use super::candidate::{BOUNDS, Candidate, Outcome, Steps, measured};
 use cpu_time::ProcessTime;
 use mbs_examples::scene::Scene;
 use mbs_runtime::{
@@ -19,13 +19,22 @@ fn fine(index: u32) -> f64 {
     COARSEST * FINER.powi(index as i32)
 }
 
+/// Calls of the accelerations in a step of an explicit method.
+fn calls(settings: &Settings) -> Option<u64> {
+    match (settings.method, settings.order) {
+        (Method::TwoLevel, _) => None,
+        (_, 8) => Some(12),
+        (_, 6) => Some(7),
+        _ => Some(4),
+    }
+}
+
 /// A scene, how long it runs, and where it ends.
 pub struct Course<'c> {
     pub scene: &'c Scene,
     pub duration: f64,
     pub branch: Branch,
-    /// The most steps that are tried.
-    pub most: u32,
+    pub steps: Steps,
 }
 
 impl Course<'_> {
@@ -82,6 +91,8 @@ impl Course<'_> {
         let mut outcome = Outcome {
             error: f64::INFINITY,
             seconds: f64::INFINITY,
+            steps: 0,
+            calls: None,
         };
         let Ok(mut simulation) = (self.scene.build)(&[], settings) else {
             return outcome;
@@ -89,6 +100,8 @@ impl Course<'_> {
         let begun = ProcessTime::now();
         let done = simulation.run_until(self.duration).is_ok();
         outcome.seconds = begun.elapsed().as_secs_f64();
+        let report = simulation.report();
+        (outcome.steps, outcome.calls) = (report.steps, Some(report.stages));
         let (time, points) = (simulation.time(), simulation.points());
         let outputs = simulation.output_values();
         if done
@@ -96,7 +109,7 @@ impl Course<'_> {
                 .branch
                 .holds(simulation.model(), time, &points, outputs)
         {
-            outcome.error = simulation.report().energy_error;
+            outcome.error = report.energy_error;
         }
         outcome
     }
@@ -203,7 +216,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bare<S,
         Candidate {
             family,
             setting,
-            grid: steps(8, course.most),
+            grid: course.steps.grid(),
             name: |steps| format!("{steps} steps"),
             check: Box::new(move |steps| self.check(course, &settings, steps)),
             time: Box::new(move |steps| {
@@ -248,6 +261,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bare<S,
         let mut outcome = Outcome {
             error: f64::INFINITY,
             seconds: 0.0,
+            steps: u64::from(steps),
+            calls: calls(settings).map(|calls| calls * u64::from(steps)),
         };
         let Some(mut stepper) = self.stepper(settings, h) else {
             return outcome;

@@ -1,6 +1,6 @@
 //! The rival's candidates for a scene.
 
-use super::candidate::{BOUNDS, Candidate, Outcome, measured, steps};
+use super::candidate::{BOUNDS, Candidate, Outcome, Steps, measured};
 use super::equations::Equations;
 use super::rival::{Projection, Rival};
 use cpu_time::ProcessTime;
@@ -17,7 +17,7 @@ const ASTRAY: f64 = 0.3;
 /// All settings of the rival. `exact` is where the angles end.
 pub fn candidates<'c, E: Equations<N> + 'c, const N: usize>(
     exact: [f64; N],
-    most: u32,
+    grid: Steps,
 ) -> Vec<Candidate<'c>> {
     let mut candidates = Vec::new();
     for (family, order) in [("symbolic 8", 8), ("symbolic 4", 4)] {
@@ -27,7 +27,7 @@ pub fn candidates<'c, E: Equations<N> + 'c, const N: usize>(
                 candidates.push(Candidate {
                     family,
                     setting: format!("projection every {every}; limit {limit:e}"),
-                    grid: steps(8, most),
+                    grid: grid.grid(),
                     name: |steps| format!("{steps} steps"),
                     check: Box::new(move |steps| check::<E, N>(projection, order, steps, &exact)),
                     time: Box::new(move |steps| time::<E, N>(projection, order, steps)),
@@ -71,7 +71,13 @@ fn check<E: Equations<N>, const N: usize>(
         error = f64::INFINITY;
     }
     let seconds = begun.elapsed().as_secs_f64();
-    Outcome { error, seconds }
+    let calls = if order == 8 { 12 } else { 4 } * u64::from(steps);
+    Outcome {
+        error,
+        seconds,
+        steps: u64::from(steps),
+        calls: Some(calls),
+    }
 }
 
 fn time<E: Equations<N>, const N: usize>(projection: Projection, order: u8, steps: u32) -> f64 {
