@@ -30,6 +30,7 @@ pub mod scene_runs;
 mod scenes;
 mod springs;
 mod sweep;
+pub mod symbolic;
 pub mod tolerances;
 mod tuning;
 pub mod update;
