@@ -63,6 +63,11 @@ fn names_have_indices() {
     let unknown = row.set_parameter("gain[2][0]", 1.0);
     assert!(unknown.is_err());
     let model = Row::MODEL;
+    // In the order of the declaration.
+    let parameters = model.parameters.iter().map(|parameter| parameter.name);
+    let parameters: Vec<&str> = parameters.take(4).collect();
+    let in_order = ["length[0]", "length[1]", "length[2]", "gain[0][0]"];
+    assert_eq!(parameters, in_order);
     let parts: Vec<&str> = model.parts.iter().map(|part| part.name).collect();
     assert_eq!(parts, ["bar[0]", "bar[1]", "bar[2]", "bar_1"]);
     let outputs = model.outputs.iter().map(|output| output.name);
