@@ -8,6 +8,9 @@ mechanism!(Row {
     doc: "Pendulums in a row, and one with the name that the second would have as a variable.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
 
+    // Used first, so that it is not the first of its family to be read.
+    middle: Let(length[1]),
+
     /// Length of each pendulum.
     length: Each([1.0_m, 0.5_m, 0.25_m], |length| Param(length)),
     /// Torque of each motor.
@@ -19,7 +22,7 @@ mechanism!(Row {
     })),
 
     bar: Each(0..3, |i| Bar(mass = 1.0_kg, length = length[i])),
-    bar_1: Bar(mass = 1.0_kg, length = 1.0_m),
+    bar_1: Bar(mass = 1.0_kg, length = middle),
     pivot: Each(0..3, |i| Revolute(ground.point(i * 1.0_m, 0.0), bar[i].a)),
     pivot_1: Revolute(ground.origin, bar_1.a),
     motor: Each(0..3, |i| Torque(bar[i], value = torque[i])),
@@ -38,6 +41,7 @@ fn values_of_families_are_arrays() {
         ..Row::default()
     };
     assert_eq!(row.gain, [[1.0, 2.0, 3.0], [0.0; 3]]);
+    assert_eq!(row.parameter("length[1]"), Some(0.5));
     assert_eq!(row.parameter("length[2]"), Some(2.0));
     let mut simulation = Simulation::new(row).expect("assembled");
     assert_eq!(simulation.outputs().tip[2].x, 4.0);
@@ -59,6 +63,11 @@ fn names_have_indices() {
     let unknown = row.set_parameter("gain[2][0]", 1.0);
     assert!(unknown.is_err());
     let model = Row::MODEL;
+    // In the order of the declaration.
+    let parameters = model.parameters.iter().map(|parameter| parameter.name);
+    let parameters: Vec<&str> = parameters.take(4).collect();
+    let in_order = ["length[0]", "length[1]", "length[2]", "gain[0][0]"];
+    assert_eq!(parameters, in_order);
     let parts: Vec<&str> = model.parts.iter().map(|part| part.name).collect();
     assert_eq!(parts, ["bar[0]", "bar[1]", "bar[2]", "bar_1"]);
     let outputs = model.outputs.iter().map(|output| output.name);

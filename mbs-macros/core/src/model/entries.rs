@@ -44,6 +44,15 @@ impl<'d> Resolver<'d> {
         );
     }
 
+    /// Parameters and inputs first, so that they are listed as declared.
+    pub(super) fn quantities(&mut self) {
+        for (index, entry) in self.declaration.entries.iter().enumerate() {
+            if entry.kind == "Param" || entry.kind == "Input" {
+                self.force(index);
+            }
+        }
+    }
+
     pub(super) fn gravity(&mut self) -> Vector {
         let zero = self.graph.zero();
         let Some(world) = &self.declaration.world else {

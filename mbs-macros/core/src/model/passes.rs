@@ -30,6 +30,7 @@ pub fn resolve(
     check::arguments(resolver);
 
     // Values. AFTER THIS POINT: every entry that has a value has been evaluated; there are no unknown names.
+    resolver.quantities();
     let gravity = resolver.gravity();
     for index in 0..declaration.entries.len() {
         resolver.force(index);
