@@ -27,9 +27,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         let (begin, margin) = (self.time(), self.rank_margin);
         if let Some(Foreseen::Turn(rate)) = self.foreseen {
-            if self.resolving(rate) < h {
-                self.last_step = None;
-                self.turn_past(h, rate)?;
+            if self.resolving(rate) < h && self.turn_past(h, rate)? {
                 return Ok(h);
             }
             self.foreseen = None;
@@ -42,8 +40,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         {
             self.back(start)?;
             self.report.rejected_steps += 1;
-            self.last_step = None;
-            self.turn_past(length, rate)?;
+            if !self.turn_past(length, rate)? {
+                self.foreseen = None;
+                self.advance(length)?;
+                self.watch();
+            }
             return Ok(length);
         }
         let end = self.time();
@@ -113,7 +114,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.refresh(&self.settings)?;
         let [_, _, end] = passage.margins;
         match found? {
-            Pose::Turn { least, rate } if PART * least < rate * second => {
+            Pose::Turn {
+                least,
+                rate,
+                sure: true,
+            } if PART * least < rate * second => {
                 self.foreseen = Some(Foreseen::Turn(rate));
                 Ok(behind || end.least < LEAP * least)
             }
@@ -125,19 +130,29 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Steps over `span` seconds, each a part of the time in which σ would fall to zero at this rate.
+    /// Steps over `span` seconds, each a part of the time in which σ would fall to zero at this rate. Where one of them
+    /// fails, none is taken, and the answer is false.
     #[cold]
     #[inline(never)]
-    fn turn_past(&mut self, span: f64, rate: f64) -> Result<(), SimulationError> {
+    fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
+        self.last_step = None;
+        self.before.copy_motion_from(self.integrator.state());
+        let start = (self.report, self.power);
         let mut left = span;
         while left > 0.0 {
             let h = self.resolving(rate).max(SHORTEST * span);
             let last = h > 0.7 * left;
-            self.advance(if last { left } else { h })?;
-            self.watch();
+            match self.advance(if last { left } else { h }) {
+                Ok(_) => self.watch(),
+                Err(error) if error.asks_for_less() => {
+                    self.back(start)?;
+                    return Ok(false);
+                }
+                Err(error) => return Err(error),
+            }
             left = if last { 0.0 } else { left - h };
         }
-        Ok(())
+        Ok(true)
     }
 
     /// The step that resolves the motion where σ changes at this rate, s.

@@ -38,8 +38,8 @@ const FOUND: f64 = 0.5;
 pub(super) enum Pose {
     /// A singular pose.
     Singular,
-    /// A pose that is nearly singular: g, the least σ, and k.
-    Turn { least: f64, rate: f64 },
+    /// A pose that is nearly singular: g, the least σ, and k; whether probes beside the minimum agree on it.
+    Turn { least: f64, rate: f64, sure: bool },
     /// σ has no minimum where it was looked for.
     Unclear,
 }
@@ -103,7 +103,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Probe::new(first, middle),
             Probe::new(length, end),
         ];
-        let (mut time, mut seen, mut rate) = (pose, 0, f64::INFINITY);
+        let (mut time, mut seen, mut rate, mut sure) = (pose, 0, f64::INFINITY, false);
         for _ in 0..PROBES {
             probes.sort_unstable_by(|a, b| a.square.total_cmp(&b.square));
             let Some(margin) = self.probe(time - from)? else {
@@ -122,10 +122,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 break;
             };
             // The first parabola may be through points that are far from the pose.
-            let found = seen > 1 && foreseen.square > FOUND * probes[0].square;
+            sure = seen > 1 && foreseen.square > FOUND * probes[0].square;
             time = probes[0].time + foreseen.way;
             rate = foreseen.rate;
-            if found || !(time > from && time < to) {
+            if sure || !(time > from && time < to) {
                 break;
             }
         }
@@ -133,7 +133,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let inside = seen > 0 && time > from && time < to;
         let least = square.sqrt();
         Ok(match inside && rate.is_finite() {
-            true => Pose::Turn { least, rate },
+            true => Pose::Turn { least, rate, sure },
             false => Pose::Unclear,
         })
     }
