@@ -117,7 +117,7 @@ fn controls_reach_the_settings() {
         let fine = entry.settings(10.0, 1e-5);
         let coarse = entry.settings(10.0, 1e-3);
         assert_ne!(fine, coarse, "{}", entry.label);
-        if entry.control() == Control::Step {
+        if entry.control == Control::Step {
             assert_eq!(fine.step, 1e-5, "{}", entry.label);
         }
     }

@@ -5,14 +5,19 @@ mod accuracy;
 mod any;
 mod dense;
 mod energy_guard;
+mod fixed_steps;
 mod hermite;
+mod known_poses;
 mod passage;
 mod placement;
+mod pose;
 mod run;
 mod singularity_detector;
 mod tolerance;
 
 use self::energy_guard::EnergyGuard;
+use self::known_poses::KnownPoses;
+use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::StepMonitor;
 use crate::assembly::{RESUMABLE, assemble};
@@ -62,6 +67,11 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     behind: Box<State<Q, N, R>>,
     /// The state before the steps that are compared.
     pair: Box<State<Q, N, R>>,
+    /// The last step, if its length was fixed.
+    last_step: Option<LastStep>,
+    known_poses: KnownPoses<Q>,
+    /// The pose that is near, in runs of fixed steps.
+    foreseen: Option<Foreseen>,
     yardstick: Box<Yardstick<Q, N>>,
     /// The error of the last inputs, until a step has returned it.
     refused: Option<SimulationError>,
@@ -220,6 +230,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let integrator = Integrator::new(system, state, &settings, other)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
+        let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
+        let known_poses = KnownPoses::new(by_position && assembly.rank + 1 == N);
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_same_room()),
             pair: Box::new(integrator.state().with_same_room()),
@@ -241,6 +253,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             report,
             power: 0.0,
             rank_margin: None,
+            last_step: None,
+            foreseen: None,
+            known_poses,
             singularities: SingularityDetector::new(),
             refused: None,
             events: vec![0.0; S::MODEL.events.len()],

@@ -37,17 +37,44 @@ fn run(shortfall: f64, settings: Settings) -> (SVector<f64, 4>, u64) {
     (*simulation.positions(), simulation.report().stages)
 }
 
+/// Steps of 4e-5 s end within 5e-9 m of it.
+fn right(shortfall: f64) -> SVector<f64, 4> {
+    let fine = Settings {
+        order: 8,
+        step: 2e-3,
+        ..Settings::default()
+    };
+    run(shortfall, fine).0
+}
+
+/// Without a look at the poses ahead a third of such runs ended on the other branch.
+#[test]
+fn fixed_steps_follow_the_branch() {
+    for shortfall in [1e-4, 1e-6] {
+        let right = right(shortfall);
+        for (order, bound) in [(2, 0.05), (4, 1e-4), (6, 2e-6), (8, 2e-7)] {
+            for step in [1e-3, 3e-3, 5e-3, 7e-3, 1e-2, 1.4e-2, 2e-2, 3e-2] {
+                let settings = Settings {
+                    order,
+                    step,
+                    ..Settings::default()
+                };
+                let (end, stages) = run(shortfall, settings);
+                let apart = (end - right).amax();
+                let what = format!("{shortfall} m, order {order}, step {step:e} s");
+                println!("{what}: {apart:.1e} m, {stages} stages");
+                assert!(apart < bound, "{what}: {apart} m");
+            }
+        }
+    }
+}
+
 /// The energy is that of the motion on either branch. Without a look at what is between the ends of two steps 24 of these
 /// runs ended on the other one.
 #[test]
 fn tolerances_follow_the_branch() {
     for shortfall in [1e-4, 1e-6] {
-        let fine = Settings {
-            order: 8,
-            step: 4e-5,
-            ..Settings::default()
-        };
-        let (right, _) = run(shortfall, fine);
+        let right = right(shortfall);
         for order in [4, 6, 8] {
             for number in 0..=14 {
                 let tolerance = 10_f64.powf(-9.0 + 3.0 / 7.0 * f64::from(number));

@@ -13,6 +13,7 @@ mod book;
 mod derivatives;
 mod descriptions;
 mod elimination;
+mod families;
 mod flipped_signs;
 mod folding;
 mod force_axes;

@@ -239,11 +239,11 @@ fn mobility_in_words() {
     };
     let bricard = words("bricard-reference");
     assert!(
-        bricard.starts_with("30 rows, rank 29: one row of `j6` (rotation about "),
+        bricard.starts_with("30 rows, rank 29: one row of `hinge[5]` (rotation about "),
         "{bricard}"
     );
     assert!(
-        bricard.ends_with(") follows from j1…j5; mobility 1; Grübler counts 0"),
+        bricard.ends_with(") follows from hinge[0]…hinge[4]; mobility 1; Grübler counts 0"),
         "{bricard}"
     );
     // With joints as coordinates the last joint of the ring has rows, and these depend on the other joints.
@@ -485,9 +485,10 @@ fn a_bushing_alone_holds() {
 #[test]
 fn overconstrained_mechanisms_of_space_move() {
     let scenes = mbs_examples::scenes::scenes();
-    let all = ["j1", "j2", "j3", "j4", "j5", "j6"];
+    let all = [0, 1, 2, 3, 4, 5].map(|i| format!("hinge[{i}]"));
+    let all = all.each_ref().map(String::as_str);
     for (name, size, last, joints) in [
-        ("bricard-reference", 30, "j6", &all[..]),
+        ("bricard-reference", 30, "hinge[5]", &all[..]),
         // Five of the six joints are coordinates; the joint that closes the loop has a redundant row.
         ("bricard", 5, "j4", &["j4"][..]),
         ("bricard-slender", 5, "j4", &["j4"][..]),

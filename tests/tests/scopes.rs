@@ -49,7 +49,7 @@ fn outputs(n: usize) -> String {
 fn no_scope_has_many_lets() {
     for declaration in [
         sizes::loops(100),
-        sizes::loops(300),
+        sizes::families(300),
         sizes::chain(40),
         sizes::platform(12),
         sizes::frame(4),

@@ -26,6 +26,7 @@ pub fn declarations() -> Vec<Declaration> {
     list.extend(of("platform", &[6, 12], platform));
     list.extend(of("frame", &[2, 3, 4], frame));
     list.extend(of("loops", &[10, 40], loops));
+    list.extend(of("families", &[40, 300, 1000], families));
     list
 }
 
@@ -112,6 +113,19 @@ pub fn loops(n: usize) -> String {
     }
     s.push('}');
     s
+}
+
+/// The same as families: the declaration has as many lines for any n.
+pub fn families(n: usize) -> String {
+    format!(
+        "Loops {{ world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+mass: Param(1.0_kg), length: Param(1.0_m), rate: Param(1.0_rad_per_s),
+crank: Each(0..={n}, |i| Bar(mass = mass, length = length, angle = 90.0_deg, rate = rate)),
+foot: Each(0..={n}, |i| Revolute(ground.point(i * 1.0_m, 0.0), crank[i].a)),
+coupler: Each(1..={n}, |i| Bar(mass = mass, length = length)),
+left: Each(1..={n}, |i| Revolute(crank[i - 1].b, coupler[i].a)),
+right: Each(1..={n}, |i| Revolute(coupler[i].b, crank[i].b)) }}"
+    )
 }
 
 /// A platform on n legs, each with a universal joint, a slide and a ball.

@@ -46,6 +46,7 @@ pub const MEASURES: [Measure; 3] = [
 /// The style of a method: the colour shows the family, marker and dash the member; the styles differ also in grey.
 fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
     match label {
+        "accuracy" => ("#c2185b", Marker::Disk, "", 3.2),
         "two-level 2" => ("#14507d", Marker::Disk, "", 2.6),
         "two-level 4" => ("#14507d", Marker::Square, "9 3", 2.6),
         "two-level 6" => ("#14507d", Marker::Triangle, "5 3", 2.6),

@@ -101,7 +101,8 @@ fn reaction_error(yardstick: &Yardstick, i: u32, simulation: &dyn AnySimulation)
     pairs.fold(0.0, |most, (a, b)| worse(most, (a - b).abs() / scale))
 }
 
-/// Processor time of such a run with its energy balance, s; sampling and comparing are not part of it.
+/// Processor time of such a run with its energy balance, s; assembly, the choice of a method by an accuracy, sampling and
+/// comparing are not part of it.
 ///
 /// # Errors
 /// As the run.

@@ -20,14 +20,17 @@ pub enum Control {
     Step,
     /// The tolerance of its error control.
     Tolerance,
+    /// The accuracy from which the runtime chooses method, order and steps.
+    Accuracy,
 }
 
 impl Control {
-    /// `step_s` or `tolerance`.
+    /// `step_s`, `tolerance` or `accuracy`.
     pub fn name(self) -> &'static str {
         match self {
             Control::Step => "step_s",
             Control::Tolerance => "tolerance",
+            Control::Accuracy => "accuracy",
         }
     }
 }
@@ -41,44 +44,54 @@ pub struct Entry {
     pub method: Method,
     /// [`Settings::order`], where the method has orders to choose from.
     pub order: u8,
-    /// Whether the two-level method chooses its steps and its order by a tolerance.
-    pub tolerant: bool,
+    /// The parameter that refines it.
+    pub control: Control,
 }
 
 impl Entry {
     /// A method by its name on the command line.
     fn named(label: &'static str, name: &str, order: u8) -> Option<Self> {
-        let method = Method::by_name(name)?;
-        Some(Entry {
-            label,
-            method,
-            order,
-            tolerant: false,
-        })
+        Some(Entry::of(label, Method::by_name(name)?, order))
     }
 
-    /// The parameter that refines it.
-    pub fn control(&self) -> Control {
-        match self.method {
-            _ if self.tolerant => Control::Tolerance,
+    /// A method with these settings.
+    fn of(label: &'static str, method: Method, order: u8) -> Self {
+        let control = match method {
             Method::Bdf(_)
             | Method::Baumgarte(BaumgarteSettings {
                 adaptive: Some(_), ..
             }) => Control::Tolerance,
             _ => Control::Step,
+        };
+        Entry {
+            label,
+            method,
+            order,
+            control,
         }
     }
 
-    /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s) or a tolerance. Settings
+    /// Its settings for a run of a mechanism over `duration` seconds; `control` is a step (s), a tolerance or an accuracy. Settings
     /// with the unit of a frequency depend on the duration: for motions of milliseconds a user chooses a stiffer
     /// stabilisation than for motions of seconds. Runs of ten seconds have the default values.
     pub fn settings(&self, duration: f64, control: f64) -> Settings {
         let pace = 10.0 / duration;
-        if self.tolerant {
-            return Settings {
-                step: duration / 1000.0,
-                ..Settings::for_tolerance(control)
-            };
+        // The first step.
+        let first = duration / 1000.0;
+        match (self.control, self.method) {
+            (Control::Accuracy, _) => {
+                return Settings {
+                    step: first,
+                    ..Settings::accuracy(control)
+                };
+            }
+            (Control::Tolerance, Method::TwoLevel) => {
+                return Settings {
+                    step: first,
+                    ..Settings::for_tolerance(control)
+                };
+            }
+            _ => {}
         }
         let method = match self.method {
             Method::Baumgarte(settings) => Method::Baumgarte(BaumgarteSettings {
@@ -105,10 +118,10 @@ impl Entry {
             }),
             other => other,
         };
-        let step = match self.control() {
+        let step = match self.control {
             Control::Step => control,
             // The longest step that it may take.
-            Control::Tolerance => duration / 50.0,
+            Control::Tolerance | Control::Accuracy => duration / 50.0,
         };
         Settings {
             method,
@@ -133,25 +146,20 @@ pub fn entries() -> Vec<Entry> {
         penalty: HEAVY,
         ..PaperSettings::default()
     });
-    let with = |label, method| {
+    let with = |label, method| Some(Entry::of(label, method, 2));
+    let chosen = |label, control| {
         Some(Entry {
-            label,
-            method,
-            order: 2,
-            tolerant: false,
+            control,
+            ..Entry::of(label, Method::TwoLevel, 2)
         })
     };
     [
+        chosen("accuracy", Control::Accuracy),
         Entry::named("two-level 2", "two-level", 2),
         Entry::named("two-level 4", "two-level", 4),
         Entry::named("two-level 6", "two-level", 6),
         Entry::named("two-level 8", "two-level", 8),
-        Some(Entry {
-            label: "two-level tolerance",
-            method: Method::TwoLevel,
-            order: 2,
-            tolerant: true,
-        }),
+        chosen("two-level tolerance", Control::Tolerance),
         Entry::named("alf3f-paper", "alf3f-paper", 2),
         with(PAPER_HEAVY, heavy),
         Entry::named("m-alf", "m-alf", 2),

@@ -97,11 +97,11 @@ impl Point {
     }
 }
 
-/// Step or tolerance of a level.
+/// Step, tolerance or accuracy of a level.
 fn control(entry: &Entry, duration: f64, level: u32) -> f64 {
-    match entry.control() {
+    match entry.control {
         Control::Step => duration / f64::from(INSTANTS) / f64::from(1 << level),
-        Control::Tolerance => 10_f64.powi(-2 - level as i32),
+        Control::Tolerance | Control::Accuracy => 10_f64.powi(-2 - level as i32),
     }
 }
 
@@ -130,7 +130,7 @@ pub fn measure(
             let key = [
                 scene,
                 entry.label,
-                entry.control().name(),
+                entry.control.name(),
                 &format!("{value:e}"),
             ];
             if store.find(&key).is_none() {
@@ -152,7 +152,7 @@ pub fn measure(
                 tick();
                 let value = control(entry, yardstick.duration, level);
                 let text = format!("{value:e}");
-                let key = [scene, entry.label, entry.control().name(), &text];
+                let key = [scene, entry.label, entry.control.name(), &text];
                 let Some(row) = store.find(&key).cloned() else {
                     continue;
                 };

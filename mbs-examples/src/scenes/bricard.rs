@@ -90,55 +90,34 @@ mechanism!(BricardReference {
     /// Width of the square section.
     width: Param(0.1_m),
 
-    p1: Point([0.0_m, 0.0, 0.0]),
-    p2: Point([side, 0.0, 0.0]),
-    p3: Point([side, -side, 0.0]),
-    p4: Point([side, -side, side]),
-    p5: Point([0.0, -side, side]),
-    p6: Point([0.0, 0.0, side]),
+    place: Each(
+        [
+            [0.0_m, 0.0, 0.0],
+            [side, 0.0, 0.0],
+            [side, -side, 0.0],
+            [side, -side, side],
+            [0.0, -side, side],
+            [0.0, 0.0, side]
+        ],
+        |place| Point(place)
+    ),
+    rod: Each(0..5, |i| Bar(
+        mass = mass,
+        from = place[i],
+        to = place[i + 1],
+        inertia = Cuboid(side, width, width)
+    )),
+    hinge: Each([Y, Z, X, Y, Z, X], |i, axis| Revolute(
+        if i == 0 { ground } else { rod[i - 1] },
+        if i == 5 { ground } else { rod[i] },
+        at = place[i],
+        axis = axis
+    )),
 
-    rod1: Bar(
-        mass = mass,
-        from = p1,
-        to = p2,
-        inertia = Cuboid(side, width, width)
-    ),
-    rod2: Bar(
-        mass = mass,
-        from = p2,
-        to = p3,
-        inertia = Cuboid(side, width, width)
-    ),
-    rod3: Bar(
-        mass = mass,
-        from = p3,
-        to = p4,
-        inertia = Cuboid(side, width, width)
-    ),
-    rod4: Bar(
-        mass = mass,
-        from = p4,
-        to = p5,
-        inertia = Cuboid(side, width, width)
-    ),
-    rod5: Bar(
-        mass = mass,
-        from = p5,
-        to = p6,
-        inertia = Cuboid(side, width, width)
-    ),
-
-    j1: Revolute(ground, rod1, at = p1, axis = Y),
-    j2: Revolute(rod1, rod2, at = p2, axis = Z),
-    j3: Revolute(rod2, rod3, at = p3, axis = X),
-    j4: Revolute(rod3, rod4, at = p4, axis = Y),
-    j5: Revolute(rod4, rod5, at = p5, axis = Z),
-    j6: Revolute(rod5, ground, at = p6, axis = X),
-
-    corner2: Output(rod1.b),
-    corner3: Output(rod2.b),
-    corner4: Output(rod3.b),
-    corner5: Output(rod4.b),
+    corner2: Output(rod[0].b),
+    corner3: Output(rod[1].b),
+    corner4: Output(rod[2].b),
+    corner5: Output(rod[3].b),
 });
 
 const COLUMNS: &[(&str, &str)] = &[

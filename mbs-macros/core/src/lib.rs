@@ -16,6 +16,7 @@ pub mod diagnostics;
 pub mod dimension;
 pub mod explain;
 pub mod mobility;
+pub mod names;
 pub mod reference;
 mod refusals;
 pub mod schema;

@@ -59,6 +59,14 @@ the plane also `angle` and `rate`, in space `angular_velocity` and `frame([x, y,
 Points have components and `velocity`; a coordinate has `rate`. Joints of space have what their kind says below: `angle`
 (counted over full turns), `rate`, `stroke`, `speed`.
 
+`name: Each(0..5, |i| Kind(…))` is a *family*: one entry for each index of the range `0..5` or `0..=4`, with the names
+`name[0]` to `name[4]`. An expression names a member by `name[…]` with whole numbers, indices and `+ − * / %`, as in
+`crank[i - 1].b`; elsewhere an index is an ordinary number. `Each([x, y], |x| …)` and `Each([x, y], |i, x| …)` go over a list,
+whose items may be taken apart: `Each([(x, y), (z, w)], |(a, b)| …)`. `Each((0..5, 0..3), |i, j| …)` has two indices:
+`name[i][j]`. `if i == 0 { … } else { … }` takes the branch of each member, inside expressions or around its kind; an `if`
+without `else` around the kind leaves members out. A family of `Param`, `Input` or `Output` is an array in the program,
+`name: [f64; 5]`; its indices begin at 0. A family has at most 10000 members, and no families inside.
+
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.
 

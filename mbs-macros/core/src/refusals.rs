@@ -16,7 +16,8 @@ fn place_of(declaration: &Declaration, name: &str) -> Span {
 /// The rows contradict each other.
 pub(crate) fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut Errors) {
     let gaps = open.gaps.join(", ");
-    errors.at(
+    errors.about(
+        &open.entry,
         place_of(declaration, &open.entry),
         format!("this loop cannot close: with the defaults of all parameters, where everything comes closest to fitting, these are still off: {gaps}; check lengths, places and axes"),
     );
@@ -31,7 +32,8 @@ pub(crate) fn refuse_redundant(
 ) {
     let redundancies = mobility::redundancies(mobility, rows);
     for (entry, sentence) in &redundancies {
-        errors.at(
+        errors.about(
+            entry,
             place_of(declaration, entry),
             format!("{sentence}, which `deny: Redundant()` refuses; let this joint hold less"),
         );

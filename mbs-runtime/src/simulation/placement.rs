@@ -27,11 +27,10 @@ const REMAINDER: f64 = 0.1;
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let length = self.placed(h, left)?;
+        let length = self.follow(h, left)?;
         if let Some(available) = self.energy_guard.refuses(&self.balance) {
             return Err(self.nonsense(length, available));
         }
-        self.watch();
         Ok(length)
     }
 
@@ -54,6 +53,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
+    /// Whether steps may be divided or have other lengths.
+    pub(super) fn is_free(&self) -> bool {
+        let watches = matches!(self.settings.method, Method::TwoLevel | Method::Projected);
+        watches && self.settings.fixed_iterations.is_none()
+    }
+
     /// The clearance below which a step suffers from a singular pose.
     pub(super) fn clear(&self) -> f64 {
         self.clearances()[0]
@@ -68,15 +73,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let watches = matches!(self.settings.method, Method::TwoLevel | Method::Projected);
-        let free = self.settings.placement && watches && self.settings.fixed_iterations.is_none();
-        let placed = free && h >= REMAINDER * self.nominal();
-        if !placed {
+    pub(super) fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+        if !self.is_free() {
             self.advance(h)?;
             return Ok(h);
         }
         self.before.copy_motion_from(self.integrator.state());
+        if !self.settings.placement || h < REMAINDER * self.nominal() {
+            self.advance(h)?;
+            return Ok(h);
+        }
         let (report, power) = (self.report, self.power);
         let first = self.advance(h);
         let wanted = self.clear();
@@ -140,7 +146,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Restores the state before the step.
-    fn back(&mut self, (report, power): (crate::Report, f64)) -> Result<(), SimulationError> {
+    pub(super) fn back(
+        &mut self,
+        (report, power): (crate::Report, f64),
+    ) -> Result<(), SimulationError> {
         self.integrator.state_mut().copy_motion_from(&self.before);
         self.report = report;
         self.power = power;

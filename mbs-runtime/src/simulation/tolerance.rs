@@ -21,7 +21,7 @@
 //! A pair that leaps over a pose that is nearly singular is not kept, though its error seems small (`passage.rs`).
 
 use super::Simulation;
-use super::passage::Passage;
+use super::pose::Passage;
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{SimulationError, StepController, System};

@@ -106,13 +106,13 @@ fn labels(entries: &[Entry]) -> Vec<String> {
 }
 
 fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
-    let control = match entry.control() {
+    let control = match entry.control {
         Control::Step => step,
-        Control::Tolerance => step * step,
+        Control::Tolerance | Control::Accuracy => step * step,
     };
     // Settings with the unit of a frequency are those of ten seconds, for runs of any duration.
     let mut settings = entry.settings(problem.duration.min(10.0), control);
-    if entry.control() == Control::Tolerance {
+    if entry.control != Control::Step {
         settings.step = settings.step.min(0.1);
     }
     settings

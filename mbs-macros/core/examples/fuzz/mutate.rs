@@ -89,6 +89,15 @@ const STRANGERS: &[&str] = &[
     "diag",
     "Frame",
     "law",
+    "Each",
+    "0..3",
+    "1..=2",
+    "|i|",
+    "|i, j|",
+    "[i]",
+    "[i - 1]",
+    "if",
+    "else",
 ];
 const NUMBERS: &[&str] = &[
     "0.0",

@@ -1,6 +1,6 @@
 //! Tokens as a tree that is easy to change.
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use std::fmt::Write;
 
 /// A token, or tokens in brackets.
@@ -16,11 +16,25 @@ pub fn parse(text: &str) -> Option<Vec<Tree>> {
 }
 
 fn trees(tokens: TokenStream) -> Vec<Tree> {
-    let tree = |token| match token {
-        TokenTree::Group(group) => Tree::Group(group.delimiter(), trees(group.stream())),
-        other => Tree::Leaf(other.to_string()),
-    };
-    tokens.into_iter().map(tree).collect()
+    let mut found = Vec::new();
+    // Signs of one operator, such as `..=` and `==`, are one leaf.
+    let mut goes_on = false;
+    for token in tokens {
+        let joined = match &token {
+            TokenTree::Punct(sign) => sign.spacing() == Spacing::Joint,
+            _ => false,
+        };
+        let tree = match token {
+            TokenTree::Group(group) => Tree::Group(group.delimiter(), trees(group.stream())),
+            other => Tree::Leaf(other.to_string()),
+        };
+        match (found.last_mut(), tree) {
+            (Some(Tree::Leaf(last)), Tree::Leaf(sign)) if goes_on => last.push_str(&sign),
+            (_, tree) => found.push(tree),
+        }
+        goes_on = joined;
+    }
+    found
 }
 
 pub fn text(trees: &[Tree]) -> String {

@@ -1,5 +1,6 @@
 //! Errors are collected within a stage and stop the compiler between stages.
 
+use crate::names::is_member;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -49,7 +50,23 @@ impl From<Span> for Place {
 #[derive(Debug, Default)]
 #[must_use = "call `stop_if_any` at the end of the stage"]
 pub struct Errors {
-    list: Vec<syn::Error>,
+    list: Vec<Recorded>,
+    /// The member of a family that is being read.
+    member: Option<String>,
+}
+
+/// An error, and the members of a family that have it.
+#[derive(Debug)]
+struct Recorded {
+    error: syn::Error,
+    /// The first member, if it is one of a family.
+    member: Option<String>,
+    /// The last member.
+    last: Option<String>,
+    /// How many have it beside the first.
+    others: usize,
+    /// What it has in common with the same error of other members.
+    likeness: String,
 }
 
 impl Errors {
@@ -60,12 +77,47 @@ impl Errors {
 
     /// Records an error at `place`; the message says what to do.
     pub fn at(&mut self, place: impl Into<Place>, message: impl std::fmt::Display) {
-        self.list.push(place.into().error(message));
+        self.push(place.into().error(message));
     }
 
-    /// Records an error made elsewhere.
+    /// The same about an entry, which may be a member of a family.
+    pub fn about(&mut self, entry: &str, place: impl Into<Place>, message: impl std::fmt::Display) {
+        let before = self.enter(entry);
+        self.at(place, message);
+        self.leave(before);
+    }
+
+    /// Records an error made elsewhere. The same error in several members of a family is one error.
     pub fn push(&mut self, error: syn::Error) {
-        self.list.push(error);
+        let member = self.member.clone();
+        let likeness = likeness(&error);
+        if member.is_some() {
+            let mut known = self.list.iter_mut();
+            let known = known.find(|known| known.member.is_some() && known.likeness == likeness);
+            if let Some(known) = known {
+                known.others += usize::from(known.last != member);
+                known.last = member;
+                return;
+            }
+        }
+        self.list.push(Recorded {
+            error,
+            last: member.clone(),
+            member,
+            others: 0,
+            likeness,
+        });
+    }
+
+    /// What follows is about this entry; returns what it was about before.
+    pub fn enter(&mut self, entry: &str) -> Option<String> {
+        let member = is_member(entry).then(|| entry.to_owned());
+        std::mem::replace(&mut self.member, member)
+    }
+
+    /// The entry that `enter` was called for has been read.
+    pub fn leave(&mut self, before: Option<String>) {
+        self.member = before;
     }
 
     /// The number of errors so far.
@@ -84,11 +136,42 @@ impl Errors {
     /// All errors of the stage, if there are any.
     pub fn stop_if_any(self) -> Result<(), Failure> {
         if self.list.is_empty() {
-            Ok(())
-        } else {
-            Err(Failure { errors: self.list })
+            return Ok(());
         }
+        let errors = self.list.into_iter().map(Recorded::into_error);
+        Err(Failure {
+            errors: errors.collect(),
+        })
     }
+}
+
+impl Recorded {
+    /// With the member and the number of others in the message.
+    fn into_error(self) -> syn::Error {
+        let Some(member) = self.member else {
+            return self.error;
+        };
+        let message = self.error.to_string();
+        let about = match message.contains(&format!("`{member}`")) {
+            true => String::new(),
+            false => format!("in `{member}`: "),
+        };
+        let others = match self.others {
+            0 => String::new(),
+            1 => " (and the same in another member)".to_owned(),
+            others => format!(" (and the same in {others} other members)"),
+        };
+        Place::of(&self.error.to_compile_error()).error(format!("{about}{message}{others}"))
+    }
+}
+
+/// Members have the same error if it is at the same tokens and reads the same but for numbers.
+fn likeness(error: &syn::Error) -> String {
+    let message = error.to_string();
+    let words = message
+        .chars()
+        .filter(|c| !c.is_ascii_digit() && *c != '-' && *c != '.');
+    format!("{:?} {}", error.span(), words.collect::<String>())
 }
 
 /// The errors that stopped the compiler.

@@ -1,11 +1,13 @@
 //! What is emitted beside the errors of a wrong declaration: the type and its parameters, so that the rest of the user's
 //! program keeps resolving and the only errors shown are those of the declaration.
 
+use super::fields::{array_of, filled};
 use super::items::{self, visibility};
 use crate::schema::PRIMITIVES;
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Family};
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
+use std::collections::HashSet;
 
 /// The parameters that could be read, and a mechanism without equations.
 pub fn fallback(declaration: &Declaration) -> TokenStream {
@@ -15,26 +17,19 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
     if PRIMITIVES.contains(&name.to_string().as_str()) {
         return TokenStream::new();
     }
-    let of_kind = |kind: &'static str| -> Vec<&Ident> {
+    let of_kind = |kind: &'static str| {
         let entries = declaration.entries.iter();
-        let own = entries.filter(|entry| entry.kind == kind);
-        own.map(|entry| &entry.name).collect()
+        let own = entries.filter(move |entry| entry.kind == kind);
+        own.map(|entry| entry.name.word())
     };
-    let mut fields: Vec<&Ident> = Vec::new();
-    for field in of_kind("Param").into_iter().chain(&declaration.lost) {
-        if !fields.contains(&field) {
-            fields.push(field);
-        }
-    }
+    let parameters = zeros(declaration, name, of_kind("Param").chain(&declaration.lost));
     let (inputs, outputs) = items::inputs_and_outputs(declaration);
-    let named = [(&inputs, of_kind("Input")), (&outputs, of_kind("Output"))];
-    let named = named.map(|(name, fields)| {
+    let named = [(&inputs, "Input"), (&outputs, "Output")];
+    let named = named.map(|(name, kind)| {
+        let values = zeros(declaration, name, of_kind(kind));
         quote! {
-            #[derive(Debug, Clone, Copy, PartialEq, Default)]
             #[allow(dead_code)]
-            #visibility struct #name {
-                #( pub #fields: f64, )*
-            }
+            #values
 
             impl ::mbs_runtime::NamedValues for #name {
                 fn from_values(_: impl ::core::ops::FnOnce(&mut [f64])) -> Self {
@@ -50,10 +45,7 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
     let unfinished = quote! { ::mbs_runtime::generated::Unfinished<#inputs, #outputs> };
     let alias = items::simulation(declaration);
     quote! {
-        #[derive(Debug, Clone, Copy, PartialEq, Default)]
-        #visibility struct #name {
-            #( pub #fields: f64, )*
-        }
+        #parameters
 
         #[allow(dead_code)]
         #visibility type #alias = ::mbs_runtime::Simulation<#unfinished, 0, 0, 0>;
@@ -74,6 +66,43 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
 
             fn set_parameter(&mut self, _: &str, _: f64) -> ::core::result::Result<(), ::mbs_runtime::UnknownName> {
                 ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
+
+/// A struct of numbers and arrays of them, all zero by default.
+fn zeros<'d>(
+    declaration: &'d Declaration,
+    name: &Ident,
+    fields: impl Iterator<Item = &'d Ident>,
+) -> TokenStream {
+    let visibility = visibility(declaration);
+    let mut seen: HashSet<String> = HashSet::new();
+    let fields: Vec<(&Ident, Vec<usize>)> = fields
+        .filter(|field| seen.insert(field.to_string()))
+        .map(|field| {
+            let family = declaration.family(&field.to_string());
+            (field, family.map_or_else(Vec::new, Family::sizes))
+        })
+        .collect();
+    let declared = fields.iter().map(|(field, sizes)| {
+        let kind = array_of(sizes, quote! { f64 });
+        quote! { pub #field: #kind, }
+    });
+    let values = fields.iter().map(|(field, sizes)| {
+        let value = filled(sizes, quote! { 0.0 });
+        quote! { #field: #value, }
+    });
+    quote! {
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #visibility struct #name {
+            #( #declared )*
+        }
+
+        impl ::core::default::Default for #name {
+            fn default() -> Self {
+                Self { #( #values )* }
             }
         }
     }

@@ -45,10 +45,12 @@ pub(super) fn inputs_and_outputs(declaration: &Declaration) -> (Ident, Ident) {
     (of("Inputs"), of("Outputs"))
 }
 
-/// The field of a parameter, input or output, with the span of its declaration.
+/// The field of a parameter, input or output, or of a family of them, with the span of its declaration.
 pub(super) fn field(declaration: &Declaration, name: &str) -> Ident {
-    let entry = declaration.entries.iter().find(|entry| entry.name == name);
-    entry.map_or_else(|| format_ident!("{name}"), |entry| entry.name.clone())
+    let family = declaration.family(name).map(|family| &family.name);
+    let entry = || declaration.entries.iter().find(|entry| entry.name == name);
+    let declared = family.or_else(|| entry().map(|entry| entry.name.word()));
+    declared.map_or_else(|| format_ident!("{name}"), Ident::clone)
 }
 
 /// The documentation of a value, and its unit in parentheses.

@@ -8,6 +8,7 @@ mod blocks;
 mod body;
 mod copies;
 mod fallback;
+mod fields;
 mod items;
 mod metadata;
 mod methods;

@@ -142,9 +142,11 @@ fn binding(symbol: Symbol, name: &str) -> String {
     }
 }
 
-/// `crank.b.x'` → `crank_b_x_dot`.
-pub(super) fn identifier(name: &str) -> String {
+/// `crank.b.x'` → `crank_b_x_dot`, `crank[3].b.x` → `crank_3_b_x`. Different names may become the same word: whoever
+/// declares it claims it.
+fn identifier(name: &str) -> String {
     let dotted = name.replace("''", "_ddot").replace('\'', "_dot");
+    let dotted = dotted.replace(']', "");
     dotted
         .chars()
         .map(|c| if c.is_alphanumeric() { c } else { '_' })

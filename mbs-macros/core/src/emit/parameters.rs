@@ -1,7 +1,8 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::items::{self, documented, field, visibility};
+use super::fields::{fields, places};
+use super::items::{self, visibility};
 use super::motion;
 use super::size::Size;
 use super::text::{doc, tokens};
@@ -10,13 +11,16 @@ use crate::dag::{Operand, Program};
 use crate::mobility;
 use crate::model::{Outline, Quantity};
 use crate::syntax::Declaration;
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// More entries of M are written in loops.
 const MOST_ENTRIES: usize = 200;
+
+/// More defaults of a family are not listed in its documentation.
+const MOST_DEFAULTS: usize = 6;
 
 /// The struct and its default.
 pub(super) fn emit(
@@ -27,34 +31,40 @@ pub(super) fn emit(
     let visibility = visibility(declaration);
     let (outline, name) = (&analysis.outline, &declaration.name);
     let documentation = doc(&documentation(analysis, program));
-    let fields: Vec<Ident> = outline
-        .parameters
-        .iter()
-        .map(|parameter| field(declaration, &parameter.name))
-        .collect();
-    let docs = outline.parameters.iter().map(|parameter| {
-        let about = documented(&parameter.doc, &parameter.unit);
-        let about = about.trim_end_matches(')');
-        doc(&format!("{about}; {} by default)", parameter.default))
+    let fields = fields(declaration, &outline.parameters);
+    let declared = fields.iter().map(|field| {
+        let (name, kind) = (&field.name, field.kind());
+        let about = field.about(|defaults| format!("; {} by default", by_default(defaults)));
+        quote! { #about pub #name: #kind, }
     });
-    let defaults = outline
-        .parameters
-        .iter()
-        .map(|parameter| tokens(&number(parameter.default)));
+    let defaults = fields.iter().map(|field| {
+        let name = &field.name;
+        let value = field.value(|_, parameter| tokens(&number(parameter.default)));
+        quote! { #name: #value, }
+    });
     quote! {
         #documentation
         #[derive(Debug, Clone, Copy, PartialEq)]
         #visibility struct #name {
-            #( #docs pub #fields: f64, )*
+            #( #declared )*
         }
 
         // A default of 45° is an approximate π/4, and meant.
         #[allow(clippy::all)]
         impl ::core::default::Default for #name {
             fn default() -> Self {
-                Self { #( #fields: #defaults, )* }
+                Self { #( #defaults )* }
             }
         }
+    }
+}
+
+/// The defaults of a parameter, or of a family of them, in words.
+fn by_default(defaults: &[f64]) -> String {
+    match defaults {
+        [first, others @ ..] if others.iter().all(|other| other == first) => first.to_string(),
+        few if few.len() <= MOST_DEFAULTS => format!("{few:?}"),
+        _ => "each its own value".to_owned(),
     }
 }
 
@@ -150,11 +160,7 @@ pub(super) fn emit_mechanism(
     let (outline, name) = (&analysis.outline, &declaration.name);
     let system = items::system(declaration);
     let (coordinates, velocities, rows) = (program.coordinates, program.size, program.rows.len());
-    let fields: Vec<Ident> = outline
-        .parameters
-        .iter()
-        .map(|parameter| field(declaration, &parameter.name))
-        .collect();
+    let fields = places(&fields(declaration, &outline.parameters));
     let names: Vec<&str> = outline
         .parameters
         .iter()
@@ -170,20 +176,20 @@ pub(super) fn emit_mechanism(
             const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#coordinates, #velocities, #rows>>::MODEL;
 
             fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
-                #( ::mbs_runtime::generated::check_finite(#names, self.#fields)?; )*
+                #( ::mbs_runtime::generated::check_finite(#names, #fields)?; )*
                 #body
             }
 
             fn parameter(&self, name: &str) -> ::core::option::Option<f64> {
                 match name {
-                    #( #names => ::core::option::Option::Some(self.#fields), )*
+                    #( #names => ::core::option::Option::Some(#fields), )*
                     _ => ::core::option::Option::None,
                 }
             }
 
             fn set_parameter(&mut self, name: &str, value: f64) -> ::core::result::Result<(), ::mbs_runtime::UnknownName> {
                 match name {
-                    #( #names => { self.#fields = value; ::core::result::Result::Ok(()) } )*
+                    #( #names => { #fields = value; ::core::result::Result::Ok(()) } )*
                     _ => ::core::result::Result::Err(::mbs_runtime::UnknownName::new("parameter", name, [#( #names ),*])),
                 }
             }

@@ -5,6 +5,7 @@ use super::inertia::{LocalMass, center_of};
 use super::system::Row;
 use crate::model::{Model, Part, Representation, Vector};
 use crate::symbolic::{Expr, Graph, Symbol};
+use std::collections::BTreeMap;
 
 /// Everything that acts on the parts, in their own coordinates.
 pub(super) struct Balance<'a> {
@@ -15,6 +16,8 @@ pub(super) struct Balance<'a> {
     /// What the force elements contribute.
     pub actions: &'a [Action],
     pub rows: &'a [Row],
+    /// Those that change along a coordinate.
+    pub rows_along: BTreeMap<Symbol, Vec<usize>>,
     /// Rows that were solved, in local coordinates.
     pub solved: &'a [Expr],
     pub model: &'a Model,
@@ -25,6 +28,17 @@ pub(super) fn varying(graph: &Graph, inertia: &LocalMass) -> Vec<((u32, u32), Ex
     let entries = inertia.iter().map(|(&place, &mass)| (place, mass));
     let varies = |mass: Expr| graph.depends_on(mass, Symbol::is_local_position);
     entries.filter(|&(_, mass)| varies(mass)).collect()
+}
+
+/// The rows that change along each symbol, in order.
+pub(super) fn rows_along(graph: &Graph, rows: &[Row]) -> BTreeMap<Symbol, Vec<usize>> {
+    let mut along: BTreeMap<Symbol, Vec<usize>> = BTreeMap::new();
+    for (index, row) in rows.iter().enumerate() {
+        for symbol in graph.directions([row.local]) {
+            along.entry(symbol).or_default().push(index);
+        }
+    }
+    along
 }
 
 impl Balance<'_> {
@@ -61,11 +75,16 @@ impl Balance<'_> {
             let force = graph.mul(load.force, lever);
             terms.push(graph.neg(force));
         }
-        for (index, row) in self.rows.iter().enumerate() {
-            let by = if row.kind.is_holonomic() {
-                Symbol::LocalPosition(local)
-            } else {
-                Symbol::LocalVelocity(local)
+        let along = [Symbol::LocalPosition(local), Symbol::LocalVelocity(local)];
+        let touched = along.map(|symbol| self.rows_along.get(&symbol));
+        let mut touched: Vec<usize> = touched.into_iter().flatten().flatten().copied().collect();
+        touched.sort_unstable();
+        touched.dedup();
+        for index in touched {
+            let row = &self.rows[index];
+            let by = match row.kind.is_holonomic() {
+                true => Symbol::LocalPosition(local),
+                false => Symbol::LocalVelocity(local),
             };
             let slope = graph.derivative(row.local, by);
             if graph.is_zero(slope) {

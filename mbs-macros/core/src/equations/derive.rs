@@ -34,6 +34,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         potential,
         actions: &actions,
         rows: &rows,
+        rows_along: balance::rows_along(&graph, &rows),
         solved: &solved,
         model: &model,
     };

@@ -9,6 +9,9 @@ use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
 /// Distances by which poses are moved, in units of the largest coordinate, in decreasing order: the first that can be
 /// assembled counts.
 const MOVES: [f64; 3] = [0.1, 0.02, 0.002];
+/// In mechanisms of more velocities a long move is tried only where no coordinate moves further than the largest part is
+/// long: a chain of a thousand links is as many times longer than its links, and from there assembly seldom arrives.
+const MANY: usize = 200;
 /// A row whose remainder is below this fraction of its length adds nothing while a pose is assembled: away from the
 /// solution, redundant rows are not exactly dependent, and must be left out.
 const NEARLY_DEPENDENT: f64 = 1e-3;
@@ -179,7 +182,13 @@ impl<'a> Numbers<'a> {
         if length < 1e-6 {
             return None;
         }
-        MOVES.iter().find_map(|distance| {
+        let furthest = largest(&direction) / length;
+        let reach = self.longest_part();
+        MOVES.iter().enumerate().find_map(|(nth, distance)| {
+            let is_last = nth + 1 == MOVES.len();
+            if count > MANY && !is_last && furthest * distance * self.size > reach {
+                return None;
+            }
             let step = distance * self.size / length;
             let layout = &self.system.layout;
             let moved = layout.moved(home, &direction, step);
@@ -187,6 +196,12 @@ impl<'a> Numbers<'a> {
             let strayed: Vec<f64> = arrived.iter().zip(&moved).map(|(a, b)| a - b).collect();
             (norm(&strayed) < 0.5 * distance * self.size).then_some(arrived)
         })
+    }
+
+    /// The largest length that a part has.
+    fn longest_part(&self) -> f64 {
+        let lengths = self.outline.parts.iter().filter_map(|part| part.length);
+        largest(&self.values(&[], lengths))
     }
 
     /// Gauss–Newton steps of least change onto φ = 0.

@@ -142,12 +142,13 @@ fn counted(count: usize) -> String {
     }
 }
 
-/// "a, b, c", where names are numbered in order "j1…j5".
+/// "a, b, c", where names are numbered in order "j1…j5", or `j[1]…j[5]`.
 fn list(names: &[&str]) -> String {
     let numbered = |name: &str| {
-        let digits = name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-        let number: u64 = name[digits..].parse().ok()?;
-        Some((name[..digits].to_owned(), number))
+        let stem = name.trim_end_matches(']');
+        let digits = stem.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+        let number: u64 = stem[digits..].parse().ok()?;
+        Some((stem[..digits].to_owned(), number))
     };
     let mut text: Vec<String> = Vec::new();
     let mut rest = names;

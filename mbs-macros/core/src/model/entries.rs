@@ -7,10 +7,12 @@ use super::resolver::{Resolver, State};
 use super::value::Value;
 use crate::diagnostics::{Place, did_you_mean};
 use crate::dimension::Dimension;
-use crate::schema::World;
+use crate::names::is_member;
+use crate::schema::{RESERVED, World};
 use crate::symbolic::{Graph, Symbol};
-use crate::syntax::Entry;
-use proc_macro2::Span;
+use crate::syntax::{Entry, Family, Reference};
+use proc_macro2::{Ident, Span};
+use std::collections::HashSet;
 
 /// Errors up to which names like an unknown one are searched: each search compares with all names, and nobody reads so
 /// many hints.
@@ -23,12 +25,23 @@ impl<'d> Resolver<'d> {
             self.states.push(State::Waiting);
             if let Some(earlier) = self.names.insert(entry.name.to_string(), index) {
                 self.names.insert(entry.name.to_string(), earlier);
-                self.fail::<()>(
-                    entry.span(),
-                    format!("`{}` is declared twice; rename one of them", entry.name),
-                );
+                self.declared_twice(&entry.name.to_string(), entry.span());
             }
         }
+        let mut families: HashSet<&Ident> = HashSet::new();
+        for Family { name, .. } in &self.declaration.families {
+            if self.names.contains_key(&name.to_string()) || !families.insert(name) {
+                self.declared_twice(&name.to_string(), name.span());
+            }
+        }
+    }
+
+    fn declared_twice(&mut self, name: &str, span: Span) {
+        self.fail_about(
+            name,
+            span,
+            format!("`{name}` is declared twice; rename one of them"),
+        );
     }
 
     pub(super) fn gravity(&mut self) -> Vector {
@@ -52,8 +65,60 @@ impl<'d> Resolver<'d> {
         }
     }
 
-    /// The value of a name.
-    pub(super) fn lookup(&mut self, name: &str, span: Span) -> Option<Value> {
+    /// The value of what an expression names.
+    pub(super) fn lookup(&mut self, reference: &Reference, place: Place) -> Option<Value> {
+        let name = reference.text();
+        if !reference.indices.is_empty() || self.declaration.family(&name).is_some() {
+            self.check_indices(reference, place)?;
+        }
+        self.value_named(&name, place)
+    }
+
+    /// Refuses indices that are not those of a member.
+    fn check_indices(&mut self, reference: &Reference, place: Place) -> Option<()> {
+        let (word, text) = (reference.word.to_string(), reference.text());
+        let declaration = self.declaration;
+        let Some(family) = declaration.family(&word) else {
+            if !self.names.contains_key(&word) && !RESERVED.contains(&word.as_str()) {
+                return self.unknown(&word, reference.word.span().into());
+            }
+            return self.fail(
+                place,
+                format!("`{word}` is one entry and no family; leave the index out"),
+            );
+        };
+        if self.names.contains_key(&text) {
+            return Some(());
+        }
+        let ([first, last], example) = (family.ends(), family.example());
+        if reference.indices.len() != family.ranges.len() {
+            return self.fail(
+                place,
+                format!(
+                    "`{word}` is a family: name a member, `{example}`, from `{first}` to `{last}`"
+                ),
+            );
+        }
+        match family.contains(&reference.indices) {
+            false => self.fail(
+                place,
+                format!(
+                    "there is no `{text}`; the members of `{word}` go from `{first}` to `{last}`"
+                ),
+            ),
+            true => self.fail(
+                place,
+                format!("there is no `{text}`; the `if` of `{word}` leaves it out"),
+            ),
+        }
+    }
+
+    fn unknown<T>(&mut self, name: &str, place: Place) -> Option<T> {
+        let hint = self.name_like(name);
+        self.fail(place, format!("nothing here is named `{name}`{hint}"))
+    }
+
+    fn value_named(&mut self, name: &str, place: Place) -> Option<Value> {
         let number = |value: f64, graph: &mut Graph| graph.constant(value);
         match name {
             "ground" => return Some(Value::Frame(Owner::Ground)),
@@ -70,7 +135,7 @@ impl<'d> Resolver<'d> {
                 ));
             }
             "Z" if self.world == World::Planar => {
-                return self.fail(span, "a planar world has no axis Z");
+                return self.fail(place, "a planar world has no axis Z");
             }
             "X" | "Y" | "Z" => {
                 let axes = self.graph.ground_axes();
@@ -80,17 +145,13 @@ impl<'d> Resolver<'d> {
             _ => {}
         }
         let Some(&index) = self.names.get(name) else {
-            let hint = match self.errors.count() < SEARCHED {
-                true => self.name_like(name),
-                false => String::new(),
-            };
-            return self.fail(span, format!("nothing here is named `{name}`{hint}"));
+            return self.unknown(name, place);
         };
         if !self.silent {
             self.used.insert(name.to_owned());
         }
         if matches!(self.states[index], State::Working) {
-            return self.fail(span, format!("`{name}` depends on itself"));
+            return self.fail(place, format!("`{name}` depends on itself"));
         }
         self.force(index);
         match &self.states[index] {
@@ -106,7 +167,7 @@ impl<'d> Resolver<'d> {
                     false => "",
                 };
                 self.fail(
-                    span,
+                    place,
                     format!(
                         "`{name}` is declared as `{}`, which has no value that an expression could use{advice}",
                         entry.kind
@@ -118,8 +179,23 @@ impl<'d> Resolver<'d> {
     }
 
     /// What an unknown name may be a misspelling of, in words.
-    fn name_like(&self, name: &str) -> String {
-        let own = self.names.keys().map(String::as_str);
+    fn name_like(&mut self, name: &str) -> String {
+        if let Some(hint) = self.hints.get(name) {
+            return hint.clone();
+        }
+        let hint = match self.errors.count() < SEARCHED {
+            true => self.search(name),
+            false => String::new(),
+        };
+        self.hints.insert(name.to_owned(), hint.clone());
+        hint
+    }
+
+    fn search(&self, name: &str) -> String {
+        let families = self.declaration.families.iter();
+        let families: Vec<String> = families.map(|family| family.name.to_string()).collect();
+        let own = self.names.keys().filter(|name| !is_member(name));
+        let own = own.chain(&families).map(String::as_str);
         let mut known: Vec<&str> = own
             .chain(["ground", "t", "X", "Y", "Z", "pi"])
             .filter(|name| *name != "Z" || self.world == World::Spatial)
@@ -167,6 +243,7 @@ impl<'d> Resolver<'d> {
         self.states[index] = State::Working;
         let silent = std::mem::replace(&mut self.silent, false);
         let entry = self.entry(index);
+        let before = self.errors.enter(entry.name.as_str());
         let value = match entry.kind.to_string().as_str() {
             "Param" => self.parameter(entry),
             "Input" => self.input(entry),
@@ -184,6 +261,7 @@ impl<'d> Resolver<'d> {
             _ if self.has_frames(entry) => self.joint_frames(entry),
             _ => None,
         };
+        self.errors.leave(before);
         self.silent = silent;
         self.states[index] = State::Done(value);
     }

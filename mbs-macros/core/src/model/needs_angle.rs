@@ -1,11 +1,9 @@
 //! Which bars need an angle.
 
 use crate::schema::{Expects, Kinds};
-use crate::syntax::{Declaration, Entry};
-use proc_macro2::{TokenStream, TokenTree};
-use quote::ToTokens;
+use crate::syntax::{Declaration, Entry, children, reference};
 use std::collections::HashSet;
-use syn::Expr as Syntax;
+use syn::{Expr as Syntax, Member};
 
 /// The names whose angle a joint, force or condition uses. Natural coordinates have no angle that counts full turns, so
 /// that such a bar takes reference coordinates. (Outputs, events and drives need only the direction.)
@@ -43,36 +41,28 @@ fn note_entry(
         match field.map(|field| field.expects) {
             Some(Expects::Driven) => continue,
             Some(Expects::PartAngle) => {
-                if let Syntax::Path(path) = argument
-                    && let Some(name) = path.path.get_ident()
-                {
-                    names.insert(name.to_string());
-                }
+                note(argument, names);
             }
             _ => {}
         }
-        note_angles(argument.to_token_stream(), names);
+        note_angles(argument, names);
     }
 }
 
 /// Notes `name` of each `name.angle`.
-fn note_angles(tokens: TokenStream, names: &mut HashSet<String>) {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    for window in tokens.windows(3) {
-        if let [
-            TokenTree::Ident(name),
-            TokenTree::Punct(dot),
-            TokenTree::Ident(member),
-        ] = window
-            && dot.as_char() == '.'
-            && member == "angle"
-        {
-            names.insert(name.to_string());
-        }
+fn note_angles(syntax: &Syntax, names: &mut HashSet<String>) {
+    if let Syntax::Field(field) = syntax
+        && matches!(&field.member, Member::Named(member) if member == "angle")
+    {
+        note(&field.base, names);
     }
-    for token in tokens {
-        if let TokenTree::Group(group) = token {
-            note_angles(group.stream(), names);
-        }
+    for child in children(syntax) {
+        note_angles(child, names);
+    }
+}
+
+fn note(syntax: &Syntax, names: &mut HashSet<String>) {
+    if let Some(Ok(name)) = reference(syntax) {
+        names.insert(name.text());
     }
 }

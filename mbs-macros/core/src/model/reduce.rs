@@ -38,14 +38,15 @@ pub(super) fn reduce(
             continue;
         }
         if parent.owner == Owner::Ground && child.owner == Owner::Ground {
-            resolver.fail::<()>(
+            resolver.fail_about(
+                &element.name,
                 element.span,
                 "this joint joins the ground with itself; remove it",
             );
             continue;
         }
         if let Err(message) = clusters.join(parent, child, index, joints) {
-            resolver.fail::<()>(element.span, message);
+            resolver.fail_about(&element.name, element.span, message);
         }
     }
     if !resolver.errors.is_empty() {

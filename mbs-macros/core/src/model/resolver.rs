@@ -47,6 +47,8 @@ pub struct Resolver<'d> {
     /// Bars that need an angle.
     pub(super) needs_angle: HashSet<String>,
     pub(super) names: HashMap<String, usize>,
+    /// What unknown names may be misspellings of, in words.
+    pub(super) hints: HashMap<String, String>,
     pub(super) states: Vec<State>,
     pub(super) silent: bool,
     /// Depth of the nested evaluations.
@@ -81,6 +83,7 @@ impl<'d> Resolver<'d> {
             misplaced: HashSet::new(),
             needs_angle: needs_angle(declaration, kinds),
             names: HashMap::new(),
+            hints: HashMap::new(),
             states: Vec::new(),
             silent: false,
             depth: 0,
@@ -97,6 +100,26 @@ impl<'d> Resolver<'d> {
             self.errors.at(place, message);
         }
         None
+    }
+
+    /// Records an error made elsewhere, and returns `None`.
+    pub(super) fn fail_with<T>(&mut self, error: syn::Error) -> Option<T> {
+        if !self.silent {
+            self.errors.push(error);
+        }
+        None
+    }
+
+    /// Records an error about an entry, which may be a member of a family.
+    pub(super) fn fail_about(
+        &mut self,
+        entry: &str,
+        place: impl Into<Place>,
+        message: impl std::fmt::Display,
+    ) {
+        let before = self.errors.enter(entry);
+        self.fail::<()>(place, message);
+        self.errors.leave(before);
     }
 
     /// Runs something without recording its errors.

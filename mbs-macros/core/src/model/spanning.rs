@@ -14,6 +14,9 @@ use super::resolver::Resolver;
 use super::tree::{Tree, TreeJoint, chain};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// With more loops the tree of the shortest chains is taken: each exchange would reach all parts once more, and joint
+/// coordinates are not what describes so many loops best.
+const MOST_LOOPS: usize = 200;
 /// Other cuts that are worth a count of operations.
 const ALTERNATIVES: usize = 2;
 
@@ -143,6 +146,9 @@ impl Spanning {
     /// The trees that differ by one joint: where a joint closes a loop, another of the loop can.
     fn exchanges(&self, tree: &Found, all: &BTreeSet<usize>) -> Vec<Found> {
         let mut trees = Vec::new();
+        if all.len() - tree.carriers.len() > MOST_LOOPS {
+            return trees;
+        }
         for &closing in all.difference(&tree.carriers) {
             let mobilizer = &self.carriers[closing].mobilizer;
             let [near, far] = [&mobilizer.parent, &mobilizer.child]

@@ -77,8 +77,9 @@ pub(super) fn rows(
         }
     }
     for element in stuck {
-        let message = stuck_message(resolver, &joints[element].name, tree);
-        resolver.fail::<()>(joints[element].span, message);
+        let JointEntry { name, span, .. } = &joints[element];
+        let message = stuck_message(resolver, name, tree);
+        resolver.fail_about(name, *span, message);
     }
     vacuous
 }

@@ -123,7 +123,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// A name as LaTeX: `crank.b.x'` becomes crank with the index b,x and a dot.
+/// A name as LaTeX: `crank.b.x'` becomes crank with the index b,x and a dot, `crank[3].b.x` has the index 3,b,x.
 pub fn latex_identifier(name: &str) -> String {
     let accent = match name.len() - name.trim_end_matches('\'').len() {
         0 => "",
@@ -131,6 +131,7 @@ pub fn latex_identifier(name: &str) -> String {
         _ => "\\ddot",
     };
     let escaped = name.trim_end_matches('\'').replace('_', "\\_");
+    let escaped = escaped.replace('[', ".").replace(']', "");
     let (part, rest) = match escaped.split_once('.') {
         Some((part, rest)) => (
             part.to_owned(),

@@ -1,15 +1,29 @@
 //! Stage 1: tokens → tree.
 //!
-//! One production, `name: Kind(positional, named = value)`. The tree keeps its tokens, so that every later error can
-//! point at the offending one. AFTER THIS STAGE: entries are well formed and their kinds exist; nothing is resolved.
+//! One production, `name: Kind(positional, named = value)`, and families of it. The tree keeps its tokens, so that every
+//! later error can point at the offending one. AFTER THIS STAGE: entries are well formed and their kinds exist, families
+//! are entries with indices in their names; nothing is resolved.
 
+mod bindings;
+mod children;
+mod entry;
+mod families;
+mod members;
+mod name;
 mod parse;
+mod ranges;
+mod reference;
+mod whole;
 
 use crate::schema::World;
 use proc_macro2::Span;
 use syn::{Expr, Ident, Visibility};
 
+pub use children::{children, inner};
+pub use families::{Family, MOST_MEMBERS};
+pub use name::Name;
 pub use parse::parse;
+pub use reference::{Reference, reference};
 
 /// How deep expressions may be nested: deeper ones would exhaust the stack of the compiler.
 pub const MAX_DEPTH: usize = 400;
@@ -37,6 +51,8 @@ pub struct Declaration {
     pub deny_redundant: bool,
     /// All other entries, in order.
     pub entries: Vec<Entry>,
+    /// The families, whose members are among the entries.
+    pub families: Vec<Family>,
     /// Names of entries that could not be read but seem to be parameters: the user's program uses their fields.
     pub lost: Vec<Ident>,
     /// The tokens, as text.
@@ -47,7 +63,7 @@ pub struct Declaration {
 #[derive(Debug, Clone)]
 pub struct Entry {
     /// Its name.
-    pub name: Ident,
+    pub name: Name,
     /// Its kind.
     pub kind: Ident,
     /// Its documentation comment.
@@ -67,6 +83,11 @@ impl Declaration {
             .unwrap_or(World::Planar)
     }
 
+    /// The family of this name.
+    pub fn family(&self, name: &str) -> Option<&Family> {
+        self.families.iter().find(|family| family.name == name)
+    }
+
     /// No more than a name.
     fn nameable(name: Ident) -> Self {
         Declaration {
@@ -76,6 +97,7 @@ impl Declaration {
             world: None,
             deny_redundant: false,
             entries: Vec::new(),
+            families: Vec::new(),
             lost: Vec::new(),
             text: String::new(),
         }

@@ -1,7 +1,10 @@
 //! The parser: entries are split at commas first, so that an error in one entry does not hide errors in others.
 
-use super::{Declaration, Entry, MAX_DEPTH, NamedArgument, TOO_DEEP};
-use crate::diagnostics::{Errors, Place, did_you_mean, nearest};
+use super::entry::{entry, lost_parameter, place};
+use super::families::is_family;
+use super::members::{FamilyItem, place_family};
+use super::{Declaration, Entry, MAX_DEPTH, TOO_DEEP};
+use crate::diagnostics::Errors;
 use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -52,12 +55,13 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
             }
             Ok(Item::Entry(entry)) => {
                 if !place(entry, kinds, &mut declaration, errors) {
-                    declaration.lost.extend(lost_parameter(&chunk, kinds));
+                    declaration.lost.extend(lost_entry(&chunk, kinds));
                 }
             }
+            Ok(Item::Family(family)) => place_family(&family, kinds, &mut declaration, errors),
             Err(error) => {
                 errors.push(error);
-                declaration.lost.extend(lost_parameter(&chunk, kinds));
+                declaration.lost.extend(lost_entry(&chunk, kinds));
             }
         }
     }
@@ -68,85 +72,6 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
         );
     }
     Some(declaration)
-}
-
-/// Whether the entry was stored.
-fn place(entry: Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) -> bool {
-    if schema::RESERVED.contains(&entry.name.to_string().as_str()) {
-        errors.at(
-            entry.name.span(),
-            format!("`{}` is reserved; choose another name", entry.name),
-        );
-        return false;
-    }
-    if entry.name == "deny" {
-        let given = entry.positional.iter();
-        let given = given.chain(entry.named.iter().map(|argument| &argument.value));
-        if entry.kind != "Redundant" {
-            errors.at(
-                entry.kind.span(),
-                "`deny:` takes `Redundant()`: rows that follow from others become errors; an entry needs another name",
-            );
-        } else if let Some(argument) = given.into_iter().next() {
-            errors.at(Place::of(argument), "`Redundant()` takes no arguments");
-        }
-        declaration.deny_redundant = true;
-        return true;
-    }
-    if entry.name == "world" {
-        if declaration.world.is_some() {
-            errors.at(
-                entry.name.span(),
-                "the world is already declared; keep one `world:` entry",
-            );
-        } else if schema::world(&entry.kind.to_string()).is_none() {
-            let known = schema::World::ALL
-                .into_iter()
-                .map(|world| world.kind().name);
-            let hint = did_you_mean(&entry.kind.to_string(), known.clone());
-            let known: Vec<_> = known.collect();
-            errors.at(
-                entry.kind.span(),
-                format!(
-                    "there is no world `{}`{hint} (worlds: {})",
-                    entry.kind,
-                    known.join(", ")
-                ),
-            );
-            declaration.world = Some(entry);
-        } else {
-            declaration.world = Some(entry);
-        }
-        return true;
-    }
-    // `Planar` is a joint of space, too, and then has partners.
-    if schema::world(&entry.kind.to_string()).is_some() && entry.positional.is_empty() {
-        errors.at(
-            entry.name.span(),
-            format!(
-                "a world has no name of its own; write `world: {}(…)`",
-                entry.kind
-            ),
-        );
-        declaration.world.get_or_insert(entry);
-        return false;
-    }
-    if kinds.any(&entry.kind.to_string()).is_none() {
-        let known = kinds.names();
-        let hint = did_you_mean(&entry.kind.to_string(), known.clone());
-        let hint = if hint.is_empty() {
-            format!(" (kinds: {})", known.collect::<Vec<_>>().join(", "))
-        } else {
-            hint
-        };
-        errors.at(
-            entry.kind.span(),
-            format!("there is no kind `{}`{hint}", entry.kind),
-        );
-        return false;
-    }
-    declaration.entries.push(entry);
-    true
 }
 
 /// Refuses names of mechanisms that generated code could not live with.
@@ -178,7 +103,7 @@ fn name_of(tokens: &TokenStream) -> Option<Ident> {
 }
 
 /// The name of a wrong entry that seems to be a parameter: `name: Parm(…)` or `name: 1.0_m`.
-fn lost_parameter(chunk: &TokenStream, kinds: &Kinds) -> Option<Ident> {
+fn lost_entry(chunk: &TokenStream, kinds: &Kinds) -> Option<Ident> {
     let mut tokens = chunk
         .clone()
         .into_iter()
@@ -186,14 +111,8 @@ fn lost_parameter(chunk: &TokenStream, kinds: &Kinds) -> Option<Ident> {
     let Some(TokenTree::Ident(name)) = tokens.next() else {
         return None;
     };
-    let rest = tokens.find(|token| !matches!(token, TokenTree::Punct(_)));
-    let is_parameter = match rest {
-        Some(TokenTree::Ident(kind)) => nearest(&kind.to_string(), kinds.names()) == Some("Param"),
-        Some(TokenTree::Literal(_)) => true,
-        _ => false,
-    };
-    let name = syn::parse2(name.into_token_stream()).ok();
-    name.filter(|_| is_parameter)
+    let name = syn::parse2(name.into_token_stream()).ok()?;
+    lost_parameter(&name, tokens.collect(), kinds)
 }
 
 struct Header {
@@ -240,6 +159,7 @@ impl Parse for Header {
 enum Item {
     Doc(String),
     Entry(Entry),
+    Family(FamilyItem),
 }
 
 impl Item {
@@ -279,7 +199,12 @@ impl Item {
                 )),
             };
         }
-        entry(name, doc, value).map(Item::Entry)
+        match value {
+            Expr::Call(call) if is_family(&call) => {
+                Ok(Item::Family(FamilyItem { name, doc, call }))
+            }
+            value => entry(name.into(), doc, value).map(Item::Entry),
+        }
     }
 }
 
@@ -304,68 +229,6 @@ fn entry_name(input: ParseStream) -> syn::Result<Ident> {
             format!("`{name}` is a word of Rust; choose another name"),
         )),
     }
-}
-
-fn entry(name: Ident, doc: String, value: Expr) -> syn::Result<Entry> {
-    let example = match name.to_string().as_str() {
-        "world" => "Planar()",
-        "deny" => "Redundant()",
-        _ => "Param(1.0_m)",
-    };
-    let expected = || format!("expected `{name}: Kind(…)`, for example `{name}: {example}`");
-    let Expr::Call(call) = value else {
-        return Err(syn::Error::new_spanned(value, expected()));
-    };
-    let kind = match &*call.func {
-        Expr::Path(path) => path.path.get_ident().cloned(),
-        _ => None,
-    };
-    let Some(kind) = kind else {
-        return Err(syn::Error::new_spanned(call.func, expected()));
-    };
-    let mut entry = Entry {
-        name,
-        kind,
-        doc,
-        positional: Vec::new(),
-        named: Vec::new(),
-    };
-    for argument in call.args {
-        match argument {
-            Expr::Assign(assign) => {
-                let Expr::Path(path) = &*assign.left else {
-                    return Err(syn::Error::new_spanned(
-                        assign.left,
-                        "expected `name = value`",
-                    ));
-                };
-                let Some(name) = path.path.get_ident().cloned() else {
-                    return Err(syn::Error::new_spanned(
-                        assign.left,
-                        "expected `name = value`",
-                    ));
-                };
-                if entry.named(&name.to_string()).is_some() {
-                    return Err(syn::Error::new(
-                        name.span(),
-                        format!("`{name}` is given twice; keep one"),
-                    ));
-                }
-                entry.named.push(NamedArgument {
-                    name,
-                    value: *assign.right,
-                });
-            }
-            positional if entry.named.is_empty() => entry.positional.push(positional),
-            positional => {
-                return Err(syn::Error::new_spanned(
-                    positional,
-                    "positional arguments come before named ones",
-                ));
-            }
-        }
-    }
-    Ok(entry)
 }
 
 fn documentation(attributes: &[Attribute]) -> syn::Result<String> {

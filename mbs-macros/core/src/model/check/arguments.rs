@@ -16,6 +16,7 @@ pub(in crate::model) fn arguments(resolver: &mut Resolver) {
         } else {
             resolver.kinds.kind(resolver.world, &name)
         };
+        let before = resolver.errors.enter(entry.name.as_str());
         if let Some(kind) = kind {
             entry_arguments(resolver, entry, kind);
         } else if let Some(kind) = resolver.kinds.any(&name) {
@@ -26,6 +27,7 @@ pub(in crate::model) fn arguments(resolver: &mut Resolver) {
                 format!("there is no `{kind}` in {world}; {advice}"),
             );
         }
+        resolver.errors.leave(before);
     }
 }
 

@@ -18,11 +18,10 @@ pub(in crate::model) fn home_poses(
     let mut found: Vec<Disagreement> = Vec::new();
     let mut size = size_of_parts(resolver);
     for element in joints {
-        let declaration = resolver.declaration;
-        let mut entries = declaration.entries.iter();
-        let Some(entry) = entries.find(|entry| entry.name == element.name) else {
+        let Some(&index) = resolver.names.get(&element.name) else {
             continue;
         };
+        let entry = resolver.entry(index);
         let points = &element.joint.points;
         if let (true, [parent, child]) = (resolver.has_frames(entry), points.as_slice()) {
             let kind = entry.kind.to_string();
@@ -34,7 +33,7 @@ pub(in crate::model) fn home_poses(
     }
     for disagreement in found {
         if let Some(message) = disagreement.message(size) {
-            resolver.fail::<()>(disagreement.span, message);
+            resolver.fail_about(&disagreement.name, disagreement.span, message);
         }
     }
 }
@@ -52,6 +51,7 @@ fn size_of_parts(resolver: &Resolver) -> f64 {
 
 /// How far the partners of a joint are from where it holds them.
 struct Disagreement {
+    name: String,
     span: Span,
     kind: String,
     labels: [String; 2],
@@ -83,6 +83,7 @@ impl Disagreement {
             squares.sum::<f64>().sqrt()
         };
         Disagreement {
+            name: element.name.clone(),
             span: element.span,
             kind,
             labels: points.map(|point| point.label.clone()),

@@ -22,7 +22,7 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) 
         .collect();
     // Of the parts that share a massless coordinate the first gets the error.
     let mut known = heavy.clone();
-    let mut massless: Vec<(Span, String)> = Vec::new();
+    let mut massless: Vec<(String, Span, String)> = Vec::new();
     for part in &resolver.parts {
         let light: Vec<u32> = part
             .locals
@@ -40,15 +40,15 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) 
                 ),
                 None => massless_message(part, turns_only),
             };
-            massless.push((part.span, message));
+            massless.push((part.name.clone(), part.span, message));
         }
     }
     if known.is_empty() {
         let message = "nothing in this mechanism moves: declare a `Bar`, `Body` or `Particle` that the ground does not hold";
         resolver.fail::<()>(resolver.declaration.name.span(), message);
     }
-    for (span, message) in massless {
-        resolver.fail::<()>(span, message);
+    for (name, span, message) in massless {
+        resolver.fail_about(&name, span, message);
     }
 }
 

@@ -6,9 +6,10 @@ use crate::model::geometry::Owner;
 use crate::model::parts::Representation;
 use crate::model::resolver::Resolver;
 use crate::model::tree::Tree;
+use crate::names::split;
 use crate::schema::World;
 use proc_macro2::Span;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// Every part is connected to something.
 pub(in crate::model) fn connected(
@@ -40,23 +41,27 @@ pub(in crate::model) fn connected(
         .map(|(_, part)| (part.name.clone(), part.span))
         .collect();
     for (name, span) in lonely {
-        resolver.fail::<()>(
+        resolver.fail_about(
+            &name,
             span,
             format!("`{name}` is connected to nothing: join it, or write `free = true` if it is meant to move freely"),
         );
     }
 }
 
-/// Every parameter, input, point and named expression is used: nothing is silently ignored.
+/// Every parameter, input, point and named expression is used: nothing is silently ignored. A family is used if one of
+/// its members is.
 pub(in crate::model) fn used(resolver: &mut Resolver) {
     let declaration = resolver.declaration;
+    let used = resolver.used.iter().map(|name| split(name).0.to_owned());
+    let mut used: HashSet<String> = used.collect();
     for entry in &declaration.entries {
-        let name = entry.name.to_string();
+        let name = entry.name.word().to_string();
         let kind = entry.kind.to_string();
         if matches!(
             kind.as_str(),
             "Param" | "Input" | "Let" | "Point" | "Coordinate"
-        ) && !resolver.used.contains(&name)
+        ) && used.insert(name.clone())
         {
             resolver.fail::<()>(
                 entry.span(),
@@ -75,7 +80,8 @@ pub(in crate::model) fn carried(resolver: &mut Resolver, tree: &Tree) {
         }
         let (span, name) = (part.span, part.name.clone());
         let takes = carriers(resolver);
-        resolver.fail::<()>(
+        resolver.fail_about(
+            &name,
             span,
             format!("`{name}` asks for joint coordinates, but no joint carries it: that takes a {takes}, to the ground or to a part with axes; ask for `Reference`, or leave `coordinates =` out"),
         );

@@ -19,6 +19,7 @@ impl Resolver<'_> {
             if self.misplaced.contains(&name) {
                 continue;
             }
+            let before = self.errors.enter(&name);
             let element = matches!(kind.group, Group::Joint | Group::Constraint | Group::Force);
             let (known, count) = (
                 self.errors.is_empty(),
@@ -48,6 +49,7 @@ impl Resolver<'_> {
                     "the compiler dropped this without saying why; please report this declaration",
                 );
             }
+            self.errors.leave(before);
         }
         // The length of a bar in natural coordinates is a separate row.
         for part in &self.parts {

@@ -12,7 +12,7 @@ use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::schema::World;
 use crate::symbolic::{Expr, Graph, Node, Symbol};
-use crate::syntax::{MAX_DEPTH, MAX_LEVELS, TOO_DEEP};
+use crate::syntax::{MAX_DEPTH, MAX_LEVELS, TOO_DEEP, children, reference};
 use syn::spanned::Spanned;
 use syn::{Expr as Syntax, Member, UnOp};
 
@@ -63,11 +63,16 @@ impl Resolver<'_> {
             Syntax::Paren(inner) => self.evaluate(&inner.expr),
             Syntax::Group(inner) => self.evaluate(&inner.expr),
             Syntax::Lit(literal) => self.literal(&literal.lit),
-            Syntax::Path(path) => match path.path.get_ident() {
-                Some(name) => self.lookup(&name.to_string(), name.span()),
-                None => self.fail(
-                    Place::of(path),
+            Syntax::Path(_) | Syntax::Index(_) => match (reference(syntax), syntax) {
+                (Some(Ok(reference)), _) => self.lookup(&reference, Place::of(syntax)),
+                (Some(Err(error)), _) => self.fail_with(error),
+                (None, Syntax::Path(_)) => self.fail(
+                    Place::of(syntax),
                     "only names of this mechanism can stand here; paths go into `law(path, …)`",
+                ),
+                (None, _) => self.fail(
+                    Place::of(syntax),
+                    "an index follows the name of a family, as in `crank[3].b`",
                 ),
             },
             Syntax::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
@@ -201,18 +206,11 @@ impl Resolver<'_> {
         syntax: &Syntax,
         predicate: &dyn Fn(&Value, &Graph) -> bool,
     ) -> Place {
-        let children: Vec<&Syntax> = match syntax {
-            Syntax::Paren(inner) => vec![&inner.expr],
-            Syntax::Unary(unary) => vec![&unary.expr],
-            Syntax::Binary(binary) => vec![&binary.left, &binary.right],
-            Syntax::Array(array) => array.elems.iter().collect(),
-            Syntax::Call(call) => call.args.iter().collect(),
-            Syntax::MethodCall(call) => {
-                std::iter::once(&*call.receiver).chain(&call.args).collect()
-            }
-            _ => Vec::new(),
+        let parts = match syntax {
+            Syntax::Field(_) | Syntax::Index(_) => Vec::new(),
+            _ => children(syntax),
         };
-        for child in children {
+        for child in parts {
             if let Some(value) = self.silently(|resolver| resolver.evaluate(child))
                 && predicate(&value, &self.graph)
             {

@@ -1,0 +1,193 @@
+//! One entry: read from its expression, and put into the declaration.
+
+use super::families::EACH;
+use super::{Declaration, Entry, Name, NamedArgument};
+use crate::diagnostics::{Errors, Place, did_you_mean, nearest};
+use crate::schema::{self, Kinds};
+use proc_macro2::{TokenStream, TokenTree};
+use syn::{Expr, Ident};
+
+/// Reads `Kind(…)`.
+///
+/// # Errors
+/// It is something else, or an argument is given twice or in the wrong place.
+pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> {
+    let example = match name.as_str() {
+        "world" => "Planar()",
+        "deny" => "Redundant()",
+        _ => "Param(1.0_m)",
+    };
+    let expected = || match name.is_member() {
+        true => "expected what each member is, as in `|i| Kind(…)`".to_owned(),
+        false => format!("expected `{name}: Kind(…)`, for example `{name}: {example}`"),
+    };
+    let Expr::Call(call) = value else {
+        return Err(syn::Error::new_spanned(value, expected()));
+    };
+    let kind = match &*call.func {
+        Expr::Path(path) => path.path.get_ident().cloned(),
+        _ => None,
+    };
+    let Some(kind) = kind else {
+        return Err(syn::Error::new_spanned(call.func, expected()));
+    };
+    let mut entry = Entry {
+        name,
+        kind,
+        doc,
+        positional: Vec::new(),
+        named: Vec::new(),
+    };
+    for argument in call.args {
+        match argument {
+            Expr::Assign(assign) => {
+                let Expr::Path(path) = &*assign.left else {
+                    return Err(syn::Error::new_spanned(
+                        assign.left,
+                        "expected `name = value`",
+                    ));
+                };
+                let Some(name) = path.path.get_ident().cloned() else {
+                    return Err(syn::Error::new_spanned(
+                        assign.left,
+                        "expected `name = value`",
+                    ));
+                };
+                if entry.named(&name.to_string()).is_some() {
+                    return Err(syn::Error::new(
+                        name.span(),
+                        format!("`{name}` is given twice; keep one"),
+                    ));
+                }
+                entry.named.push(NamedArgument {
+                    name,
+                    value: *assign.right,
+                });
+            }
+            positional if entry.named.is_empty() => entry.positional.push(positional),
+            positional => {
+                return Err(syn::Error::new_spanned(
+                    positional,
+                    "positional arguments come before named ones",
+                ));
+            }
+        }
+    }
+    Ok(entry)
+}
+
+/// Whether the entry was stored.
+pub(super) fn place(
+    entry: Entry,
+    kinds: &Kinds,
+    declaration: &mut Declaration,
+    errors: &mut Errors,
+) -> bool {
+    if schema::RESERVED.contains(&entry.name.to_string().as_str()) {
+        errors.at(
+            entry.name.span(),
+            format!("`{}` is reserved; choose another name", entry.name),
+        );
+        return false;
+    }
+    if entry.name == "deny" {
+        let given = entry.positional.iter();
+        let given = given.chain(entry.named.iter().map(|argument| &argument.value));
+        if entry.kind != "Redundant" {
+            errors.at(
+                entry.kind.span(),
+                "`deny:` takes `Redundant()`: rows that follow from others become errors; an entry needs another name",
+            );
+        } else if let Some(argument) = given.into_iter().next() {
+            errors.at(Place::of(argument), "`Redundant()` takes no arguments");
+        }
+        declaration.deny_redundant = true;
+        return true;
+    }
+    if entry.name == "world" {
+        if declaration.world.is_some() {
+            errors.at(
+                entry.name.span(),
+                "the world is already declared; keep one `world:` entry",
+            );
+        } else if schema::world(&entry.kind.to_string()).is_none() {
+            let known = schema::World::ALL
+                .into_iter()
+                .map(|world| world.kind().name);
+            let hint = did_you_mean(&entry.kind.to_string(), known.clone());
+            let known: Vec<_> = known.collect();
+            errors.at(
+                entry.kind.span(),
+                format!(
+                    "there is no world `{}`{hint} (worlds: {})",
+                    entry.kind,
+                    known.join(", ")
+                ),
+            );
+            declaration.world = Some(entry);
+        } else {
+            declaration.world = Some(entry);
+        }
+        return true;
+    }
+    // `Planar` is a joint of space, too, and then has partners.
+    if schema::world(&entry.kind.to_string()).is_some() && entry.positional.is_empty() {
+        errors.at(
+            entry.name.span(),
+            format!(
+                "a world has no name of its own; write `world: {}(…)`",
+                entry.kind
+            ),
+        );
+        declaration.world.get_or_insert(entry);
+        return false;
+    }
+    if entry.name.is_member() && entry.kind == EACH {
+        errors.at(
+            entry.kind.span(),
+            format!("families do not nest; give both ranges at once: `{}: {EACH}((0..3, 0..5), |i, j| Kind(…))`", entry.name.word()),
+        );
+        return false;
+    }
+    if kinds.any(&entry.kind.to_string()).is_none() {
+        let known = kinds.names();
+        let hint = did_you_mean(&entry.kind.to_string(), known.clone().chain([EACH]));
+        let hint = if hint.is_empty() {
+            format!(" (kinds: {})", known.collect::<Vec<_>>().join(", "))
+        } else {
+            hint
+        };
+        errors.at(
+            entry.kind.span(),
+            format!("there is no kind `{}`{hint}", entry.kind),
+        );
+        return false;
+    }
+    declaration.entries.push(entry);
+    true
+}
+
+/// The name, if what follows it seems to be a parameter, or a family of them.
+pub(super) fn lost_parameter(name: &Ident, after: TokenStream, kinds: &Kinds) -> Option<Ident> {
+    let mut rest = after
+        .into_iter()
+        .skip_while(|token| matches!(token, TokenTree::Punct(_)));
+    let is_parameter = match (rest.next(), rest.next()) {
+        (Some(TokenTree::Ident(each)), Some(TokenTree::Group(group))) if each == EACH => {
+            return lost_parameter(name, body_of(group.stream()), kinds);
+        }
+        (Some(TokenTree::Ident(kind)), _) => {
+            nearest(&kind.to_string(), kinds.names()) == Some("Param")
+        }
+        (Some(TokenTree::Literal(_)), _) => true,
+        _ => false,
+    };
+    is_parameter.then(|| name.clone())
+}
+
+/// What follows the parameters of a closure.
+fn body_of(arguments: TokenStream) -> TokenStream {
+    let is_bar = |token: &TokenTree| matches!(token, TokenTree::Punct(bar) if bar.as_char() == '|');
+    let after = arguments.into_iter().skip_while(|token| !is_bar(token));
+    after.skip(1).skip_while(|token| !is_bar(token)).collect()
+}

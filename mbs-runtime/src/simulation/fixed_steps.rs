@@ -1,0 +1,147 @@
+//! Steps of fixed length past poses that are nearly singular.
+//!
+//! Each step is the second of a pair with the step before it. A pose that σ foresees in it, or in one of the next steps,
+//! is looked at once (`passage.rs`). Past one that is nearly singular the motion turns within a time of g/k, with the
+//! least σ g and its rate k: steps of a part of σ/k take the place of longer ones until the pose is left behind.
+
+use super::Simulation;
+use super::known_poses::{ALIKE, SAME};
+use super::passage::{LEAP, Pose};
+use super::pose::{Foreseen, LastStep, NEAR_AHEAD, Passage};
+use crate::singular::RankMargin;
+use crate::{SimulationError, System};
+
+/// Steps past such a pose, as a part of σ/k.
+const PART: f64 = 0.25;
+/// The shortest of them, as a part of the step.
+const SHORTEST: f64 = 1e-5;
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
+    pub(super) fn follow(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+        // Pairs are looked at as a whole.
+        if self.settings.tolerance.is_some() || !self.is_free() {
+            let length = self.placed(h, left)?;
+            self.watch();
+            return Ok(length);
+        }
+        let (begin, margin) = (self.time(), self.rank_margin);
+        if let Some(Foreseen::Turn(rate)) = self.foreseen {
+            if self.resolving(rate) < h {
+                self.last_step = None;
+                self.turn_past(h, rate)?;
+                return Ok(h);
+            }
+            self.foreseen = None;
+        }
+        let start = (self.report, self.power);
+        let length = self.placed(h, left)?;
+        if let Some(passage) = self.passage((begin, margin), length)
+            && self.leapt(&passage)?
+            && let Some(Foreseen::Turn(rate)) = self.foreseen
+        {
+            self.back(start)?;
+            self.report.rejected_steps += 1;
+            self.last_step = None;
+            self.turn_past(length, rate)?;
+            return Ok(length);
+        }
+        let end = self.time();
+        self.last_step = margin.map(|margin| LastStep { begin, margin, end });
+        self.watch();
+        Ok(length)
+    }
+
+    /// The step before the last one and the last one, which began at `begin`; `None` where one of them was not watched.
+    #[inline]
+    fn passage(&self, (begin, margin): (f64, Option<RankMargin>), length: f64) -> Option<Passage> {
+        let (last, middle, end) = (self.last_step?, margin?, self.rank_margin?);
+        let first = begin - last.begin;
+        // The end of a run removes the rounding of its sum of steps from the clock.
+        let follows = (begin - last.end).abs() <= 1e-6 * length && first > 0.0;
+        follows.then_some(Passage {
+            steps: [first, length],
+            margins: [last.margin, middle, end],
+        })
+    }
+
+    /// Looks at the pose in the last step, the second of the pair, or after it. Whether the step, of which `self.before`
+    /// is the beginning, is too long for a pose that is nearly singular.
+    #[inline]
+    fn leapt(&mut self, passage: &Passage) -> Result<bool, SimulationError> {
+        match passage.pose_from_second() {
+            Some(pose) => self.look_about(passage, pose),
+            None => Ok(false),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn look_about(&mut self, passage: &Passage, pose: f64) -> Result<bool, SimulationError> {
+        let [first, second] = passage.steps;
+        let length = first + second;
+        let time = self.time() - length + pose;
+        if let Some(Foreseen::Singular(known)) = self.foreseen
+            && (time - known).abs() < second
+        {
+            return Ok(false);
+        }
+        let behind = pose < length;
+        // Beyond the end of the step the cubic is not exact: the pose is looked at from the next one, if it is no other.
+        let within = if behind { SAME } else { ALIKE };
+        if self.is_known(&self.before, (pose - first) / second, within) {
+            return Ok(false);
+        }
+        let kept = (self.report, self.power, self.rank_margin, self.balance);
+        if behind {
+            std::mem::swap(&mut self.pair, &mut self.before);
+            self.before.copy_from(self.integrator.state());
+        } else {
+            self.pair.copy_from(self.integrator.state());
+        }
+        let window = match behind {
+            true => [first, length],
+            false => [length, length + 2.0 * NEAR_AHEAD * second],
+        };
+        let found = self.find(passage, pose, window);
+        let end = if behind { &self.before } else { &self.pair };
+        self.integrator.state_mut().copy_from(end);
+        (self.report, self.power, self.rank_margin, self.balance) = kept;
+        if behind {
+            std::mem::swap(&mut self.pair, &mut self.before);
+        }
+        self.integrator.refresh(&self.settings)?;
+        let [_, _, end] = passage.margins;
+        match found? {
+            Pose::Turn { least, rate } if PART * least < rate * second => {
+                self.foreseen = Some(Foreseen::Turn(rate));
+                Ok(behind || end.least < LEAP * least)
+            }
+            Pose::Singular => {
+                self.foreseen = Some(Foreseen::Singular(time));
+                Ok(false)
+            }
+            _ => Ok(false),
+        }
+    }
+
+    /// Steps over `span` seconds, each a part of the time in which σ would fall to zero at this rate.
+    #[cold]
+    #[inline(never)]
+    fn turn_past(&mut self, span: f64, rate: f64) -> Result<(), SimulationError> {
+        let mut left = span;
+        while left > 0.0 {
+            let h = self.resolving(rate).max(SHORTEST * span);
+            let last = h > 0.7 * left;
+            self.advance(if last { left } else { h })?;
+            self.watch();
+            left = if last { 0.0 } else { left - h };
+        }
+        Ok(())
+    }
+
+    /// The step that resolves the motion where σ changes at this rate, s.
+    fn resolving(&mut self, rate: f64) -> f64 {
+        PART * self.margin().least / rate
+    }
+}

@@ -1,0 +1,15 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    bar: Each(0..3, |i| Bar(mass = 1.0_kg, length = 1.0_m)),
+    pivot: Each(0..3, |i| Revolute(ground.origin, bar[i].a)),
+    tip: Each(0..2, |i| Output(if i == 0 {
+        bar[0].b
+    } else {
+        bar[1].angle
+    })),
+});
+
+fn main() {}

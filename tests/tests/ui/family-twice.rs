@@ -1,0 +1,11 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    bar: Each(0..2, |i| Bar(mass = 1.0_kg, length = 1.0_m)),
+    pivot: Each(0..2, |i| Revolute(ground.origin, bar[i].a)),
+    bar: Each(2..4, |i| Bar(mass = 1.0_kg, length = 1.0_m)),
+});
+
+fn main() {}
