@@ -7,6 +7,11 @@ use mbs_runtime::{Energy, Model};
 /// A run that ends this far away, m or rad, is on another branch.
 const ASTRAY: f64 = 0.3;
 
+/// A name in which the number of a member of a family is written like a part of it: `crank2.b` for `crank[2].b`.
+pub fn without_brackets(name: &str) -> String {
+    name.replace(['[', ']'], "")
+}
+
 /// What the end of a run is compared with.
 pub enum Branch {
     /// The angle of the crank, whose rods are mirror images.
@@ -45,6 +50,7 @@ impl Branch {
                 _ => None,
             },
             Branch::Cranks(angle) => {
+                let name = without_brackets(name);
                 let number = name.strip_prefix("crank")?.strip_suffix(".b")?;
                 let base: f64 = number.parse().ok()?;
                 Some([base + angle.cos(), angle.sin()])

@@ -18,7 +18,7 @@ mod slider_crank;
 mod tableau;
 mod trial;
 
-use branch::Branch;
+use branch::{Branch, without_brackets};
 use candidate::{BOUNDS, Candidate, Steps};
 use chain::Chain;
 use contest::Contest;
@@ -214,7 +214,7 @@ fn same_motion<E: Equations<A>, const A: usize>(
             .model()
             .points
             .iter()
-            .position(|known| *known == name);
+            .position(|known| without_brackets(known) == name);
         let point = known.map(|index| points[index]);
         let point = point.ok_or_else(|| format!("{}: no point {name}", scene.name))?;
         let away = (point[0] - x).hypot(point[1] - y);

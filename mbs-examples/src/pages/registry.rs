@@ -4,7 +4,7 @@ use super::data::Data;
 use super::{
     accuracies, calls, candidates, charts, compile_times, compositions, derivation, instructions,
     model_size, orders, paper, phases, random_passages, rival, rows, scenes, springs, sweep,
-    tolerances, tuning, which,
+    symbolic, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -64,6 +64,7 @@ const WHICH: &str = "book/src/results/which-method.md";
 const WORK_PRECISION: &str = "book/src/results/work-precision.md";
 const STABILITY: &str = "book/src/results/stability.md";
 const SWEEPS: &str = "book/src/results/sweeps.md";
+const SYMBOLIC: &str = "book/src/results/symbolic.md";
 const MODEL_SIZE: &str = "book/src/results/model-size.md";
 const COMPILE_TIMES: &str = "book/src/results/compile-times.md";
 
@@ -91,6 +92,16 @@ pub const ENTRIES: &[Entry] = &[
     block(TWO_LEVELS, "rows", rows::measured),
     block(TWO_LEVELS, "corrections", rows::corrections),
     block(TWO_LEVELS, "redundant rows", instructions::redundant),
+    block(SYMBOLIC, "any", symbolic::any),
+    block(SYMBOLIC, "steady", symbolic::steady),
+    block(SYMBOLIC, "settings", symbolic::settings),
+    block(SYMBOLIC, "stabilised any", symbolic::stabilised_any),
+    block(SYMBOLIC, "stabilised steady", symbolic::stabilised_steady),
+    block(
+        SYMBOLIC,
+        "stabilised settings",
+        symbolic::stabilised_settings,
+    ),
     block(MODEL_SIZE, "models", model_size::table),
     block(COMPILE_TIMES, "compile times", compile_times::table),
     block(COMPILE_TIMES, "methods", compile_times::methods),
