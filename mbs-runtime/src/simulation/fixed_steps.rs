@@ -114,11 +114,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.refresh(&self.settings)?;
         let [_, _, end] = passage.margins;
         match found? {
-            Pose::Turn {
-                least,
-                rate,
-                sure: true,
-            } if PART * least < rate * second => {
+            Pose::Turn { least, rate } if PART * least < rate * second => {
                 self.foreseen = Some(Foreseen::Turn(rate));
                 Ok(behind || end.least < LEAP * least)
             }
@@ -131,7 +127,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Steps over `span` seconds, each a part of the time in which σ would fall to zero at this rate. Where one of them
-    /// fails, none is taken, and the answer is false.
+    /// fails, or comes to a singular pose, none is taken, and the answer is false.
     #[cold]
     #[inline(never)]
     fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
@@ -142,13 +138,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         while left > 0.0 {
             let h = self.resolving(rate).max(SHORTEST * span);
             let last = h > 0.7 * left;
-            match self.advance(if last { left } else { h }) {
-                Ok(_) => self.watch(),
-                Err(error) if error.asks_for_less() => {
+            let taken = self.advance(if last { left } else { h });
+            let singular = taken.is_ok() && self.margin().least <= self.least_distinct();
+            match taken {
+                Ok(_) if !singular => self.watch(),
+                Err(error) if !error.asks_for_less() => return Err(error),
+                _ => {
                     self.back(start)?;
                     return Ok(false);
                 }
-                Err(error) => return Err(error),
             }
             left = if last { 0.0 } else { left - h };
         }

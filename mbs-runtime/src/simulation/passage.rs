@@ -38,8 +38,8 @@ const FOUND: f64 = 0.5;
 pub(super) enum Pose {
     /// A singular pose.
     Singular,
-    /// A pose that is nearly singular: g, the least σ, and k; whether probes beside the minimum agree on it.
-    Turn { least: f64, rate: f64, sure: bool },
+    /// A pose that is nearly singular: g, the least σ, and k.
+    Turn { least: f64, rate: f64 },
     /// σ has no minimum where it was looked for.
     Unclear,
 }
@@ -93,8 +93,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         pose: f64,
         [from, to]: [f64; 2],
     ) -> Result<Pose, SimulationError> {
-        let exact = (self.yardstick).round_off_of_positions(&self.before.positions);
-        let singular = SINGULAR * self.settings.constraint_tolerance.max(exact).sqrt();
+        let singular = self.least_distinct();
         let [first, second] = passage.steps;
         let length = first + second;
         let [start, middle, end] = passage.margins;
@@ -103,7 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Probe::new(first, middle),
             Probe::new(length, end),
         ];
-        let (mut time, mut seen, mut rate, mut sure) = (pose, 0, f64::INFINITY, false);
+        let (mut time, mut seen, mut rate) = (pose, 0, f64::INFINITY);
         for _ in 0..PROBES {
             probes.sort_unstable_by(|a, b| a.square.total_cmp(&b.square));
             let Some(margin) = self.probe(time - from)? else {
@@ -122,10 +121,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 break;
             };
             // The first parabola may be through points that are far from the pose.
-            sure = seen > 1 && foreseen.square > FOUND * probes[0].square;
+            let found = seen > 1 && foreseen.square > FOUND * probes[0].square;
             time = probes[0].time + foreseen.way;
             rate = foreseen.rate;
-            if sure || !(time > from && time < to) {
+            if found || !(time > from && time < to) {
                 break;
             }
         }
@@ -133,9 +132,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let inside = seen > 0 && time > from && time < to;
         let least = square.sqrt();
         Ok(match inside && rate.is_finite() {
-            true => Pose::Turn { least, rate, sure },
+            true => Pose::Turn { least, rate },
             false => Pose::Unclear,
         })
+    }
+
+    /// The least σ of a pose that can be told from a singular one.
+    pub(super) fn least_distinct(&self) -> f64 {
+        let exact = (self.yardstick).round_off_of_positions(&self.before.positions);
+        SINGULAR * self.settings.constraint_tolerance.max(exact).sqrt()
     }
 
     /// The rank margin some seconds after `self.pair`; `None` if no step leads there.
