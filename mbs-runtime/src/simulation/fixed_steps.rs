@@ -70,28 +70,35 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// is the beginning, is too long for a pose that is nearly singular.
     #[inline]
     fn leapt(&mut self, passage: &Passage) -> Result<bool, SimulationError> {
-        match passage.pose_from_second() {
-            Some(pose) => self.look_about(passage, pose),
-            None => Ok(false),
+        for pose in passage.poses_from_second().into_iter().flatten() {
+            if let Some(too_long) = self.look_about(passage, pose)? {
+                return Ok(too_long);
+            }
         }
+        Ok(false)
     }
 
+    /// The same for one of the poses; `None` if it is not found.
     #[cold]
     #[inline(never)]
-    fn look_about(&mut self, passage: &Passage, pose: f64) -> Result<bool, SimulationError> {
+    fn look_about(
+        &mut self,
+        passage: &Passage,
+        pose: f64,
+    ) -> Result<Option<bool>, SimulationError> {
         let [first, second] = passage.steps;
         let length = first + second;
         let time = self.time() - length + pose;
         if let Some(Foreseen::Singular(known)) = self.foreseen
             && (time - known).abs() < second
         {
-            return Ok(false);
+            return Ok(Some(false));
         }
         let behind = pose < length;
         // Beyond the end of the step the cubic is not exact: the pose is looked at from the next one, if it is no other.
         let within = if behind { SAME } else { ALIKE };
         if self.is_known(&self.before, (pose - first) / second, within) {
-            return Ok(false);
+            return Ok(Some(false));
         }
         let kept = (self.report, self.power, self.rank_margin, self.balance);
         if behind {
@@ -113,17 +120,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.integrator.refresh(&self.settings)?;
         let [_, _, end] = passage.margins;
-        match found? {
+        Ok(match found? {
             Pose::Turn { least, rate } if PART * least < rate * second => {
                 self.foreseen = Some(Foreseen::Turn(rate));
-                Ok(behind || end.least < LEAP * least)
+                Some(behind || end.least < LEAP * least)
             }
             Pose::Singular => {
                 self.foreseen = Some(Foreseen::Singular(time));
-                Ok(false)
+                Some(false)
             }
-            _ => Ok(false),
-        }
+            Pose::Turn { .. } => Some(false),
+            Pose::Unclear => None,
+        })
     }
 
     /// Steps over `span` seconds, each a part of the time in which σ would fall to zero at this rate. Where one of them

@@ -52,21 +52,24 @@ impl Passage {
         (same && (early || late)).then(|| self.crossing(early, late))
     }
 
-    /// The same in the second step, or in one after the pair.
+    /// The same in the second step, or in one after the pair: what is likelier first.
     #[inline]
-    pub(super) fn pose_from_second(&self) -> Option<f64> {
+    pub(super) fn poses_from_second(&self) -> [Option<f64>; 2] {
         let ([first, second], [start, middle, end]) = (self.steps, self.margins);
         let within = self.pose().filter(|&pose| pose > first);
         let ahead = if end.least < NEAR { NEAR_AHEAD } else { AHEAD };
         let falls = end.least < ahead * (middle.least - end.least);
         if !falls || end.dependent != middle.dependent {
-            return within;
+            return [within, None];
         }
         let before = (start.least - middle.least) / first;
         let crosses = unlike(before, (middle.least + end.least) / second)
             < unlike(before, (middle.least - end.least) / second);
         let beyond = first + second + second * end.least / (middle.least - end.least);
-        within.filter(|_| crosses).or(Some(beyond))
+        match crosses {
+            true => [within, Some(beyond)],
+            false => [Some(beyond), within],
+        }
     }
 
     /// The same in the first step (`early`) or the second.
