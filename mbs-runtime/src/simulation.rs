@@ -67,8 +67,10 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     behind: Box<State<Q, N, R>>,
     /// The state before the steps that are compared.
     pair: Box<State<Q, N, R>>,
+    /// The report and the power before the step that is being tried.
+    started: (Report, f64),
     /// The last step, if its length was fixed.
-    last_step: Option<LastStep>,
+    last_step: LastStep,
     known_poses: KnownPoses<Q>,
     /// The pose that is near, in runs of fixed steps.
     foreseen: Option<Foreseen>,
@@ -253,7 +255,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             report,
             power: 0.0,
             rank_margin: None,
-            last_step: None,
+            started: (report, 0.0),
+            last_step: LastStep::NONE,
             foreseen: None,
             known_poses,
             singularities: SingularityDetector::new(),

@@ -8,7 +8,6 @@ use super::Simulation;
 use super::known_poses::{ALIKE, SAME};
 use super::passage::{LEAP, Pose};
 use super::pose::{Foreseen, LastStep, NEAR_AHEAD, Passage};
-use crate::singular::RankMargin;
 use crate::{SimulationError, System};
 
 /// Steps past such a pose, as a part of σ/k.
@@ -25,45 +24,56 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.watch();
             return Ok(length);
         }
-        let (begin, margin) = (self.time(), self.rank_margin);
+        let mut step = LastStep {
+            begin: self.time(),
+            ..LastStep::NONE
+        };
+        if let Some(margin) = &self.rank_margin {
+            (step.least, step.dependent) = (margin.least, margin.dependent);
+        }
         if let Some(Foreseen::Turn(rate)) = self.foreseen {
             if self.resolving(rate) < h && self.turn_past(h, rate)? {
                 return Ok(h);
             }
             self.foreseen = None;
         }
-        let start = (self.report, self.power);
         let length = self.placed(h, left)?;
-        if let Some(passage) = self.passage((begin, margin), length)
-            && self.leapt(&passage)?
-            && let Some(Foreseen::Turn(rate)) = self.foreseen
-        {
-            self.back(start)?;
-            self.report.rejected_steps += 1;
-            if !self.turn_past(length, rate)? {
-                self.foreseen = None;
-                self.advance(length)?;
-                self.watch();
-            }
+        let now = self.rank_margin.as_ref().map_or(f64::NAN, |now| now.least);
+        if self.last_step.suspects(length, step.least, now) && self.corrects(&step, length)? {
             return Ok(length);
         }
-        let end = self.time();
-        self.last_step = margin.map(|margin| LastStep { begin, margin, end });
+        step.end = self.time();
+        self.last_step = step;
         self.watch();
         Ok(length)
     }
 
-    /// The step before the last one and the last one, which began at `begin`; `None` where one of them was not watched.
-    #[inline]
-    fn passage(&self, (begin, margin): (f64, Option<RankMargin>), length: f64) -> Option<Passage> {
-        let (last, middle, end) = (self.last_step?, margin?, self.rank_margin?);
-        let first = begin - last.begin;
+    /// Replaces the last step by short ones if it leaps over a pose that is nearly singular; whether it does.
+    #[cold]
+    #[inline(never)]
+    fn corrects(&mut self, step: &LastStep, length: f64) -> Result<bool, SimulationError> {
+        let last = self.last_step;
+        let first = step.begin - last.begin;
         // The end of a run removes the rounding of its sum of steps from the clock.
-        let follows = (begin - last.end).abs() <= 1e-6 * length && first > 0.0;
-        follows.then_some(Passage {
+        let follows = (step.begin - last.end).abs() <= 1e-6 * length && first > 0.0;
+        let passage = Passage {
             steps: [first, length],
-            margins: [last.margin, middle, end],
-        })
+            margins: [last.margin(), step.margin(), self.margin()],
+        };
+        if !follows || !self.leapt(&passage)? {
+            return Ok(false);
+        }
+        let Some(Foreseen::Turn(rate)) = self.foreseen else {
+            return Ok(false);
+        };
+        self.back()?;
+        self.report.rejected_steps += 1;
+        if !self.turn_past(length, rate)? {
+            self.foreseen = None;
+            self.advance(length)?;
+            self.watch();
+        }
+        Ok(true)
     }
 
     /// Looks at the pose in the last step, the second of the pair, or after it. Whether the step, of which `self.before`
@@ -139,9 +149,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     #[inline(never)]
     fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
-        self.last_step = None;
+        self.last_step = LastStep::NONE;
         self.before.copy_motion_from(self.integrator.state());
-        let start = (self.report, self.power);
+        self.started = (self.report, self.power);
         let mut left = span;
         while left > 0.0 {
             let h = self.resolving(rate).max(SHORTEST * span);
@@ -152,7 +162,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Ok(_) if !singular => self.watch(),
                 Err(error) if !error.asks_for_less() => return Err(error),
                 _ => {
-                    self.back(start)?;
+                    self.back()?;
                     return Ok(false);
                 }
             }

@@ -79,18 +79,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Ok(h);
         }
         self.before.copy_motion_from(self.integrator.state());
+        self.started = (self.report, self.power);
         if !self.settings.placement || h < REMAINDER * self.nominal() {
             self.advance(h)?;
             return Ok(h);
         }
-        let (report, power) = (self.report, self.power);
         let first = self.advance(h);
         let wanted = self.clear();
         match first {
             Ok(clearance) if !(clearance < wanted) => Ok(h),
             // Without a clearance nothing is known of singular poses.
             Err(error) if !error.asks_for_less() => Err(error),
-            _ => self.choose(h, left, first, (report, power)),
+            _ => self.choose(h, left, first),
         }
     }
 
@@ -102,7 +102,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         h: f64,
         left: f64,
         first: Result<f64, SimulationError>,
-        start: (crate::Report, f64),
     ) -> Result<f64, SimulationError> {
         let (mut best, mut length) = match &first {
             Ok(clearance) => (*clearance, h),
@@ -123,7 +122,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             }
             aims += usize::from(aimed.is_some());
-            self.back(start)?;
+            self.back()?;
             taken = trial;
             match self.advance(trial) {
                 Ok(clearance) if clearance > best => (best, length) = (clearance, trial),
@@ -134,11 +133,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
         }
         if best == f64::NEG_INFINITY {
-            self.back(start)?;
+            self.back()?;
             return first.map(|_| h);
         }
         if taken != length {
-            self.back(start)?;
+            self.back()?;
             self.advance(length)?;
         }
         self.report.placed_steps += u64::from(length != h);
@@ -146,13 +145,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Restores the state before the step.
-    pub(super) fn back(
-        &mut self,
-        (report, power): (crate::Report, f64),
-    ) -> Result<(), SimulationError> {
+    pub(super) fn back(&mut self) -> Result<(), SimulationError> {
         self.integrator.state_mut().copy_motion_from(&self.before);
-        self.report = report;
-        self.power = power;
+        (self.report, self.power) = self.started;
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)
     }

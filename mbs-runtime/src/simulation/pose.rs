@@ -33,8 +33,36 @@ pub(super) struct Passage {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LastStep {
     pub(super) begin: f64,
-    pub(super) margin: RankMargin,
+    /// [`RankMargin::least`] and [`RankMargin::dependent`].
+    pub(super) least: f64,
+    pub(super) dependent: u32,
     pub(super) end: f64,
+}
+
+impl LastStep {
+    /// It is not known, and foresees nothing.
+    pub(super) const NONE: Self = LastStep {
+        begin: f64::NAN,
+        least: f64::NAN,
+        dependent: 0,
+        end: f64::NAN,
+    };
+
+    /// The rank margin where it began.
+    pub(super) fn margin(&self) -> RankMargin {
+        RankMargin {
+            dependent: self.dependent,
+            ..RankMargin::of(self.least)
+        }
+    }
+
+    /// Whether σ, which is `before` and `now` at the ends of a step of h after this one, may foresee a pose: a quick
+    /// test before [`Passage::poses_from_second`].
+    #[inline(always)]
+    pub(super) fn suspects(&self, h: f64, before: f64, now: f64) -> bool {
+        let fallen = self.least - before;
+        now < NEAR_AHEAD * (before - now) || before * (self.end - self.begin) < AHEAD * fallen * h
+    }
 }
 
 impl Passage {
