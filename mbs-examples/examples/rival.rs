@@ -15,8 +15,8 @@ use mbs_examples::scene::Scene;
 use mbs_examples::scenes::{bricard, double_four_bar, pendulum, slider_crank};
 use mbs_runtime::output::Frame;
 use mbs_runtime::{
-    BaselineStepper, BaumgarteSettings, Energy, Mechanism, Method, Settings, Simulation, State,
-    System, TwoLevelStepper,
+    BaselineStepper, BaumgarteSettings, Mechanism, Method, Settings, Simulation, State, System,
+    TwoLevelStepper,
 };
 use std::hint::black_box;
 
@@ -210,14 +210,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Contest
         self.system.outputs(DURATION, q, v, &mut outputs);
         let frame = Frame {
             time: DURATION,
-            coordinates: vec![],
-            velocities: vec![],
             outputs,
-            points: vec![],
-            reactions: vec![],
-            energy: Energy::default(),
-            holonomic_error: 0.0,
-            velocity_error: 0.0,
+            ..Frame::default()
         };
         let deviations = self.reference.compare(&[frame]);
         let positions = deviations.iter().filter(|d| d.column.ends_with("_m"));

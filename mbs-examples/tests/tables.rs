@@ -7,7 +7,6 @@ use mbs_examples::reference::ReferenceTable;
 use mbs_examples::scene::Reference;
 use mbs_examples::scenes::scenes;
 use mbs_examples::table::{Align, table};
-use mbs_runtime::Energy;
 use mbs_runtime::output::Frame;
 use std::path::Path;
 
@@ -27,23 +26,10 @@ fn trusted(name: &str) -> ReferenceTable {
 }
 
 fn frame(time: f64, x: f64) -> Frame {
-    let energy = Energy {
-        kinetic: 0.0,
-        potential: 0.0,
-        nonconservative_work: 0.0,
-        drive_work: 0.0,
-        error: 0.0,
-    };
     Frame {
         time,
-        coordinates: vec![],
-        velocities: vec![],
         outputs: vec![x],
-        points: vec![],
-        reactions: vec![],
-        energy,
-        holonomic_error: 0.0,
-        velocity_error: 0.0,
+        ..Frame::default()
     }
 }
 

@@ -2,7 +2,9 @@
 
 mod access;
 mod accuracy;
+mod advance;
 mod any;
+mod books;
 mod dense;
 mod energy_guard;
 mod fixed_steps;
@@ -15,11 +17,11 @@ mod run;
 mod singularity_detector;
 mod tolerance;
 
+use self::books::Books;
 use self::energy_guard::EnergyGuard;
 use self::known_poses::KnownPoses;
 use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
-use crate::alf3f::StepMonitor;
 use crate::assembly::{RESUMABLE, assemble};
 use crate::fault::Fault;
 use crate::integrator::Integrator;
@@ -37,9 +39,6 @@ use nalgebra::SVector;
 
 pub use self::access::InputsMut;
 
-/// How often a step that does not converge is halved before it is given up.
-const HALVINGS: u32 = 8;
-
 /// A mechanism with its integrator: Q coordinates, N velocities, R constraint rows.
 ///
 /// ```text
@@ -50,9 +49,11 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     settings: Settings,
     integrator: Integrator<S, Q, N, R>,
     assembly: AssemblyVerdict,
-    report: Report,
-    /// Power of nonconservative forces at the current instant, W.
-    power: f64,
+    books: Books,
+    /// Steps that were repeated with a shorter one.
+    rejected: u64,
+    /// Steps whose length was changed beside a singular pose.
+    placed: u64,
     /// The rank margin of the rows at the current state, if the last step computed it; otherwise the next step computes
     /// it.
     rank_margin: Option<RankMargin>,
@@ -67,10 +68,10 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     behind: Box<State<Q, N, R>>,
     /// The state before the steps that are compared.
     pair: Box<State<Q, N, R>>,
-    /// The report and the power before the step that is being tried.
-    started: (Report, f64),
-    /// The last step, if its length was fixed.
+    /// The books before the step that is being tried.
+    started: Books,
     last_step: LastStep,
+    /// Singular poses that have been looked at.
     known_poses: KnownPoses<Q>,
     /// The pose that is near, in runs of fixed steps.
     foreseen: Option<Foreseen>,
@@ -226,10 +227,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         assembly: AssemblyVerdict,
         other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
-        let report = Report {
-            rank: assembly.rank,
-            ..Report::default()
-        };
         let integrator = Integrator::new(system, state, &settings, other)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
@@ -252,10 +249,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             integrator,
             settings,
             assembly,
-            report,
-            power: 0.0,
+            books: Books::default(),
+            rejected: 0,
+            placed: 0,
             rank_margin: None,
-            started: (report, 0.0),
+            started: Books::default(),
             last_step: LastStep::NONE,
             foreseen: None,
             known_poses,
@@ -323,74 +321,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// row and the time.
     pub fn step(&mut self) -> Result<(), SimulationError> {
         self.forward(self.nominal(), f64::INFINITY)
-    }
-
-    /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
-    pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
-        if let Some(refused) = self.refused.take() {
-            return Err(refused);
-        }
-        let known = self.rank_margin.take();
-        let rank_margin = known.or_else(|| self.integrator.rank_margin());
-        let mut monitor = StepMonitor::new(self.power, rank_margin);
-        self.halving(h, HALVINGS, &mut monitor)?;
-        self.rank_margin = monitor.rank_margin;
-        self.report.steps += 1;
-        Ok(monitor.clearance)
-    }
-
-    fn halving(
-        &mut self,
-        h: f64,
-        left: u32,
-        monitor: &mut StepMonitor,
-    ) -> Result<(), SimulationError> {
-        let start = (self.state().time, self.state().clock);
-        match self.integrator.step(h, monitor) {
-            Ok(()) => {
-                self.integrator.state_mut().count(start, h);
-                self.keep_books(monitor);
-                Ok(())
-            }
-            Err(error) if error.asks_for_less() && left > 0 => {
-                self.report.rejected_steps += 1;
-                // The halves of a step may also end beside the singular pose, so that other lengths are tried first.
-                let watched = monitor.rank_margin.is_some() || monitor.clearance == 0.0;
-                *monitor = StepMonitor::new(self.power, None);
-                if watched {
-                    monitor.clearance = 0.0;
-                }
-                self.halving(0.5 * h, left - 1, monitor)?;
-                self.halving(0.5 * h, left - 1, monitor)
-            }
-            Err(error) => Err(error),
-        }
-    }
-
-    /// Work and errors of the step just taken.
-    fn keep_books(&mut self, monitor: &mut StepMonitor) {
-        let trace = self.integrator.trace();
-        let holonomic = largest(trace.phi);
-        let velocity = largest(&trace.rates);
-        self.report.holonomic_error = self.report.holonomic_error.max(holonomic);
-        self.report.velocity_error = self.report.velocity_error.max(velocity);
-        self.power = monitor.power;
-        let ledger = &mut self.integrator.state_mut().ledger;
-        ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
-        ledger.drive_work += std::mem::take(&mut monitor.drive_work);
-        self.energy_guard
-            .doubt(std::mem::take(&mut monitor.work_doubt));
-        self.balance = self.energy();
-        self.report.energy_error = self.report.energy_error.max(self.balance.error.abs());
-    }
-
-    /// Quantities of the current instant for the energy balance of the next step.
-    fn take_stock(&mut self) {
-        self.rank_margin = None;
-        let state = self.state();
-        self.power =
-            self.system()
-                .nonconservative_power(state.time, &state.positions, &state.velocities);
     }
 
     /// Samples at the current instant and every `interval` seconds up to `until`, simulating in between.
@@ -498,12 +428,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub fn report(&self) -> Report {
         let counters = self.integrator.counters();
         Report {
+            steps: self.books.steps,
             stages: counters.stages,
             iterations: counters.iterations,
-            rejected_steps: self.report.rejected_steps + counters.rejected,
+            rejected_steps: self.rejected + counters.rejected,
+            placed_steps: self.placed,
             regularised_solves: counters.regularised,
+            energy_error: self.books.energy_error,
+            holonomic_error: self.books.holonomic_error,
+            velocity_error: self.books.velocity_error,
+            rank: self.assembly.rank,
             rank_losses: self.singularities.losses().len(),
-            ..self.report
         }
     }
 }

@@ -19,6 +19,7 @@ mod folding;
 mod force_axes;
 mod formulations;
 mod fuzz;
+mod integrability;
 mod large;
 mod layers;
 mod left_out;

@@ -1,8 +1,8 @@
 //! Where a motion should end.
 
 use mbs_examples::reference::ReferenceTable;
+use mbs_runtime::Model;
 use mbs_runtime::output::Frame;
-use mbs_runtime::{Energy, Model};
 
 /// A run that ends this far away, m or rad, is on another branch.
 const ASTRAY: f64 = 0.3;
@@ -63,14 +63,8 @@ impl Branch {
 fn near_reference(table: &ReferenceTable, columns: &[&str], time: f64, outputs: Vec<f64>) -> bool {
     let frame = Frame {
         time,
-        coordinates: vec![],
-        velocities: vec![],
         outputs,
-        points: vec![],
-        reactions: vec![],
-        energy: Energy::default(),
-        holonomic_error: 0.0,
-        velocity_error: 0.0,
+        ..Frame::default()
     };
     let deviations = table.compare(&[frame]);
     let mut compared = deviations

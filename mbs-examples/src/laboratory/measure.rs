@@ -5,7 +5,7 @@ use mbs_runtime::{AnySimulation, SimulationError};
 
 use super::methods::Entry;
 use super::outcome::{ASTRAY, Outcome};
-use super::yardstick::{INSTANTS, Yardstick, worse};
+use super::yardstick::{INSTANTS, Yardstick, frame, worse};
 
 /// The errors of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,7 +65,7 @@ pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64)
             errors.detail = format!("given up after {patience} s at t = {} s", simulation.time());
             break;
         }
-        frames.push(yardstick.frame(simulation.time(), simulation.output_values()));
+        frames.push(frame(simulation.time(), simulation.output_values()));
         reaction = worse(reaction, reaction_error(yardstick, i, simulation.as_ref()));
     }
     let report = simulation.report();

@@ -1,7 +1,7 @@
 //! The data that runs are compared with: instants, the reference, and a fine run of our own.
 
 use mbs_runtime::output::Frame;
-use mbs_runtime::{AnySimulation, Energy, SimulationError};
+use mbs_runtime::{AnySimulation, SimulationError};
 
 use super::methods::{Entry, entry};
 use super::outcome::Outcome;
@@ -45,7 +45,7 @@ impl Yardstick {
             source: "none".to_owned(),
         };
         let at_origin: Vec<Frame> = (0..=INSTANTS)
-            .map(|i| yardstick.frame(yardstick.instant(i), vec![0.0; scene.model.outputs.len()]))
+            .map(|i| frame(yardstick.instant(i), vec![0.0; scene.model.outputs.len()]))
             .collect();
         yardstick.size = yardstick.distance(&at_origin);
         yardstick.find_reactions();
@@ -67,21 +67,6 @@ impl Yardstick {
     /// The i-th instant, s.
     pub fn instant(&self, i: u32) -> f64 {
         self.duration * f64::from(i) / f64::from(INSTANTS)
-    }
-
-    /// A frame with outputs only, for the comparison with the reference.
-    pub fn frame(&self, time: f64, outputs: Vec<f64>) -> Frame {
-        Frame {
-            time,
-            outputs,
-            coordinates: vec![],
-            velocities: vec![],
-            points: vec![],
-            reactions: vec![],
-            energy: Energy::default(),
-            holonomic_error: 0.0,
-            velocity_error: 0.0,
-        }
     }
 
     /// The largest position error over the frames, m or rad; infinite if it is not a number.
@@ -119,10 +104,19 @@ impl Yardstick {
         let (mut frames, mut reactions) = (Vec::new(), Vec::new());
         for i in 1..=INSTANTS {
             simulation.run_until(self.instant(i)).map_err(failed)?;
-            frames.push(self.frame(simulation.time(), simulation.output_values()));
+            frames.push(frame(simulation.time(), simulation.output_values()));
             reactions.push(simulation.reactions().map_err(failed)?.values);
         }
         Ok((frames, reactions))
+    }
+}
+
+/// With outputs only, for the comparison with the reference.
+pub fn frame(time: f64, outputs: Vec<f64>) -> Frame {
+    Frame {
+        time,
+        outputs,
+        ..Frame::default()
     }
 }
 

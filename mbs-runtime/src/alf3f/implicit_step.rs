@@ -22,6 +22,9 @@ use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, negative,
 use crate::singular::{MEAN_LOST, ROUND_OFF, STILL, has_stalled};
 use nalgebra::SVector;
 
+/// Corrections that stall below this multiple of round-off are round-off that the rows amplify.
+const AMPLIFIED: f64 = 10.0;
+
 /// How a step ended.
 pub(super) enum Outcome {
     Done,
@@ -363,7 +366,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         // The next correction, at the rate of this one.
         let next = size * (size / last).min(1.0);
         let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(&self.q, self.h));
-        let stalled = has_stalled(size, last) && size <= STILL * speed;
+        let noise = (STILL * speed).max(AMPLIFIED * round_off);
+        let stalled = has_stalled(size, last) && size <= noise;
         self.settled = size <= round_off || stalled;
         next <= round_off || stalled
     }

@@ -7,7 +7,7 @@ pub mod motion;
 use crate::{AnySimulation, Energy};
 
 /// One recorded instant of a run.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Frame {
     /// Time, s.
     pub time: f64,

@@ -91,7 +91,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Err(SimulationError::Time { now, wanted: time });
         }
         self.before.copy_from(self.integrator.state());
-        let kept = (self.report, self.power, self.rank_margin);
+        let kept = self.keep();
         let shown = self.show(time);
         if shown.is_ok() {
             let state = self.integrator.state_mut();
@@ -99,8 +99,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             look(self);
         }
         self.integrator.state_mut().copy_from(&self.before);
-        (self.report, self.power, self.rank_margin) = kept;
-        self.integrator.refresh(&self.settings)?;
+        self.restore(kept)?;
         shown
     }
 

@@ -18,12 +18,6 @@ const SHORTEST: f64 = 1e-5;
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
     pub(super) fn follow(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        // Pairs are looked at as a whole.
-        if self.settings.tolerance.is_some() || !self.is_free() {
-            let length = self.placed(h, left)?;
-            self.watch();
-            return Ok(length);
-        }
         let mut step = LastStep {
             begin: self.time(),
             ..LastStep::NONE
@@ -42,7 +36,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if self.last_step.suspects(length, step.least, now) && self.corrects(&step, length)? {
             return Ok(length);
         }
-        step.end = self.time();
+        step.length = length;
         self.last_step = step;
         self.watch();
         Ok(length)
@@ -52,12 +46,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     #[inline(never)]
     fn corrects(&mut self, step: &LastStep, length: f64) -> Result<bool, SimulationError> {
+        // Pairs are looked at as a whole.
+        if self.settings.tolerance.is_some() || !self.is_free() {
+            return Ok(false);
+        }
         let last = self.last_step;
-        let first = step.begin - last.begin;
         // The end of a run removes the rounding of its sum of steps from the clock.
-        let follows = (step.begin - last.end).abs() <= 1e-6 * length && first > 0.0;
+        let apart = (step.begin - last.begin - last.length).abs();
+        let follows = apart <= 1e-6 * length && last.length > 0.0;
         let passage = Passage {
-            steps: [first, length],
+            steps: [last.length, length],
             margins: [last.margin(), step.margin(), self.margin()],
         };
         if !follows || !self.leapt(&passage)? {
@@ -67,7 +65,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Ok(false);
         };
         self.back()?;
-        self.report.rejected_steps += 1;
+        self.rejected += 1;
         if !self.turn_past(length, rate)? {
             self.foreseen = None;
             self.advance(length)?;
@@ -110,7 +108,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if self.is_known(&self.before, (pose - first) / second, within) {
             return Ok(Some(false));
         }
-        let kept = (self.report, self.power, self.rank_margin, self.balance);
+        let kept = self.keep();
         if behind {
             std::mem::swap(&mut self.pair, &mut self.before);
             self.before.copy_from(self.integrator.state());
@@ -124,11 +122,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let found = self.find(passage, pose, window);
         let end = if behind { &self.before } else { &self.pair };
         self.integrator.state_mut().copy_from(end);
-        (self.report, self.power, self.rank_margin, self.balance) = kept;
         if behind {
             std::mem::swap(&mut self.pair, &mut self.before);
         }
-        self.integrator.refresh(&self.settings)?;
+        self.restore(kept)?;
         let [_, _, end] = passage.margins;
         Ok(match found? {
             Pose::Turn { least, rate } if PART * least < rate * second => {
@@ -151,7 +148,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
         self.last_step = LastStep::NONE;
         self.before.copy_motion_from(self.integrator.state());
-        self.started = (self.report, self.power);
+        self.started = self.books;
         let mut left = span;
         while left > 0.0 {
             let h = self.resolving(rate).max(SHORTEST * span);

@@ -75,12 +75,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     #[inline(never)]
     fn look_between(&mut self, passage: &Passage, pose: f64) -> Result<bool, SimulationError> {
-        let kept = (self.report, self.power, self.rank_margin, self.balance);
+        let kept = self.keep();
         let [first, second] = passage.steps;
         let pose = self.find(passage, pose, [0.0, first + second]);
         self.integrator.state_mut().copy_from(&self.before);
-        (self.report, self.power, self.rank_margin, self.balance) = kept;
-        self.integrator.refresh(&self.settings)?;
+        self.restore(kept)?;
         let [start, _, end] = passage.margins;
         let far = start.least.max(end.least);
         Ok(matches!(pose?, Pose::Turn { least, .. } if far > LEAP * least))

@@ -73,13 +73,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
+    #[inline(always)]
     pub(super) fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         if !self.is_free() {
             self.advance(h)?;
             return Ok(h);
         }
         self.before.copy_motion_from(self.integrator.state());
-        self.started = (self.report, self.power);
+        self.started = self.books;
         if !self.settings.placement || h < REMAINDER * self.nominal() {
             self.advance(h)?;
             return Ok(h);
@@ -140,14 +141,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.back()?;
             self.advance(length)?;
         }
-        self.report.placed_steps += u64::from(length != h);
+        self.placed += u64::from(length != h);
         Ok(length)
     }
 
     /// Restores the state before the step.
     pub(super) fn back(&mut self) -> Result<(), SimulationError> {
         self.integrator.state_mut().copy_motion_from(&self.before);
-        (self.report, self.power) = self.started;
+        self.books = self.started;
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)
     }

@@ -13,6 +13,7 @@ const AHEAD: f64 = 1.5;
 /// The same multiple where σ is below this value: beside a pose that is nearly singular it falls more slowly.
 pub(super) const NEAR_AHEAD: f64 = 6.0;
 const NEAR: f64 = 0.02;
+
 /// What the steps before a pose have told of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Foreseen {
@@ -29,23 +30,23 @@ pub(super) struct Passage {
     pub(super) margins: [RankMargin; 3],
 }
 
-/// Where the step before the next one began, with the rank margin there, and where it ended, s.
+/// When the step before the next one began, and its length, s.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LastStep {
     pub(super) begin: f64,
-    /// [`RankMargin::least`] and [`RankMargin::dependent`].
+    pub(super) length: f64,
+    /// [`RankMargin::least`] and [`RankMargin::dependent`] where it began.
     pub(super) least: f64,
     pub(super) dependent: u32,
-    pub(super) end: f64,
 }
 
 impl LastStep {
     /// It is not known, and foresees nothing.
     pub(super) const NONE: Self = LastStep {
         begin: f64::NAN,
+        length: f64::NAN,
         least: f64::NAN,
         dependent: 0,
-        end: f64::NAN,
     };
 
     /// The rank margin where it began.
@@ -61,7 +62,7 @@ impl LastStep {
     #[inline(always)]
     pub(super) fn suspects(&self, h: f64, before: f64, now: f64) -> bool {
         let fallen = self.least - before;
-        now < NEAR_AHEAD * (before - now) || before * (self.end - self.begin) < AHEAD * fallen * h
+        now < NEAR_AHEAD * (before - now) || before * self.length < AHEAD * fallen * h
     }
 }
 

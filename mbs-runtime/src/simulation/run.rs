@@ -1,8 +1,9 @@
 //! Running to a time or to an event.
 
 use super::Simulation;
+use super::books::Books;
 use super::hermite::Hermite;
-use crate::{Report, SimulationError, System, UnknownName};
+use crate::{SimulationError, System, UnknownName};
 use nalgebra::SVector;
 
 /// A remainder below this fraction of a step is added to the last step. It is larger than the rounding error of a sum
@@ -96,12 +97,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut before = self.event(index)?;
         while let Some(h) = self.next_step(latest) {
             self.behind.copy_from(self.integrator.state());
-            let report = self.report;
+            let books = self.books;
             self.forward(h, latest - self.time())?;
             self.land(latest);
             let after = self.event(index)?;
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
-                self.locate(index, report, before, after)?;
+                self.locate(index, books, before, after)?;
                 // The end of the step, where it led to, is no longer ahead.
                 self.behind.time = f64::INFINITY;
                 return Ok(Some(self.time()));
@@ -116,7 +117,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn locate(
         &mut self,
         index: usize,
-        report: Report,
+        books: Books,
         before: f64,
         after: f64,
     ) -> Result<(), SimulationError> {
@@ -140,7 +141,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if current <= low || current >= high {
                 break;
             }
-            self.rewind(report)?;
+            self.rewind(books)?;
             self.reach(current)?;
             let value = self.event(index)?;
             if iteration == 0 {
@@ -160,7 +161,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
         }
         if current != high {
-            self.rewind(report)?;
+            self.rewind(books)?;
             self.reach(high)?;
         }
         self.watch();
@@ -186,9 +187,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Some(0.5 * (low + high) * h)
     }
 
-    fn rewind(&mut self, report: Report) -> Result<(), SimulationError> {
+    fn rewind(&mut self, books: Books) -> Result<(), SimulationError> {
         self.integrator.state_mut().copy_from(&self.behind);
-        self.report = report;
+        self.books = books;
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
         Ok(())

@@ -97,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
         }
-        let (mut report, power) = (self.report, self.power);
+        let books = self.books;
         self.pair.copy_from(self.integrator.state());
         let margin = self.margin();
         let mut sidestep = 0;
@@ -140,9 +140,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 ) => (LEAP.exp2(), error),
                 Err(error) => return Err(error),
             };
-            report.rejected_steps += 1;
+            self.rejected += 1;
             self.integrator.state_mut().copy_from(&self.pair);
-            (self.report, self.power, self.rank_margin) = (report, power, None);
+            (self.books, self.rank_margin) = (books, None);
             self.integrator.refresh(&self.settings)?;
             if excess.is_nan() && !last {
                 sidestep += 1;
@@ -180,7 +180,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let noise =
             self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST);
         self.before.copy_from(self.integrator.state());
-        let kept = (self.report, self.power, self.rank_margin);
+        let kept = self.keep();
 
         let length = first + second;
         let moved = self
@@ -244,8 +244,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             found.excess = LEAP.exp2();
         }
         self.integrator.state_mut().copy_from(&self.before);
-        (self.report, self.power, self.rank_margin) = kept;
-        self.integrator.refresh(&self.settings)?;
+        self.restore(kept)?;
         Ok(found)
     }
 
@@ -264,7 +263,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.state_mut().copy_from(&self.pair);
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)?;
-        let rejected = self.report.rejected_steps;
+        let rejected = self.rejected;
         let mut least = f64::INFINITY;
         for step in steps.into_iter().filter(|step| *step > 0.0) {
             match self.advance(step) {
@@ -274,7 +273,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Err(error) => return Err(error),
             }
         }
-        Ok((self.report.rejected_steps == rejected).then_some(least))
+        Ok((self.rejected == rejected).then_some(least))
     }
 
     /// In sizes and radians; infinite if any entry is not a number.

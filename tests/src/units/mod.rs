@@ -1,5 +1,6 @@
 //! Other units of length, mass and time.
 
+mod factors;
 mod scaled;
 mod sinks;
 
