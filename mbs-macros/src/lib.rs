@@ -10,3 +10,11 @@ use proc_macro::TokenStream;
 pub fn mechanism(declaration: TokenStream) -> TokenStream {
     mbs_macros_core::compile(declaration.into()).into()
 }
+
+/// Declares an assembly: parts, joints and forces that mechanisms have as often as they want by
+/// `name: Assembly(Name, port = …)`. Generates a struct of its parameters, and a macro of the same name by which it
+/// reaches them.
+#[proc_macro]
+pub fn assembly(declaration: TokenStream) -> TokenStream {
+    mbs_macros_core::compile_assembly(declaration.into()).into()
+}

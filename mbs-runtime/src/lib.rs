@@ -106,7 +106,7 @@ pub use contract::{Configuration, Constraints, Inertia, Loads, NamedValues, Obse
 pub use dynamics::Dynamics;
 pub use ensemble::{simulate_ensemble, simulate_ensemble_with_any_method};
 pub use error::{ParameterError, UnknownName};
-pub use mbs_macros::mechanism;
+pub use mbs_macros::{assembly, mechanism};
 pub use mechanism::Mechanism;
 pub use model::{
     Candidate, Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy,

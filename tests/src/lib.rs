@@ -41,6 +41,9 @@ mod driving {}
 #[doc = include_str!("../../book/src/families.md")]
 mod families {}
 
+#[doc = include_str!("../../book/src/assemblies.md")]
+mod assemblies {}
+
 #[doc = include_str!("../../book/src/reactions.md")]
 mod reactions {}
 

@@ -8,6 +8,7 @@ mod common;
 mod sizes;
 
 mod allocations;
+mod assemblies;
 mod baselines;
 mod book;
 mod derivatives;

@@ -1,6 +1,7 @@
 //! The pipeline, one line per stage.
 
 use crate::analysis::Analysis;
+use crate::assemblies::{self, Gathered};
 use crate::choose::Search;
 use crate::diagnostics::{Errors, Failure};
 use crate::syntax::{self, Declaration};
@@ -10,14 +11,34 @@ use proc_macro2::TokenStream;
 /// Compiles a declaration to Rust. If it has errors, its correct parts are emitted all the same (for completion in
 /// editors), with one `compile_error!` per error.
 pub fn compile(tokens: TokenStream) -> TokenStream {
+    guarded(|| compile_checked(tokens))
+}
+
+/// Compiles an assembly: `assembly!`.
+pub fn compile_assembly(tokens: TokenStream) -> TokenStream {
+    guarded(|| assemblies::compile(tokens))
+}
+
+fn guarded(run: impl FnOnce() -> TokenStream) -> TokenStream {
     // A panic is always a defect of this compiler; it must not look like a mistake of the user.
-    std::panic::catch_unwind(|| compile_checked(tokens)).unwrap_or_else(|_| {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(run)).unwrap_or_else(|_| {
         let message = "the compiler of `mechanism!` panicked: this is a defect; please report this declaration";
         quote::quote! { compile_error!(#message); }
     })
 }
 
 fn compile_checked(tokens: TokenStream) -> TokenStream {
+    let tokens = match assemblies::gather(tokens, "mechanism") {
+        Gathered::Asked(tokens) => return tokens,
+        Gathered::All(tokens) => tokens,
+    };
+    // An assembly that is wrong says so where it is declared.
+    if syntax::is_broken(&tokens) {
+        let declaration = syntax::parse(tokens, model::kinds(), &mut Errors::new());
+        return declaration
+            .as_ref()
+            .map_or_else(TokenStream::new, emit::fallback);
+    }
     match analyse(tokens) {
         (Some(declaration), Ok(analysis)) => {
             let (items, size) = emit::written(&declaration, &analysis, &analysis.program); // 6
@@ -33,7 +54,7 @@ fn compile_checked(tokens: TokenStream) -> TokenStream {
 }
 
 fn refused(declaration: &Declaration, failure: &Failure) -> TokenStream {
-    let errors = failure.to_compile_errors();
+    let errors = failure.to_compile_errors_of(declaration.name.span());
     let fallback = emit::fallback(declaration);
     quote::quote! { #errors #fallback }
 }

@@ -8,6 +8,7 @@
 //! Stages 3 to 5 have no tokens, and nothing outside stage 6 writes Rust.
 
 pub mod analysis;
+mod assemblies;
 mod budget;
 mod choose;
 pub mod compile;
@@ -31,4 +32,4 @@ pub mod model;
 pub mod syntax;
 
 pub use analysis::{Analysis, Candidate};
-pub use compile::{analyse, compile};
+pub use compile::{analyse, compile, compile_assembly};

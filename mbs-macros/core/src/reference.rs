@@ -67,6 +67,11 @@ whose items may be taken apart: `Each([(x, y), (z, w)], |(a, b)| …)`. `Each((0
 without `else` around the kind leaves members out. A family of `Param`, `Input` or `Output` is an array in the program,
 `name: [f64; 5]`; its indices begin at 0. A family has at most 10000 members, and no families inside.
 
+`name: Assembly(Path, port = …)` puts the entries of an *assembly* in place, which `assembly!` declares: its entries are
+`name.entry`, its parameters, inputs and outputs fields of `name`. Inside, `name: Port(Point)`, or of a `Part`, `Frame`,
+`Number` or `Vector`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give. Parameters of an
+assembly may be given, too: this changes their defaults.
+
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.
 

@@ -1,6 +1,6 @@
 //! Errors are collected within a stage and stop the compiler between stages.
 
-use crate::names::is_member;
+use crate::names::is_one_of_many;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
 
@@ -111,7 +111,7 @@ impl Errors {
 
     /// What follows is about this entry; returns what it was about before.
     pub fn enter(&mut self, entry: &str) -> Option<String> {
-        let member = is_member(entry).then(|| entry.to_owned());
+        let member = is_one_of_many(entry).then(|| entry.to_owned());
         std::mem::replace(&mut self.member, member)
     }
 
@@ -203,6 +203,22 @@ impl Failure {
             .iter()
             .map(syn::Error::to_compile_error)
             .collect()
+    }
+
+    /// The same for a declaration whose name is at `home`. rustc shows tokens of another crate where they are used, so
+    /// that the message of an error in another file says where it is.
+    pub fn to_compile_errors_of(&self, home: Span) -> TokenStream {
+        let errors = self.errors.iter().map(|error| {
+            let span = error.span();
+            if span.file() == home.file() {
+                return error.to_compile_error();
+            }
+            let (line, column) = (span.start().line, span.start().column + 1);
+            let message = format!("{error} ({}:{line}:{column})", span.file());
+            let place = Place::of(&error.to_compile_error());
+            place.error(message).to_compile_error()
+        });
+        errors.collect()
     }
 }
 

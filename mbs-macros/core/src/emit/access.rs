@@ -1,12 +1,12 @@
 //! Typed access: the simulation of a mechanism by one name, and its inputs and outputs as fields.
 
-use super::fields::{fields, places};
+use super::fields::{Field, fields, places, shape};
 use super::items::{self, visibility};
 use super::text::{doc, tokens};
 use crate::contract::Capability;
 use crate::dag::Program;
 use crate::model::{Outline, Quantity};
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Instance};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -40,46 +40,112 @@ pub(super) fn emit(declaration: &Declaration, outline: &Outline, program: &Progr
 }
 
 fn values(declaration: &Declaration, name: &Ident, list: &[Quantity], what: &str) -> TokenStream {
-    let visibility = visibility(declaration);
     let mechanism = &declaration.name;
     let about = doc(&format!("The {what} of [`{mechanism}`]."));
     let fields = fields(declaration, list);
+    let types = Types::new(name, &fields);
     let number = |place: usize| format_ident!("value_{place}");
-    let declared = fields.iter().map(|field| {
-        let (name, kind) = (&field.name, field.kind());
-        let about = field.about(|_| String::new());
-        quote! { #about pub #name: #kind, }
+    let visibility = visibility(declaration);
+    let inner = types.list.iter().map(|(_, name, instance, fields)| {
+        let assembly = &instance.definition.name;
+        let about = doc(&format!("The {what} of `{assembly}` in [`{mechanism}`]."));
+        let declared = declared(fields, &types);
+        quote! {
+            #about
+            #[derive(Debug, Clone, Copy, PartialEq)]
+            #[allow(dead_code, non_snake_case)]
+            #visibility struct #name { #declared }
+        }
     });
-    let made = fields.iter().map(|field| {
-        let name = &field.name;
-        let value = field.value(|place, _| {
-            let number = number(place);
-            quote! { #number }
-        });
-        quote! { #name: #value, }
+    let declared = declared(&fields, &types);
+    let made = types.made(&fields, &|place| {
+        let number = number(place);
+        quote! { #number }
     });
-    let read = places(&fields);
+    let read = places(&fields, &quote! { self });
     let numbers = (0..list.len()).map(number);
     let count = list.len();
     quote! {
+        #( #inner )*
+
         #about
         #[derive(Debug, Clone, Copy, PartialEq)]
         #[allow(dead_code, non_snake_case)]
-        #visibility struct #name {
-            #( #declared )*
-        }
+        #visibility struct #name { #declared }
 
         impl ::mbs_runtime::NamedValues for #name {
             fn from_values(fill: impl ::core::ops::FnOnce(&mut [f64])) -> Self {
                 let mut values = [0.0; #count];
                 fill(&mut values);
                 let [#( #numbers ),*] = values;
-                Self { #( #made )* }
+                Self { #made }
             }
 
             fn with_values<T>(&self, read: impl ::core::ops::FnOnce(&[f64]) -> T) -> T {
                 read(&[#( #read, )*])
             }
         }
+    }
+}
+
+fn declared(fields: &[Field], types: &Types) -> TokenStream {
+    let declared = fields.iter().map(|field| {
+        let (name, kind) = (
+            &field.name,
+            field.kind(&|instance, fields| types.of(instance, fields)),
+        );
+        let about = field.about(|_| String::new());
+        quote! { #about pub #name: #kind, }
+    });
+    quote! { #( #declared )* }
+}
+
+/// The structs of the values of assemblies: one for all assemblies with the same values.
+struct Types<'f> {
+    /// Each with its shape.
+    list: Vec<(String, Ident, &'f Instance, &'f [Field<'f>])>,
+}
+
+impl<'f> Types<'f> {
+    /// Of the struct of this name.
+    fn new(name: &Ident, fields: &'f [Field<'f>]) -> Self {
+        let mut found = Vec::new();
+        fields.iter().for_each(|field| field.assemblies(&mut found));
+        let mut list: Vec<(String, Ident, &Instance, &[Field])> = Vec::new();
+        for (instance, fields) in found {
+            let shape = shape(instance, fields);
+            if list.iter().any(|(known, ..)| *known == shape) {
+                continue;
+            }
+            let wanted = format!("{name}Of{}", instance.definition.name);
+            let same = list
+                .iter()
+                .filter(|(_, known, ..)| known.to_string().starts_with(&wanted));
+            let own = match same.count() {
+                0 => format_ident!("{wanted}", span = name.span()),
+                others => format_ident!("{wanted}{}", others + 1, span = name.span()),
+            };
+            list.push((shape, own, instance, fields));
+        }
+        Types { list }
+    }
+
+    fn of(&self, instance: &Instance, fields: &[Field]) -> TokenStream {
+        let shape = shape(instance, fields);
+        let known = self.list.iter().find(|(known, ..)| *known == shape);
+        known.map_or_else(TokenStream::new, |(_, name, ..)| quote! { #name })
+    }
+
+    /// The fields with their values.
+    fn made(&self, fields: &[Field], number: &dyn Fn(usize) -> TokenStream) -> TokenStream {
+        let made = fields.iter().map(|field| {
+            let name = &field.name;
+            let value = field.value(&|place, _| number(place), &|instance, fields| {
+                let (kind, inner) = (self.of(instance, fields), self.made(fields, number));
+                quote! { #kind { #inner } }
+            });
+            quote! { #name: #value, }
+        });
+        quote! { #( #made )* }
     }
 }

@@ -4,9 +4,9 @@
 use super::fields::{array_of, filled};
 use super::items::{self, visibility};
 use crate::schema::PRIMITIVES;
-use crate::syntax::{Declaration, Family};
+use crate::syntax::{Declaration, Family, Instance};
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// The parameters that could be read, and a mechanism without equations.
@@ -17,18 +17,12 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
     if PRIMITIVES.contains(&name.to_string().as_str()) {
         return TokenStream::new();
     }
-    let of_kind = |kind: &'static str| {
-        let entries = declaration.entries.iter();
-        let own = entries.filter(move |entry| entry.kind == kind);
-        own.map(|entry| entry.name.word())
-    };
-    let parameters = zeros(declaration, name, of_kind("Param").chain(&declaration.lost));
+    let parameters = zeros(declaration, name, "Param", "");
     let (inputs, outputs) = items::inputs_and_outputs(declaration);
     let named = [(&inputs, "Input"), (&outputs, "Output")];
     let named = named.map(|(name, kind)| {
-        let values = zeros(declaration, name, of_kind(kind));
+        let values = zeros(declaration, name, kind, "");
         quote! {
-            #[allow(dead_code)]
             #values
 
             impl ::mbs_runtime::NamedValues for #name {
@@ -71,30 +65,52 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
     }
 }
 
-/// A struct of numbers and arrays of them, all zero by default.
-fn zeros<'d>(
-    declaration: &'d Declaration,
-    name: &Ident,
-    fields: impl Iterator<Item = &'d Ident>,
-) -> TokenStream {
+/// A struct of the values of this kind in an assembly, or outside all of them: numbers, zero by default, and arrays.
+fn zeros(declaration: &Declaration, name: &Ident, kind: &str, assembly: &str) -> TokenStream {
     let visibility = visibility(declaration);
+    let own = declaration.entries.iter();
+    let own = own.filter(|entry| entry.kind == kind && entry.name.assembly() == assembly);
+    let lost = declaration.lost.iter();
+    let lost = lost.filter(|_| kind == "Param" && assembly.is_empty());
+    let words = own.map(|entry| entry.name.word()).chain(lost);
+    let mut fields: Vec<(&Ident, TokenStream)> = words.map(|word| (word, quote! { f64 })).collect();
+    let mut inner = Vec::new();
+    for instance in inside(declaration, kind, assembly) {
+        let path = &instance.path;
+        let of = match kind {
+            "Param" => quote! { #path },
+            _ => {
+                let of = format_ident!("{name}Of{}", instance.definition.name, span = name.span());
+                inner.push(zeros(declaration, &of, kind, instance.name.as_str()));
+                quote! { #of }
+            }
+        };
+        fields.push((instance.name.word(), of));
+    }
     let mut seen: HashSet<String> = HashSet::new();
-    let fields: Vec<(&Ident, Vec<usize>)> = fields
-        .filter(|field| seen.insert(field.to_string()))
-        .map(|field| {
-            let family = declaration.family(&field.to_string());
-            (field, family.map_or_else(Vec::new, Family::sizes))
+    fields.retain(|(field, _)| seen.insert(field.to_string()));
+    inner.sort_by_key(TokenStream::to_string);
+    inner.dedup_by_key(|item| item.to_string());
+    let (declared, values): (Vec<TokenStream>, Vec<TokenStream>) = fields
+        .iter()
+        .map(|(field, kind)| {
+            let family = match assembly {
+                "" => declaration.family(&field.to_string()),
+                outer => declaration.family(&format!("{outer}.{field}")),
+            };
+            let sizes = family.map_or_else(Vec::new, Family::sizes);
+            let zero = filled(
+                &sizes,
+                quote! { <#kind as ::core::default::Default>::default() },
+            );
+            let kind = array_of(&sizes, kind.clone());
+            (quote! { pub #field: #kind, }, quote! { #field: #zero, })
         })
-        .collect();
-    let declared = fields.iter().map(|(field, sizes)| {
-        let kind = array_of(sizes, quote! { f64 });
-        quote! { pub #field: #kind, }
-    });
-    let values = fields.iter().map(|(field, sizes)| {
-        let value = filled(sizes, quote! { 0.0 });
-        quote! { #field: #value, }
-    });
+        .unzip();
     quote! {
+        #( #inner )*
+
+        #[allow(dead_code, non_snake_case)]
         #[derive(Debug, Clone, Copy, PartialEq)]
         #visibility struct #name {
             #( #declared )*
@@ -106,4 +122,19 @@ fn zeros<'d>(
             }
         }
     }
+}
+
+/// The assemblies in this one, or outside all, that have a value of this kind.
+fn inside<'d>(
+    declaration: &'d Declaration,
+    kind: &str,
+    assembly: &str,
+) -> impl Iterator<Item = &'d Instance> {
+    let instances = declaration.instances.iter();
+    instances.filter(move |instance| {
+        let within = format!("{}.", instance.name);
+        let mut entries = declaration.entries.iter();
+        instance.name.assembly() == assembly
+            && entries.any(|entry| entry.kind == kind && entry.name.as_str().starts_with(&within))
+    })
 }

@@ -1,118 +1,228 @@
-//! Public fields for values: one number, the components of a vector, or the array of a family.
+//! Public fields for values: one number, the components of a vector, the array of a family, or the values of an assembly.
 
 use super::items;
 use super::text::doc;
 use crate::model::Quantity;
 use crate::names::split;
-use crate::syntax::Declaration;
-use proc_macro2::{Ident, TokenStream};
+use crate::syntax::{Declaration, Instance, path_text};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 
 /// A field, for some of the values of a list.
 pub(super) struct Field<'q> {
     pub name: Ident,
-    /// The values of the list, each with the indices of its member: members in order, components in order.
-    values: Vec<(Vec<usize>, usize, &'q Quantity)>,
     /// The number of members along each index; none for what is no family.
     sizes: Vec<usize>,
-    is_vector: bool,
+    /// In the order of their indices.
+    members: BTreeMap<Vec<usize>, Content<'q>>,
 }
 
+/// What a field, or a member of its array, holds; values are given by their place in the list.
+pub(super) enum Content<'q> {
+    Number(usize, &'q Quantity),
+    Vector(Vec<(usize, &'q Quantity)>),
+    Assembly(&'q Instance, Vec<Field<'q>>),
+}
+
+/// The types of assemblies in fields.
+pub(super) type TypeOf<'t> = &'t dyn Fn(&Instance, &[Field]) -> TokenStream;
+
 /// The fields of a list.
-pub(super) fn fields<'q>(declaration: &Declaration, list: &'q [Quantity]) -> Vec<Field<'q>> {
+pub(super) fn fields<'q>(declaration: &'q Declaration, list: &'q [Quantity]) -> Vec<Field<'q>> {
+    let list: Vec<(usize, &Quantity)> = list.iter().enumerate().collect();
+    fields_in(declaration, "", &list)
+}
+
+/// Of the values whose names begin with `assembly`.
+fn fields_in<'q>(
+    declaration: &'q Declaration,
+    assembly: &str,
+    list: &[(usize, &'q Quantity)],
+) -> Vec<Field<'q>> {
     let mut fields: Vec<Field> = Vec::new();
-    let mut known: HashMap<&str, usize> = HashMap::new();
-    for (place, quantity) in list.iter().enumerate() {
-        let (word, indices, component) = split(&quantity.name);
-        let at = *known.entry(word).or_insert_with(|| {
-            let family = declaration.family(word);
+    let mut inner: BTreeMap<String, Vec<(usize, &Quantity)>> = BTreeMap::new();
+    for &(place, quantity) in list {
+        let own = &quantity.name[assembly.len()..];
+        let (word, indices, component) = split(own);
+        let base = format!("{assembly}{word}");
+        let at = fields.iter().position(|field| field.name == word);
+        let at = at.unwrap_or_else(|| {
+            let family = declaration.family(&base);
             fields.push(Field {
-                name: items::field(declaration, word),
-                values: Vec::new(),
+                name: items::field(declaration, &base, word),
                 sizes: family.map_or_else(Vec::new, |family| family.sizes()),
-                is_vector: !component.is_empty(),
+                members: BTreeMap::new(),
             });
             fields.len() - 1
         });
-        fields[at].values.push((indices, place, quantity));
+        let text = &quantity.name[..quantity.name.len() - component.len()];
+        let members = &mut fields[at].members;
+        if let Some(instance) = declaration.instance(text) {
+            members.insert(indices, Content::Assembly(instance, Vec::new()));
+            inner
+                .entry(text.to_owned())
+                .or_default()
+                .push((place, quantity));
+        } else if component.is_empty() {
+            members.insert(indices, Content::Number(place, quantity));
+        } else if let Content::Vector(values) = members
+            .entry(indices)
+            .or_insert_with(|| Content::Vector(Vec::new()))
+        {
+            values.push((place, quantity));
+        }
     }
-    for field in &mut fields {
-        // Components of a member keep their order.
-        field.values.sort_by(|one, other| one.0.cmp(&other.0));
+    for content in fields
+        .iter_mut()
+        .flat_map(|field| field.members.values_mut())
+    {
+        if let Content::Assembly(instance, inside) = content
+            && let Some(list) = inner.get(instance.name.as_str())
+        {
+            *inside = fields_in(declaration, &format!("{}.", instance.name), list);
+        }
     }
     fields
 }
 
-impl Field<'_> {
+impl<'q> Field<'q> {
     /// Its type.
-    pub(super) fn kind(&self) -> TokenStream {
-        let width = self.width();
-        let member = match self.is_vector {
-            true => quote! { ::mbs_runtime::nalgebra::SVector<f64, #width> },
-            false => quote! { f64 },
+    pub(super) fn kind(&self, of: TypeOf) -> TokenStream {
+        let member = match self.members.values().next() {
+            Some(Content::Vector(values)) => {
+                let width = values.len();
+                quote! { ::mbs_runtime::nalgebra::SVector<f64, #width> }
+            }
+            Some(Content::Assembly(instance, fields)) => of(instance, fields),
+            Some(Content::Number(..)) | None => quote! { f64 },
         };
         array_of(&self.sizes, member)
     }
 
     /// Its documentation, with the unit, and what else is to be said about its values.
     pub(super) fn about(&self, of_values: impl Fn(&[f64]) -> String) -> TokenStream {
-        let mut quantities = self.quantities();
-        let Some(first) = quantities.next() else {
+        if let Some(Content::Assembly(instance, _)) = self.members.values().next() {
+            return doc(&format!("Of the assembly `{}`.", instance.definition.name));
+        }
+        let quantities: Vec<&Quantity> = self
+            .members
+            .values()
+            .flat_map(Content::quantities)
+            .collect();
+        let Some(first) = quantities.first() else {
             return TokenStream::new();
         };
-        let same = quantities.all(|other| other.unit == first.unit);
-        let about = match same {
+        let about = match quantities.iter().all(|other| other.unit == first.unit) {
             true => items::documented(&first.doc, &first.unit),
             false => format!("{} (in the units of its members)", first.doc),
         };
-        let defaults: Vec<f64> = self.quantities().map(|value| value.default).collect();
+        let defaults: Vec<f64> = quantities.iter().map(|value| value.default).collect();
         let about = about.strip_suffix(')').unwrap_or(&about);
         doc(&format!("{about}{})", of_values(&defaults)))
     }
 
-    /// Its value, from those of the list.
-    pub(super) fn value(&self, of: impl Fn(usize, &Quantity) -> TokenStream) -> TokenStream {
-        let values = self.values.iter();
-        let values: Vec<TokenStream> = values.map(|(_, at, quantity)| of(*at, quantity)).collect();
-        let members = values
-            .chunks(self.width())
-            .map(|member| match self.is_vector {
-                true => quote! { ::mbs_runtime::nalgebra::SVector::from([#(#member),*]) },
-                false => quote! { #(#member)* },
-            });
-        nested(&self.sizes, &mut members.into_iter())
+    /// Its value, from those of the list. `made` makes that of an assembly.
+    pub(super) fn value(
+        &self,
+        of: &dyn Fn(usize, &Quantity) -> TokenStream,
+        made: &dyn Fn(&Instance, &[Field]) -> TokenStream,
+    ) -> TokenStream {
+        let mut members = self.members.values().map(|content| match content {
+            Content::Number(place, quantity) => of(*place, quantity),
+            Content::Vector(values) => {
+                let values = values.iter().map(|(place, quantity)| of(*place, quantity));
+                quote! { ::mbs_runtime::nalgebra::SVector::from([#(#values),*]) }
+            }
+            Content::Assembly(instance, fields) => made(instance, fields),
+        });
+        nested(&self.sizes, &mut members)
     }
 
     /// Where each of its values is, by its place in the list.
-    pub(super) fn places(&self) -> Vec<(usize, TokenStream)> {
-        let (name, width) = (&self.name, self.width());
-        let places = self.values.iter().enumerate();
-        let places = places.map(|(nth, (indices, at, _))| {
-            let component = self.is_vector.then_some(nth % width);
-            let indices = indices.iter().copied().chain(component);
-            let indices = indices.map(proc_macro2::Literal::usize_unsuffixed);
-            (*at, quote! { self.#name #([#indices])* })
-        });
-        places.collect()
+    fn places(&self, base: &TokenStream, list: &mut Vec<(usize, TokenStream)>) {
+        let name = &self.name;
+        for (indices, content) in &self.members {
+            let indices = indices.iter().copied().map(Literal::usize_unsuffixed);
+            let member = quote! { #base.#name #([#indices])* };
+            match content {
+                Content::Number(place, _) => list.push((*place, member)),
+                Content::Vector(values) => {
+                    let components = values.iter().enumerate().map(|(nth, (place, _))| {
+                        let nth = Literal::usize_unsuffixed(nth);
+                        (*place, quote! { #member[#nth] })
+                    });
+                    list.extend(components);
+                }
+                Content::Assembly(_, fields) => {
+                    fields.iter().for_each(|field| field.places(&member, list));
+                }
+            }
+        }
     }
 
-    fn quantities(&self) -> impl Iterator<Item = &Quantity> {
-        self.values.iter().map(|(_, _, quantity)| *quantity)
+    /// The assemblies in it, inner ones first.
+    pub(super) fn assemblies<'f>(&'f self, list: &mut Vec<(&'q Instance, &'f [Field<'q>])>) {
+        for content in self.members.values() {
+            if let Content::Assembly(instance, fields) = content {
+                fields.iter().for_each(|field| field.assemblies(list));
+                list.push((instance, fields));
+            }
+        }
     }
 
-    /// Numbers of a member.
-    fn width(&self) -> usize {
-        let members: usize = self.sizes.iter().product();
-        (self.values.len() / members.max(1)).max(1)
+    /// What its type depends on.
+    fn shape(&self) -> String {
+        let content = match self.members.values().next() {
+            Some(Content::Assembly(instance, fields)) => shape(instance, fields),
+            Some(Content::Vector(values)) => values.len().to_string(),
+            Some(Content::Number(..)) | None => String::new(),
+        };
+        format!("{}{:?}{content}", self.name, self.sizes)
     }
 }
 
-/// Where the values of a list are, in its order.
-pub(super) fn places(fields: &[Field]) -> Vec<TokenStream> {
-    let mut places: Vec<(usize, TokenStream)> = fields.iter().flat_map(Field::places).collect();
+impl Content<'_> {
+    fn quantities(&self) -> Vec<&Quantity> {
+        match self {
+            Content::Number(_, quantity) => vec![quantity],
+            Content::Vector(values) => values.iter().map(|(_, quantity)| *quantity).collect(),
+            Content::Assembly(..) => Vec::new(),
+        }
+    }
+}
+
+/// What the type of the values of an assembly depends on.
+pub(super) fn shape(instance: &Instance, fields: &[Field]) -> String {
+    let fields: String = fields.iter().map(|field| field.shape() + ";").collect();
+    format!("{}{{{fields}}}", path_text(&instance.path))
+}
+
+/// Where the values of a list are, in its order, in fields of `base`.
+pub(super) fn places(fields: &[Field], base: &TokenStream) -> Vec<TokenStream> {
+    let mut places = Vec::new();
+    fields
+        .iter()
+        .for_each(|field| field.places(base, &mut places));
     places.sort_by_key(|(at, _)| *at);
     places.into_iter().map(|(_, place)| place).collect()
+}
+
+/// Their values, in the order of the list.
+pub(super) fn quantities<'q>(fields: &[Field<'q>]) -> Vec<&'q Quantity> {
+    fn note<'q>(fields: &[Field<'q>], list: &mut Vec<(usize, &'q Quantity)>) {
+        for content in fields.iter().flat_map(|field| field.members.values()) {
+            match content {
+                Content::Number(place, quantity) => list.push((*place, quantity)),
+                Content::Vector(values) => list.extend(values.iter().copied()),
+                Content::Assembly(_, fields) => note(fields, list),
+            }
+        }
+    }
+    let mut list = Vec::new();
+    note(fields, &mut list);
+    list.sort_by_key(|(place, _)| *place);
+    list.into_iter().map(|(_, quantity)| quantity).collect()
 }
 
 /// The type of an array with these numbers of members.
@@ -126,7 +236,7 @@ pub(super) fn filled(sizes: &[usize], value: TokenStream) -> TokenStream {
     array_of(sizes, value)
 }
 
-fn nested(sizes: &[usize], members: &mut impl Iterator<Item = TokenStream>) -> TokenStream {
+fn nested(sizes: &[usize], members: &mut dyn Iterator<Item = TokenStream>) -> TokenStream {
     match sizes {
         [] => members.next().unwrap_or_default(),
         [size, inner @ ..] => {

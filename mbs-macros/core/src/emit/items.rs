@@ -45,12 +45,16 @@ pub(super) fn inputs_and_outputs(declaration: &Declaration) -> (Ident, Ident) {
     (of("Inputs"), of("Outputs"))
 }
 
-/// The field of a parameter, input or output, or of a family of them, with the span of its declaration.
-pub(super) fn field(declaration: &Declaration, name: &str) -> Ident {
+/// The field `word` of a parameter, input or output of this name, or of a family of them, with the span of its
+/// declaration.
+pub(super) fn field(declaration: &Declaration, name: &str, word: &str) -> Ident {
     let family = declaration.family(name).map(|family| &family.name);
     let entry = || declaration.entries.iter().find(|entry| entry.name == name);
-    let declared = family.or_else(|| entry().map(|entry| entry.name.word()));
-    declared.map_or_else(|| format_ident!("{name}"), Ident::clone)
+    let instance = || declaration.instance(name).map(|instance| &instance.name);
+    let declared = family
+        .or_else(|| entry().map(|entry| &entry.name))
+        .or_else(instance);
+    declared.map_or_else(|| format_ident!("{word}"), |name| name.word().clone())
 }
 
 /// The documentation of a value, and its unit in parentheses.

@@ -24,7 +24,8 @@ mod writes;
 
 use crate::analysis::Analysis;
 use crate::dag::Program;
-use crate::syntax::Declaration;
+use crate::model::Quantity;
+use crate::syntax::{Declaration, Port};
 use proc_macro2::TokenStream;
 use quote::quote;
 
@@ -34,6 +35,11 @@ pub use size::{Size, statements};
 /// All generated items.
 pub fn mechanism(declaration: &Declaration, analysis: &Analysis, program: &Program) -> TokenStream {
     written(declaration, analysis, program).0
+}
+
+/// The struct of an assembly's parameters.
+pub fn assembly(declaration: &Declaration, ports: &[Port], parameters: &[Quantity]) -> TokenStream {
+    parameters::of_assembly(declaration, ports, parameters)
 }
 
 /// All generated items, and how many statements they have.

@@ -1,7 +1,7 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
-use super::fields::{fields, places};
+use super::fields::{Field, fields, places, quantities};
 use super::items::{self, visibility};
 use super::motion;
 use super::size::Size;
@@ -10,7 +10,7 @@ use crate::analysis::Analysis;
 use crate::dag::{Operand, Program};
 use crate::mobility;
 use crate::model::{Outline, Quantity};
-use crate::syntax::Declaration;
+use crate::syntax::{Declaration, Instance, Port};
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::collections::BTreeMap;
@@ -28,18 +28,81 @@ pub(super) fn emit(
     analysis: &Analysis,
     program: &Program,
 ) -> TokenStream {
+    let documentation = documentation(analysis, program);
+    structure(declaration, &analysis.outline.parameters, &documentation)
+}
+
+/// The same for an assembly.
+pub(super) fn of_assembly(
+    declaration: &Declaration,
+    ports: &[Port],
+    parameters: &[Quantity],
+) -> TokenStream {
+    let name = &declaration.name;
+    let mut about = String::new();
+    if !declaration.doc.is_empty() {
+        let _ = writeln!(about, "{}\n", declaration.doc);
+    }
+    let _ = writeln!(
+        about,
+        "An assembly: `name: Assembly({name}, …)` puts it in place. The fields are its parameters."
+    );
+    if !ports.is_empty() {
+        let _ = writeln!(
+            about,
+            "\n| port | takes | if left out | |\n|---|---|---|---|"
+        );
+    }
+    for port in ports {
+        let default = port.default.as_ref().map_or_else(
+            || "required".to_owned(),
+            |default| format!("`{}`", quote! { #default }),
+        );
+        let (name, takes, doc) = (
+            &port.name,
+            port.takes.describe(),
+            port.doc.replace('\n', " "),
+        );
+        let _ = writeln!(about, "| `{name}` | {takes} | {default} | {doc} |");
+    }
+    let structure = structure(declaration, parameters, &about);
+    quote! {
+        #[allow(dead_code)]
+        #structure
+    }
+}
+
+fn structure(
+    declaration: &Declaration,
+    parameters: &[Quantity],
+    documentation: &str,
+) -> TokenStream {
+    let name = &declaration.name;
     let visibility = visibility(declaration);
-    let (outline, name) = (&analysis.outline, &declaration.name);
-    let documentation = doc(&documentation(analysis, program));
-    let fields = fields(declaration, &outline.parameters);
+    let documentation = doc(documentation);
+    let fields = fields(declaration, parameters);
     let declared = fields.iter().map(|field| {
-        let (name, kind) = (&field.name, field.kind());
+        let (name, kind) = (&field.name, field.kind(&path_of));
         let about = field.about(|defaults| format!("; {} by default", by_default(defaults)));
         quote! { #about pub #name: #kind, }
     });
+    let default = |_, parameter: &Quantity| tokens(&number(parameter.default));
     let defaults = fields.iter().map(|field| {
         let name = &field.name;
-        let value = field.value(|_, parameter| tokens(&number(parameter.default)));
+        let value = field.value(&default, &|instance, fields| {
+            let kind = path_of(instance, fields);
+            let mut places = places(fields, &quote! { member }).into_iter();
+            let values = quantities(fields);
+            let changes = values.iter().map(|value| {
+                let (place, value) = (places.next(), default(0, value));
+                quote! { #place = #value; }
+            });
+            quote! {{
+                let mut member: #kind = ::core::default::Default::default();
+                #( #changes )*
+                member
+            }}
+        });
         quote! { #name: #value, }
     });
     quote! {
@@ -57,6 +120,12 @@ pub(super) fn emit(
             }
         }
     }
+}
+
+/// The parameters of an assembly are a struct of the assembly's own name.
+fn path_of(instance: &Instance, _: &[Field]) -> TokenStream {
+    let path = &instance.path;
+    quote! { #path }
 }
 
 /// The defaults of a parameter, or of a family of them, in words.
@@ -160,7 +229,7 @@ pub(super) fn emit_mechanism(
     let (outline, name) = (&analysis.outline, &declaration.name);
     let system = items::system(declaration);
     let (coordinates, velocities, rows) = (program.coordinates, program.size, program.rows.len());
-    let fields = places(&fields(declaration, &outline.parameters));
+    let fields = places(&fields(declaration, &outline.parameters), &quote! { self });
     let names: Vec<&str> = outline
         .parameters
         .iter()

@@ -7,11 +7,11 @@ use super::resolver::{Resolver, State};
 use super::value::Value;
 use crate::diagnostics::{Place, did_you_mean};
 use crate::dimension::Dimension;
-use crate::names::is_member;
+use crate::names::is_one_of_many;
 use crate::schema::{RESERVED, World};
 use crate::symbolic::{Graph, Symbol};
-use crate::syntax::{Entry, Family, Reference};
-use proc_macro2::{Ident, Span};
+use crate::syntax::{Entry, Family, Given, Reference, Takes};
+use proc_macro2::Span;
 use std::collections::HashSet;
 
 /// Errors up to which names like an unknown one are searched: each search compares with all names, and nobody reads so
@@ -28,9 +28,9 @@ impl<'d> Resolver<'d> {
                 self.declared_twice(&entry.name.to_string(), entry.span());
             }
         }
-        let mut families: HashSet<&Ident> = HashSet::new();
+        let mut families: HashSet<&str> = HashSet::new();
         for Family { name, .. } in &self.declaration.families {
-            if self.names.contains_key(&name.to_string()) || !families.insert(name) {
+            if self.names.contains_key(name.as_str()) || !families.insert(name.as_str()) {
                 self.declared_twice(&name.to_string(), name.span());
             }
         }
@@ -51,6 +51,41 @@ impl<'d> Resolver<'d> {
                 self.force(index);
             }
         }
+    }
+
+    /// Whether ports are given what they take: otherwise the entries of the assembly would say the same again.
+    pub(super) fn ports(&mut self) -> bool {
+        let found = self.errors.count();
+        for Given {
+            instance,
+            assembly,
+            port,
+            value,
+        } in &self.declaration.given
+        {
+            let before = self.errors.enter(instance);
+            if let Some(found) = self.evaluate(value) {
+                let fits = match port.takes {
+                    Takes::Point => matches!(found, Value::Point(_)),
+                    Takes::Part => matches!(found, Value::Frame(_)),
+                    Takes::Frame => matches!(found, Value::Attachment(_)),
+                    Takes::Number => matches!(found, Value::Scalar(..)),
+                    Takes::Vector => matches!(found, Value::Vector(..)),
+                };
+                if !fits {
+                    let (name, takes, found) =
+                        (&port.name, port.takes.describe(), found.describe());
+                    self.fail::<()>(
+                        Place::of(value),
+                        format!(
+                            "the port `{name}` of `{assembly}` takes {takes}, but this is {found}"
+                        ),
+                    );
+                }
+            }
+            self.errors.leave(before);
+        }
+        self.errors.count() == found
     }
 
     pub(super) fn gravity(&mut self) -> Vector {
@@ -85,11 +120,11 @@ impl<'d> Resolver<'d> {
 
     /// Refuses indices that are not those of a member.
     fn check_indices(&mut self, reference: &Reference, place: Place) -> Option<()> {
-        let (word, text) = (reference.word.to_string(), reference.text());
+        let (word, text) = (&reference.base, reference.text());
         let declaration = self.declaration;
-        let Some(family) = declaration.family(&word) else {
-            if !self.names.contains_key(&word) && !RESERVED.contains(&word.as_str()) {
-                return self.unknown(&word, reference.word.span().into());
+        let Some(family) = declaration.family(word) else {
+            if !self.names.contains_key(word) && !RESERVED.contains(&word.as_str()) {
+                return self.unknown(word, reference.word.span().into());
             }
             return self.fail(
                 place,
@@ -123,6 +158,39 @@ impl<'d> Resolver<'d> {
     }
 
     fn unknown<T>(&mut self, name: &str, place: Place) -> Option<T> {
+        let declaration = self.declaration;
+        if let Some(instance) = declaration.instance(name) {
+            let inside = format!("{name}.");
+            let first = declaration.entries.iter().map(|entry| entry.name.as_str());
+            let first = first.into_iter().find(|entry| entry.starts_with(&inside));
+            return self.fail(
+                place,
+                format!(
+                    "`{name}` is an assembly; name one of its entries, as in `{}`",
+                    first.unwrap_or(instance.name.as_str())
+                ),
+            );
+        }
+        if let Some((outer, own)) = name.rsplit_once('.')
+            && let Some(instance) = declaration.instance(outer)
+        {
+            let inside = format!("{outer}.");
+            let known = declaration
+                .entries
+                .iter()
+                .filter(|entry| entry.name.assembly() == outer);
+            let known: Vec<&str> = known
+                .map(|entry| &entry.name.base()[inside.len()..])
+                .collect();
+            let hint = did_you_mean(own, known.iter().copied());
+            return self.fail(
+                place,
+                format!(
+                    "the assembly `{}` has no entry or port `{own}`{hint}",
+                    instance.definition.name
+                ),
+            );
+        }
         let hint = self.name_like(name);
         self.fail(place, format!("nothing here is named `{name}`{hint}"))
     }
@@ -203,7 +271,7 @@ impl<'d> Resolver<'d> {
     fn search(&self, name: &str) -> String {
         let families = self.declaration.families.iter();
         let families: Vec<String> = families.map(|family| family.name.to_string()).collect();
-        let own = self.names.keys().filter(|name| !is_member(name));
+        let own = self.names.keys().filter(|name| !is_one_of_many(name));
         let own = own.chain(&families).map(String::as_str);
         let mut known: Vec<&str> = own
             .chain(["ground", "t", "X", "Y", "Z", "pi"])

@@ -61,7 +61,7 @@ pub use mechanism::Model;
 pub use mobilizer::{Freedom, Mobilizer};
 pub use outline::Outline;
 pub use parts::{Part, Representation, Shape};
-pub use passes::resolve;
+pub use passes::{parameters, resolve};
 pub use quantities::{Law, Local, Quantity};
 pub use reduction::MergedJoint;
 pub use solved::{Solved, SolvedCoordinate};

@@ -7,7 +7,6 @@ use super::value::Value;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::symbolic::Expr;
-use proc_macro2::Ident;
 use std::collections::HashMap;
 use syn::Expr as Syntax;
 
@@ -15,7 +14,7 @@ impl Resolver<'_> {
     /// Outputs and events, each with its expression.
     pub(super) fn outputs(&mut self) -> (Vec<(Quantity, Expr)>, Vec<(String, Expr)>) {
         let (mut outputs, mut events) = (Vec::new(), Vec::new());
-        let mut widths: HashMap<&Ident, usize> = HashMap::new();
+        let mut widths: HashMap<&str, usize> = HashMap::new();
         for entry in &self.declaration.entries {
             let Some(syntax) = entry.positional.first() else {
                 continue;
@@ -24,7 +23,7 @@ impl Resolver<'_> {
             match entry.kind.to_string().as_str() {
                 "Output" => {
                     let found = self.components(syntax).unwrap_or_default();
-                    let width = *widths.entry(entry.name.word()).or_insert(found.len());
+                    let width = *widths.entry(entry.name.base()).or_insert(found.len());
                     if width != found.len() && self.errors.is_empty() {
                         self.fail::<()>(
                             Place::of(syntax),

@@ -2,10 +2,11 @@
 
 use super::elements::JointEntry;
 use super::elements::kinds::kinds;
-use super::formulation::Description;
+use super::formulation::{Description, Formulation};
 use super::initial_pose::Guesses;
 use super::mechanism::Model;
 use super::outline::Outline;
+use super::quantities::Quantity;
 use super::resolver::Resolver;
 use super::tree::Tree;
 use super::{check, initial_pose, layout, reduce, spanning, vacuous};
@@ -31,6 +32,9 @@ pub fn resolve(
 
     // Values. AFTER THIS POINT: every entry that has a value has been evaluated; there are no unknown names.
     resolver.quantities();
+    if !resolver.ports() {
+        return None;
+    }
     let gravity = resolver.gravity();
     for index in 0..declaration.entries.len() {
         resolver.force(index);
@@ -130,4 +134,13 @@ pub fn resolve(
         solved: reduction.solved,
         twists: reduction.twists,
     })
+}
+
+/// The parameters of the entries of an assembly alone.
+pub fn parameters(declaration: &Declaration, errors: &mut Errors) -> Vec<Quantity> {
+    let formulation = Formulation::Natural;
+    let mut resolver = Resolver::new(declaration, kinds(), formulation, errors);
+    resolver.declare();
+    resolver.quantities();
+    resolver.parameters
 }

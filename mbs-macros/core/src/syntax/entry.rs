@@ -7,6 +7,11 @@ use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::{Expr, Ident};
 
+/// The kind of an assembly put in place.
+pub const ASSEMBLY: &str = "Assembly";
+/// The kind of what the surroundings of an assembly give.
+pub(super) const PORT: &str = "Port";
+
 /// Reads `Kind(…)`.
 ///
 /// # Errors
@@ -149,9 +154,23 @@ pub(super) fn place(
         );
         return false;
     }
+    if entry.kind == ASSEMBLY {
+        declaration.entries.push(entry);
+        return true;
+    }
+    if entry.kind == PORT {
+        errors.at(
+            entry.kind.span(),
+            "a port stands in `assembly!`; a mechanism has parameters and inputs",
+        );
+        return false;
+    }
     if kinds.any(&entry.kind.to_string()).is_none() {
         let known = kinds.names();
-        let hint = did_you_mean(&entry.kind.to_string(), known.clone().chain([EACH]));
+        let hint = did_you_mean(
+            &entry.kind.to_string(),
+            known.clone().chain([EACH, ASSEMBLY]),
+        );
         let hint = if hint.is_empty() {
             format!(" (kinds: {})", known.collect::<Vec<_>>().join(", "))
         } else {

@@ -17,7 +17,7 @@ pub const MOST_MEMBERS: usize = 10_000;
 #[derive(Debug, Clone)]
 pub struct Family {
     /// Its name, without indices.
-    pub name: Ident,
+    pub name: Name,
     /// The range of each index.
     pub ranges: Vec<Range<usize>>,
 }
@@ -48,8 +48,10 @@ impl Family {
     /// Its first and its last member.
     pub fn ends(&self) -> [String; 2] {
         let of = |end: fn(&Range<usize>) -> usize| {
-            let indices: Vec<usize> = self.ranges.iter().map(end).collect();
-            Name::of_member(&self.name, &indices).to_string()
+            let indices = self.ranges.iter().map(end);
+            indices.fold(self.name.to_string(), |text, index| {
+                text + &format!("[{index}]")
+            })
         };
         [
             of(|range| range.start),
@@ -76,7 +78,7 @@ impl<'e> Written<'e> {
     ///
     /// # Errors
     /// It is not of this form.
-    pub(super) fn read(name: &Ident, call: &'e ExprCall) -> syn::Result<Written<'e>> {
+    pub(super) fn read(name: &Name, call: &'e ExprCall) -> syn::Result<Written<'e>> {
         let arguments: Vec<&Expr> = call.args.iter().collect();
         let [over, closure] = arguments.as_slice() else {
             return Err(Error::new_spanned(
@@ -176,7 +178,7 @@ impl<'e> Written<'e> {
     }
 }
 
-fn closure_of<'e>(name: &Ident, expr: &'e Expr) -> syn::Result<&'e ExprClosure> {
+fn closure_of<'e>(name: &Name, expr: &'e Expr) -> syn::Result<&'e ExprClosure> {
     match expr {
         Expr::Closure(closure) if closure.attrs.is_empty() => Ok(closure),
         other => Err(Error::new_spanned(

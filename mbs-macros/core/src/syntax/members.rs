@@ -1,18 +1,20 @@
 //! The entries of a family are put into the declaration.
 
-use super::entry::{entry, lost_parameter, place};
+use super::entry::{ASSEMBLY, entry, lost_parameter, place};
 use super::families::{EACH, Family, Written};
+use super::name::Name;
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place};
 use crate::schema::{self, Kinds};
 use syn::{ExprCall, Ident};
 
 /// Kinds whose families are arrays in the user's program.
-const ARRAYS: &[&str] = &["Param", "Input", "Output"];
+const ARRAYS: &[&str] = &["Param", "Input", "Output", ASSEMBLY];
 
 /// `name: Each(…)` as read.
+#[derive(Debug, Clone)]
 pub(super) struct FamilyItem {
-    pub(super) name: Ident,
+    pub(super) name: Name,
     pub(super) doc: String,
     pub(super) call: ExprCall,
 }
@@ -25,15 +27,15 @@ pub(super) fn place_family(
     errors: &mut Errors,
 ) {
     let FamilyItem { name, doc, call } = item;
-    let word = name.to_string();
-    if ["world", "deny"].contains(&word.as_str()) {
+    let word = name.as_str();
+    if ["world", "deny"].contains(&word) {
         errors.at(
             name.span(),
             format!("`{word}:` stands once; it is no family"),
         );
         return;
     }
-    if !is_free(name, errors) {
+    if !is_free(name.word(), errors) {
         return;
     }
     let found = errors.count();
@@ -58,7 +60,7 @@ pub(super) fn place_family(
     if declaration.entries.len() == first {
         declaration
             .lost
-            .extend(lost_parameter(name, quote::quote! { #call }, kinds));
+            .extend(lost_parameter(name.word(), quote::quote! { #call }, kinds));
     }
 }
 

@@ -2,24 +2,32 @@
 //!
 //! One production, `name: Kind(positional, named = value)`, and families of it. The tree keeps its tokens, so that every
 //! later error can point at the offending one. AFTER THIS STAGE: entries are well formed and their kinds exist, families
-//! are entries with indices in their names; nothing is resolved.
+//! and assemblies are entries with indices and dots in their names; nothing is resolved.
 
+mod assemblies;
 mod bindings;
 mod children;
+mod definition;
 mod entry;
 mod families;
+mod item;
 mod members;
 mod name;
+mod nested;
 mod parse;
 mod ranges;
 mod reference;
+mod rewrite;
 mod whole;
 
 use crate::schema::World;
 use proc_macro2::Span;
 use syn::{Expr, Ident, Visibility};
 
+pub use assemblies::{Definition, Definitions, Given, Instance, Port, Takes, path_text};
 pub use children::{children, inner};
+pub use definition::{define, is_broken};
+pub use entry::ASSEMBLY;
 pub use families::{Family, MOST_MEMBERS};
 pub use name::Name;
 pub use parse::parse;
@@ -53,6 +61,12 @@ pub struct Declaration {
     pub entries: Vec<Entry>,
     /// The families, whose members are among the entries.
     pub families: Vec<Family>,
+    /// The assemblies that entries name, by their paths.
+    pub definitions: Definitions,
+    /// The assemblies put in place, whose entries are among the entries; outer ones first.
+    pub instances: Vec<Instance>,
+    /// What their ports are given.
+    pub given: Vec<Given>,
     /// Names of entries that could not be read but seem to be parameters: the user's program uses their fields.
     pub lost: Vec<Ident>,
     /// The tokens, as text.
@@ -88,6 +102,11 @@ impl Declaration {
         self.families.iter().find(|family| family.name == name)
     }
 
+    /// The assembly put in place under this name.
+    pub fn instance(&self, name: &str) -> Option<&Instance> {
+        self.instances.iter().find(|instance| instance.name == name)
+    }
+
     /// No more than a name.
     fn nameable(name: Ident) -> Self {
         Declaration {
@@ -98,6 +117,9 @@ impl Declaration {
             deny_redundant: false,
             entries: Vec::new(),
             families: Vec::new(),
+            definitions: Vec::new(),
+            instances: Vec::new(),
+            given: Vec::new(),
             lost: Vec::new(),
             text: String::new(),
         }

@@ -4,7 +4,8 @@ use crate::names;
 use proc_macro2::{Ident, Span};
 use std::fmt;
 
-/// The name of an entry: a word, and for a member of a family its indices: `crank[3]`, `rod[3][4]`.
+/// The name of an entry: a word, for a member of a family with its indices, and in an assembly after the assembly's name:
+/// `crank`, `crank[3]`, `front.arm`.
 #[derive(Debug, Clone)]
 pub struct Name {
     word: Ident,
@@ -13,17 +14,26 @@ pub struct Name {
 
 impl Name {
     /// The name of a member.
-    pub(super) fn of_member(word: &Ident, indices: &[usize]) -> Name {
-        let text = indices
-            .iter()
-            .fold(word.to_string(), |text, index| text + &format!("[{index}]"));
+    pub(super) fn of_member(family: &Name, indices: &[usize]) -> Name {
+        let indices = indices.iter();
+        let text = indices.fold(family.text.clone(), |text, index| {
+            text + &format!("[{index}]")
+        });
         Name {
-            word: word.clone(),
+            word: family.word.clone(),
             text,
         }
     }
 
-    /// Without indices.
+    /// The name of an entry of the assembly of this name.
+    pub(super) fn within(&self, assembly: &Name) -> Name {
+        Name {
+            word: self.word.clone(),
+            text: format!("{assembly}.{}", self.text),
+        }
+    }
+
+    /// Without indices, and without the assembly.
     pub fn word(&self) -> &Ident {
         &self.word
     }
@@ -36,6 +46,23 @@ impl Name {
     /// With indices.
     pub fn as_str(&self) -> &str {
         &self.text
+    }
+
+    /// Without the last indices.
+    pub fn base(&self) -> &str {
+        names::base(&self.text)
+    }
+
+    /// The name of the assembly that it is in; empty for none.
+    pub fn assembly(&self) -> &str {
+        self.text
+            .rsplit_once('.')
+            .map_or("", |(assembly, _)| assembly)
+    }
+
+    /// Whether it is in an assembly.
+    pub fn is_nested(&self) -> bool {
+        self.text.contains('.')
     }
 
     /// Whether it has indices.

@@ -6,7 +6,7 @@ use crate::model::geometry::Owner;
 use crate::model::parts::Representation;
 use crate::model::resolver::Resolver;
 use crate::model::tree::Tree;
-use crate::names::split;
+use crate::names::base;
 use crate::schema::World;
 use proc_macro2::Span;
 use std::collections::{BTreeSet, HashSet};
@@ -53,20 +53,26 @@ pub(in crate::model) fn connected(
 /// its members is.
 pub(in crate::model) fn used(resolver: &mut Resolver) {
     let declaration = resolver.declaration;
-    let used = resolver.used.iter().map(|name| split(name).0.to_owned());
+    let used = resolver.used.iter().map(|name| base(name).to_owned());
     let mut used: HashSet<String> = used.collect();
     for entry in &declaration.entries {
-        let name = entry.name.word().to_string();
+        let name = entry.name.base().to_owned();
         let kind = entry.kind.to_string();
+        // What an assembly offers need not be taken.
+        if entry.name.is_nested() && kind != "Param" && kind != "Input" {
+            continue;
+        }
         if matches!(
             kind.as_str(),
             "Param" | "Input" | "Let" | "Point" | "Coordinate"
         ) && used.insert(name.clone())
         {
+            let before = resolver.errors.enter(entry.name.assembly());
             resolver.fail::<()>(
                 entry.span(),
                 format!("`{name}` is declared but never used; use it or remove it"),
             );
+            resolver.errors.leave(before);
         }
     }
 }

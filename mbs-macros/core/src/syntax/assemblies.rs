@@ -1,0 +1,361 @@
+//! Assemblies: entries that are written once, in `assembly!`, and stand in a mechanism as often as wanted:
+//! `name: Assembly(Path, port = …)`.
+//!
+//! Their entries become ordinary ones with names such as `front.arm`; later stages know no more of them than a list.
+
+use super::entry::{ASSEMBLY, place};
+use super::item::Item;
+use super::members::{FamilyItem, place_family};
+use super::name::Name;
+use super::reference::path_to;
+use super::rewrite::{is_word, rewrite};
+use super::{Declaration, Entry};
+use crate::diagnostics::{Errors, Place, did_you_mean};
+use crate::schema::{Kinds, RESERVED, World};
+use proc_macro2::Ident;
+use quote::ToTokens;
+use std::collections::HashMap;
+use std::rc::Rc;
+use syn::{Expr, Visibility};
+
+/// An assembly as written in `assembly!`.
+#[derive(Debug)]
+pub struct Definition {
+    /// Visibility written before the name.
+    pub visibility: Option<Visibility>,
+    /// Its name.
+    pub name: Ident,
+    /// Its documentation.
+    pub doc: String,
+    /// `world: Planar()`.
+    pub world: World,
+    /// What the surroundings give.
+    pub ports: Vec<Port>,
+    /// Everything else, as read.
+    pub(super) items: Vec<Item>,
+    /// The assemblies that its entries name.
+    pub definitions: Definitions,
+}
+
+/// `name: Port(Point)`.
+#[derive(Debug, Clone)]
+pub struct Port {
+    /// Its name.
+    pub name: Ident,
+    /// Its documentation.
+    pub doc: String,
+    /// What may be given.
+    pub takes: Takes,
+    /// What is taken where nothing is given.
+    pub default: Option<Expr>,
+}
+
+/// What a port takes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Takes {
+    /// A point.
+    Point,
+    /// A part or the ground.
+    Part,
+    /// A frame of a part.
+    Frame,
+    /// A number.
+    Number,
+    /// A vector, or a direction.
+    Vector,
+}
+
+/// Assemblies by their paths, as written.
+pub type Definitions = Vec<(String, Rc<Definition>)>;
+
+/// An assembly put in place.
+#[derive(Debug, Clone)]
+pub struct Instance {
+    /// Its name.
+    pub name: Name,
+    /// The path, as written.
+    pub path: Expr,
+    /// What it is.
+    pub definition: Rc<Definition>,
+}
+
+/// What is given to a port.
+#[derive(Debug, Clone)]
+pub struct Given {
+    /// The assembly put in place.
+    pub instance: String,
+    /// The name of the assembly.
+    pub assembly: String,
+    /// The port.
+    pub port: Port,
+    /// The value.
+    pub value: Expr,
+}
+
+impl Takes {
+    /// All of them, with the words by which they are declared.
+    pub const ALL: [(&str, Takes); 5] = [
+        ("Point", Takes::Point),
+        ("Part", Takes::Part),
+        ("Frame", Takes::Frame),
+        ("Number", Takes::Number),
+        ("Vector", Takes::Vector),
+    ];
+
+    /// In words.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Takes::Point => "a point",
+            Takes::Part => "a part or the ground",
+            Takes::Frame => "a frame, as in `part.frame(…)`",
+            Takes::Number => "a number",
+            Takes::Vector => "a vector",
+        }
+    }
+}
+
+impl Definition {
+    /// The entries without families, as read.
+    fn entry(&self, name: &Ident) -> Option<&Entry> {
+        self.items.iter().find_map(|item| match item {
+            Item::Entry(entry) if entry.name == name.to_string().as_str() => Some(entry),
+            _ => None,
+        })
+    }
+
+    /// Names of its parameters; of those in families, too.
+    fn parameters(&self) -> impl Iterator<Item = String> {
+        self.items.iter().filter_map(|item| match item {
+            Item::Entry(entry) if entry.kind == "Param" => Some(entry.name.to_string()),
+            _ => None,
+        })
+    }
+}
+
+/// A path without blanks, by which an assembly is found.
+pub fn path_text(path: &impl ToTokens) -> String {
+    let mut text = path.to_token_stream().to_string();
+    text.retain(|c| !c.is_whitespace());
+    text
+}
+
+/// Puts assemblies in the place of entries `Assembly(…)`, and those that these name in turn.
+pub(super) fn put_all(declaration: &mut Declaration, kinds: &Kinds, errors: &mut Errors) {
+    if declaration
+        .entries
+        .iter()
+        .all(|entry| entry.kind != ASSEMBLY)
+    {
+        return;
+    }
+    for entry in std::mem::take(&mut declaration.entries) {
+        match entry.kind == ASSEMBLY {
+            true => put(&entry, kinds, declaration, errors),
+            false => declaration.entries.push(entry),
+        }
+    }
+}
+
+fn put(entry: &Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) {
+    let Some(path) = entry.positional.first() else {
+        return errors.at(
+            entry.kind.span(),
+            format!(
+                "an assembly comes first: `{}: {ASSEMBLY}(Name, …)`",
+                entry.name
+            ),
+        );
+    };
+    let text = path_text(path);
+    let known = declaration
+        .definitions
+        .iter()
+        .find(|(path, _)| *path == text);
+    let Some(definition) = known.map(|(_, definition)| Rc::clone(definition)) else {
+        return errors.at(
+            Place::of(path),
+            "expected the path of an assembly, as `assembly!` declares it",
+        );
+    };
+    let before = errors.enter(entry.name.as_str());
+    let found = errors.count();
+    let values = bind(entry, &definition, declaration, errors);
+    declaration.instances.push(Instance {
+        name: entry.name.clone(),
+        path: path.clone(),
+        definition: Rc::clone(&definition),
+    });
+    if errors.count() == found {
+        let mut inside = Declaration::nameable(definition.name.clone());
+        inside.definitions = definition.definitions.clone();
+        let scope = Scope {
+            instance: &entry.name,
+            definition: &definition,
+            values: &values,
+        };
+        for item in &definition.items {
+            scope.put(item, kinds, &mut inside, errors);
+        }
+        put_all(&mut inside, kinds, errors);
+        declaration.entries.append(&mut inside.entries);
+        declaration.families.append(&mut inside.families);
+        declaration.instances.append(&mut inside.instances);
+        declaration.given.append(&mut inside.given);
+    }
+    errors.leave(before);
+}
+
+/// The values of ports and parameters by their names.
+fn bind(
+    entry: &Entry,
+    definition: &Definition,
+    declaration: &mut Declaration,
+    errors: &mut Errors,
+) -> HashMap<String, Expr> {
+    let assembly = &definition.name;
+    if let Some(more) = entry.positional.get(1) {
+        errors.at(
+            Place::of(more),
+            format!("what `{assembly}` is given has names: write `port = …`"),
+        );
+    }
+    let mut values = HashMap::new();
+    for argument in &entry.named {
+        let name = argument.name.to_string();
+        let is_port = definition.ports.iter().any(|port| port.name == name);
+        match definition.entry(&argument.name) {
+            _ if is_port => {}
+            Some(own) if own.kind == "Param" => {}
+            _ => errors.at(argument.name.span(), not_given(definition, &argument.name)),
+        }
+        values.insert(name, argument.value.clone());
+    }
+    for port in &definition.ports {
+        let name = port.name.to_string();
+        let given = values.get(&name).or(port.default.as_ref()).cloned();
+        let Some(value) = given else {
+            let about = match port.doc.as_str() {
+                "" => String::new(),
+                doc => format!(" (“{doc}”)"),
+            };
+            errors.at(
+                entry.kind.span(),
+                format!(
+                    "`{assembly}` needs `{name} = …`, {}{about}",
+                    port.takes.describe()
+                ),
+            );
+            continue;
+        };
+        declaration.given.push(Given {
+            instance: entry.name.to_string(),
+            assembly: assembly.to_string(),
+            port: port.clone(),
+            value: value.clone(),
+        });
+        values.insert(name, value);
+    }
+    values
+}
+
+fn not_given(definition: &Definition, name: &Ident) -> String {
+    let assembly = &definition.name;
+    if let Some(entry) = definition.entry(name) {
+        return format!(
+            "`{name}` is a `{}` of `{assembly}`; ports and parameters can be given",
+            entry.kind
+        );
+    }
+    let is_family = |item: &Item| matches!(item, Item::Family(family) if family.name == name.to_string().as_str());
+    if definition.items.iter().any(is_family) {
+        return format!("`{name}` is a family of `{assembly}`: the program sets its members");
+    }
+    let ports: Vec<String> = definition
+        .ports
+        .iter()
+        .map(|port| port.name.to_string())
+        .collect();
+    let parameters: Vec<String> = definition.parameters().collect();
+    let known = ports.iter().chain(&parameters).map(String::as_str);
+    let hint = did_you_mean(&name.to_string(), known);
+    let list = |what: &str, names: &[String]| match names {
+        [] => format!("no {what}"),
+        names => format!("{what}: {}", names.join(", ")),
+    };
+    format!(
+        "`{assembly}` has no port or parameter `{name}`{hint} ({}; {})",
+        list("ports", &ports),
+        list("parameters", &parameters)
+    )
+}
+
+/// What names mean inside an assembly put in place.
+struct Scope<'a> {
+    instance: &'a Name,
+    definition: &'a Definition,
+    /// Of ports and parameters.
+    values: &'a HashMap<String, Expr>,
+}
+
+impl Scope<'_> {
+    fn put(&self, item: &Item, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) {
+        match item {
+            Item::Doc(_) => {}
+            Item::Entry(entry) => {
+                let mut entry = entry.clone();
+                let given = self.values.get(&entry.name.to_string());
+                // A path stays what it is.
+                let first = usize::from(entry.kind == ASSEMBLY);
+                for argument in entry.positional.iter_mut().skip(first) {
+                    self.write(argument);
+                }
+                for argument in &mut entry.named {
+                    if !is_word(&argument.name) {
+                        self.write(&mut argument.value);
+                    }
+                }
+                if entry.kind == "Param"
+                    && let (Some(given), Some(value)) = (given, entry.positional.first_mut())
+                {
+                    *value = given.clone();
+                }
+                entry.name = entry.name.within(self.instance);
+                place(entry, kinds, declaration, errors);
+            }
+            Item::Family(family) => {
+                let mut call = Expr::Call(family.call.clone());
+                self.write(&mut call);
+                if let Expr::Call(call) = call {
+                    let family = FamilyItem {
+                        name: family.name.within(self.instance),
+                        doc: family.doc.clone(),
+                        call,
+                    };
+                    place_family(&family, kinds, declaration, errors);
+                }
+            }
+        }
+    }
+
+    fn write(&self, expr: &mut Expr) {
+        rewrite(expr, &|name| self.meaning(name));
+    }
+
+    /// What a name stands for. Entries outside are not seen.
+    fn meaning(&self, name: &Ident) -> Option<Expr> {
+        let text = name.to_string();
+        if self.definition.ports.iter().any(|port| port.name == text) {
+            return self.values.get(&text).cloned();
+        }
+        let is_own = |item: &Item| match item {
+            Item::Entry(entry) => entry.name == text.as_str(),
+            Item::Family(family) => family.name == text.as_str(),
+            Item::Doc(_) => false,
+        };
+        // `Auto` and the like are words of the language.
+        let may_be_name = text.starts_with(|c: char| c.is_lowercase() || c == '_');
+        let is_name = may_be_name && !RESERVED.contains(&text.as_str());
+        (is_name || self.definition.items.iter().any(is_own))
+            .then(|| path_to(self.instance.as_str(), name))
+    }
+}

@@ -1,0 +1,214 @@
+//! A declaration is read: its header, and what stands between two commas.
+
+use super::entry::entry;
+use super::families::is_family;
+use super::members::FamilyItem;
+use super::{Entry, MAX_DEPTH, TOO_DEEP};
+use crate::schema::Kinds;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseStream};
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, Token, Visibility, braced, token};
+
+/// The header, and the tokens as text.
+pub(super) fn read_header(tokens: TokenStream) -> syn::Result<(Header, String)> {
+    height(&tokens, MAX_DEPTH)?;
+    let text = tokens.to_string();
+    Ok((syn::parse2(tokens)?, text))
+}
+
+pub(super) struct Header {
+    pub(super) doc: String,
+    pub(super) visibility: Option<Visibility>,
+    pub(super) name: Ident,
+    pub(super) body: TokenStream,
+}
+
+impl Parse for Header {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let doc = documentation(&input.call(Attribute::parse_outer)?)?;
+        let visibility = match input.parse()? {
+            Visibility::Inherited => None,
+            written => Some(written),
+        };
+        let name: Ident = input.parse().map_err(|error| {
+            syn::Error::new(
+                error.span(),
+                "expected a name, as in `mechanism!(SliderCrank { … })`",
+            )
+        })?;
+        if !input.peek(token::Brace) {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("expected the entries in braces: `{name} {{ … }}`"),
+            ));
+        }
+        let body;
+        braced!(body in input);
+        let body = body.parse()?;
+        if !input.is_empty() {
+            return Err(input.error("nothing may follow the closing brace"));
+        }
+        Ok(Header {
+            doc,
+            visibility,
+            name,
+            body,
+        })
+    }
+}
+
+/// What stands between two commas.
+#[derive(Debug, Clone)]
+pub(super) enum Item {
+    Doc(String),
+    Entry(Entry),
+    Family(FamilyItem),
+}
+
+impl Item {
+    pub(super) fn parse(input: ParseStream, kinds: &Kinds) -> syn::Result<Self> {
+        let doc = documentation(&input.call(Attribute::parse_outer)?)?;
+        let name = entry_name(input)?;
+        if !input.peek(Token![:]) {
+            let message = match kinds.any(&name.to_string()) {
+                Some(kind) => format!(
+                    "this `{kind}` has no name; write `name: {kind}(…)`",
+                    kind = kind.name
+                ),
+                None => format!("expected `:` after `{name}`, as in `{name}: Kind(…)`"),
+            };
+            return Err(syn::Error::new(name.span(), message));
+        }
+        input.parse::<Token![:]>()?;
+        if input.is_empty() {
+            return Err(syn::Error::new(
+                name.span(),
+                format!("expected `{name}: Kind(…)`"),
+            ));
+        }
+        let value: Expr = input.parse()?;
+        if !input.is_empty() {
+            return Err(input.error("expected `,` between entries"));
+        }
+        if name == "doc" {
+            return match value {
+                Expr::Lit(ExprLit {
+                    lit: Lit::Str(text),
+                    ..
+                }) => Ok(Item::Doc(text.value())),
+                other => Err(syn::Error::new_spanned(
+                    other,
+                    "`doc:` takes a text in quotes",
+                )),
+            };
+        }
+        match value {
+            Expr::Call(call) if is_family(&call) => Ok(Item::Family(FamilyItem {
+                name: name.into(),
+                doc,
+                call,
+            })),
+            value => entry(name.into(), doc, value).map(Item::Entry),
+        }
+    }
+}
+
+fn entry_name(input: ParseStream) -> syn::Result<Ident> {
+    if !input.peek(Ident::peek_any) {
+        return Err(input.error("expected an entry, as in `name: Kind(…)`"));
+    }
+    let name = input.call(Ident::parse_any)?;
+    match syn::parse2::<Ident>(name.to_token_stream()) {
+        Ok(name) if name.to_string().starts_with("r#") => Err(syn::Error::new(
+            name.span(),
+            "names are written without `r#`; choose another name",
+        )),
+        Ok(name) => Ok(name),
+        Err(_) => Err(syn::Error::new(
+            name.span(),
+            format!("`{name}` is a word of Rust; choose another name"),
+        )),
+    }
+}
+
+fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
+    let mut lines = Vec::new();
+    for attribute in attributes {
+        match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => {
+                if let Expr::Lit(ExprLit {
+                    lit: Lit::Str(line),
+                    ..
+                }) = &pair.value
+                {
+                    lines.push(line.value().trim().to_owned());
+                }
+            }
+            other => {
+                return Err(syn::Error::new_spanned(
+                    other,
+                    "only documentation comments (`///`) may stand here",
+                ));
+            }
+        }
+    }
+    Ok(lines.join("\n"))
+}
+
+/// At least the height of the tree that these tokens will become. An error at the token where it grows beyond `limit`.
+///
+/// A sum of n terms is a tree of height n above its highest term; within a term every sign may be a level. A pair of
+/// brackets weighs as much as the levels of grammar inside it.
+fn height(tokens: &TokenStream, limit: usize) -> syn::Result<usize> {
+    const BRACKETS: usize = 3;
+    let (mut sums, mut term, mut inside) = (0, 0, 0);
+    let (mut highest_term, mut highest) = (0, 0);
+    let mut after_operand = false;
+    for token in tokens.clone() {
+        match &token {
+            TokenTree::Punct(sign) => match sign.as_char() {
+                ',' => (sums, term, inside, highest_term) = (0, 0, 0, 0),
+                '+' | '-' if after_operand => {
+                    sums += 1;
+                    (term, inside) = (0, 0);
+                }
+                '+' | '-' | '*' | '/' | '.' => term += 1,
+                // Attributes, such as lines of documentation, stand one after the other.
+                '#' => {}
+                _ => sums += 1,
+            },
+            TokenTree::Group(group) => {
+                let within = match limit.checked_sub(sums + term + BRACKETS) {
+                    Some(left) => height(&group.stream(), left)?,
+                    None => 0,
+                };
+                inside = inside.max(within + BRACKETS);
+            }
+            TokenTree::Ident(_) | TokenTree::Literal(_) => {}
+        }
+        after_operand = !matches!(token, TokenTree::Punct(_));
+        highest_term = highest_term.max(term + inside);
+        highest = highest.max(sums + highest_term);
+        if highest > limit {
+            return Err(syn::Error::new(token.span(), TOO_DEEP));
+        }
+    }
+    Ok(highest)
+}
+
+pub(super) fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {
+    let mut chunks = vec![TokenStream::new()];
+    for token in body {
+        match &token {
+            TokenTree::Punct(punct) if punct.as_char() == ',' => chunks.push(TokenStream::new()),
+            _ => chunks
+                .last_mut()
+                .expect("starts with one chunk")
+                .extend([token]),
+        }
+    }
+    chunks.retain(|chunk| !chunk.is_empty());
+    chunks
+}

@@ -1,0 +1,69 @@
+//! Of the plane.
+
+use mbs_runtime::assembly;
+
+assembly!(FourBar {
+    doc: "A crank, a coupler and a rocker between two points.",
+    world: Planar(),
+    /// The bearing of the crank.
+    left: Port(Point),
+    /// The bearing of the rocker.
+    right: Port(Point),
+    /// Angle of the crank at the start.
+    angle: Port(Number, default = 60.0_deg),
+    /// Its rate at the start.
+    rate: Port(Number, default = 0.0_rad_per_s),
+
+    /// Length of the crank.
+    crank_length: Param(0.3_m),
+    /// Length of the coupler.
+    coupler_length: Param(0.8_m),
+    /// Length of the rocker.
+    rocker_length: Param(0.6_m),
+    /// Mass of all rods, by their length.
+    mass: Param(1.0_kg_per_m),
+
+    crank: Bar(
+        mass = mass * crank_length,
+        length = crank_length,
+        angle = angle,
+        rate = rate
+    ),
+    coupler: Bar(mass = mass * coupler_length, length = coupler_length),
+    rocker: Bar(mass = mass * rocker_length, length = rocker_length),
+    main: Revolute(left, crank.a),
+    pin: Revolute(crank.b, coupler.a),
+    top: Revolute(coupler.b, rocker.b),
+    foot: Revolute(right, rocker.a),
+});
+
+assembly!(GearTrain {
+    doc: "Spur wheels in a row, each in mesh with the next: neighbours turn in opposite senses.",
+    world: Planar(),
+    /// What bears the wheels; they stand along its x axis.
+    carrier: Port(Part),
+    /// How many wheels there are.
+    count: Port(Number, default = 3),
+    /// Rate of the first one at the start.
+    rate: Port(Number, default = 0.0_rad_per_s),
+
+    /// Pitch radius of each wheel.
+    radius: Param(0.05_m),
+    /// Mass of each wheel.
+    mass: Param(0.4_kg),
+
+    wheel: Each(0..count, |i| Body(
+        mass = mass,
+        inertia = 0.5 * mass * radius * radius,
+        rate = if i % 2 == 0 { rate } else { -rate }
+    )),
+    bearing: Each(0..count, |i| Revolute(
+        carrier.point(2.0 * i * radius, 0.0_m),
+        wheel[i].origin
+    )),
+    mesh: Each(1..count, |i| Coupling(
+        wheel[i - 1].angle - carrier.angle,
+        wheel[i].angle - carrier.angle,
+        ratio = -1.0
+    )),
+});

@@ -1,0 +1,6 @@
+mbs_runtime::mechanism!(Wrong {
+    world: Planar(),
+    linkage: Assembly(FiveBar, left = ground.origin),
+});
+
+fn main() {}

@@ -1,0 +1,5 @@
+//! Assemblies of another crate, put in place here.
+
+mod linkages;
+mod platform;
+mod suspensions;
