@@ -18,6 +18,7 @@ pub use unfinished::{UNFINISHED, Unfinished};
 
 mod cholesky;
 mod parts;
+pub mod pattern;
 mod principal;
 mod rotation;
 mod spin;

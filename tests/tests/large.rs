@@ -5,10 +5,13 @@ use crate::common;
 use mbs_examples::scenes::four_bar_10::FourBar10;
 use mbs_examples::scenes::four_bar_40::{FourBar40, FourBar40Simulation};
 use mbs_macros_core::dag::{self, Sparse};
+use mbs_runtime::generated::pattern::{self, Pattern};
+use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
     BaselineStepper, BaumgarteSettings, Mechanism, Method, Settings, Simulation, State, System,
     TwoLevelStepper, mechanism,
 };
+use mbs_tests::random::Random;
 use mbs_tests::tampered::Tampered;
 
 // A truss that swings about a pin, pulled by a spring. One diagonal of each panel would be enough: five rows are
@@ -301,6 +304,102 @@ fn a_row_is_eliminated_after_the_velocities_it_couples() {
         for (row, column) in jacobian {
             assert!(rows.positions[size + row] > rows.positions[column]);
         }
+    }
+}
+
+/// The pattern of an elimination, as generated code has it in statics.
+fn pattern(elimination: &dag::Elimination) -> Pattern {
+    let dag::Table {
+        starts,
+        positions,
+        lists,
+        crossings,
+        is_row,
+    } = elimination.table();
+    Pattern {
+        starts: starts.leak(),
+        positions: positions.leak(),
+        lists: lists.leak(),
+        crossings: crossings.leak(),
+        is_row: is_row.leak(),
+    }
+}
+
+/// Mechanisms whose code would be too long are eliminated by tables; here one that is not, both ways.
+#[test]
+fn tables_eliminate_like_code() {
+    let system = FourBar40::default().prepare().expect("valid");
+    eliminate_both_ways(&system, &pattern(&elimination("FourBar40").rows));
+}
+
+fn eliminate_both_ways<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    pattern: &Pattern,
+) {
+    let plan = S::ELIMINATION.expect("a large mechanism");
+    let (q, _) = system.guess();
+    let mut random = Random::of("tables");
+    let mut mass = Box::new(SMatrix::<f64, N, N>::zeros());
+    system.mass_matrix(&q, &mut mass);
+    // K at the guess, and at another instant, where the rows are others.
+    let entries = [0.0, 0.1].map(|size| {
+        let mut entries = vec![0.0; plan.slots];
+        for &(i, j, slot) in plan.mass {
+            entries[slot] = mass[(i, j)];
+        }
+        let moved: SVector<f64, Q> = q + random.vector(1.0) * size;
+        let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
+        system.sparse_constraints(0.0, &moved, &mut phi, &mut entries, &mut b);
+        entries
+    });
+    let room = plan.slots + plan.unknowns;
+    let both = entries.map(|entries| {
+        let mut roomy = entries.clone();
+        roomy.resize(room, 0.0);
+        (entries, roomy)
+    });
+    let [(mut f, mut f_tabled), (mut g, mut g_tabled)] = both;
+    let right: SVector<f64, R> = random.vector(1.0);
+    let start = f.clone();
+    let (mut c, mut c_tabled) = (vec![0.0; plan.unknowns], vec![0.0; plan.unknowns]);
+    let most = (plan.factor)(&mut f, &mut c);
+    let most_tabled = pattern::factor(pattern, &mut f_tabled, &mut c_tabled);
+    near(&[most], &[most_tabled]);
+    near(&c, &c_tabled);
+    near(&f, &f_tabled[..plan.slots]);
+
+    let (mut x, mut v, mut kappa) = (vec![0.0; plan.unknowns], SVector::zeros(), SVector::zeros());
+    (plan.solve)(&f, &right, &mut x, &mut v, &mut kappa);
+    let mut x_tabled = vec![0.0; plan.unknowns];
+    for (&(position, _), value) in plan.pivots.iter().zip(right.iter()) {
+        x_tabled[position] = *value;
+    }
+    let spread = x_tabled.clone();
+    pattern::solve(pattern, &f_tabled, &mut x_tabled);
+    near(&x, &x_tabled);
+
+    f_tabled[..plan.slots].copy_from_slice(&start);
+    f = start;
+    let most = (plan.factor_pair)(&mut f, &mut g, &c);
+    let most_tabled = pattern::factor_pair(pattern, &mut f_tabled, &mut g_tabled, &c);
+    near(&[most], &[most_tabled]);
+    near(&f, &f_tabled[..plan.slots]);
+    // The diagonal is in the lower triangle.
+    for &start in pattern.starts {
+        g_tabled[start as usize] = g.get(start as usize).copied().unwrap_or(0.0);
+    }
+    near(&g, &g_tabled[..plan.slots]);
+    (plan.solve_pair)(&f, &g, &right, &mut x, &mut v, &mut kappa);
+    let mut x_tabled = spread;
+    pattern::solve_pair(pattern, &f_tabled, &g_tabled, &mut x_tabled);
+    near(&x, &x_tabled);
+}
+
+fn near(a: &[f64], b: &[f64]) {
+    assert_eq!(a.len(), b.len());
+    let size = a.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
+    for (a, b) in a.iter().zip(b) {
+        assert!((a - b).abs() <= 1e-12 * size, "{a} {b}");
     }
 }
 

@@ -16,7 +16,7 @@ use nalgebra::SVector;
 pub struct Elimination<const N: usize, const R: usize> {
     /// N + R.
     pub unknowns: usize,
-    /// Length of the array of K.
+    /// Length of the array of K, with room for a spread column where the elimination is by a table.
     pub slots: usize,
     /// The same for M by itself.
     pub mass_slots: usize,

@@ -3,6 +3,7 @@
 //! Every index is a number in the functions; in a loop it is a number within a moving window.
 
 mod columns;
+mod table;
 mod windows;
 
 use self::columns::{
@@ -64,18 +65,23 @@ pub(super) fn emit(program: &Program) -> (String, String) {
             rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve,
             factor_pair: Self::sparse_factor_pair, solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
         rows.columns.len(),
-        rows.slots,
-        mass.slots,
+        room(rows),
+        room(mass),
         entries(rows),
         entries(mass),
         pivots.join(", "),
         sparse.forces_vary
     );
     let mut out = String::new();
+    for (name, elimination) in [("sparse_rows", rows), ("sparse_mass", mass)] {
+        if elimination.is_tabled() {
+            table::emit(&mut out, name, elimination);
+        }
+    }
     rates(&mut out, sparse);
     impulse(&mut out, sparse);
-    factor(&mut out, "sparse_factor", rows);
-    factor(&mut out, "sparse_factor_mass", mass);
+    factor(&mut out, "sparse_factor", rows, "sparse_rows");
+    factor(&mut out, "sparse_factor_mass", mass, "sparse_mass");
     factor_pair(&mut out, rows);
     let rows_in = spread(rows, n, |row| format!("rows[{row}]"), r);
     let rows_out = collect(rows, n, r);
@@ -87,7 +93,7 @@ pub(super) fn emit(program: &Program) -> (String, String) {
             {rows_in} {} {rows_out} }}",
         rows.slots,
         rows.columns.len(),
-        passes(rows, &["f"], symmetric_forward, symmetric_backward)
+        symmetric_passes(rows, "sparse_rows")
     );
     let _ = writeln!(
         out,
@@ -97,7 +103,7 @@ pub(super) fn emit(program: &Program) -> (String, String) {
             {rows_in} {2} {rows_out} }}",
         rows.slots,
         rows.columns.len(),
-        passes(rows, &["f", "g"], forward, backward)
+        pair_passes(rows)
     );
     let mut into = String::new();
     let mut back = String::new();
@@ -112,7 +118,7 @@ pub(super) fn emit(program: &Program) -> (String, String) {
             let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{n}>()) else {{ return }};
             {into} {} {back} }}",
         mass.slots,
-        passes(mass, &["f"], symmetric_forward, symmetric_backward)
+        symmetric_passes(mass, "sparse_mass")
     );
     (constant, out)
 }
@@ -183,13 +189,46 @@ fn collect(e: &Elimination, n: usize, r: usize) -> String {
     out
 }
 
+/// The length of an array: with room for a spread column where a table needs it.
+fn room(e: &Elimination) -> usize {
+    match e.is_tabled() {
+        true => e.slots + e.columns.len(),
+        false => e.slots,
+    }
+}
+
+/// A solution with a symmetric matrix.
+fn symmetric_passes(e: &Elimination, pattern: &str) -> String {
+    match e.is_tabled() {
+        true => format!("::mbs_runtime::generated::pattern::solve(Self::{pattern}(), f, x);"),
+        false => passes(e, &["f"], symmetric_forward, symmetric_backward),
+    }
+}
+
+/// The same with two triangles.
+fn pair_passes(e: &Elimination) -> String {
+    match e.is_tabled() {
+        true => "::mbs_runtime::generated::pattern::solve_pair(Self::sparse_rows(), f, g, x);"
+            .to_owned(),
+        false => passes(e, &["f", "g"], forward, backward),
+    }
+}
+
 fn passes(e: &Elimination, arrays: &[&str], forward: Column, backward: Column) -> String {
     stretches(e, arrays, &["x"], &["x"], false, "return", forward)
         + &stretches(e, arrays, &["x"], &["x"], true, "return", backward)
 }
 
 /// K = U ᵀD⁻¹U in place of its lower triangle: inverse pivots, and below them the columns of D U.
-fn factor(out: &mut String, name: &str, e: &Elimination) {
+fn factor(out: &mut String, name: &str, e: &Elimination, pattern: &str) {
+    if e.is_tabled() {
+        let _ = writeln!(
+            out,
+            "fn {name}(f: &mut [f64], c: &mut [f64]) -> f64 {{
+                ::mbs_runtime::generated::pattern::factor(Self::{pattern}(), f, c) }}"
+        );
+        return;
+    }
     let body = stretches(
         e,
         &["f"],
@@ -211,6 +250,14 @@ fn factor(out: &mut String, name: &str, e: &Elimination) {
 
 /// K = L D U in place: in `f` inverse pivots and L, in `g` the rows of D U.
 fn factor_pair(out: &mut String, e: &Elimination) {
+    if e.is_tabled() {
+        let _ = writeln!(
+            out,
+            "fn sparse_factor_pair(f: &mut [f64], g: &mut [f64], c: &[f64]) -> f64 {{
+                ::mbs_runtime::generated::pattern::factor_pair(Self::sparse_rows(), f, g, c) }}"
+        );
+        return;
+    }
     let body = stretches(
         e,
         &["f", "g"],

@@ -8,21 +8,26 @@
 //! ```
 //!
 //! which is as sparse as the mechanism, while M⁻¹, and with it A₁M⁻¹A₀ᵀ, is full for a chain. The order of elimination,
-//! and so the index of every entry and of all fill, is chosen here; the generated code has no index arrays.
+//! and so the index of every entry and of all fill, is chosen here. The generated code has no index arrays, unless it would
+//! be too long: then it has tables of the pattern.
 
 mod order;
 mod stretches;
+mod table;
 
 use crate::derivatives::Derived;
 use crate::symbolic::Expr;
 use std::collections::BTreeSet;
 
 pub use stretches::Stretch;
+pub use table::Table;
 
 /// With fewer rows dense arrays, held in registers and caches, are the faster.
 const FEWEST_ROWS: usize = 16;
-/// Code longer than this costs more to compile than it gains: mechanisms that are large, irregular and little sparse.
+/// Code longer than this costs more to compile than it gains; the elimination is then by a table of its pattern.
 const LONGEST: usize = 20_000;
+/// An operation by a table takes as long as about this many of a dense matrix: it looks up where its operand is.
+const BY_TABLE: usize = 3;
 /// The most velocities for which a constant M⁻¹f is written out.
 const LONGEST_CONSTANT: usize = 100;
 /// Solutions with each factor in a step.
@@ -103,8 +108,8 @@ impl Sparse {
             row_count: rows,
         };
         let dense = 2 * rows * rows * rows + 2 * size * rows * rows;
-        let pays = sparse.operations() < dense && sparse.rows.statements() < LONGEST;
-        pays.then_some(sparse)
+        let each = if sparse.rows.is_tabled() { BY_TABLE } else { 1 };
+        (each * sparse.operations() < dense).then_some(sparse)
     }
 
     /// Operations of a step, less those of the functions it evaluates.
@@ -187,6 +192,16 @@ impl Elimination {
     /// The slot of the entry at two unknowns.
     pub fn slot_of(&self, i: usize, j: usize) -> usize {
         self.slot(self.positions[i], self.positions[j])
+    }
+
+    /// Its pattern as tables.
+    pub fn table(&self) -> Table {
+        Table::of(self)
+    }
+
+    /// Whether it is by a table.
+    pub fn is_tabled(&self) -> bool {
+        self.statements() >= LONGEST
     }
 
     /// Statements of both factorisations and their solutions, as they are written: once for each loop.
