@@ -1,5 +1,7 @@
 //! From the declared guess to a state that satisfies the constraints.
 
+mod continuation;
+
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -47,6 +49,16 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let residual_before = largest(&phi);
     let mut q = guess;
     close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+    if residual_of(&phi, &scale.weights) > 1.0 {
+        let mut moved = guess;
+        if continuation::follow(system, &mut geometry, &mut moved, &scale).map_err(fault)? {
+            q = moved;
+        }
+        geometry
+            .evaluate(system, 0.0, &q, &mut phi)
+            .map_err(fault)?;
+        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+    }
 
     let verdict = judge(
         system,

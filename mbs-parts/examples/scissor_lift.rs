@@ -1,0 +1,77 @@
+//! A scissor lift of 50 stages, which falls through the poses in which all arms are in line. Its plate is held level twice:
+//! one row is redundant for ever.
+//!
+//! `cargo run --release -p mbs-parts --example scissor_lift -- 0.3 2e-4`, with the rate of the first arm at the start,
+//! rad/s, and the step.
+
+mod run;
+
+use mbs_runtime::{Settings, Simulation, assembly, mechanism};
+
+assembly!(Stage {
+    doc: "Two arms of equal length, joined in their middle.",
+    world: Planar(),
+    /// Where the arm that rises to the right begins.
+    left: Port(Point),
+    /// Where the other one begins.
+    right: Port(Point),
+    /// Rate at the start.
+    rate: Port(Number),
+
+    /// Length of the arms.
+    length: Param(1.0_m),
+    /// Mass of each.
+    mass: Param(1.0_kg),
+
+    rising: Bar(mass = mass, length = length, angle = 40.0_deg, rate = rate),
+    falling: Bar(
+        mass = mass,
+        length = length,
+        angle = 140.0_deg,
+        rate = -rate
+    ),
+    foot: Revolute(left, rising.a),
+    other_foot: Revolute(right, falling.a),
+    pin: Revolute(rising.center, falling.center),
+});
+
+mechanism!(ScissorLift {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    /// Rate of the arms at the start.
+    rate: Param(0.3_rad_per_s),
+    slide: Particle(mass = 0.5_kg, at = [0.75_m, 0.0]),
+    rail: Holonomic(slide.origin.y),
+    stage: Each(0..50, |i| Assembly(
+        Stage,
+        left = if i == 0 {
+            ground.origin
+        } else {
+            stage[i - 1].falling.b
+        },
+        right = if i == 0 {
+            slide.origin
+        } else {
+            stage[i - 1].rising.b
+        },
+        rate = rate
+    )),
+    plate: Body(mass = 2.0_kg, inertia = 0.1_kg_m2),
+    hinge: Revolute(stage[49].falling.b, plate.origin),
+    roller: Holonomic(dot(stage[49].rising.b - plate.origin, plate.y)),
+    level: Holonomic(plate.angle),
+    top: Output(plate.origin),
+});
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let [rate, step] = run::numbers([0.3, 2e-4])?;
+    let settings = Settings {
+        step,
+        ..Settings::default()
+    };
+    let lift = ScissorLift {
+        rate,
+        ..ScissorLift::default()
+    };
+    let mut simulation = Simulation::with_settings(lift, settings)?;
+    run::ten_seconds(&mut simulation)
+}

@@ -1,0 +1,67 @@
+//! From a guess that is far from closed: the rows are closed little by little.
+//!
+//! ```text
+//! φ(q) = (1 − s) φ(guess),    s from 0 to 1
+//! ```
+//!
+//! Newton's method from the guess itself can turn a long chain into knots; here all rows that hold are held on the way, as
+//! if the mechanism were moved by hand.
+
+use super::holonomic_delassus;
+use crate::System;
+use crate::alf3f::residual_of;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
+use crate::linear::{DelassusFactor, accumulate};
+use crate::row_scale::RowScale;
+use nalgebra::SVector;
+
+/// The first part of the way that is tried at once, and the least.
+const FIRST: f64 = 0.05;
+const LEAST: f64 = 1e-5;
+/// Newton's corrections of a part of the way: it is halved if they are not enough.
+const CORRECTIONS: usize = 8;
+/// A part of the way has come to its end within this part of φ(guess).
+const REACHED: f64 = 1e-3;
+
+/// Moves `q` from the guess to where the rows are nearly closed; whether it came there.
+pub(super) fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    geometry: &mut ConstraintGeometry<S, Q, N, R>,
+    q: &mut SVector<f64, Q>,
+    scale: &RowScale<R>,
+) -> Result<bool, Fault> {
+    let mut open = SVector::zeros();
+    geometry.evaluate(system, 0.0, q, &mut open)?;
+    let enough = REACHED * REACHED * residual_of(&open, &scale.weights);
+    let mut solver = Box::new(DelassusFactor::new());
+    let (mut left, mut part) = (1.0_f64, FIRST);
+    while left > 0.0 {
+        let next = (left - part).max(0.0);
+        let mut trial = *q;
+        let mut phi = SVector::zeros();
+        let mut reached = false;
+        for _ in 0..CORRECTIONS {
+            geometry.evaluate(system, 0.0, &trial, &mut phi)?;
+            let mut missing: SVector<f64, R> = open * next - phi;
+            reached = residual_of(&missing, &scale.weights) <= enough;
+            if reached {
+                break;
+            }
+            solver.factor(&holonomic_delassus(geometry));
+            solver.solve(&mut missing);
+            let mut way = SVector::zeros();
+            accumulate(&mut way, &geometry.w, &missing);
+            trial = system.advance(&trial, &way, 1.0);
+        }
+        if reached {
+            (*q, left) = (trial, next);
+            part *= 1.5;
+        } else if part > LEAST {
+            part *= 0.5;
+        } else {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
