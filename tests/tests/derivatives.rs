@@ -117,6 +117,7 @@ mechanisms! {
     sled: fixtures::Sled;
     chain: fixtures::Chain;
     functions: fixtures::Functions;
+    measured: fixtures::Measured;
     pendulum: scenes::pendulum::Pendulum;
     pendulum_by_angle: scenes::pendulum::PendulumByAngle;
     double_pendulum: scenes::double_pendulum::DoublePendulum;

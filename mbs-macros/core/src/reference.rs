@@ -48,7 +48,7 @@ their order without a name; all others are `name = value`. Numbers carry units a
 `30.0_deg`); a bare number is in SI units. `ground`, `t`, `pi`, `X`, `Y` and, in space, `Z` have fixed meanings.
 
 Expressions know `+ − * /`, `sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs sign step`, `atan2 hypot min max`,
-`x.powi(2)` and `x.powf(1.5)`, vectors `[x, y]` or `[x, y, z]` with `dot cross norm unit reject` and `.x .y .z`
+`x.powi(2)` and `x.powf(1.5)`, `name(x)` for a `Table` of this name, vectors `[x, y]` or `[x, y, z]` with `dot cross norm unit reject` and `.x .y .z`
 (`reject(a, b)` is a without its part along b; in the plane `cross` is a number), `rate(…)` for the time derivative of an
 expression of positions, and `law(path, argument, …)` for functions of your own (`fn([f64; K]) -> (f64, [f64; K])`, value and
 partials).
@@ -130,11 +130,18 @@ fn takes(expects: Expects) -> String {
         }
         Expects::Gains(dimension) => format!("{dimension}: one, three, or a 3 × 3 matrix"),
         Expects::Frame => "`Frame([x, y], angle)`".to_owned(),
-        Expects::Law => "the path of a law".to_owned(),
+        Expects::Law => "the path of a law, or a `Table`".to_owned(),
+        Expects::Numbers => "a list of numbers, without parameters".to_owned(),
+        Expects::Word(words) => words_of(words),
         Expects::Unit => "an SI unit".to_owned(),
         Expects::Flag => "`true` or `false`".to_owned(),
         Expects::Count => "a whole number".to_owned(),
     }
+}
+
+fn words_of(words: &[&str]) -> String {
+    let words: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    words.join(" or ")
 }
 
 fn units(out: &mut String) {

@@ -163,6 +163,10 @@ pub enum Expects {
     Frame,
     /// The path of a function `fn([f64; K]) -> (f64, [f64; K])`: value and partials.
     Law,
+    /// A list of numbers that are known to the compiler.
+    Numbers,
+    /// One of these words.
+    Word(&'static [&'static str]),
     /// A unit, as in `N_per_m`.
     Unit,
     /// `true` or `false`.

@@ -209,7 +209,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "torque against turning as a function of [angle, rate]; instead of the other fields",
+                "torque against turning as a function of [angle, rate], instead of the other fields; or a table of torque over turning, instead of `stiffness`",
             ),
         ],
         doc: "A rotational spring and damper in a joint.",

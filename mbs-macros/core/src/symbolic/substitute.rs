@@ -93,6 +93,10 @@ impl Graph {
                     arguments,
                 })
             }
+            Node::Table { table, order, x } => {
+                let x = self.substitute(x, substitution);
+                self.table(&table, order, x)
+            }
         };
         if let Some(name) = self.hints.get(&expr).cloned()
             && !matches!(self.node(result), Node::Symbol(_) | Node::Constant(_))

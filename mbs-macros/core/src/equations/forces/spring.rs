@@ -2,7 +2,7 @@
 
 use super::action::Action;
 use crate::model::elements::force::{Characteristic, Load};
-use crate::symbolic::{Expr, Graph};
+use crate::symbolic::{Expr, Graph, INTEGRAL};
 
 /// The action that opposes a growing deflection.
 pub(super) fn action(
@@ -21,17 +21,16 @@ pub(super) fn action(
             let square = graph.square(stretch);
             let energy = graph.mul(stiffness, square);
             let energy = graph.scale(0.5, energy);
-            let drag = graph.mul(damping, rate);
-            let force = graph.neg(drag);
-            let loads = if graph.is_zero(force) {
-                Vec::new()
-            } else {
-                vec![Load { rate, force }]
-            };
-            Action {
-                potential: (!graph.is_zero(energy)).then_some(energy.into()),
-                loads,
-            }
+            elastic(graph, energy, damping, rate)
+        }
+        Characteristic::Table {
+            ref table,
+            damping,
+            free,
+        } => {
+            let stretch = graph.sub(deflection, free);
+            let energy = graph.table(table, INTEGRAL, stretch);
+            elastic(graph, energy, damping, rate)
         }
         Characteristic::Law(law) => {
             let tension = graph.law(law, &[deflection, rate]);
@@ -41,5 +40,20 @@ pub(super) fn action(
                 loads: vec![Load { rate, force }],
             }
         }
+    }
+}
+
+/// A potential energy, and a damping against the rate.
+fn elastic(graph: &mut Graph, energy: Expr, damping: Expr, rate: Expr) -> Action {
+    let drag = graph.mul(damping, rate);
+    let force = graph.neg(drag);
+    let loads = if graph.is_zero(force) {
+        Vec::new()
+    } else {
+        vec![Load { rate, force }]
+    };
+    Action {
+        potential: (!graph.is_zero(energy)).then_some(energy.into()),
+        loads,
     }
 }

@@ -38,6 +38,14 @@ impl Arguments<'_, '_> {
         Some(())
     }
 
+    /// Refuses tables whose slope jumps, where the derivative of this order must not.
+    pub fn refuse_kinks(&mut self, field: &str, order: i8) -> Option<()> {
+        let syntax = self.syntax(field)?;
+        let value = self.resolver.evaluate(syntax)?;
+        self.resolver
+            .without_kinks(syntax, &value.expressions(), order)
+    }
+
     pub(in crate::model) fn check_dimension(
         &mut self,
         field: &str,
@@ -104,11 +112,23 @@ impl Arguments<'_, '_> {
                 "a law gives value and first partials, and what follows a coordinate needs more: write the expression out",
             );
         }
-        Some(())
+        self.resolver.without_kinks(syntax, exprs, 0)
     }
 }
 
 impl Resolver<'_> {
+    /// Refuses tables whose slope jumps, and their derivatives, from one of an order on.
+    fn without_kinks(&mut self, syntax: &Syntax, exprs: &[Expr], order: i8) -> Option<()> {
+        if !exprs.iter().any(|&x| self.graph.contains_kink(x, order)) {
+            return Some(());
+        }
+        let place = self.blame_kink(syntax, order);
+        self.fail(
+            place,
+            "the slope of this table jumps, and velocities would jump with it: leave `interpolation = Linear` out, or use the table in a force",
+        )
+    }
+
     /// Refuses laws in a value that is known before the motion: the compiler checks it with the defaults of all
     /// parameters, and cannot call functions of the program.
     pub(in crate::model) fn known_without_laws(

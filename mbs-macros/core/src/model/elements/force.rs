@@ -1,7 +1,8 @@
 //! A force element, as data.
 
 use crate::model::geometry::{Attachment, Owner, Point, Tensor, Vector};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Table};
+use std::sync::Arc;
 
 /// A force element: its points and parts, and its sort.
 #[derive(Debug, Clone)]
@@ -71,7 +72,7 @@ pub struct Load {
     pub force: Expr,
 }
 
-/// The characteristic of a spring and damper: linear, or a user's law of [deflection, rate].
+/// The characteristic of a spring and damper: linear, a table, or a user's law of [deflection, rate].
 #[derive(Debug, Clone)]
 pub enum Characteristic {
     /// Stiffness · (deflection − free) + damping · rate.
@@ -81,6 +82,15 @@ pub enum Characteristic {
         /// Force per rate.
         damping: Expr,
         /// The deflection at which the force is zero.
+        free: Expr,
+    },
+    /// A table of deflection − free, and damping · rate.
+    Table {
+        /// The force.
+        table: Arc<Table>,
+        /// Force per rate.
+        damping: Expr,
+        /// The deflection at which the table's argument is zero.
         free: Expr,
     },
     /// By its index.

@@ -5,6 +5,22 @@ use crate::model::elements::force::Characteristic;
 
 /// Reads `stiffness`, `damping` and the free deflection, or `law`.
 pub(super) fn read(arguments: &mut Arguments, free: &str) -> Option<Characteristic> {
+    if arguments.names_table("law") {
+        if arguments.has("stiffness") {
+            return arguments.fail(
+                "stiffness",
+                "a table takes the place of the stiffness; keep one of them",
+            );
+        }
+        let table = arguments.force_table("law", free);
+        let damping = arguments.scalar_or("damping", 0.0);
+        let free = arguments.scalar_or(free, 0.0);
+        return Some(Characteristic::Table {
+            table: table?,
+            damping: damping?,
+            free: free?,
+        });
+    }
     if arguments.has("law") {
         if let Some(field) = ["stiffness", "damping", free]
             .into_iter()

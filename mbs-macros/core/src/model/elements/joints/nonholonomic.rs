@@ -25,6 +25,7 @@ pub(super) const KIND: JointKind = JointKind {
 
 fn read(arguments: &mut Arguments) -> Option<Joint> {
     arguments.refuse_laws("value")?;
+    arguments.refuse_kinks("value", 1)?;
     let found = arguments.conditions("value")?;
     for &(span, expr, _) in &found {
         let graph = arguments.graph();
