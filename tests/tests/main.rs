@@ -43,6 +43,7 @@ mod solved_rows;
 mod spans;
 mod spatial_scenes;
 mod starts;
+mod stops;
 mod tables;
 mod tolerances;
 mod tree_joints;

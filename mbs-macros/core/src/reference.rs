@@ -113,6 +113,7 @@ fn takes(expects: Expects) -> String {
         Expects::Moving(dimension) => format!("{dimension}{moving}"),
         Expects::MovingAny | Expects::Driven => format!("a number{moving}"),
         Expects::MovingVector(dimension) => format!("vector of {dimension}{moving}"),
+        Expects::FollowingAny => "a number; an expression of positions and parameters".to_owned(),
         Expects::FollowingVector(dimension) => {
             format!("vector of {dimension}; an expression of coordinates and parameters")
         }

@@ -133,6 +133,8 @@ pub enum Expects {
     Driven,
     /// A vector that may change with time, state and inputs.
     MovingVector(Dimension),
+    /// A scalar of any dimension, of positions and parameters.
+    FollowingAny,
     /// A vector of coordinates and parameters.
     FollowingVector(Dimension),
     /// A scalar, a vector, a point, or a list of scalars.

@@ -38,6 +38,18 @@ impl Arguments<'_, '_> {
         Some(())
     }
 
+    /// Refuses laws where a force needs their second partials.
+    pub fn refuse_laws_in_force(&mut self, field: &str) -> Option<()> {
+        let syntax = self.syntax(field)?;
+        let value = self.resolver.evaluate(syntax)?;
+        let graph = &self.resolver.graph;
+        if value.expressions().iter().any(|&x| graph.contains_law(x)) {
+            let place = self.resolver.blame_law(syntax);
+            return self.resolver.fail(place, "a law gives value and first partials, and what this force acts on needs second ones: write the expression out");
+        }
+        Some(())
+    }
+
     /// Refuses tables whose slope jumps, where the derivative of this order must not.
     pub fn refuse_kinks(&mut self, field: &str, order: i8) -> Option<()> {
         let syntax = self.syntax(field)?;

@@ -56,6 +56,8 @@ pub enum ForceElement {
         /// The ground or the part whose axes these are.
         axes: Owner,
     },
+    /// Stops of a position.
+    Stop(Box<Stop>),
     /// Scalar forces with their rates.
     Loads(Vec<Load>),
     /// Springs and dampers in all six directions.
@@ -95,6 +97,32 @@ pub enum Characteristic {
     },
     /// By its index.
     Law(u32),
+}
+
+/// Elastic stops of a position.
+#[derive(Debug, Clone)]
+pub struct Stop {
+    /// The position.
+    pub target: Expr,
+    /// Its rate.
+    pub rate: Expr,
+    /// Below, above or both.
+    pub sides: Vec<Side>,
+    /// Force per depth, deeper than the onset.
+    pub stiffness: Expr,
+    /// The depth over which the stiffness grows.
+    pub onset: Expr,
+    /// Damping force per elastic force and rate.
+    pub dissipation: Expr,
+}
+
+/// A stop on one side.
+#[derive(Debug, Clone, Copy)]
+pub struct Side {
+    /// Where it begins.
+    pub begin: Expr,
+    /// Whether it stops what grows.
+    pub is_upper: bool,
 }
 
 /// An elastic joint between two frames.
