@@ -19,6 +19,7 @@ mod flipped_signs;
 mod folding;
 mod force_axes;
 mod formulations;
+mod friction;
 mod fuzz;
 mod integrability;
 mod large;

@@ -129,6 +129,16 @@ impl Graph {
         }
     }
 
+    /// Whether an expression is affine in the velocities.
+    pub fn is_affine_in_velocities(&mut self, expr: Expr) -> bool {
+        let symbols = self.symbols([expr]).into_iter();
+        let velocities: Vec<Symbol> = symbols.filter(|symbol| symbol.is_velocity()).collect();
+        velocities.into_iter().all(|velocity| {
+            let coefficient = self.derivative(expr, velocity);
+            !self.depends_on(coefficient, Symbol::is_velocity)
+        })
+    }
+
     /// `expr` where all velocities are zero.
     pub fn without_velocities(&mut self, expr: Expr) -> Expr {
         let zero = self.zero();

@@ -4,7 +4,10 @@ use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::resolver::Resolver;
+use crate::model::value::Value;
+use crate::schema::Group;
 use crate::symbolic::{Expr, Symbol};
+use crate::syntax::{children, reference};
 use syn::Expr as Syntax;
 
 impl Arguments<'_, '_> {
@@ -46,6 +49,18 @@ impl Arguments<'_, '_> {
         if value.expressions().iter().any(|&x| graph.contains_law(x)) {
             let place = self.resolver.blame_law(syntax);
             return self.resolver.fail(place, "a law gives value and first partials, and what this force acts on needs second ones: write the expression out");
+        }
+        Some(())
+    }
+
+    /// Refuses a joint or one of its reactions as the value of a force.
+    pub fn refuse_reaction(&mut self, field: &str) -> Option<()> {
+        let syntax = self.syntax(field)?;
+        if let Some(joint) = self.resolver.reaction_in(syntax) {
+            let message = format!(
+                "`{field}` cannot be the reaction of a joint: it follows from the accelerations, and these follow from the friction. Give a number, a parameter or an expression, or an `Input` that the program sets from the reaction of the step before"
+            );
+            return self.resolver.fail(joint, message);
         }
         Some(())
     }
@@ -129,6 +144,26 @@ impl Arguments<'_, '_> {
 }
 
 impl Resolver<'_> {
+    /// Where a joint is named for anything but its motion.
+    fn reaction_in(&mut self, syntax: &Syntax) -> Option<Place> {
+        let joint = |syntax: &Syntax| {
+            let name = reference(syntax)?.ok()?.text();
+            let kind = self.kind_of(self.entry(*self.names.get(&name)?))?;
+            matches!(kind.group, Group::Joint | Group::Constraint).then_some(())
+        };
+        let found = match syntax {
+            Syntax::Field(field) => joint(&field.base),
+            other => joint(other),
+        };
+        if found.is_some() {
+            let value = self.silently(|resolver| resolver.evaluate(syntax));
+            return (!matches!(value, Some(Value::Scalar(..)))).then(|| Place::of(syntax));
+        }
+        children(syntax)
+            .into_iter()
+            .find_map(|child| self.reaction_in(child))
+    }
+
     /// Refuses tables whose slope jumps, and their derivatives, from one of an order on.
     fn without_kinks(&mut self, syntax: &Syntax, exprs: &[Expr], order: i8) -> Option<()> {
         if !exprs.iter().any(|&x| self.graph.contains_kink(x, order)) {

@@ -4,6 +4,7 @@ mod axes;
 mod characteristic;
 mod dimensions;
 mod force;
+mod friction;
 mod planar;
 mod spatial;
 mod spring_damper;
@@ -19,6 +20,7 @@ pub(in crate::model) fn read(kind: &str, arguments: &mut Arguments) -> Option<Fo
         "SpringDamper" => spring_damper::read(arguments),
         "Force" => force::read(arguments),
         "Stop" => stop::read(arguments),
+        "Friction" => friction::read(arguments),
         _ => match arguments.world() {
             World::Planar => planar::read(kind, arguments),
             World::Spatial => spatial::read(kind, arguments),

@@ -10,7 +10,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     arguments.refuse(
         "target",
         &Symbol::is_velocity,
-        "a stop acts on a position; what acts against a rate is a damper",
+        "a stop acts on a position; what acts against a rate is a `Friction` or a damper",
     )?;
     arguments.refuse(
         "target",
