@@ -115,22 +115,23 @@ mechanism!(Linear {
 });
 
 mechanism!(Tabulated {
-    doc: "The same, by a table of the same straight line.",
+    doc: "The same, by tables of the same straight lines.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     line: Table([-0.1_m, 0.0_m, 0.2_m], [-6.0_N, 0.0_N, 12.0_N]),
+    slope: Table([-2.0_m_per_s, 0.5_m_per_s], [-0.8_N, 0.2_N]),
     bob: Particle(mass = 0.8_kg, at = [0.3_m, -0.9_m]),
     spring: SpringDamper(
         ground.origin,
         bob.origin,
         law = line,
-        damping = 0.4_N_s_per_m,
+        damping = slope,
         length = 0.7_m
     ),
     place: Output(bob.origin),
 });
 
 #[test]
-fn a_straight_table_is_a_stiffness() {
+fn straight_tables_are_a_stiffness_and_a_damping() {
     let (mut linear, mut table) = (
         Simulation::new(Linear::default()).expect("it assembles"),
         Simulation::new(Tabulated::default()).expect("it assembles"),

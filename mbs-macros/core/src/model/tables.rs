@@ -122,22 +122,19 @@ impl Arguments<'_, '_> {
         syntax.is_some_and(|syntax| self.resolver().table_named(syntax).is_some())
     }
 
-    /// A table of force over deflection; `free` is a field of the latter's dimension.
-    pub(in crate::model) fn force_table(&mut self, field: &str, free: &str) -> Option<Arc<Table>> {
+    /// A table that takes and gives these.
+    pub(in crate::model) fn table(
+        &mut self,
+        field: &str,
+        wanted: [Dimension; 2],
+    ) -> Option<Arc<Table>> {
         let syntax = self.syntax(field)?;
-        let name = self.resolver().table_named(syntax)?;
         let Value::Table(table, found) = self.resolver().evaluate(syntax)? else {
             return None;
         };
-        let (stiffness, deflection) = (self.expects("stiffness")?, self.expects(free)?);
-        let (Expects::Known(stiffness), Expects::Known(deflection)) = (stiffness, deflection)
-        else {
-            return None;
-        };
-        let wanted = [deflection, stiffness.times(deflection)];
         for ((found, wanted), what) in found.into_iter().zip(wanted).zip(["takes", "gives"]) {
             if let Some(found) = found.filter(|&found| found != wanted) {
-                let message = format!("`{name}` {what} {found}, but here it is {wanted}");
+                let message = format!("`{}` {what} {found}, but here it is {wanted}", table.name);
                 return self.fail(field, message);
             }
         }

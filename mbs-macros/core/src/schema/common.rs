@@ -196,7 +196,7 @@ pub const KINDS: &[Kind] = &[
                 "damping",
                 Known(Dimension::DAMPING),
                 Assumed("0"),
-                "damping",
+                "damping, or a table of tension over rate",
             ),
             field(
                 "length",

@@ -163,7 +163,7 @@ pub const KINDS: &[Kind] = &[
                 "damping",
                 Known(Dimension::TORSION_DAMPING),
                 Assumed("0"),
-                "damping",
+                "damping, or a table of torque over rate",
             ),
             field(
                 "angle",

@@ -60,7 +60,7 @@ const DAMPING: Field = field(
     "damping",
     Known(Dimension::TORSION_DAMPING),
     Assumed("0"),
-    "damping",
+    "damping, or a table of torque over rate",
 );
 
 /// The world.

@@ -1,7 +1,7 @@
 //! Springs with dampers.
 
 use super::action::Action;
-use crate::model::elements::force::{Characteristic, Load};
+use crate::model::elements::force::{Characteristic, Damping, Load};
 use crate::symbolic::{Expr, Graph, INTEGRAL};
 
 /// The action that opposes a growing deflection.
@@ -14,7 +14,7 @@ pub(super) fn action(
     match *characteristic {
         Characteristic::Linear {
             stiffness,
-            damping,
+            ref damping,
             free,
         } => {
             let stretch = graph.sub(deflection, free);
@@ -25,7 +25,7 @@ pub(super) fn action(
         }
         Characteristic::Table {
             ref table,
-            damping,
+            ref damping,
             free,
         } => {
             let stretch = graph.sub(deflection, free);
@@ -43,9 +43,12 @@ pub(super) fn action(
     }
 }
 
-/// A potential energy, and a damping against the rate.
-fn elastic(graph: &mut Graph, energy: Expr, damping: Expr, rate: Expr) -> Action {
-    let drag = graph.mul(damping, rate);
+/// A potential energy, and a damper against the rate.
+fn elastic(graph: &mut Graph, energy: Expr, damping: &Damping, rate: Expr) -> Action {
+    let drag = match damping {
+        Damping::Linear(damping) => graph.mul(*damping, rate),
+        Damping::Table(table) => graph.table(table, 0, rate),
+    };
     let force = graph.neg(drag);
     let loads = if graph.is_zero(force) {
         Vec::new()

@@ -81,22 +81,31 @@ pub enum Characteristic {
     Linear {
         /// Force per deflection.
         stiffness: Expr,
-        /// Force per rate.
-        damping: Expr,
+        /// Its damper.
+        damping: Damping,
         /// The deflection at which the force is zero.
         free: Expr,
     },
-    /// A table of deflection − free, and damping · rate.
+    /// A table of deflection − free, and a damper.
     Table {
         /// The force.
         table: Arc<Table>,
-        /// Force per rate.
-        damping: Expr,
+        /// Its damper.
+        damping: Damping,
         /// The deflection at which the table's argument is zero.
         free: Expr,
     },
     /// By its index.
     Law(u32),
+}
+
+/// The force of a damper.
+#[derive(Debug, Clone)]
+pub enum Damping {
+    /// Force per rate.
+    Linear(Expr),
+    /// A table of the rate.
+    Table(Arc<Table>),
 }
 
 /// Elastic stops of a position.
