@@ -69,8 +69,8 @@ without `else` around the kind leaves members out. A family of `Param`, `Input` 
 
 `name: Assembly(Path, port = …)` puts the entries of an *assembly* in place, which `assembly!` declares: its entries are
 `name.entry`, its parameters, inputs and outputs fields of `name`. Inside, `name: Port(Point)`, or of a `Part`, `Frame`,
-`Number` or `Vector`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give. Parameters of an
-assembly may be given, too: this changes their defaults.
+`Number`, `Vector` or `Table`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give.
+Parameters of an assembly may be given, too: this changes their defaults.
 
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.

@@ -71,6 +71,7 @@ impl<'d> Resolver<'d> {
                     Takes::Frame => matches!(found, Value::Attachment(_)),
                     Takes::Number => matches!(found, Value::Scalar(..)),
                     Takes::Vector => matches!(found, Value::Vector(..)),
+                    Takes::Table => matches!(found, Value::Table(..)),
                 };
                 if !fits {
                     let (name, takes, found) =
