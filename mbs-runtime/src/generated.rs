@@ -14,6 +14,7 @@ pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
 pub use parts::{compute_parts, rows_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
+pub use table::Table;
 pub use unfinished::{UNFINISHED, Unfinished};
 
 mod cholesky;
@@ -22,6 +23,7 @@ pub mod pattern;
 mod principal;
 mod rotation;
 mod spin;
+mod table;
 mod unfinished;
 
 /// A pivot below this fraction of its diagonal entry is round-off.

@@ -38,6 +38,9 @@ mod coordinates {}
 #[doc = include_str!("../../book/src/driving.md")]
 mod driving {}
 
+#[doc = include_str!("../../book/src/stops-and-friction.md")]
+mod stops_and_friction {}
+
 #[doc = include_str!("../../book/src/families.md")]
 mod families {}
 

@@ -117,6 +117,9 @@ mechanisms! {
     sled: fixtures::Sled;
     chain: fixtures::Chain;
     functions: fixtures::Functions;
+    measured: fixtures::Measured;
+    limited: fixtures::Limited;
+    limited_in_space: fixtures::LimitedInSpace;
     pendulum: scenes::pendulum::Pendulum;
     pendulum_by_angle: scenes::pendulum::PendulumByAngle;
     double_pendulum: scenes::double_pendulum::DoublePendulum;

@@ -107,6 +107,7 @@ fn of_mechanisms_that_repeat() {
 fn of_mechanisms_with_laws_and_every_kind_of_output() {
     check(<fixtures::Workshop as Mechanism>::MODEL.declaration);
     check(<fixtures::Functions as Mechanism>::MODEL.declaration);
+    check(<fixtures::Measured as Mechanism>::MODEL.declaration);
     check(<fixtures::Truss as Mechanism>::MODEL.declaration);
     check(<scenes::flyball_governor::FlyballGovernor as Mechanism>::MODEL.declaration);
 }

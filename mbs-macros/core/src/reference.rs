@@ -48,7 +48,7 @@ their order without a name; all others are `name = value`. Numbers carry units a
 `30.0_deg`); a bare number is in SI units. `ground`, `t`, `pi`, `X`, `Y` and, in space, `Z` have fixed meanings.
 
 Expressions know `+ − * /`, `sin cos tan asin acos atan sinh cosh tanh exp ln sqrt abs sign step`, `atan2 hypot min max`,
-`x.powi(2)` and `x.powf(1.5)`, vectors `[x, y]` or `[x, y, z]` with `dot cross norm unit reject` and `.x .y .z`
+`x.powi(2)` and `x.powf(1.5)`, `name(x)` for a `Table` of this name, vectors `[x, y]` or `[x, y, z]` with `dot cross norm unit reject` and `.x .y .z`
 (`reject(a, b)` is a without its part along b; in the plane `cross` is a number), `rate(…)` for the time derivative of an
 expression of positions, and `law(path, argument, …)` for functions of your own (`fn([f64; K]) -> (f64, [f64; K])`, value and
 partials).
@@ -69,8 +69,8 @@ without `else` around the kind leaves members out. A family of `Param`, `Input` 
 
 `name: Assembly(Path, port = …)` puts the entries of an *assembly* in place, which `assembly!` declares: its entries are
 `name.entry`, its parameters, inputs and outputs fields of `name`. Inside, `name: Port(Point)`, or of a `Part`, `Frame`,
-`Number` or `Vector`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give. Parameters of an
-assembly may be given, too: this changes their defaults.
+`Number`, `Vector` or `Table`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give.
+Parameters of an assembly may be given, too: this changes their defaults.
 
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.
@@ -113,6 +113,7 @@ fn takes(expects: Expects) -> String {
         Expects::Moving(dimension) => format!("{dimension}{moving}"),
         Expects::MovingAny | Expects::Driven => format!("a number{moving}"),
         Expects::MovingVector(dimension) => format!("vector of {dimension}{moving}"),
+        Expects::FollowingAny => "a number; an expression of positions and parameters".to_owned(),
         Expects::FollowingVector(dimension) => {
             format!("vector of {dimension}; an expression of coordinates and parameters")
         }
@@ -130,11 +131,18 @@ fn takes(expects: Expects) -> String {
         }
         Expects::Gains(dimension) => format!("{dimension}: one, three, or a 3 × 3 matrix"),
         Expects::Frame => "`Frame([x, y], angle)`".to_owned(),
-        Expects::Law => "the path of a law".to_owned(),
+        Expects::Law => "the path of a law, or a `Table`".to_owned(),
+        Expects::Numbers => "a list of numbers, without parameters".to_owned(),
+        Expects::Word(words) => words_of(words),
         Expects::Unit => "an SI unit".to_owned(),
         Expects::Flag => "`true` or `false`".to_owned(),
         Expects::Count => "a whole number".to_owned(),
     }
+}
+
+fn words_of(words: &[&str]) -> String {
+    let words: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    words.join(" or ")
 }
 
 fn units(out: &mut String) {

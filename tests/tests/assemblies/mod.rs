@@ -3,3 +3,4 @@
 mod linkages;
 mod platform;
 mod suspensions;
+mod tables;

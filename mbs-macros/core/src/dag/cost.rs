@@ -12,7 +12,7 @@ pub struct Cost {
     pub multiplications: usize,
     /// Divisions.
     pub divisions: usize,
-    /// Elementary functions and laws.
+    /// Elementary functions, laws and tables.
     pub calls: usize,
 }
 
@@ -44,7 +44,8 @@ impl Function {
                 Operation::Call(..)
                 | Operation::Atan2(..)
                 | Operation::Power(..)
-                | Operation::Law(..) => cost.calls += 1,
+                | Operation::Law(..)
+                | Operation::Table(..) => cost.calls += 1,
                 Operation::Negate(_) | Operation::Part(..) => {}
             }
         }

@@ -133,6 +133,7 @@ fn kind(graph: &Graph, expr: Expr, kinds: &[u64]) -> u64 {
             let seed = hash((7, law, partial));
             arguments.iter().fold(seed, |all, &x| hash((all, of(x))))
         }
+        Node::Table { table, order, x } => hash((8, table.index, order, of(*x))),
     }
 }
 

@@ -195,6 +195,10 @@ impl<'a> Lowering<'a> {
                     other => other,
                 }
             }
+            Node::Table { table, order, x } => {
+                let x = self.operand(x);
+                self.push(Operation::Table(table, order, x))
+            }
         };
         if let (Operand::Value(value), Some(name)) = (operand, self.graph.suggested_name(expr)) {
             self.names[value].get_or_insert_with(|| name.to_owned());

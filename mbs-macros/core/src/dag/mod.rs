@@ -20,7 +20,8 @@ mod sums;
 mod tangents;
 mod text;
 
-use crate::symbolic::{Function as Elementary, Number, Symbol};
+use crate::symbolic::{Function as Elementary, Number, Symbol, Table as Curve};
+use std::sync::Arc;
 
 pub use cost::Cost;
 pub use functions::lower;
@@ -213,6 +214,8 @@ pub enum Operation {
     Law(u32, Vec<Operand>),
     /// The value (`None`) or a partial of a law's result.
     Part(usize, Option<u32>),
+    /// A table's function, one of its derivatives, or its integral (order −1).
+    Table(Arc<Curve>, i8, Operand),
 }
 
 impl Operation {
@@ -237,6 +240,7 @@ impl Operation {
                 Operand::Value(law) => Operation::Part(law, *partial),
                 _ => unreachable!("a law's result is a value"),
             },
+            Operation::Table(table, order, a) => Operation::Table(table.clone(), *order, map(*a)),
         }
     }
 
@@ -252,7 +256,10 @@ impl Operation {
                 visit(*a);
                 visit(*b);
             }
-            Operation::Negate(a) | Operation::Call(_, a) | Operation::Power(a, _) => visit(*a),
+            Operation::Negate(a)
+            | Operation::Call(_, a)
+            | Operation::Power(a, _)
+            | Operation::Table(_, _, a) => visit(*a),
             Operation::Law(_, arguments) => arguments.iter().copied().for_each(visit),
             Operation::Part(law, _) => visit(Operand::Value(*law)),
         }

@@ -51,6 +51,7 @@ impl Run<'_> {
                     }
                     None => f64::NAN,
                 },
+                Operation::Table(table, order, x) => table.value(get(x), *order),
             };
             values.push(value);
         }

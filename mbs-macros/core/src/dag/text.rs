@@ -45,6 +45,9 @@ impl Function {
                     let arguments: Vec<_> = arguments.iter().map(name).collect();
                     format!("law{law}({})", arguments.join(", "))
                 }
+                Operation::Table(table, order, x) => {
+                    format!("{}({})", table.function_name(*order), name(x))
+                }
                 Operation::Part(call, None) => format!("value of t{call}"),
                 Operation::Part(call, Some(partial)) => format!("partial {partial} of t{call}"),
             };

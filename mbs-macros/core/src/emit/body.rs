@@ -5,7 +5,7 @@
 
 use super::names::Names;
 use crate::dag::{Function, Operand, Operation, Output};
-use crate::symbolic::{Function as Elementary, Graph, Symbol};
+use crate::symbolic::{Function as Elementary, Graph, INTEGRAL, Symbol};
 
 /// Expressions nested deeper than this get a temporary, for the reader's sake.
 const DEEPEST: usize = 5;
@@ -29,12 +29,14 @@ pub(super) struct Body<'a> {
     /// How constants and parameters are addressed: `self.` or nothing.
     constants: &'a str,
     parameters: &'a str,
+    /// The type that has the tables.
+    tables: &'a str,
 }
 
 impl<'a> Body<'a> {
     /// The body of a method of the system.
     pub(super) fn of_method(graph: &'a Graph, function: &'a Function) -> Self {
-        Self::new(graph, function, "self.", "self.parameters.")
+        Self::new(graph, function, ["self.", "self.parameters.", "Self"])
     }
 
     /// The body of a part of a long function; `place` is where it finds a value.
@@ -52,16 +54,20 @@ impl<'a> Body<'a> {
         body
     }
 
-    /// The body of a function in which constants are variables and parameters come from `self`.
-    pub(super) fn of_preparation(graph: &'a Graph, function: &'a Function) -> Self {
-        Self::new(graph, function, "", "self.")
+    /// The body of a function in which constants are variables and parameters come from `self`; `system` is the type of
+    /// the equations.
+    pub(super) fn of_preparation(
+        graph: &'a Graph,
+        function: &'a Function,
+        system: &'a str,
+    ) -> Self {
+        Self::new(graph, function, ["", "self.", system])
     }
 
     fn new(
         graph: &'a Graph,
         function: &'a Function,
-        constants: &'a str,
-        parameters: &'a str,
+        [constants, parameters, tables]: [&'a str; 3],
     ) -> Self {
         let names = Names::new(graph, function);
         let mut body = Body {
@@ -71,6 +77,7 @@ impl<'a> Body<'a> {
             named: Vec::new(),
             constants,
             parameters,
+            tables,
         };
         body.choose_temporaries();
         body
@@ -230,6 +237,20 @@ impl<'a> Body<'a> {
                     .collect();
                 (
                     format!("Self::law_{law}([{}])", arguments.join(", ")),
+                    Precedence::Atom,
+                )
+            }
+            Operation::Table(table, order, x) => {
+                let method = match *order {
+                    INTEGRAL => "integral",
+                    0 => "value",
+                    1 => "slope",
+                    2 => "second",
+                    _ => "third",
+                };
+                let x = self.operand(*x, Precedence::Sum);
+                (
+                    format!("{}::TABLE_{}.{method}({x})", self.tables, table.index),
                     Precedence::Atom,
                 )
             }

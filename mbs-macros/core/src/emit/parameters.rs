@@ -273,7 +273,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     let [before, after] = &program.preparation;
     let mut out = String::new();
     let write = |out: &mut String, function| {
-        let body = Body::of_preparation(graph, function);
+        let body = Body::of_preparation(graph, function, system);
         out.push_str(&body.statements());
         out.push_str(&body.writes());
     };

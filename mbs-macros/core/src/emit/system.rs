@@ -51,6 +51,21 @@ pub(super) fn emit(
             }
         }
     });
+    let tables = outline.tables.iter().map(|table| {
+        let (name, about) = (
+            format_ident!("TABLE_{}", table.index),
+            self::doc(&table.name),
+        );
+        let (knots, pieces) = (table.knots(), table.pieces());
+        let pieces = pieces.map(|piece| quote! { [#( #piece ),*] });
+        quote! {
+            #about
+            const #name: ::mbs_runtime::generated::Table = ::mbs_runtime::generated::Table {
+                knots: &[#( #knots ),*],
+                pieces: &[#( #pieces ),*],
+            };
+        }
+    });
     let doc = doc(&format!(
         "The equations of [`{parameters}`] for one set of parameters."
     ));
@@ -122,6 +137,7 @@ pub(super) fn emit(
         #[allow(clippy::all, dead_code)]
         impl #name {
             #( #laws )*
+            #( #tables )*
         }
 
         // An `allow` reaches the `cfg`s inside its item, not its own; the user's crate need not know this one.

@@ -71,6 +71,7 @@ impl<'d> Resolver<'d> {
                     Takes::Frame => matches!(found, Value::Attachment(_)),
                     Takes::Number => matches!(found, Value::Scalar(..)),
                     Takes::Vector => matches!(found, Value::Vector(..)),
+                    Takes::Table => matches!(found, Value::Table(..)),
                 };
                 if !fits {
                     let (name, takes, found) =
@@ -285,7 +286,15 @@ impl<'d> Resolver<'d> {
         let kind = entry.kind.to_string();
         matches!(
             kind.as_str(),
-            "Param" | "Input" | "Let" | "Point" | "Coordinate" | "Bar" | "Body" | "Particle"
+            "Param"
+                | "Input"
+                | "Let"
+                | "Table"
+                | "Point"
+                | "Coordinate"
+                | "Bar"
+                | "Body"
+                | "Particle"
         ) || self.has_frames(entry)
     }
 
@@ -328,6 +337,7 @@ impl<'d> Resolver<'d> {
                 .positional
                 .first()
                 .and_then(|syntax| self.evaluate(syntax)),
+            "Table" => self.table(entry),
             "Point" => self.ground_point(entry),
             "Coordinate" => self.coordinate(entry),
             "Bar" if self.world == World::Planar => self.planar_bar(entry),
@@ -390,6 +400,12 @@ impl<'d> Resolver<'d> {
             return self.fail(
                 Place::of(path),
                 "expected the path of a function `fn([f64; K]) -> (f64, [f64; K])`",
+            );
+        }
+        if let Some(table) = self.table_named(path) {
+            return self.fail(
+                Place::of(path),
+                format!("`{table}` is a table and no law: write `{table}(…)`"),
             );
         }
         let same = |law: &Law| law.arguments == arguments && tokens(&law.path) == tokens(path);

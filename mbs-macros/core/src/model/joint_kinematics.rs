@@ -3,11 +3,11 @@
 
 use super::joint_frames::JointFrames;
 use super::joint_variables::{AskedVariable, JointVariable, UnwrappedAngle};
-use super::resolver::Resolver;
+use super::resolver::{Resolver, State};
 use super::tree::Tree;
 use super::value::Value;
 use crate::dimension::Dimension;
-use crate::symbolic::{Expr, Function, Substitution, Symbol};
+use crate::symbolic::{Expr, Function, Node, Substitution, Symbol};
 use proc_macro2::Span;
 
 impl Resolver<'_> {
@@ -36,6 +36,29 @@ impl Resolver<'_> {
             expr,
         });
         expr
+    }
+
+    /// The rate of an expression of positions; that of a joint's angle or stroke by its name.
+    pub(super) fn rate_of(&mut self, expr: Expr) -> Expr {
+        if let Node::Sum { terms, .. } = self.graph.node(expr).clone() {
+            let rates = terms.iter().map(|&(x, c)| (self.rate_of(x), c.value()));
+            let rates: Vec<_> = rates.collect();
+            return self.graph.linear(0.0, &rates);
+        }
+        let mut asked = self.joint_variables.iter();
+        let known = asked.find(|known| known.expr == expr);
+        let known = known.and_then(|known| {
+            let rate = known.variable.rate()?;
+            let index = *self.names.get(&known.joint)?;
+            match &self.states[index] {
+                State::Done(Some(Value::Joint(joint))) => Some((joint.clone(), rate)),
+                _ => None,
+            }
+        });
+        match known {
+            Some((joint, rate)) => self.joint_variable(&joint, rate),
+            None => self.graph.rate(expr),
+        }
     }
 
     fn slide(&mut self, joint: &JointFrames) -> Expr {

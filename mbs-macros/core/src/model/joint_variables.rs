@@ -11,6 +11,17 @@ pub(super) enum JointVariable {
     Speed,
 }
 
+impl JointVariable {
+    /// The rate of a position.
+    pub(super) fn rate(self) -> Option<JointVariable> {
+        match self {
+            JointVariable::Angle => Some(JointVariable::Rate),
+            JointVariable::Stroke => Some(JointVariable::Speed),
+            JointVariable::Rate | JointVariable::Speed => None,
+        }
+    }
+}
+
 /// A variable that an expression uses.
 #[derive(Debug)]
 pub(super) struct AskedVariable {

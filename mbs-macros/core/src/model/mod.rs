@@ -17,6 +17,7 @@ mod outline;
 mod quantities;
 mod reduction;
 mod solved;
+mod tables;
 mod tree;
 mod value;
 

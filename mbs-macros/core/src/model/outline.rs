@@ -6,6 +6,8 @@ use super::parts::Part;
 use super::quantities::{Law, Local, Quantity};
 use super::tree::Tree;
 use crate::schema::World;
+use crate::symbolic::Table;
+use std::sync::Arc;
 
 /// Data of a model for later stages besides its equations: names, parts, and the reductions.
 #[derive(Debug)]
@@ -48,4 +50,6 @@ pub struct Outline {
     pub drawing: Drawing,
     /// Paths of the users' laws and the number of their arguments.
     pub laws: Vec<Law>,
+    /// Tables.
+    pub tables: Vec<Arc<Table>>,
 }

@@ -115,6 +115,7 @@ pub fn resolve(
         reductions: reduction.sentences,
         drawing,
         laws: state.laws,
+        tables: state.tables,
     };
     Some(Model {
         graph: state.graph,

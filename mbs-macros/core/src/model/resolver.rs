@@ -9,9 +9,10 @@ use super::quantities::{Law, Local, Quantity};
 use super::value::Value;
 use crate::diagnostics::{Errors, Place};
 use crate::schema::{Group, Kind, Kinds, World};
-use crate::symbolic::Graph;
+use crate::symbolic::{Graph, Table};
 use crate::syntax::{Declaration, Entry};
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 /// The value of an entry: it is evaluated at its first use.
 pub(super) enum State {
@@ -36,6 +37,7 @@ pub struct Resolver<'d> {
     pub(super) locals: Vec<Local>,
     pub(super) parts: Vec<Part>,
     pub(super) laws: Vec<Law>,
+    pub(super) tables: Vec<Arc<Table>>,
     /// Joint angles that are counted over full turns, by the name of their joint.
     pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
     /// Variables of joints that an expression uses.
@@ -77,6 +79,7 @@ impl<'d> Resolver<'d> {
             locals: Vec::new(),
             parts: Vec::new(),
             laws: Vec::new(),
+            tables: Vec::new(),
             unwrapped_angles: Vec::new(),
             joint_variables: Vec::new(),
             used: HashSet::new(),

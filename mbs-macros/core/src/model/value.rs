@@ -3,7 +3,8 @@
 use super::geometry::{Attachment, Owner, Point, Tensor, Vector};
 use super::joint_frames::JointFrames;
 use crate::dimension::Dimension;
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Graph, Symbol, Table};
+use std::sync::Arc;
 
 /// The value of an expression. A dimension of `None` is that of a bare number: it fits anywhere.
 #[derive(Debug, Clone)]
@@ -16,7 +17,11 @@ pub(super) enum Value {
     Attachment(Box<Attachment>),
     Joint(Box<JointFrames>),
     List(Vec<Value>),
+    Table(Arc<Table>, TableDimensions),
 }
+
+/// What a table takes, and what it gives.
+pub(super) type TableDimensions = [Option<Dimension>; 2];
 
 impl Value {
     pub(super) fn describe(&self) -> String {
@@ -31,6 +36,7 @@ impl Value {
             Value::Point(point) => format!("the point `{}`", point.label),
             Value::Frame(Owner::Ground) => "the ground".to_owned(),
             Value::Frame(Owner::Part(_)) => "a part".to_owned(),
+            Value::Table(table, _) => format!("a table (write `{}(…)`)", table.name),
             Value::List(items) => {
                 let items = items.iter().map(|item| match item {
                     Value::List(_) => "a list".to_owned(),
@@ -56,7 +62,7 @@ impl Value {
             Value::Point(point) => point.position.to_vec(),
             Value::Tensor(tensor, _) => tensor.as_flattened().to_vec(),
             Value::Attachment(frame) => frame.point.position.to_vec(),
-            Value::Frame(_) | Value::Joint(_) => Vec::new(),
+            Value::Frame(_) | Value::Joint(_) | Value::Table(..) => Vec::new(),
             Value::List(items) => items.iter().flat_map(Value::expressions).collect(),
         }
     }

@@ -3,7 +3,7 @@
 use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
     Anything, Count, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector,
-    Part, Point, Unit,
+    Numbers, Part, Point, Unit, Word,
 };
 use super::kind::{Field, Group, Kind, field, positional};
 use crate::dimension::Dimension;
@@ -92,6 +92,38 @@ pub const KINDS: &[Kind] = &[
         joint: None,
     },
     Kind {
+        name: "Table",
+        group: Group::Value,
+        fields: &[
+            positional(
+                "arguments",
+                Numbers,
+                Required,
+                "at least two, increasing; their unit is that of x in `name(x)`",
+            ),
+            positional(
+                "values",
+                Numbers,
+                Required,
+                "one for each argument; their unit is that of `name(x)`",
+            ),
+            field(
+                "interpolation",
+                Word(&["Cubic", "Linear"]),
+                Assumed("Cubic"),
+                "between the arguments: monotone cubic polynomials, whose slope is continuous, or straight lines",
+            ),
+            field(
+                "beyond",
+                Word(&["Linear", "Constant"]),
+                Assumed("Linear"),
+                "outside them: the slope or the value at the end goes on; `Cubic` meets a constant value with slope 0",
+            ),
+        ],
+        doc: "A function of one number, from measured values: `name(x)` in an expression, or `law = name` in a spring.",
+        joint: None,
+    },
+    Kind {
         name: "Output",
         group: Group::Value,
         fields: &[positional(
@@ -164,7 +196,7 @@ pub const KINDS: &[Kind] = &[
                 "damping",
                 Known(Dimension::DAMPING),
                 Assumed("0"),
-                "damping",
+                "damping, or a table of tension over rate",
             ),
             field(
                 "length",
@@ -176,7 +208,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "tension as a function of [length, rate]; instead of the other fields",
+                "tension as a function of [length, rate], instead of the other fields; or a table of tension over elongation, instead of `stiffness`",
             ),
         ],
         doc: "A spring and damper between two points.",

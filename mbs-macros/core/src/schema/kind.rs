@@ -133,6 +133,8 @@ pub enum Expects {
     Driven,
     /// A vector that may change with time, state and inputs.
     MovingVector(Dimension),
+    /// A scalar of any dimension, of positions and parameters.
+    FollowingAny,
     /// A vector of coordinates and parameters.
     FollowingVector(Dimension),
     /// A scalar, a vector, a point, or a list of scalars.
@@ -163,6 +165,10 @@ pub enum Expects {
     Frame,
     /// The path of a function `fn([f64; K]) -> (f64, [f64; K])`: value and partials.
     Law,
+    /// A list of numbers that are known to the compiler.
+    Numbers,
+    /// One of these words.
+    Word(&'static [&'static str]),
     /// A unit, as in `N_per_m`.
     Unit,
     /// `true` or `false`.

@@ -4,6 +4,7 @@
 //! It drives the checks of arguments, the hints in error messages and the reference page of the book.
 
 pub mod common;
+pub mod contact;
 mod kind;
 mod kinds;
 pub mod planar;

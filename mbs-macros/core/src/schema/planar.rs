@@ -163,7 +163,7 @@ pub const KINDS: &[Kind] = &[
                 "damping",
                 Known(Dimension::TORSION_DAMPING),
                 Assumed("0"),
-                "damping",
+                "damping, or a table of torque over rate",
             ),
             field(
                 "angle",
@@ -175,7 +175,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "torque against turning as a function of [angle, rate]; instead of the other fields",
+                "torque against turning as a function of [angle, rate], instead of the other fields; or a table of torque over turning, instead of `stiffness`",
             ),
         ],
         doc: "A rotational spring and damper between two parts.",

@@ -60,7 +60,7 @@ const DAMPING: Field = field(
     "damping",
     Known(Dimension::TORSION_DAMPING),
     Assumed("0"),
-    "damping",
+    "damping, or a table of torque over rate",
 );
 
 /// The world.
@@ -209,7 +209,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "torque against turning as a function of [angle, rate]; instead of the other fields",
+                "torque against turning as a function of [angle, rate], instead of the other fields; or a table of torque over turning, instead of `stiffness`",
             ),
         ],
         doc: "A rotational spring and damper in a joint.",

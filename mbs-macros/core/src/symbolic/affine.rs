@@ -112,7 +112,7 @@ impl AffineReader {
                 product.add(graph, factor, &moving);
                 Some(product)
             }
-            Node::Function(_, x) | Node::Power(x, _) => {
+            Node::Function(_, x) | Node::Power(x, _) | Node::Table { x, .. } => {
                 let still = self.read(graph, x)?.terms.is_empty();
                 still.then(|| Affine::constant(expr))
             }

@@ -76,6 +76,11 @@ impl Graph {
                 }
                 self.sum(terms)
             }
+            Node::Table { table, order, x } => {
+                let inner = self.derivative(x, symbol);
+                let outer = self.table(&table, order + 1, x);
+                self.mul(outer, inner)
+            }
         };
         self.derivatives.insert((expr, symbol), result);
         result

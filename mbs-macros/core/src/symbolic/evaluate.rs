@@ -93,6 +93,7 @@ impl<'a> Evaluator<'a> {
                 let (value, partials) = (self.laws)(*law, &arguments);
                 partial.map_or(value, |slot| partials[slot as usize])
             }
+            Node::Table { table, order, x } => table.value(self.value(*x), *order),
         };
         self.done.insert(expr, result);
         result

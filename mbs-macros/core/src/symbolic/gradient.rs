@@ -104,6 +104,7 @@ impl Graph {
                     (arguments[slot], self.intern(node))
                 })
                 .collect(),
+            Node::Table { table, order, x } => vec![(x, self.table(&table, order + 1, x))],
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Expressions as LaTeX, for `mbs explain --latex` and the book.
 
-use super::{Expr, Function, Graph, Node, Number};
+use super::{Expr, Function, Graph, INTEGRAL, Node, Number};
 
 impl Graph {
     /// The expression as LaTeX.
@@ -37,6 +37,14 @@ impl Graph {
                     "\\ell_{{{law}}}{partial}\\left({}\\right)",
                     arguments.join(", ")
                 )
+            }
+            Node::Table { table, order, x } => {
+                let name = latex_identifier(&table.name);
+                let name = match *order {
+                    INTEGRAL => format!("\\int {name}"),
+                    order => name + &"'".repeat(order as usize),
+                };
+                format!("{name}\\left({}\\right)", self.latex(*x))
             }
         }
     }

@@ -18,6 +18,7 @@ mod print;
 mod rate;
 mod rotation;
 mod substitute;
+mod table;
 
 pub(crate) use build::is_simple;
 pub(crate) use map::Set;
@@ -30,6 +31,9 @@ pub use length::Length;
 pub use number::Number;
 pub use rotation::rotation_entry;
 pub use substitute::Substitution;
+pub use table::{Beyond, INTEGRAL, Interpolation, Table};
+
+use std::sync::Arc;
 
 /// A node of a [`Graph`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -195,6 +199,15 @@ pub enum Node {
         /// The arguments.
         arguments: Box<[Expr]>,
     },
+    /// A table's function, one of its derivatives, or its integral (order −1).
+    Table {
+        /// The table.
+        table: Arc<Table>,
+        /// Which derivative.
+        order: i8,
+        /// The argument.
+        x: Expr,
+    },
 }
 
 /// The arena of all expressions of one mechanism.
@@ -320,7 +333,7 @@ impl Graph {
             Node::Constant(_) | Node::Symbol(_) => {}
             Node::Sum { terms, .. } => terms.iter().for_each(|&(term, _)| visit(term)),
             Node::Product(factors) => factors.iter().for_each(|&(factor, _)| visit(factor)),
-            Node::Function(_, x) | Node::Power(x, _) => visit(*x),
+            Node::Function(_, x) | Node::Power(x, _) | Node::Table { x, .. } => visit(*x),
             Node::Atan2(y, x) => {
                 visit(*y);
                 visit(*x);

@@ -125,6 +125,10 @@ impl Writer<'_> {
                 }
                 out.push(')');
             }
+            Node::Table { table, order, x } => {
+                out.push_str(&table.function_name(*order));
+                self.parenthesise(true, out, |out| self.write(*x, Precedence::Sum, out));
+            }
         }
     }
 

@@ -93,6 +93,10 @@ impl Graph {
                     arguments,
                 })
             }
+            Node::Table { table, order, x } => {
+                let x = self.substitute(x, substitution);
+                self.table(&table, order, x)
+            }
         };
         if let Some(name) = self.hints.get(&expr).cloned()
             && !matches!(self.node(result), Node::Symbol(_) | Node::Constant(_))
@@ -123,6 +127,16 @@ impl Graph {
             }
             _ => None,
         }
+    }
+
+    /// Whether an expression is affine in the velocities.
+    pub fn is_affine_in_velocities(&mut self, expr: Expr) -> bool {
+        let symbols = self.symbols([expr]).into_iter();
+        let velocities: Vec<Symbol> = symbols.filter(|symbol| symbol.is_velocity()).collect();
+        velocities.into_iter().all(|velocity| {
+            let coefficient = self.derivative(expr, velocity);
+            !self.depends_on(coefficient, Symbol::is_velocity)
+        })
     }
 
     /// `expr` where all velocities are zero.

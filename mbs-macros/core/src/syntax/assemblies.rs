@@ -8,15 +8,18 @@ use super::item::Item;
 use super::members::{FamilyItem, place_family};
 use super::name::Name;
 use super::reference::path_to;
-use super::rewrite::{is_word, rewrite};
+use super::rewrite::{Role, Word, rewrite, rewrite_function, word};
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Kinds, RESERVED, World};
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::HashMap;
 use std::rc::Rc;
 use syn::{Expr, Visibility};
+
+/// The kind of entries that are called like functions.
+const TABLE: &str = "Table";
 
 /// An assembly as written in `assembly!`.
 #[derive(Debug)]
@@ -63,6 +66,8 @@ pub enum Takes {
     Number,
     /// A vector, or a direction.
     Vector,
+    /// A table.
+    Table,
 }
 
 /// Assemblies by their paths, as written.
@@ -94,12 +99,13 @@ pub struct Given {
 
 impl Takes {
     /// All of them, with the words by which they are declared.
-    pub const ALL: [(&str, Takes); 5] = [
+    pub const ALL: [(&str, Takes); 6] = [
         ("Point", Takes::Point),
         ("Part", Takes::Part),
         ("Frame", Takes::Frame),
         ("Number", Takes::Number),
         ("Vector", Takes::Vector),
+        (TABLE, Takes::Table),
     ];
 
     /// In words.
@@ -110,6 +116,7 @@ impl Takes {
             Takes::Frame => "a frame, as in `part.frame(…)`",
             Takes::Number => "a number",
             Takes::Vector => "a vector",
+            Takes::Table => "the name of a table",
         }
     }
 }
@@ -120,6 +127,16 @@ impl Definition {
         self.items.iter().find_map(|item| match item {
             Item::Entry(entry) if entry.name == name.to_string().as_str() => Some(entry),
             _ => None,
+        })
+    }
+
+    /// An entry or a family.
+    fn item(&self, name: &Ident) -> Option<&Item> {
+        let text = name.to_string();
+        self.items.iter().find(|item| match item {
+            Item::Entry(entry) => entry.name == text.as_str(),
+            Item::Family(family) => family.name == text.as_str(),
+            Item::Doc(_) => false,
         })
     }
 
@@ -310,8 +327,10 @@ impl Scope<'_> {
                     self.write(argument);
                 }
                 for argument in &mut entry.named {
-                    if !is_word(&argument.name) {
-                        self.write(&mut argument.value);
+                    match word(&argument.name) {
+                        Some(Word::Law) => rewrite_function(&mut argument.value, &self.meaning()),
+                        Some(Word::Unit) => {}
+                        None => self.write(&mut argument.value),
                     }
                 }
                 if entry.kind == "Param"
@@ -338,24 +357,52 @@ impl Scope<'_> {
     }
 
     fn write(&self, expr: &mut Expr) {
-        rewrite(expr, &|name| self.meaning(name));
+        rewrite(expr, &self.meaning());
     }
 
     /// What a name stands for. Entries outside are not seen.
-    fn meaning(&self, name: &Ident) -> Option<Expr> {
+    fn meaning(&self) -> impl Fn(&Ident, Role) -> Option<Expr> {
+        |name, role| match role {
+            Role::Value => self.value(name),
+            Role::Function => self.table(name),
+        }
+    }
+
+    fn value(&self, name: &Ident) -> Option<Expr> {
         let text = name.to_string();
         if self.definition.ports.iter().any(|port| port.name == text) {
             return self.values.get(&text).cloned();
         }
-        let is_own = |item: &Item| match item {
-            Item::Entry(entry) => entry.name == text.as_str(),
-            Item::Family(family) => family.name == text.as_str(),
-            Item::Doc(_) => false,
-        };
         // `Auto` and the like are words of the language.
         let may_be_name = text.starts_with(|c: char| c.is_lowercase() || c == '_');
         let is_name = may_be_name && !RESERVED.contains(&text.as_str());
-        (is_name || self.definition.items.iter().any(is_own))
+        (is_name || self.definition.item(name).is_some())
             .then(|| path_to(self.instance.as_str(), name))
     }
+
+    /// A table, of the assembly or of a port; other functions have no entries.
+    fn table(&self, name: &Ident) -> Option<Expr> {
+        let mut ports = self.definition.ports.iter();
+        if ports.any(|port| port.name == *name && port.takes == Takes::Table) {
+            return self.values.get(&name.to_string()).cloned();
+        }
+        let is_table = match self.definition.item(name)? {
+            Item::Entry(entry) => entry.kind == TABLE,
+            Item::Family(family) => {
+                let is_table =
+                    |token: &TokenTree| matches!(token, TokenTree::Ident(kind) if *kind == TABLE);
+                any_token(family.call.to_token_stream(), &is_table)
+            }
+            Item::Doc(_) => false,
+        };
+        is_table.then(|| path_to(self.instance.as_str(), name))
+    }
+}
+
+/// Whether one of some tokens is wanted.
+pub(super) fn any_token(tokens: TokenStream, is_wanted: &dyn Fn(&TokenTree) -> bool) -> bool {
+    tokens.into_iter().any(|token| match &token {
+        TokenTree::Group(group) => any_token(group.stream(), is_wanted),
+        token => is_wanted(token),
+    })
 }

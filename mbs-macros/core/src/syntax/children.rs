@@ -13,7 +13,8 @@ pub fn inner(mut expr: &Expr) -> &Expr {
     }
 }
 
-/// The operands, arguments and items of an expression of the language; names of functions and methods are none.
+/// The operands, arguments and items of an expression of the language; names of functions and methods are none, but for a
+/// table of a family.
 pub fn children(expr: &Expr) -> Vec<&Expr> {
     match expr {
         Expr::Paren(paren) => vec![&paren.expr],
@@ -22,7 +23,10 @@ pub fn children(expr: &Expr) -> Vec<&Expr> {
         Expr::Binary(binary) => vec![&binary.left, &binary.right],
         Expr::Array(array) => array.elems.iter().collect(),
         Expr::Tuple(tuple) => tuple.elems.iter().collect(),
-        Expr::Call(call) => call.args.iter().collect(),
+        Expr::Call(call) => {
+            let table = matches!(*call.func, Expr::Index(_)).then_some(&*call.func);
+            table.into_iter().chain(&call.args).collect()
+        }
         Expr::MethodCall(call) => std::iter::once(&*call.receiver).chain(&call.args).collect(),
         Expr::Field(field) => vec![&field.base],
         Expr::Index(index) => vec![&index.expr, &index.index],
@@ -40,7 +44,10 @@ pub(super) fn children_mut(expr: &mut Expr) -> Vec<&mut Expr> {
         Expr::Binary(binary) => vec![&mut binary.left, &mut binary.right],
         Expr::Array(array) => array.elems.iter_mut().collect(),
         Expr::Tuple(tuple) => tuple.elems.iter_mut().collect(),
-        Expr::Call(call) => call.args.iter_mut().collect(),
+        Expr::Call(call) => {
+            let table = matches!(*call.func, Expr::Index(_)).then_some(&mut *call.func);
+            table.into_iter().chain(&mut call.args).collect()
+        }
         Expr::MethodCall(call) => std::iter::once(&mut *call.receiver)
             .chain(&mut call.args)
             .collect(),

@@ -8,7 +8,7 @@
 //!
 //! A word behind the two parts of an assembly says that it has errors of its own.
 
-use super::assemblies::{Definition, Definitions, Port, Takes, path_text, put_all};
+use super::assemblies::{Definition, Definitions, Port, Takes, any_token, path_text, put_all};
 use super::entry::{ASSEMBLY, PORT, place};
 use super::item::{Item, read_header, split_at_commas};
 use super::members::{FamilyItem, place_family};
@@ -286,11 +286,4 @@ impl Definition {
             any_token(range.to_token_stream(), &names_port)
         })
     }
-}
-
-fn any_token(tokens: TokenStream, is_wanted: &dyn Fn(&TokenTree) -> bool) -> bool {
-    tokens.into_iter().any(|token| match &token {
-        TokenTree::Group(group) => any_token(group.stream(), is_wanted),
-        token => is_wanted(token),
-    })
 }

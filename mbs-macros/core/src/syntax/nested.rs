@@ -5,7 +5,7 @@ use super::children::children_mut;
 use super::reference::{member_of, reference};
 use crate::diagnostics::Errors;
 use std::collections::HashSet;
-use syn::{Expr, Member};
+use syn::{Expr, ExprCall, Member};
 
 /// Finds these names in all expressions, and checks that assemblies are of the world of their mechanism.
 pub(super) fn resolve(declaration: &mut Declaration, errors: &mut Errors) {
@@ -55,6 +55,20 @@ pub(super) fn resolve(declaration: &mut Declaration, errors: &mut Errors) {
 fn nest(expr: &mut Expr, assemblies: &HashSet<String>) {
     for child in children_mut(expr) {
         nest(child, assemblies);
+    }
+    // A table of an assembly looks like a method.
+    if let Expr::MethodCall(call) = expr
+        && let Some(Ok(base)) = reference(&call.receiver)
+        && assemblies.contains(&base.text())
+        && let Some(table) = member_of(&call.receiver, &call.method)
+    {
+        *expr = Expr::Call(ExprCall {
+            attrs: Vec::new(),
+            func: Box::new(table),
+            paren_token: call.paren_token,
+            args: call.args.clone(),
+        });
+        return;
     }
     let Expr::Field(field) = expr else {
         return;

@@ -3,15 +3,20 @@
 use super::entry::ASSEMBLY;
 use syn::{Expr, Ident, Pat, Stmt};
 
-/// Puts what `of` returns in the place of each name; names of functions, methods and members are none, and neither are
-/// the parameters of closures.
-pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident) -> Option<Expr>) {
+/// Where a name stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Role {
+    /// For a value.
+    Value,
+    /// For a function, which may be a table.
+    Function,
+}
+
+/// Puts what `of` returns in the place of each name; names of methods and members are none, and neither are the
+/// parameters of closures.
+pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
     match expr {
-        Expr::Path(path) => {
-            if let Some(other) = path.path.get_ident().and_then(of) {
-                *expr = other;
-            }
-        }
+        Expr::Path(_) => replace(expr, Role::Value, of),
         Expr::Paren(paren) => rewrite(&mut paren.expr, of),
         Expr::Group(group) => rewrite(&mut group.expr, of),
         Expr::Unary(unary) => rewrite(&mut unary.expr, of),
@@ -28,6 +33,9 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident) -> Option<Expr>) {
             let skipped = usize::from(is_path("law") || is_path(ASSEMBLY));
             let arguments = call.args.iter_mut().skip(skipped);
             arguments.for_each(|argument| rewrite(argument, of));
+            if skipped == 0 {
+                rewrite_function(&mut call.func, of);
+            }
         }
         Expr::MethodCall(call) => {
             rewrite(&mut call.receiver, of);
@@ -40,7 +48,11 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident) -> Option<Expr>) {
             rewrite(&mut index.expr, of);
             rewrite(&mut index.index, of);
         }
-        Expr::Assign(assign) if !names_no_entry(&assign.left) => rewrite(&mut assign.right, of),
+        Expr::Assign(assign) => match argument(&assign.left) {
+            Some(Word::Law) => rewrite_function(&mut assign.right, of),
+            Some(Word::Unit) => {}
+            None => rewrite(&mut assign.right, of),
+        },
         Expr::Range(range) => {
             let ends = [&mut range.start, &mut range.end];
             ends.into_iter().flatten().for_each(|end| rewrite(end, of));
@@ -59,9 +71,9 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident) -> Option<Expr>) {
                 .inputs
                 .iter()
                 .for_each(|pattern| names(pattern, &mut own));
-            let outer = |name: &Ident| match own.contains(name) {
+            let outer = |name: &Ident, role: Role| match own.contains(name) {
                 true => None,
-                false => of(name),
+                false => of(name, role),
             };
             rewrite(&mut closure.body, &outer);
         }
@@ -69,17 +81,52 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident) -> Option<Expr>) {
     }
 }
 
-/// Whether the value of an argument of this name is a path or a unit.
-fn names_no_entry(argument: &Expr) -> bool {
-    matches!(argument, Expr::Path(path) if path.path.get_ident().is_some_and(is_word))
+/// The same where a function stands: a table, or a member of a family of them.
+pub(super) fn rewrite_function(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
+    match expr {
+        Expr::Index(index) => {
+            rewrite_function(&mut index.expr, of);
+            rewrite(&mut index.index, of);
+        }
+        _ => replace(expr, Role::Function, of),
+    }
 }
 
-/// The same.
-pub(super) fn is_word(argument: &Ident) -> bool {
-    argument == "law" || argument == "unit"
+fn replace(expr: &mut Expr, role: Role, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
+    if let Expr::Path(path) = expr
+        && let Some(name) = path.path.get_ident()
+        && let Some(other) = of(name, role)
+    {
+        *expr = other;
+    }
 }
 
-fn rewrite_block(statements: &mut [Stmt], of: &dyn Fn(&Ident) -> Option<Expr>) {
+/// Arguments whose values are no expressions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Word {
+    /// The path of a law, or a table.
+    Law,
+    /// A unit.
+    Unit,
+}
+
+/// The argument of this name.
+pub(super) fn word(argument: &Ident) -> Option<Word> {
+    match argument.to_string().as_str() {
+        "law" => Some(Word::Law),
+        "unit" => Some(Word::Unit),
+        _ => None,
+    }
+}
+
+fn argument(left: &Expr) -> Option<Word> {
+    match left {
+        Expr::Path(path) => path.path.get_ident().and_then(word),
+        _ => None,
+    }
+}
+
+fn rewrite_block(statements: &mut [Stmt], of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
     for statement in statements {
         if let Stmt::Expr(expr, _) = statement {
             rewrite(expr, of);

@@ -16,6 +16,7 @@ pub(super) fn kind(operation: &Operation) -> (u8, u64) {
         Operation::Atan2(..) => (7, 0),
         Operation::Power(_, exponent) => (8, exponent.value().to_bits()),
         Operation::Law(law, arguments) => (9, u64::from(*law) << 32 | arguments.len() as u64),
+        Operation::Table(table, order, _) => (11, (table.index as u64) << 8 | *order as u8 as u64),
         Operation::Part(_, partial) => (10, partial.map_or(0, |p| u64::from(p) + 1)),
     }
 }

@@ -4,6 +4,7 @@ mod action;
 mod bushing;
 mod observer;
 mod spring;
+mod stop;
 mod wrench;
 
 use crate::model::Model;
@@ -46,6 +47,7 @@ pub(super) fn action(graph: &mut Graph, model: &Model, element: &ForceElement) -
             torque,
             axes,
         } => wrench::torque(graph, Observer::new(model, *axes), *between, *torque),
+        ForceElement::Stop(stop) => stop::action(graph, stop),
         ForceElement::Loads(loads) => Action {
             potential: None,
             loads: loads.clone(),

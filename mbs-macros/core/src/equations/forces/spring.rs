@@ -1,8 +1,8 @@
 //! Springs with dampers.
 
 use super::action::Action;
-use crate::model::elements::force::{Characteristic, Load};
-use crate::symbolic::{Expr, Graph};
+use crate::model::elements::force::{Characteristic, Damping, Load};
+use crate::symbolic::{Expr, Graph, INTEGRAL};
 
 /// The action that opposes a growing deflection.
 pub(super) fn action(
@@ -14,24 +14,23 @@ pub(super) fn action(
     match *characteristic {
         Characteristic::Linear {
             stiffness,
-            damping,
+            ref damping,
             free,
         } => {
             let stretch = graph.sub(deflection, free);
             let square = graph.square(stretch);
             let energy = graph.mul(stiffness, square);
             let energy = graph.scale(0.5, energy);
-            let drag = graph.mul(damping, rate);
-            let force = graph.neg(drag);
-            let loads = if graph.is_zero(force) {
-                Vec::new()
-            } else {
-                vec![Load { rate, force }]
-            };
-            Action {
-                potential: (!graph.is_zero(energy)).then_some(energy.into()),
-                loads,
-            }
+            elastic(graph, energy, damping, rate)
+        }
+        Characteristic::Table {
+            ref table,
+            ref damping,
+            free,
+        } => {
+            let stretch = graph.sub(deflection, free);
+            let energy = graph.table(table, INTEGRAL, stretch);
+            elastic(graph, energy, damping, rate)
         }
         Characteristic::Law(law) => {
             let tension = graph.law(law, &[deflection, rate]);
@@ -41,5 +40,23 @@ pub(super) fn action(
                 loads: vec![Load { rate, force }],
             }
         }
+    }
+}
+
+/// A potential energy, and a damper against the rate.
+fn elastic(graph: &mut Graph, energy: Expr, damping: &Damping, rate: Expr) -> Action {
+    let drag = match damping {
+        Damping::Linear(damping) => graph.mul(*damping, rate),
+        Damping::Table(table) => graph.table(table, 0, rate),
+    };
+    let force = graph.neg(drag);
+    let loads = if graph.is_zero(force) {
+        Vec::new()
+    } else {
+        vec![Load { rate, force }]
+    };
+    Action {
+        potential: (!graph.is_zero(energy)).then_some(energy.into()),
+        loads,
     }
 }

@@ -4,7 +4,10 @@ use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::resolver::Resolver;
+use crate::model::value::Value;
+use crate::schema::Group;
 use crate::symbolic::{Expr, Symbol};
+use crate::syntax::{children, reference};
 use syn::Expr as Syntax;
 
 impl Arguments<'_, '_> {
@@ -36,6 +39,38 @@ impl Arguments<'_, '_> {
             return self.fail(field, "a law gives value and first partials; a constraint needs more: use it in a force, or write the expression out");
         }
         Some(())
+    }
+
+    /// Refuses laws where a force needs their second partials.
+    pub fn refuse_laws_in_force(&mut self, field: &str) -> Option<()> {
+        let syntax = self.syntax(field)?;
+        let value = self.resolver.evaluate(syntax)?;
+        let graph = &self.resolver.graph;
+        if value.expressions().iter().any(|&x| graph.contains_law(x)) {
+            let place = self.resolver.blame_law(syntax);
+            return self.resolver.fail(place, "a law gives value and first partials, and what this force acts on needs second ones: write the expression out");
+        }
+        Some(())
+    }
+
+    /// Refuses a joint or one of its reactions as the value of a force.
+    pub fn refuse_reaction(&mut self, field: &str) -> Option<()> {
+        let syntax = self.syntax(field)?;
+        if let Some(joint) = self.resolver.reaction_in(syntax) {
+            let message = format!(
+                "`{field}` cannot be the reaction of a joint: it follows from the accelerations, and these follow from the friction. Give a number, a parameter or an expression, or an `Input` that the program sets from the reaction of the step before"
+            );
+            return self.resolver.fail(joint, message);
+        }
+        Some(())
+    }
+
+    /// Refuses tables whose slope jumps, where the derivative of this order must not.
+    pub fn refuse_kinks(&mut self, field: &str, order: i8) -> Option<()> {
+        let syntax = self.syntax(field)?;
+        let value = self.resolver.evaluate(syntax)?;
+        self.resolver
+            .without_kinks(syntax, &value.expressions(), order)
     }
 
     pub(in crate::model) fn check_dimension(
@@ -104,11 +139,43 @@ impl Arguments<'_, '_> {
                 "a law gives value and first partials, and what follows a coordinate needs more: write the expression out",
             );
         }
-        Some(())
+        self.resolver.without_kinks(syntax, exprs, 0)
     }
 }
 
 impl Resolver<'_> {
+    /// Where a joint is named for anything but its motion.
+    fn reaction_in(&mut self, syntax: &Syntax) -> Option<Place> {
+        let joint = |syntax: &Syntax| {
+            let name = reference(syntax)?.ok()?.text();
+            let kind = self.kind_of(self.entry(*self.names.get(&name)?))?;
+            matches!(kind.group, Group::Joint | Group::Constraint).then_some(())
+        };
+        let found = match syntax {
+            Syntax::Field(field) => joint(&field.base),
+            other => joint(other),
+        };
+        if found.is_some() {
+            let value = self.silently(|resolver| resolver.evaluate(syntax));
+            return (!matches!(value, Some(Value::Scalar(..)))).then(|| Place::of(syntax));
+        }
+        children(syntax)
+            .into_iter()
+            .find_map(|child| self.reaction_in(child))
+    }
+
+    /// Refuses tables whose slope jumps, and their derivatives, from one of an order on.
+    fn without_kinks(&mut self, syntax: &Syntax, exprs: &[Expr], order: i8) -> Option<()> {
+        if !exprs.iter().any(|&x| self.graph.contains_kink(x, order)) {
+            return Some(());
+        }
+        let place = self.blame_kink(syntax, order);
+        self.fail(
+            place,
+            "the slope of this table jumps, and velocities would jump with it: leave `interpolation = Linear` out, or use the table in a force",
+        )
+    }
+
     /// Refuses laws in a value that is known before the motion: the compiler checks it with the defaults of all
     /// parameters, and cannot call functions of the program.
     pub(in crate::model) fn known_without_laws(

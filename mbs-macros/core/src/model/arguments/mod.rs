@@ -102,7 +102,7 @@ impl<'r, 'd> Arguments<'r, 'd> {
         self.syntax(field).is_some()
     }
 
-    fn expects(&self, field: &str) -> Option<Expects> {
+    pub(in crate::model) fn expects(&self, field: &str) -> Option<Expects> {
         self.kind()?
             .fields
             .iter()

@@ -25,6 +25,12 @@ impl Arguments<'_, '_> {
     /// A mass or inertia: 0 if it was not given, and not negative.
     pub fn mass(&mut self, field: &str) -> Option<Expr> {
         let value = self.scalar_or(field, 0.0)?;
+        self.refuse_negative(field, value)?;
+        Some(value)
+    }
+
+    /// Refuses a value that is negative.
+    pub fn refuse_negative(&mut self, field: &str, value: Expr) -> Option<()> {
         if self.by_default(value) < 0.0 {
             let found = self.found(value);
             return self.fail(
@@ -32,13 +38,13 @@ impl Arguments<'_, '_> {
                 format!("`{field}` is negative{found}; give it a positive value"),
             );
         }
-        Some(value)
+        Some(())
     }
 
-    /// Refuses a length that is not positive.
-    pub fn refuse_no_length(&mut self, field: &str, length: Expr, message: &str) -> Option<()> {
-        if self.by_default(length) <= 0.0 {
-            let found = self.found(length);
+    /// Refuses a value that is not positive.
+    pub fn refuse_not_positive(&mut self, field: &str, value: Expr, message: &str) -> Option<()> {
+        if self.by_default(value) <= 0.0 {
+            let found = self.found(value);
             return self.fail(field, format!("{message}{found}"));
         }
         Some(())
@@ -67,6 +73,11 @@ impl Arguments<'_, '_> {
         } else {
             Some(self.resolver.graph.constant(default))
         }
+    }
+
+    /// The rate of an expression of positions.
+    pub fn rate_of(&mut self, expr: Expr) -> Expr {
+        self.resolver.rate_of(expr)
     }
 
     /// A scalar with its dimension.

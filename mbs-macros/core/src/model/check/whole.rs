@@ -64,7 +64,7 @@ pub(in crate::model) fn used(resolver: &mut Resolver) {
         }
         if matches!(
             kind.as_str(),
-            "Param" | "Input" | "Let" | "Point" | "Coordinate"
+            "Param" | "Input" | "Let" | "Table" | "Point" | "Coordinate"
         ) && used.insert(name.clone())
         {
             let before = resolver.errors.enter(entry.name.assembly());

@@ -1,7 +1,8 @@
 //! A force element, as data.
 
 use crate::model::geometry::{Attachment, Owner, Point, Tensor, Vector};
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Table};
+use std::sync::Arc;
 
 /// A force element: its points and parts, and its sort.
 #[derive(Debug, Clone)]
@@ -55,6 +56,8 @@ pub enum ForceElement {
         /// The ground or the part whose axes these are.
         axes: Owner,
     },
+    /// Stops of a position.
+    Stop(Box<Stop>),
     /// Scalar forces with their rates.
     Loads(Vec<Load>),
     /// Springs and dampers in all six directions.
@@ -71,20 +74,64 @@ pub struct Load {
     pub force: Expr,
 }
 
-/// The characteristic of a spring and damper: linear, or a user's law of [deflection, rate].
+/// The characteristic of a spring and damper: linear, a table, or a user's law of [deflection, rate].
 #[derive(Debug, Clone)]
 pub enum Characteristic {
     /// Stiffness · (deflection − free) + damping · rate.
     Linear {
         /// Force per deflection.
         stiffness: Expr,
-        /// Force per rate.
-        damping: Expr,
+        /// Its damper.
+        damping: Damping,
         /// The deflection at which the force is zero.
+        free: Expr,
+    },
+    /// A table of deflection − free, and a damper.
+    Table {
+        /// The force.
+        table: Arc<Table>,
+        /// Its damper.
+        damping: Damping,
+        /// The deflection at which the table's argument is zero.
         free: Expr,
     },
     /// By its index.
     Law(u32),
+}
+
+/// The force of a damper.
+#[derive(Debug, Clone)]
+pub enum Damping {
+    /// Force per rate.
+    Linear(Expr),
+    /// A table of the rate.
+    Table(Arc<Table>),
+}
+
+/// Elastic stops of a position.
+#[derive(Debug, Clone)]
+pub struct Stop {
+    /// The position.
+    pub target: Expr,
+    /// Its rate.
+    pub rate: Expr,
+    /// Below, above or both.
+    pub sides: Vec<Side>,
+    /// Force per depth, deeper than the onset.
+    pub stiffness: Expr,
+    /// The depth over which the stiffness grows.
+    pub onset: Expr,
+    /// Damping force per elastic force and rate.
+    pub dissipation: Expr,
+}
+
+/// A stop on one side.
+#[derive(Debug, Clone, Copy)]
+pub struct Side {
+    /// Where it begins.
+    pub begin: Expr,
+    /// Whether it stops what grows.
+    pub is_upper: bool,
 }
 
 /// An elastic joint between two frames.

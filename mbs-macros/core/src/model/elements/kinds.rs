@@ -2,7 +2,7 @@
 
 use super::joints;
 use super::kind::JointKind;
-use crate::schema::{Kind, Kinds, World, common, planar, spatial};
+use crate::schema::{Kind, Kinds, World, common, contact, planar, spatial};
 use std::sync::LazyLock;
 
 static ALL: LazyLock<Kinds> = LazyLock::new(|| {
@@ -11,7 +11,7 @@ static ALL: LazyLock<Kinds> = LazyLock::new(|| {
         kinds.iter().copied().chain(joints).collect()
     };
     Kinds::new([
-        with(common::KINDS, joints::KINDS),
+        with(&[common::KINDS, contact::KINDS].concat(), joints::KINDS),
         with(planar::KINDS, joints::own_kinds(World::Planar)),
         with(spatial::KINDS, joints::own_kinds(World::Spatial)),
     ])

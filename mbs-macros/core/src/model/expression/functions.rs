@@ -34,6 +34,11 @@ const OTHER_FUNCTIONS: &[&str] = &[
     "law", "powi", "powf",
 ];
 
+/// Whether the language has a function of this name.
+pub(in crate::model) fn is_function(name: &str) -> bool {
+    OTHER_FUNCTIONS.contains(&name) || FUNCTIONS.iter().any(|(known, ..)| *known == name)
+}
+
 #[derive(Clone, Copy, PartialEq)]
 enum Shape {
     /// Pure number in and out.

@@ -1,6 +1,6 @@
 //! Expressions of the declaration → symbolic values, with dimensions.
 
-mod functions;
+pub(in crate::model) mod functions;
 mod literals;
 mod members;
 mod operators;
@@ -95,9 +95,22 @@ impl Resolver<'_> {
                         .get_ident()
                         .map(ToString::to_string)
                         .unwrap_or_default();
-                    self.call(&name, path.span(), call.args.iter().collect())
+                    let arguments = call.args.iter().collect();
+                    match reference(&call.func) {
+                        Some(Ok(callee)) if self.may_be_table(&name) => {
+                            self.table_call(&callee, Place::of(path), arguments)
+                        }
+                        _ => self.call(&name, path.span(), arguments),
+                    }
                 }
-                other => self.fail(Place::of(other), "expected the name of a function"),
+                other => match reference(other) {
+                    Some(Ok(callee)) => {
+                        let arguments = call.args.iter().collect();
+                        self.table_call(&callee, Place::of(other), arguments)
+                    }
+                    Some(Err(error)) => self.fail_with(error),
+                    None => self.fail(Place::of(other), "expected the name of a function"),
+                },
             },
             Syntax::MethodCall(call) => {
                 let name = call.method.to_string();
@@ -197,6 +210,16 @@ impl Resolver<'_> {
         self.blame_value(syntax, &|value, graph| {
             let expressions = value.expressions();
             expressions.into_iter().any(|x| graph.contains_law(x))
+        })
+    }
+
+    /// The smallest subexpression with a table whose slope jumps.
+    pub(in crate::model) fn blame_kink(&mut self, syntax: &Syntax, order: i8) -> Place {
+        self.blame_value(syntax, &|value, graph| {
+            let expressions = value.expressions();
+            expressions
+                .into_iter()
+                .any(|x| graph.contains_kink(x, order))
         })
     }
 

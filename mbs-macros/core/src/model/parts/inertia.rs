@@ -49,7 +49,7 @@ impl Arguments<'_, '_> {
             return self.inertia("inertia", mass);
         }
         let radius = self.scalar("radius")?;
-        self.refuse_no_length(
+        self.refuse_not_positive(
             "radius",
             radius,
             "a round bar has a positive radius; for a slender one leave it out",

@@ -38,7 +38,7 @@ impl Resolver<'_> {
                 ),
             ),
         }?;
-        arguments.refuse_no_length(
+        arguments.refuse_not_positive(
             "length",
             length,
             "a bar has a positive length; for a point mass use `Particle`",

@@ -41,7 +41,7 @@ impl Resolver<'_> {
             true => "length",
             false => "to",
         };
-        arguments.refuse_no_length(
+        arguments.refuse_not_positive(
             field,
             length,
             "a bar has a positive length; for a point mass use `Particle`",

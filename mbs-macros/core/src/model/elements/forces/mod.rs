@@ -2,10 +2,13 @@
 
 mod axes;
 mod characteristic;
+mod dimensions;
 mod force;
+mod friction;
 mod planar;
 mod spatial;
 mod spring_damper;
+mod stop;
 
 use super::force::Force;
 use crate::model::arguments::Arguments;
@@ -16,6 +19,8 @@ pub(in crate::model) fn read(kind: &str, arguments: &mut Arguments) -> Option<Fo
     match kind {
         "SpringDamper" => spring_damper::read(arguments),
         "Force" => force::read(arguments),
+        "Stop" => stop::read(arguments),
+        "Friction" => friction::read(arguments),
         _ => match arguments.world() {
             World::Planar => planar::read(kind, arguments),
             World::Spatial => spatial::read(kind, arguments),

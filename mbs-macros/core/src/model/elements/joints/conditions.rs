@@ -55,5 +55,6 @@ pub(super) fn check(arguments: &mut Arguments, field: &str) -> Option<()> {
         &|symbol| matches!(symbol, Symbol::Input(_)),
         "a condition on positions cannot follow an input, whose rate is unknown; write it as a function of `t`, or let a force follow the input",
     )?;
-    arguments.refuse_laws(field)
+    arguments.refuse_laws(field)?;
+    arguments.refuse_kinks(field, 0)
 }

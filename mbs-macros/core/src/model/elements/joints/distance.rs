@@ -37,7 +37,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let length = arguments.scalar("length")?;
-    arguments.refuse_no_length(
+    arguments.refuse_not_positive(
         "length",
         length,
         match arguments.world() {

@@ -49,6 +49,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
         "a drive follows time and parameters only; a relation between positions is a `Holonomic` or `Coupling`",
     )?;
     arguments.refuse_laws("value")?;
+    arguments.refuse_kinks("value", 0)?;
     let owner = bar_angle(arguments);
     let (target, of_target) = match owner {
         Some(owner) => (

@@ -25,22 +25,18 @@ pub(super) const KIND: JointKind = JointKind {
 
 fn read(arguments: &mut Arguments) -> Option<Joint> {
     arguments.refuse_laws("value")?;
+    arguments.refuse_kinks("value", 1)?;
     let found = arguments.conditions("value")?;
     for &(span, expr, _) in &found {
         let graph = arguments.graph();
-        let velocities: Vec<Symbol> = graph
-            .symbols([expr])
-            .into_iter()
-            .filter(|symbol| symbol.is_velocity())
-            .collect();
-        if velocities.is_empty() {
+        if !graph.depends_on(expr, Symbol::is_velocity) {
             return arguments.fail_at(span, "a nonholonomic condition needs velocities; a condition on positions is `Holonomic`");
         }
-        for velocity in velocities {
-            let coefficient = graph.derivative(expr, velocity);
-            if graph.depends_on(coefficient, Symbol::is_velocity) {
-                return arguments.fail_at(span, "a nonholonomic condition must be affine in the velocities: N(q) v + n(q, t) = 0");
-            }
+        if !graph.is_affine_in_velocities(expr) {
+            return arguments.fail_at(
+                span,
+                "a nonholonomic condition must be affine in the velocities: N(q) v + n(q, t) = 0",
+            );
         }
     }
     let list = found.into_iter();

@@ -1,0 +1,153 @@
+//! Friction against closed forms and a fine integration.
+
+use mbs_runtime::{Settings, Simulation, mechanism};
+
+fn settings(step: f64) -> Settings {
+    Settings {
+        step,
+        ..Settings::default()
+    }
+}
+
+mechanism!(Blocks {
+    doc: "A block slides to rest; one creeps down a slope; one is pulled by a spring over a moving belt.",
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    slope: Param(0.2),
+    x: Coordinate(0.0_m, rate = 2.0_m_per_s),
+    y: Coordinate(0.0_m),
+    z: Coordinate(0.0_m),
+    sliding: Particle(mass = 2.0_kg, position = [x, 0.0_m]),
+    creeping: Particle(mass = 2.0_kg, position = [y * cos(slope), -y * sin(slope)]),
+    pulled: Particle(mass = 1.0_kg, position = [z, 1.0_m]),
+    pad: Friction(
+        x.rate,
+        load = 10.0_N,
+        coefficient = 0.3,
+        regularization_velocity = 0.1_m_per_s
+    ),
+    foot: Friction(
+        y.rate,
+        load = 2.0_kg * 9.81_m_per_s2 * cos(slope),
+        coefficient = 0.4,
+        regularization_velocity = 0.01_m_per_s
+    ),
+    spring: SpringDamper(
+        ground.point(-1.0_m, 1.0_m),
+        pulled.origin,
+        stiffness = 100.0_N_per_m,
+        length = 1.0_m
+    ),
+    belt: Friction(
+        z.rate - 0.1_m_per_s,
+        load = 9.81_N,
+        coefficient = 0.2,
+        static_coefficient = 0.4,
+        stribeck_velocity = 0.05_m_per_s,
+        regularization_velocity = 0.005_m_per_s,
+        damping = 0.3_N_s_per_m
+    ),
+    speed: Output(x.rate),
+    creep: Output(y.rate),
+    place: Output(z),
+    rate: Output(z.rate),
+});
+
+/// m v̇ = −μ N tanh(v/ε) has the solution sinh(v/ε) = sinh(v₀/ε) exp(−μ N t/(m ε)).
+#[test]
+fn a_block_slides_to_rest() {
+    let mut simulation =
+        Simulation::with_settings(Blocks::default(), settings(1e-4)).expect("it assembles");
+    for time in [0.5, 1.2, 1.4] {
+        simulation.run_until(time).expect("it runs");
+        let exact = 0.1 * f64::asinh(f64::sinh(20.0) * f64::exp(-3.0 * time / 0.2));
+        let found = simulation.outputs().speed;
+        assert!((found - exact).abs() < 1e-6, "{found} at {time}, {exact}");
+    }
+}
+
+/// On a slope whose tangent is less than μ it creeps with v = ε artanh(tan α/μ).
+#[test]
+fn a_block_creeps_down_a_slope() {
+    let mut simulation =
+        Simulation::with_settings(Blocks::default(), settings(1e-4)).expect("it assembles");
+    simulation.run_until(0.5).expect("it runs");
+    let exact = 0.01 * f64::atanh(f64::tan(0.2) / 0.4);
+    let found = simulation.outputs().creep;
+    assert!((found - exact).abs() < 1e-9, "{found}, {exact}");
+}
+
+/// The friction of the belt on the block.
+fn friction(speed: f64) -> f64 {
+    let coefficient = 0.2 + 0.2 * (-(speed / 0.05).powi(2)).exp();
+    -9.81 * coefficient * (speed / 0.005).tanh() - 0.3 * speed
+}
+
+/// Stick–slip on a belt, against a Runge–Kutta method with small steps.
+#[test]
+fn a_block_sticks_to_a_belt_and_slips() {
+    let mut simulation =
+        Simulation::with_settings(Blocks::default(), settings(5e-5)).expect("it assembles");
+    let rates = |[x, v]: [f64; 2]| [v, friction(v - 0.1) - 100.0 * x];
+    let (mut state, h) = ([0.0, 0.0], 2e-5);
+    let mut slips = 0;
+    for piece in 1..=20 {
+        for _ in 0..5000 {
+            let after = |k: [f64; 2], h: f64| [state[0] + h * k[0], state[1] + h * k[1]];
+            let a = rates(state);
+            let b = rates(after(a, 0.5 * h));
+            let c = rates(after(b, 0.5 * h));
+            let d = rates(after(c, h));
+            state = std::array::from_fn(|i| {
+                state[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i])
+            });
+        }
+        simulation
+            .run_until(0.1 * f64::from(piece))
+            .expect("it runs");
+        let outputs = simulation.outputs();
+        assert!(
+            (outputs.place - state[0]).abs() < 2e-6,
+            "{piece}: {state:?}"
+        );
+        slips += usize::from(state[1] < -0.02);
+    }
+    assert!(slips > 0);
+    // The belt does work, which is that on the block and not that at the contact.
+    let energy = simulation.energy();
+    assert!(energy.error.abs() < 1e-4, "{:e}", energy.error);
+}
+
+mechanism!(Rotor {
+    doc: "A rotor in a bearing with friction.",
+    world: Spatial(),
+    radius: Param(8.0_mm),
+    rotor: Body(
+        mass = 3.0_kg,
+        inertia = diag(0.02, 0.02, 0.03),
+        angular_velocity = [0.0, 0.0, 30.0]
+    ),
+    bearing: Revolute(ground, rotor, at = [0.0, 0.0, 0.0], axis = Z),
+    journal: Friction(
+        bearing.rate,
+        load = 29.4_N * radius,
+        coefficient = 0.15,
+        regularization_velocity = 2.0_rad_per_s
+    ),
+    speed: Output(bearing.rate),
+});
+
+#[test]
+fn a_rotor_spins_down() {
+    let mut simulation =
+        Simulation::with_settings(Rotor::default(), settings(1e-3)).expect("it assembles");
+    let torque = 0.15 * 29.4 * 0.008;
+    for time in [5.0, 20.0, 25.0, 30.0] {
+        simulation.run_until(time).expect("it runs");
+        let decay = f64::exp(-torque * time / (0.03 * 2.0));
+        let exact = 2.0 * f64::asinh(f64::sinh(15.0) * decay);
+        let found = simulation.outputs().speed;
+        assert!((found - exact).abs() < 1e-5, "{found} at {time}, {exact}");
+    }
+    let energy = simulation.energy();
+    assert!(energy.error.abs() < 1e-4, "{:e}", energy.error);
+}

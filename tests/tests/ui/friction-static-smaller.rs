@@ -1,0 +1,11 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    pad: Friction(bar.rate, load = 1.0_N_m, coefficient = 0.3, static_coefficient = 0.2, stribeck_velocity = 0.4, regularization_velocity = 0.1),
+});
+
+fn main() {}

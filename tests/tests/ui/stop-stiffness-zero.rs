@@ -1,0 +1,12 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    hard: Param(0.0_N_m),
+    end: Stop(bar.angle, upper = 3.0, stiffness = hard, onset = 0.1),
+});
+
+fn main() {}

@@ -1,0 +1,12 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    curve: Table([0.0_s, 1.0_s, 2.0_s], [0.0, 0.3, 0.0], interpolation = Linear),
+
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    motor: Drive(bar.angle, value = 0.1 + curve(t)),
+});
+
+fn main() {}

@@ -1,0 +1,12 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    curve: Table([0.0_m, 1.0_m], [0.0_N, 3.0_N]),
+
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    pull: Force(bar.b, value = [curve, 0.0]),
+});
+
+fn main() {}
