@@ -1,7 +1,7 @@
 //! A cloth of 20 × 20 rods, hung up at two corners, from a random start: hundreds of loops, and poses in which rods are in
 //! line and rows lose their independence.
 //!
-//! `cargo run --release -p mbs-parts --example cloth -- 0.3 1e-3`, with a number from which the start follows and the step.
+//! `cargo run --release -p mbs-parts --features large --example cloth -- 0.3 1e-3`, with a number from which the start follows and the step.
 
 mod run;
 

@@ -1,6 +1,6 @@
 //! A Stewart–Gough platform on six legs, which its drives hold against gravity and shake.
 //!
-//! `cargo run --release -p mbs-parts --example platform -- 10.0 1e-3`, with the amplitude of the drives, N, and the step.
+//! `cargo run --release -p mbs-parts --features large --example platform -- 10.0 1e-3`, with the amplitude of the drives, N, and the step.
 
 mod run;
 

@@ -1,7 +1,7 @@
 //! A scissor lift of 50 stages, which falls through the poses in which all arms are in line. Its plate is held level twice:
 //! one row is redundant for ever.
 //!
-//! `cargo run --release -p mbs-parts --example scissor_lift -- 0.3 2e-4`, with the rate of the first arm at the start,
+//! `cargo run --release -p mbs-parts --features large --example scissor_lift -- 0.3 2e-4`, with the rate of the first arm at the start,
 //! rad/s, and the step.
 
 mod run;

@@ -1,6 +1,6 @@
 //! The track of a crawler: 60 links in a loop, hung over two pins.
 //!
-//! `cargo run --release -p mbs-parts --example tracked_chain -- 0.4 1e-3`, with a number from which the start follows and
+//! `cargo run --release -p mbs-parts --features large --example tracked_chain -- 0.4 1e-3`, with a number from which the start follows and
 //! the step.
 
 mod run;
