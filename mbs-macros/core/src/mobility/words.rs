@@ -142,35 +142,44 @@ fn counted(count: usize) -> String {
     }
 }
 
-/// "a, b, c", where names are numbered in order "j1…j5", or `j[1]…j[5]`.
+/// "a, b, c", where names are numbered in order "j1…j5", `j[1]…j[5]`, or `leg[1].hip…leg[5].hip`.
 fn list(names: &[&str]) -> String {
-    let numbered = |name: &str| {
-        let stem = name.trim_end_matches(']');
-        let digits = stem.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-        let number: u64 = stem[digits..].parse().ok()?;
-        Some((stem[..digits].to_owned(), number))
-    };
+    let mut groups: Vec<(Option<(&str, &str)>, Vec<(u64, &str)>)> = Vec::new();
+    for &name in names {
+        let (pattern, number) = match numbered(name) {
+            Some((pattern, number)) => (Some(pattern), number),
+            None => (None, 0),
+        };
+        let same = groups
+            .iter_mut()
+            .find(|(known, _)| known.is_some() && *known == pattern);
+        match same {
+            Some((_, members)) => members.push((number, name)),
+            None => groups.push((pattern, vec![(number, name)])),
+        }
+    }
     let mut text: Vec<String> = Vec::new();
-    let mut rest = names;
-    while let Some(first) = rest.first() {
-        let start = numbered(first);
-        let run = rest.iter().enumerate().take_while(|(k, name)| {
-            let expected = start
-                .as_ref()
-                .map(|(stem, n)| (stem.clone(), n + *k as u64));
-            *k == 0 || (expected.is_some() && numbered(name) == expected)
-        });
-        let length = run.count();
-        match length {
-            0..=2 => {
-                text.push((*first).to_owned());
-                rest = &rest[1..];
-            }
-            _ => {
-                text.push(format!("{first}…{}", rest[length - 1]));
-                rest = &rest[length..];
+    for (_, members) in groups {
+        let follows = |a: &(u64, &str), b: &(u64, &str)| b.0 == a.0 + 1;
+        for run in members.chunk_by(follows) {
+            match run {
+                [(_, first), _, .., (_, last)] => text.push(format!("{first}…{last}")),
+                few => text.extend(few.iter().map(|(_, name)| (*name).to_owned())),
             }
         }
     }
     text.join(", ")
+}
+
+/// What a name has around its number, its first index or else its last digits, and the number.
+fn numbered(name: &str) -> Option<((&str, &str), u64)> {
+    let (start, end) = match name.find('[') {
+        Some(bracket) => (bracket + 1, bracket + name[bracket..].find(']')?),
+        None => (
+            name.trim_end_matches(|c: char| c.is_ascii_digit()).len(),
+            name.len(),
+        ),
+    };
+    let number = name[start..end].parse().ok()?;
+    Some(((&name[..start], &name[end..]), number))
 }
