@@ -1,5 +1,12 @@
 //! From the declared guess to a state that satisfies the constraints.
 
+mod changes;
+mod closing;
+mod conditions;
+mod differences;
+mod held;
+
+use self::held::Start;
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -10,7 +17,8 @@ use crate::linear::{
 use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Coordinate, Model, Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Coordinate, Level, Model, Settings, SimulationError, State, System};
+pub(crate) use conditions::Wanted;
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -23,17 +31,20 @@ pub(crate) const RESUMABLE: f64 = 1e-6;
 /// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
 /// A v + b = 0.
 ///
-/// A guess that satisfies φ = 0 is left as it is.
+/// A guess that satisfies φ = 0 is left as it is. Values that the declaration or `wanted` holds are further equations.
 ///
 /// # Errors
-/// [`SimulationError::Assembly`] with the rows that have the largest residuals.
+/// [`SimulationError::Assembly`] with the rows that have the largest residuals, [`SimulationError::Held`] with the values
+/// that the rows do not allow, and names that the mechanism does not have.
 pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
+    wanted: &[Wanted],
 ) -> Result<(State<Q, N, R>, AssemblyVerdict), SimulationError> {
-    let (guess, mut v) = system.guess();
+    let (guess, declared) = system.guess();
     check_guess(S::MODEL.coordinates, guess.as_slice())?;
-    check_guess(S::MODEL.velocities, v.as_slice())?;
+    check_guess(S::MODEL.velocities, declared.as_slice())?;
+    let mut v = declared;
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
@@ -46,9 +57,35 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+    let conditions = conditions::conditions(system, wanted, &guess)?;
+    let start = Start {
+        system,
+        conditions: &conditions,
+        scale: &scale,
+        yardstick: &yardstick,
+    };
+    if start.count(Level::Position) > 0 {
+        start.positions(&mut geometry, &mut q, &v).map_err(fault)?;
+        let open = start.open(Level::Position, &q, &v, 1.0);
+        system.holonomic(0.0, &q, &mut phi);
+        if !open.is_empty() || !(scale.displacement(&phi) <= ASSEMBLED) {
+            // Without the held values?
+            let mut free = guess;
+            geometry
+                .evaluate(system, 0.0, &free, &mut phi)
+                .map_err(fault)?;
+            close(system, &mut geometry, &mut free, &mut phi, &scale).map_err(fault)?;
+            if scale.displacement(&phi) <= ASSEMBLED {
+                let rank = independent_rows(system, &geometry, &yardstick).rank;
+                return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
+            }
+            q = free;
+        }
+    } else {
+        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+    }
 
-    let verdict = judge(
+    let mut verdict = judge(
         system,
         (&geometry, &phi),
         (&yardstick, &scale),
@@ -58,8 +95,31 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
-    let speed = yardstick.measure(&v);
-    project(system, &geometry, &mut v, &scale, speed);
+    if start.count(Level::Velocity) > 0 {
+        start.velocities(&geometry, &q, &mut v).map_err(fault)?;
+        let speed = yardstick.measure(&v).max(start.fastest(&q, &v));
+        let rates = geometry.velocity_rows(system, &v);
+        let open = start.open(Level::Velocity, &q, &v, speed);
+        if !open.is_empty() || !(scale.displacement(&rates) <= ASSEMBLED * speed) {
+            let freedoms = N.saturating_sub(verdict.rank);
+            return Err(start.refused(Level::Velocity, open, freedoms));
+        }
+    } else {
+        let speed = yardstick.measure(&v);
+        project(system, &geometry, &mut v, &scale, speed);
+    }
+    verdict.changes = changes::changes(
+        S::MODEL.coordinates,
+        guess.as_slice(),
+        q.as_slice(),
+        yardstick.length,
+    );
+    verdict.changes.extend(changes::changes(
+        S::MODEL.velocities,
+        declared.as_slice(),
+        v.as_slice(),
+        yardstick.length,
+    ));
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -138,6 +198,7 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         rank: rows.rank,
         redundant_rows: names(S::MODEL, &rows.dependent),
         worst_rows: worst.iter().map(|&(i, name)| (name, phi[i])).collect(),
+        changes: Vec::new(),
     }
 }
 

@@ -20,6 +20,7 @@ mod folding;
 mod force_axes;
 mod formulations;
 mod fuzz;
+mod held_starts;
 mod integrability;
 mod large;
 mod layers;

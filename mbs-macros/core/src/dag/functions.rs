@@ -110,6 +110,11 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         });
         make("outputs", &mut |f| vector(f, "outputs", &system.outputs));
         make("events", &mut |f| vector(f, "events", &system.events));
+        if !system.held.is_empty() {
+            let held = system.held.iter().flat_map(|held| [held.gap, held.rate]);
+            let held: Vec<Expr> = held.collect();
+            make("held", &mut |f| vector(f, "held", &held));
+        }
         make("points", &mut |f| {
             for (i, point) in system.points.iter().enumerate() {
                 for (axis, &x) in point.iter().enumerate() {

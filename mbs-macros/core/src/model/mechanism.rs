@@ -3,6 +3,7 @@
 use super::elements::force::Force;
 use super::elements::joint::Joint;
 use super::geometry::Vector;
+use super::held::Held;
 use super::layout::Layout;
 use super::outline::Outline;
 use super::reduction::MergedJoint;
@@ -23,6 +24,8 @@ pub struct Model {
     pub outputs: Vec<Expr>,
     /// The expressions of the events.
     pub events: Vec<Expr>,
+    /// Initial values that assembly holds.
+    pub held: Vec<Held>,
     /// Acceleration of gravity.
     pub gravity: Vector,
     /// Joints and constraints that leave rows (merged joints are in `merged`).

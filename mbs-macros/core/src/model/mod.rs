@@ -9,6 +9,7 @@
 pub mod elements;
 mod formulation;
 mod geometry;
+mod held;
 mod joint_frames;
 mod joint_variables;
 mod mechanism;
@@ -55,6 +56,7 @@ pub use drawing::Drawing;
 pub use elements::kinds::kinds;
 pub use formulation::{Description, Formulation, requested};
 pub use geometry::{Attachment, Axes, Frame, Owner, Point, Tensor, Vector};
+pub use held::Held;
 pub use joint_variables::UnwrappedAngle;
 pub use layout::{Layout, Rotation, Stored};
 pub use mechanism::Model;
