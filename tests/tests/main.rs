@@ -28,6 +28,7 @@ mod left_out;
 mod mobility;
 mod new_joint;
 mod newton_euler;
+mod parameter_checks;
 mod parts;
 mod passages;
 mod reactions;

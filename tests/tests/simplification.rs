@@ -361,6 +361,7 @@ mod program {
         let zero = graph.zero();
         let system = System {
             held: Vec::new(),
+            requirements: Vec::new(),
             graph,
             size: 0,
             mass: BTreeMap::new(),

@@ -76,6 +76,9 @@ Initial values are guesses, which assembly changes until the joints fit. `Exactl
 `angle = Exactly(0.4_rad)` and `rate = Exactly(9.0_rad_per_s)`: then the others follow. As many may be held as there are
 degrees of freedom, and values that follow from these.
 
+Masses, inertias and lengths that follow from parameters are checked with the defaults by the compiler, and with the values
+of the program when a simulation is made.
+
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.
 

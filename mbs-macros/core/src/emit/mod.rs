@@ -6,6 +6,7 @@
 mod access;
 mod blocks;
 mod body;
+mod checks;
 mod copies;
 mod fallback;
 mod fields;

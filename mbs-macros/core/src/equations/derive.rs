@@ -132,6 +132,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         outputs,
         events,
         held,
+        requirements: model.requirements,
         points,
         layout,
         constant_mass,

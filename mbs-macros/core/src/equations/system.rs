@@ -2,7 +2,7 @@
 
 use super::generalized_forces::ForceParts;
 use super::kinetic::Kinetic;
-use crate::model::{Held, Layout, Vector};
+use crate::model::{Held, Layout, Requirement, Vector};
 use crate::symbolic::{Expr, Graph, Substitution};
 use std::collections::BTreeMap;
 
@@ -37,6 +37,8 @@ pub struct System {
     pub events: Vec<Expr>,
     /// Initial values that assembly holds.
     pub held: Vec<Held>,
+    /// What arguments that follow from parameters have to be.
+    pub requirements: Vec<Requirement>,
     /// Points to draw.
     pub points: Vec<Vector>,
     /// Coordinates and velocities with their guesses, rotations.

@@ -7,6 +7,7 @@ use super::held::Held;
 use super::layout::Layout;
 use super::outline::Outline;
 use super::reduction::MergedJoint;
+use super::requirements::Requirement;
 use super::solved::Solved;
 use super::tree::BodyTwist;
 use super::vacuous::VacuousPlace;
@@ -26,6 +27,8 @@ pub struct Model {
     pub events: Vec<Expr>,
     /// Initial values that assembly holds.
     pub held: Vec<Held>,
+    /// What arguments that follow from parameters have to be.
+    pub requirements: Vec<Requirement>,
     /// Acceleration of gravity.
     pub gravity: Vector,
     /// Joints and constraints that leave rows (merged joints are in `merged`).

@@ -123,6 +123,7 @@ pub fn resolve(
         outputs: output_exprs,
         events: event_exprs,
         held,
+        requirements: state.requirements,
         gravity,
         joints: joints
             .into_iter()

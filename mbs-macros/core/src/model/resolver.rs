@@ -6,6 +6,7 @@ use super::joint_variables::{AskedVariable, UnwrappedAngle};
 use super::needs_angle::needs_angle;
 use super::parts::Part;
 use super::quantities::{Law, Local, Quantity};
+use super::requirements::Requirement;
 use super::value::Value;
 use crate::diagnostics::{Errors, Place};
 use crate::schema::{Group, Kind, Kinds, World};
@@ -36,6 +37,8 @@ pub struct Resolver<'d> {
     pub(super) locals: Vec<Local>,
     pub(super) parts: Vec<Part>,
     pub(super) laws: Vec<Law>,
+    /// What the program has to check.
+    pub(super) requirements: Vec<Requirement>,
     /// Joint angles that are counted over full turns, by the name of their joint.
     pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
     /// Variables of joints that an expression uses.
@@ -77,6 +80,7 @@ impl<'d> Resolver<'d> {
             locals: Vec::new(),
             parts: Vec::new(),
             laws: Vec::new(),
+            requirements: Vec::new(),
             unwrapped_angles: Vec::new(),
             joint_variables: Vec::new(),
             used: HashSet::new(),

@@ -4,6 +4,7 @@ mod attachments;
 mod checks;
 mod numbers;
 mod places;
+mod requirements;
 
 use super::held::exactly;
 use super::resolver::Resolver;

@@ -3,6 +3,7 @@
 use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
+use crate::model::requirements::Wanted;
 use crate::schema::Expects;
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
@@ -32,15 +33,22 @@ impl Arguments<'_, '_> {
                 format!("`{field}` is negative{found}; give it a positive value"),
             );
         }
+        self.require(field, &[value], Wanted::NotNegative);
         Some(value)
     }
 
     /// Refuses a length that is not positive.
-    pub fn refuse_no_length(&mut self, field: &str, length: Expr, message: &str) -> Option<()> {
+    pub fn refuse_no_length(
+        &mut self,
+        field: &str,
+        length: Expr,
+        message: &'static str,
+    ) -> Option<()> {
         if self.by_default(length) <= 0.0 {
             let found = self.found(length);
             return self.fail(field, format!("{message}{found}"));
         }
+        self.require(field, &[length], Wanted::Positive(message));
         Some(())
     }
 
