@@ -97,7 +97,9 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     }
     if start.count(Level::Velocity) > 0 {
         start.velocities(&geometry, &q, &mut v).map_err(fault)?;
-        let speed = yardstick.measure(&v).max(start.fastest(&q, &v));
+        let speeds = [&declared, &v].map(|v| yardstick.measure(v));
+        let prescribed = scale.displacement(&geometry.b).max(start.fastest(&q, &v));
+        let speed = speeds[0].max(speeds[1]).max(prescribed);
         let rates = geometry.velocity_rows(system, &v);
         let open = start.open(Level::Velocity, &q, &v, speed);
         if !open.is_empty() || !(scale.displacement(&rates) <= ASSEMBLED * speed) {

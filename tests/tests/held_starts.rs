@@ -218,7 +218,8 @@ fn program_holds<
     let free = Simulation::new(M::default())?;
     assert!((free.output("crank_angle")? - 60_f64.to_radians()).abs() > 1e-3);
 
-    for angle in [-2.9, -1.0, 0.4, 1.5, 3.0] {
+    let end = std::f64::consts::PI - 1e-6;
+    for angle in [-end, -2.9, -1.0, 0.4, 1.5, 3.0, end] {
         let held = Simulation::start(M::default())
             .hold("crank_angle", angle)
             .hold_rate("crank_angle", 9.0)
@@ -228,6 +229,11 @@ fn program_holds<
         assert!(held.output("corner.y")? > 0.0, "the rocker stays up");
         is_consistent(&held);
     }
+    let slow = Simulation::start(M::default())
+        .hold("crank_angle", 0.4)
+        .hold("crank_rate", 0.0)
+        .begin()?;
+    near(slow.output("crank_rate")?, 0.0);
     // An output of velocities is held as it is, and positions other than angles are held, too.
     let held = Simulation::start(M::default())
         .hold("corner.x", 1.7)

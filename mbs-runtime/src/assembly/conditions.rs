@@ -81,6 +81,7 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             false => name.to_owned(),
         },
         unit: match (quantity, unit) {
+            (Quantity::OutputRate(_) | Quantity::CoordinateRate(_), "") => "1/s".to_owned(),
             (Quantity::OutputRate(_) | Quantity::CoordinateRate(_), unit) => format!("{unit}/s"),
             _ => unit.to_owned(),
         },
@@ -181,12 +182,7 @@ impl Condition {
                 crate::linear::dot(&self.gradient(system, q, v, yardstick), v)
             }
         };
-        let gap = found - self.wanted;
-        match (self.quantity, self.unit.as_str()) {
-            // An angle of an output need not count turns.
-            (Quantity::Output(_), "rad") => gap - TAU * (gap / TAU).round(),
-            _ => gap,
-        }
+        found - self.wanted
     }
 
     /// Its derivatives: of a position along the velocities, of a velocity with respect to them.
@@ -224,9 +220,9 @@ impl Condition {
                 derivative(&moved) / way[j]
             }),
             Quantity::Output(i) | Quantity::OutputRate(i) => {
-                // An angle may jump by a whole turn on the way.
+                // An angle that does not count turns may jump by one on the way.
                 let here = output(system, i, q, v);
-                let turns = S::MODEL.outputs[i].unit == "rad";
+                let turns = matches!(S::MODEL.outputs[i].unit, "" | "rad");
                 along(&|q| {
                     let change = output(system, i, q, v) - here;
                     match turns {

@@ -119,8 +119,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         }
     }
 
-    /// The fastest velocity that is held, in lengths of the mechanism and radians per second; at least that which the
-    /// rows prescribe.
+    /// The fastest velocity that is held, in lengths of the mechanism and radians per second.
     pub(super) fn fastest(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64 {
         let lengths = self.lengths(Level::Velocity, q, v);
         let still = self.gaps(Level::Velocity, q, &SVector::zeros(), &lengths);

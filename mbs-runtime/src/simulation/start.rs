@@ -24,8 +24,8 @@ impl<M: Mechanism> Start<M> {
         }
     }
 
-    /// Holds a coordinate, velocity or `Output` at a value, in the unit that the model tells. Angles of outputs may differ
-    /// by whole turns.
+    /// Holds a coordinate, velocity or `Output` at a value, in the unit that the model tells. (The angle of a bar that is
+    /// described by its end points lies between −π and π.)
     pub fn hold(mut self, name: &str, value: f64) -> Self {
         self.wanted.push(Wanted {
             name: name.to_owned(),
