@@ -1,7 +1,13 @@
 //! From the declared guess to a state that satisfies the constraints.
 
+mod changes;
+mod closing;
+mod conditions;
 mod continuation;
+mod differences;
+mod held;
 
+use self::held::Start;
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
@@ -12,7 +18,8 @@ use crate::linear::{
 use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Coordinate, Model, Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Coordinate, Level, Model, Settings, SimulationError, State, System};
+pub(crate) use conditions::Wanted;
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -25,17 +32,20 @@ pub(crate) const RESUMABLE: f64 = 1e-6;
 /// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
 /// A v + b = 0.
 ///
-/// A guess that satisfies φ = 0 is left as it is.
+/// A guess that satisfies φ = 0 is left as it is. Values that the declaration or `wanted` holds are further equations.
 ///
 /// # Errors
-/// [`SimulationError::Assembly`] with the rows that have the largest residuals.
+/// [`SimulationError::Assembly`] with the rows that have the largest residuals, [`SimulationError::Held`] with the values
+/// that the rows do not allow, and names that the mechanism does not have.
 pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
+    wanted: &[Wanted],
 ) -> Result<(State<Q, N, R>, AssemblyVerdict), SimulationError> {
-    let (guess, mut v) = system.guess();
+    let (guess, declared) = system.guess();
     check_guess(S::MODEL.coordinates, guess.as_slice())?;
-    check_guess(S::MODEL.velocities, v.as_slice())?;
+    check_guess(S::MODEL.velocities, declared.as_slice())?;
+    let mut v = declared;
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
@@ -48,19 +58,35 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
-    if residual_of(&phi, &scale.weights) > 1.0 {
-        let mut moved = guess;
-        if continuation::follow(system, &mut geometry, &mut moved, &scale).map_err(fault)? {
-            q = moved;
+    let conditions = conditions::conditions(system, wanted, &guess)?;
+    let start = Start {
+        system,
+        conditions: &conditions,
+        scale: &scale,
+        yardstick: &yardstick,
+    };
+    if start.count(Level::Position) > 0 {
+        start.positions(&mut geometry, &mut q, &v).map_err(fault)?;
+        let open = start.open(Level::Position, &q, &v, 1.0);
+        system.holonomic(0.0, &q, &mut phi);
+        if !open.is_empty() || !(scale.displacement(&phi) <= ASSEMBLED) {
+            // Without the held values?
+            let mut free = guess;
+            geometry
+                .evaluate(system, 0.0, &free, &mut phi)
+                .map_err(fault)?;
+            close(system, &mut geometry, &mut free, &mut phi, &scale).map_err(fault)?;
+            if scale.displacement(&phi) <= ASSEMBLED {
+                let rank = independent_rows(system, &geometry, &yardstick).rank;
+                return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
+            }
+            q = free;
         }
-        geometry
-            .evaluate(system, 0.0, &q, &mut phi)
-            .map_err(fault)?;
+    } else {
         close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     }
 
-    let verdict = judge(
+    let mut verdict = judge(
         system,
         (&geometry, &phi),
         (&yardstick, &scale),
@@ -70,8 +96,33 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
-    let speed = yardstick.measure(&v);
-    project(system, &geometry, &mut v, &scale, speed);
+    if start.count(Level::Velocity) > 0 {
+        start.velocities(&geometry, &q, &mut v).map_err(fault)?;
+        let speeds = [&declared, &v].map(|v| yardstick.measure(v));
+        let prescribed = scale.displacement(&geometry.b).max(start.fastest(&q, &v));
+        let speed = speeds[0].max(speeds[1]).max(prescribed);
+        let rates = geometry.velocity_rows(system, &v);
+        let open = start.open(Level::Velocity, &q, &v, speed);
+        if !open.is_empty() || !(scale.displacement(&rates) <= ASSEMBLED * speed) {
+            let freedoms = N.saturating_sub(verdict.rank);
+            return Err(start.refused(Level::Velocity, open, freedoms));
+        }
+    } else {
+        let speed = yardstick.measure(&v);
+        project(system, &geometry, &mut v, &scale, speed);
+    }
+    verdict.changes = changes::changes(
+        S::MODEL.coordinates,
+        guess.as_slice(),
+        q.as_slice(),
+        yardstick.length,
+    );
+    verdict.changes.extend(changes::changes(
+        S::MODEL.velocities,
+        declared.as_slice(),
+        v.as_slice(),
+        yardstick.length,
+    ));
     Ok((State::new(0.0, q, v), verdict))
 }
 
@@ -150,6 +201,7 @@ fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         rank: rows.rank,
         redundant_rows: names(S::MODEL, &rows.dependent),
         worst_rows: worst.iter().map(|&(i, name)| (name, phi[i])).collect(),
+        changes: Vec::new(),
     }
 }
 
@@ -199,8 +251,29 @@ pub(crate) fn vanishes<S: System<Q, N, R>, const Q: usize, const N: usize, const
     yardstick.row_length_squared(&geometry.a[row]) <= (NOTHING * expected).powi(2)
 }
 
-/// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
+/// Newton's method from the guess, or where it does not close the rows, after they have been closed little by little.
 fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    geometry: &mut ConstraintGeometry<S, Q, N, R>,
+    q: &mut SVector<f64, Q>,
+    phi: &mut SVector<f64, R>,
+    scale: &RowScale<R>,
+) -> Result<(), Fault> {
+    let guess = *q;
+    newton(system, geometry, q, phi, scale)?;
+    if residual_of(phi, &scale.weights) <= 1.0 {
+        return Ok(());
+    }
+    let mut moved = guess;
+    if continuation::follow(system, geometry, &mut moved, scale)? {
+        *q = moved;
+    }
+    geometry.evaluate(system, 0.0, q, phi)?;
+    newton(system, geometry, q, phi, scale)
+}
+
+/// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
+fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut SVector<f64, Q>,

@@ -50,6 +50,26 @@ pub enum ParameterError {
         /// Its value.
         value: f64,
     },
+    /// A mass or inertia is negative.
+    Negative {
+        /// The entry.
+        entry: &'static str,
+        /// Its argument.
+        argument: &'static str,
+        /// Its value.
+        value: f64,
+    },
+    /// A length is zero or negative.
+    NotPositive {
+        /// The entry.
+        entry: &'static str,
+        /// Its argument.
+        argument: &'static str,
+        /// Its value.
+        value: f64,
+        /// Why it has to be positive.
+        because: &'static str,
+    },
     /// M is not positive definite: a motion has no mass.
     MassNotPositive {
         /// The coordinate at which the factorisation met a pivot that is not positive.
@@ -77,6 +97,20 @@ impl fmt::Display for ParameterError {
             ParameterError::NotFinite { name, value } => {
                 write!(out, "parameter `{name}` is {value}; give it a finite value")
             }
+            ParameterError::Negative {
+                entry,
+                argument,
+                value,
+            } => write!(
+                out,
+                "`{argument}` of `{entry}` is negative ({value}); give it a positive value"
+            ),
+            ParameterError::NotPositive {
+                entry,
+                argument,
+                value,
+                because,
+            } => write!(out, "`{argument}` of `{entry}` is {value}: {because}"),
             ParameterError::MassNotPositive { coordinate } => write!(
                 out,
                 "the mass matrix is not positive definite at coordinate `{coordinate}`: give the parts that move with it a positive mass and inertia"

@@ -10,6 +10,7 @@ pub use crate::contract::{Elimination, Rates};
 pub use crate::linear::{entries, entries_mut};
 pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
+pub use checks::{require_inertia, require_not_negative, require_positive};
 pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
 pub use parts::{compute_parts, rows_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
@@ -17,6 +18,7 @@ pub use spin::Spin;
 pub use table::Table;
 pub use unfinished::{UNFINISHED, Unfinished};
 
+mod checks;
 mod cholesky;
 mod parts;
 pub mod pattern;

@@ -109,17 +109,17 @@ pub use error::{ParameterError, UnknownName};
 pub use mbs_macros::{assembly, mechanism};
 pub use mechanism::Mechanism;
 pub use model::{
-    Candidate, Coordinate, FunctionCost, Mobility, Model, Part, Quantity, Reaction, Redundancy,
-    Row, RowKind, Segment, Structure, World,
+    Candidate, Coordinate, FunctionCost, Held, Level, Mobility, Model, Part, Quantity, Reaction,
+    Redundancy, Row, RowKind, Segment, Structure, World,
 };
 pub use nalgebra;
-pub use report::{AssemblyVerdict, Energy, RankLoss, Reactions, Report, Sample};
+pub use report::{AssemblyVerdict, Change, Energy, HeldGap, RankLoss, Reactions, Report, Sample};
 pub use samples::Samples;
 pub use settings::{
     BaumgarteSettings, BdfSettings, Flow, GeneralizedAlphaSettings, Method, MultiplierStart,
     PaperSettings, PenaltySettings, ProjectionSettings, RowDirection, Settings,
 };
-pub use simulation::{InputsMut, Simulation};
+pub use simulation::{InputsMut, Simulation, Start};
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
 pub use state::{Ledger, State, StepController, ThreeFields};

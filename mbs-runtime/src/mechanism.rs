@@ -12,7 +12,8 @@ pub trait Mechanism: Clone + Default {
     /// Checks the parameters and computes all that depends on them alone.
     ///
     /// # Errors
-    /// A parameter that is not finite, or parameters for which M is constant and not positive definite.
+    /// A parameter that is not finite; a mass, inertia or length that follows from parameters and that no part has; or
+    /// parameters for which M is constant and not positive definite.
     fn prepare(&self) -> Result<Self::System, ParameterError>;
 
     /// The parameter of this name.

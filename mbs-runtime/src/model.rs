@@ -143,6 +143,26 @@ pub struct Coordinate {
     pub unit: &'static str,
 }
 
+/// An initial value that assembly holds: `Exactly(…)`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Held {
+    /// For example `crank.angle` or `bob.velocity.x`.
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Whether it is a position or a velocity.
+    pub level: Level,
+}
+
+/// Positions or velocities.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Level {
+    /// A function of q.
+    Position,
+    /// A function of q and v.
+    Velocity,
+}
+
 /// A constraint row.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {

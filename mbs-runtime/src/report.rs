@@ -127,4 +127,30 @@ pub struct AssemblyVerdict {
     pub redundant_rows: Vec<&'static str>,
     /// The holonomic rows with the largest |φ| after assembly, worst first.
     pub worst_rows: Vec<(&'static str, f64)>,
+    /// The coordinates that assembly has moved, the farthest first, and then the velocities that it has changed.
+    pub changes: Vec<Change>,
+}
+
+/// A coordinate or velocity whose initial value is not the declared one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Change {
+    /// As [`Model::coordinates`](crate::Model::coordinates) or [`Model::velocities`](crate::Model::velocities) names it.
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// Its declared value, or what the declared values imply.
+    pub declared: f64,
+    /// Its value at the start.
+    pub started: f64,
+}
+
+/// An initial value that could not be held.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldGap {
+    /// For example `crank.angle`.
+    pub name: String,
+    /// SI unit.
+    pub unit: String,
+    /// By how much it would be off, where all are off as little as possible.
+    pub gap: f64,
 }

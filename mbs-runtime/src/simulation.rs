@@ -15,6 +15,7 @@ mod placement;
 mod pose;
 mod run;
 mod singularity_detector;
+mod start;
 mod tolerance;
 
 use self::books::Books;
@@ -22,7 +23,7 @@ use self::energy_guard::EnergyGuard;
 use self::known_poses::KnownPoses;
 use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
-use crate::assembly::{RESUMABLE, assemble};
+use crate::assembly::{RESUMABLE, Wanted, assemble};
 use crate::fault::Fault;
 use crate::integrator::Integrator;
 use crate::linear::largest;
@@ -38,6 +39,7 @@ use crate::{
 use nalgebra::SVector;
 
 pub use self::access::InputsMut;
+pub use self::start::Start;
 
 /// A mechanism with its integrator: Q coordinates, N velocities, R constraint rows.
 ///
@@ -100,7 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
     ) -> Result<Self, SimulationError> {
-        Self::assembled(mechanism, settings, None)
+        Self::assembled(mechanism, settings, &[], None)
     }
 
     /// The same with methods beside the two-level one, which a value of [`methods`] names: only these are compiled for
@@ -114,7 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings: Settings,
         _: C,
     ) -> Result<Self, SimulationError> {
-        Self::assembled(mechanism, settings, Some(C::make))
+        Self::assembled(mechanism, settings, &[], Some(C::make))
     }
 
     /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes up to
@@ -183,11 +185,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn assembled<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
+        wanted: &[Wanted],
         other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
-        let (state, assembly) = assemble(&system, &settings)?;
+        let (state, assembly) = assemble(&system, &settings, wanted)?;
         Self::begin(system, settings, state, assembly, other)
     }
 
@@ -220,7 +223,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(simulation)
     }
 
-    fn start(
+    fn from_state(
         system: S,
         settings: Settings,
         state: State<Q, N, R>,

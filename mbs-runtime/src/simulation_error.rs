@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::fault::Fault;
-use crate::{AssemblyVerdict, Flow, Model, ParameterError, UnknownName};
+use crate::{AssemblyVerdict, Flow, HeldGap, Level, Model, ParameterError, UnknownName};
 
 /// Why a simulation could not be set up or continued.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,6 +58,17 @@ pub enum SimulationError {
     },
     /// The declared guess cannot be assembled.
     Assembly(AssemblyVerdict),
+    /// Initial values that cannot be held: too many, or values that the rows do not allow.
+    Held {
+        /// Positions or velocities.
+        level: Level,
+        /// All that are held.
+        held: Vec<String>,
+        /// Those that would be off, the worst first.
+        open: Vec<HeldGap>,
+        /// How many can be held at most.
+        degrees_of_freedom: usize,
+    },
     /// A constraint row did not converge.
     NotConverged {
         /// Time at the start of the step, s.
@@ -275,6 +286,12 @@ impl fmt::Display for SimulationError {
                     "; check the lengths in these joints, or start from a closer guess"
                 )
             }
+            Held {
+                level,
+                held,
+                open,
+                degrees_of_freedom,
+            } => write_held(out, *level, held, open, *degrees_of_freedom),
             NotConverged {
                 time,
                 step,
@@ -357,6 +374,38 @@ impl fmt::Display for SimulationError {
                 "cannot resume from this state: {what} is {value:.3e}; pass a state taken from a simulation of the same mechanism and parameters"
             ),
         }
+    }
+}
+
+/// The message of [`SimulationError::Held`].
+fn write_held(
+    out: &mut fmt::Formatter<'_>,
+    level: Level,
+    held: &[String],
+    open: &[HeldGap],
+    degrees_of_freedom: usize,
+) -> fmt::Result {
+    let what = match level {
+        Level::Position => "positions",
+        Level::Velocity => "velocities",
+    };
+    write!(out, "the {what} that are held cannot all be had: ")?;
+    match open.is_empty() {
+        true => write!(out, "`{}`", held.join("`, `"))?,
+        false => out.write_str("in the nearest start ")?,
+    }
+    for (i, HeldGap { name, unit, gap }) in open.iter().enumerate() {
+        let comma = if i > 0 { ", " } else { "" };
+        write!(out, "{comma}`{name}` is off by {gap:.3e} {unit}")?;
+    }
+    match (degrees_of_freedom, held.len()) {
+        (most, count) if count > most => write!(
+            out,
+            "; {count} values are held, and the joints leave {most} free: hold {most} at most, and declare the others as guesses"
+        ),
+        _ => out.write_str(
+            "; the joints do not allow these values together: change one, or declare it as a guess",
+        ),
     }
 }
 

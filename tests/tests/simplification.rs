@@ -360,6 +360,8 @@ mod program {
     pub fn run(mut graph: Graph, outputs: &[Expr], variables: &[f64]) -> Vec<f64> {
         let zero = graph.zero();
         let system = System {
+            held: Vec::new(),
+            requirements: Vec::new(),
             graph,
             size: 0,
             mass: BTreeMap::new(),

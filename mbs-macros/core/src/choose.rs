@@ -193,6 +193,17 @@ impl<'d> Search<'d> {
         Some(mobility)
     }
 
+    /// After the check of positions that are held: whether the description is continued.
+    pub(crate) fn holds(&mut self, found: Result<(), Open>) -> bool {
+        match found {
+            Err(open) if self.is_first() => {
+                refusals::refuse_held(self.declaration, &open, &mut self.errors);
+                false
+            }
+            _ => true,
+        }
+    }
+
     /// Counts the operations of a description, and keeps it if it is the cheapest so far.
     pub(crate) fn consider(&mut self, analysis: Analysis) {
         let own = candidate(&analysis);

@@ -81,11 +81,14 @@ fn analyse_cheapest(declaration: &Declaration) -> Result<Analysis, Failure> {
         let Some(model) = search.admit(model) else {
             continue;
         };
-        let (outline, system) = equations::derive(model); // 3
+        let (outline, mut system) = equations::derive(model); // 3
         let mobility = mobility::analyse(&outline, &system);
         let Some(mobility) = search.settle(&outline, &system, mobility) else {
             continue;
         };
+        if !search.holds(mobility::held(&outline, &mut system)) {
+            continue;
+        }
         let derived = derivatives::derive(system, mobility::dependent(mobility.as_ref())); // 4
         let program = dag::lower(&derived); // 5
         search.consider(Analysis {

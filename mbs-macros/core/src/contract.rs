@@ -244,6 +244,7 @@ pub const METHODS: &[Method] = &[
 
     method(Observables, "outputs", &[T, Q, V, write("outputs", Shape::Values)], Nothing, Generated),
     method(Observables, "events", &[T, Q, V, write("events", Shape::Values)], Nothing, Generated),
+    method(Observables, "held", &[Q, V, write("held", Shape::Values)], Nothing, Generated),
     method(Observables, "points", &[T, Q, write("points", Shape::Points)], Nothing, Generated),
     method(Observables, "reactions", &[T, Q, V, read("acceleration", Velocities), read("lambda", Rows), write("reactions", Shape::Values)], Nothing, Generated),
 

@@ -72,6 +72,13 @@ without `else` around the kind leaves members out. A family of `Param`, `Input` 
 `Number`, `Vector` or `Table`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give.
 Parameters of an assembly may be given, too: this changes their defaults.
 
+Initial values are guesses, which assembly changes until the joints fit. `Exactly(…)` around one holds it, as in
+`angle = Exactly(0.4_rad)` and `rate = Exactly(9.0_rad_per_s)`: then the others follow. As many may be held as there are
+degrees of freedom, and values that follow from these.
+
+Masses, inertias and lengths that follow from parameters are checked with the defaults by the compiler, and with the values
+of the program when a simulation is made.
+
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
 would be a mistake, `deny: Redundant()` makes each an error at its joint.
 
@@ -91,13 +98,17 @@ fn row(out: &mut String, field: &Field) {
     } else {
         ""
     };
+    let held = match field.initial {
+        Some(_) => "; may be held by `Exactly(…)`",
+        None => "",
+    };
     let absent = match field.default {
         Absent::Required => "required",
         Absent::Assumed(text) => text,
     };
     let _ = writeln!(
         out,
-        "| `{}`{positional} | {} | {absent} | {} |",
+        "| `{}`{positional} | {}{held} | {absent} | {} |",
         field.name,
         takes(field.expects),
         field.doc

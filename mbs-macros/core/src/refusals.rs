@@ -23,6 +23,16 @@ pub(crate) fn refuse_open(declaration: &Declaration, open: &Open, errors: &mut E
     );
 }
 
+/// The positions that are held contradict the rows, or each other.
+pub(crate) fn refuse_held(declaration: &Declaration, open: &Open, errors: &mut Errors) {
+    let gaps = open.gaps.join(", ");
+    errors.about(
+        &open.entry,
+        place_of(declaration, &open.entry),
+        format!("the initial values in `Exactly(…)` do not fit the joints, or each other: with the defaults of all parameters, where everything comes closest to fitting, these are still off: {gaps}; hold as many as there are degrees of freedom, and leave the others as guesses"),
+    );
+}
+
 /// `deny: Redundant()`.
 pub(crate) fn refuse_redundant(
     declaration: &Declaration,

@@ -1,17 +1,24 @@
 //! Outputs, events, points and reactions.
 
 use super::NamedValues;
+use crate::Held;
 use nalgebra::SVector;
 
 /// Outputs, events, points and reactions of a mechanism with Q coordinates, N velocities and R constraint rows.
 pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     /// The `Output`s as fields.
     type Outputs: NamedValues;
+    /// The initial values that assembly holds, in declaration order.
+    const HELD: &'static [Held] = &[];
 
     /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
     /// `Event` expressions, in the order of [`Model::events`](crate::Model::events).
     fn events(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]);
+    /// Two numbers for each of [`Self::HELD`]: by how much it exceeds its declared value, and its rate (a velocity itself).
+    fn held(&self, q: &SVector<f64, Q>, v: &SVector<f64, N>, held: &mut [f64]) {
+        let _ = (q, v, held);
+    }
     /// Points in world axes, m, in the order of [`Model::points`](crate::Model::points).
     fn points(&self, t: f64, q: &SVector<f64, Q>, points: &mut [[f64; 3]]);
     /// Joint reactions from accelerations v̇ and multipliers λ (of M v̇ + Γvv = f + Aᵀλ), in the order of

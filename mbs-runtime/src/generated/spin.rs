@@ -14,8 +14,11 @@ const TRIANGLE: f64 = 1e-9;
 pub struct Spin {
     kind: Kind,
     /// Where the inertia is not diagonal: the principal axes as columns, and as a quaternion.
-    axes: Option<([[f64; 3]; 3], [f64; 4])>,
+    axes: Option<Principal>,
 }
+
+type Moments = [f64; 3];
+type Principal = ([[f64; 3]; 3], [f64; 4]);
 
 #[derive(Debug, Clone)]
 enum Kind {
@@ -30,6 +33,24 @@ enum Kind {
     },
 }
 
+/// Principal moments, axes that are not the given ones, and the largest moment, of an inertia that a body can have.
+pub(super) fn possible(
+    inertia: &[[f64; 3]; 3],
+    body: &'static str,
+) -> Result<(Moments, Option<Principal>, f64), ParameterError> {
+    let (moments, axes) = principal_axes(inertia);
+    let mut sorted = moments;
+    sorted.sort_by(f64::total_cmp);
+    let [least, middle, most] = sorted;
+    if !(least > 1e-14 * most && most.is_finite()) {
+        return Err(ParameterError::InertiaNotPositive { body, moments });
+    }
+    if least + middle < most * (1.0 - TRIANGLE) {
+        return Err(ParameterError::InertiaTriangle { body, moments });
+    }
+    Ok((moments, axes, most))
+}
+
 impl Spin {
     /// From the inertia about the centre of mass in body axes, kg m².
     ///
@@ -37,16 +58,7 @@ impl Spin {
     /// An inertia that is not positive definite, or that no body has: each principal moment is at most the sum of the
     /// other two.
     pub fn new(inertia: &[[f64; 3]; 3], body: &'static str) -> Result<Spin, ParameterError> {
-        let (moments, axes) = principal_axes(inertia);
-        let mut sorted = moments;
-        sorted.sort_by(f64::total_cmp);
-        let [least, middle, most] = sorted;
-        if !(least > 1e-14 * most && most.is_finite()) {
-            return Err(ParameterError::InertiaNotPositive { body, moments });
-        }
-        if least + middle < most * (1.0 - TRIANGLE) {
-            return Err(ParameterError::InertiaTriangle { body, moments });
-        }
+        let (moments, axes, most) = possible(inertia, body)?;
         let equal = |i: usize, j: usize| (moments[i] - moments[j]).abs() <= EQUAL * most;
         let column = |k: usize| match &axes {
             Some((axes, _)) => [axes[0][k], axes[1][k], axes[2][k]],

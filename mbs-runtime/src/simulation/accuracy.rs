@@ -36,7 +36,7 @@ where
         other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         let Some(accuracy) = settings.accuracy else {
-            return Self::start(system, settings, state, assembly, other);
+            return Self::from_state(system, settings, state, assembly, other);
         };
         let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
         let two_level = Settings {
@@ -45,7 +45,7 @@ where
         };
         if other.is_none() {
             // There is nothing to choose from.
-            return Self::start(system, two_level, state, assembly, None);
+            return Self::from_state(system, two_level, state, assembly, None);
         }
         let projected = Settings {
             method: Method::Projected,
@@ -54,7 +54,7 @@ where
         };
         let make = |candidate: Settings| {
             let (system, state, assembly) = (system.clone(), state.clone(), assembly.clone());
-            Self::start(system, candidate, state, assembly, other)
+            Self::from_state(system, candidate, state, assembly, other)
         };
         let mut best = (f64::INFINITY, two_level);
         for candidate in [two_level, projected] {

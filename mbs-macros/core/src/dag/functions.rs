@@ -110,6 +110,11 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         });
         make("outputs", &mut |f| vector(f, "outputs", &system.outputs));
         make("events", &mut |f| vector(f, "events", &system.events));
+        if !system.held.is_empty() {
+            let held = system.held.iter().flat_map(|held| [held.gap, held.rate]);
+            let held: Vec<Expr> = held.collect();
+            make("held", &mut |f| vector(f, "held", &held));
+        }
         make("points", &mut |f| {
             for (i, point) in system.points.iter().enumerate() {
                 for (axis, &x) in point.iter().enumerate() {
@@ -150,8 +155,10 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         .map(|rotation| rotation_block(&mut graph, &mut hoisted, derived, rotation))
         .collect();
     let (constants, preparation) = constants(&mut graph, &mut hoisted);
+    let checks = checks(&mut graph, &mut hoisted, derived);
     Program {
         constants,
+        checks,
         constant_mass,
         all_tangents,
         turning,
@@ -262,6 +269,24 @@ fn rotation_block(
     }
 }
 
+/// The values that the program checks, in constants that are known before M⁻¹.
+fn checks(graph: &mut Graph, hoisted: &mut Hoisted, derived: &Derived) -> Function {
+    let constants = hoisted.list.iter().copied().zip(0..);
+    let known = constants.filter(|&(expr, _)| !uses_inverse(graph, expr));
+    let known: Vec<(Expr, usize)> = known.collect();
+    let mut lowering = Lowering::of_constants(graph, hoisted, &known);
+    let requirements = derived.system.requirements.iter();
+    let values = requirements.flat_map(|requirement| &requirement.values);
+    for (i, &value) in values.enumerate() {
+        lowering.output("checks", Place::Element(i), value);
+    }
+    lowering.finish("checks")
+}
+
+fn uses_inverse(graph: &Graph, expr: Expr) -> bool {
+    graph.depends_on(expr, |symbol| matches!(symbol, Symbol::InverseMass(..)))
+}
+
 /// The constants, and the two functions that compute them: before M⁻¹ is known, and after.
 fn constants(graph: &mut Graph, hoisted: &mut Hoisted) -> (Vec<Constant>, [Function; 2]) {
     let list: Vec<(Expr, usize)> = hoisted
@@ -271,9 +296,6 @@ fn constants(graph: &mut Graph, hoisted: &mut Hoisted) -> (Vec<Constant>, [Funct
         .enumerate()
         .map(|(slot, expr)| (expr, slot))
         .collect();
-    let uses_inverse = |graph: &Graph, expr| {
-        graph.depends_on(expr, |symbol| matches!(symbol, Symbol::InverseMass(..)))
-    };
     let (after, before): (Vec<_>, Vec<_>) = list
         .iter()
         .copied()

@@ -39,6 +39,8 @@ pub struct Program {
     pub constant_mass: Option<Vec<(usize, usize, Operand)>>,
     /// The functions that compute the constants: those before M⁻¹, and those that use it.
     pub preparation: [Function; 2],
+    /// The values of [`System::requirements`](crate::equations::System::requirements), one after the other.
+    pub checks: Function,
     /// The functions of the system.
     pub functions: Vec<Function>,
     /// Guesses of q and v.

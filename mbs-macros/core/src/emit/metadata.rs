@@ -6,7 +6,7 @@ use crate::contract;
 use crate::dag::Program;
 use crate::equations::RowKind;
 use crate::mobility::{self, Mobility};
-use crate::model::{Quantity, Representation, Stored};
+use crate::model::{Held, Quantity, Representation, Stored};
 use crate::schema::World;
 use std::fmt::Write;
 
@@ -227,5 +227,24 @@ fn quantity_text(quantity: &Quantity) -> String {
         quantity.unit,
         number(quantity.default),
         quantity.doc
+    )
+}
+
+/// The constant `HELD`; nothing where no initial value is held.
+pub(super) fn held(held: &[Held]) -> String {
+    if held.is_empty() {
+        return String::new();
+    }
+    let texts = held.iter().map(|held| {
+        let level = if held.is_velocity { "Velocity" } else { "Position" };
+        format!(
+            "::mbs_runtime::Held {{ name: {:?}, unit: {:?}, level: ::mbs_runtime::Level::{level} }}",
+            held.name, held.unit
+        )
+    });
+    let texts: Vec<String> = texts.collect();
+    format!(
+        "const HELD: &'static [::mbs_runtime::Held] = &[{}];\n",
+        texts.join(", ")
     )
 }

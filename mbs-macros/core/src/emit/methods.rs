@@ -221,7 +221,8 @@ fn factor_mass(graph: &Graph, program: &Program) -> (String, String) {
 pub(super) fn stubs(program: &Program, capability: Capability) -> String {
     let methods = METHODS
         .iter()
-        .filter(|method| method.capability == capability);
+        .filter(|method| method.capability == capability)
+        .filter(|method| method.name != "held" || program.function(method.name).is_some());
     methods.fold(String::new(), |text, method| {
         text + &format!(
             "fn {}{} {{ loop {{}} }}\n",

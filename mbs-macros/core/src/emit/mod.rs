@@ -6,6 +6,7 @@
 mod access;
 mod blocks;
 mod body;
+mod checks;
 mod copies;
 mod fallback;
 mod fields;
@@ -54,7 +55,13 @@ pub fn written(
     let mechanism = parameters::emit_mechanism(declaration, analysis, program, &mut size);
     let metadata = metadata::emit(analysis, program);
     let model = (&analysis.outline, graph, program);
-    let system = system::emit(declaration, model, &metadata, &mut size);
+    let system = system::emit(
+        declaration,
+        model,
+        &analysis.derived.system.held,
+        &metadata,
+        &mut size,
+    );
     let access = access::emit(declaration, &analysis.outline, program);
     let items = quote! {
         #parameters

@@ -1,6 +1,7 @@
 //! The declared type: parameters as public fields.
 
 use super::body::{Body, number};
+use super::checks;
 use super::fields::{Field, fields, places, quantities};
 use super::items::{self, visibility};
 use super::motion;
@@ -278,6 +279,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
         out.push_str(&body.writes());
     };
     write(&mut out, before);
+    out.push_str(&checks::emit(equations, &program.checks, system));
     let operand = |value: Operand| match value {
         Operand::Number(value) => number(value.value()),
         Operand::Constant(slot) => format!("k{slot}"),

@@ -7,7 +7,7 @@ use super::text::{doc, tokens};
 use super::{metadata, methods, sparse};
 use crate::contract::Capability;
 use crate::dag::Program;
-use crate::model::Outline;
+use crate::model::{Held, Outline};
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
 use proc_macro2::TokenStream;
@@ -17,6 +17,7 @@ use quote::{format_ident, quote};
 pub(super) fn emit(
     declaration: &Declaration,
     (outline, graph, program): (&Outline, &Graph, &Program),
+    held: &[Held],
     metadata: &str,
     written: &mut Size,
 ) -> TokenStream {
@@ -80,7 +81,7 @@ pub(super) fn emit(
         (Capability::Loads, format!("type Inputs = {inputs_type};\n")),
         (
             Capability::Observables,
-            format!("type Outputs = {outputs_type};\n"),
+            format!("type Outputs = {outputs_type};\n{}", metadata::held(held)),
         ),
         (
             Capability::System,

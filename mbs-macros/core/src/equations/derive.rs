@@ -8,7 +8,7 @@ use super::kinetic::{self, Kinetic};
 use super::system::System;
 use super::{forces, generalized_forces, inertia, reactions, rows, start, vacuous};
 use crate::model::elements::force::Load;
-use crate::model::{Model, Outline};
+use crate::model::{Held, Model, Outline};
 use crate::symbolic::{Expr, Graph};
 
 /// Builds the equations; beside them stays what later stages need to name things.
@@ -77,6 +77,15 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         .iter()
         .map(|&expr| global(&mut graph, expr))
         .collect();
+    let held = model
+        .held
+        .iter()
+        .map(|held| Held {
+            gap: global(&mut graph, held.gap),
+            rate: global(&mut graph, held.rate),
+            ..held.clone()
+        })
+        .collect();
     let points = model
         .outline
         .drawing
@@ -122,6 +131,8 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         reactions,
         outputs,
         events,
+        held,
+        requirements: model.requirements,
         points,
         layout,
         constant_mass,

@@ -2,7 +2,7 @@
 
 use super::generalized_forces::ForceParts;
 use super::kinetic::Kinetic;
-use crate::model::{Layout, Vector};
+use crate::model::{Held, Layout, Requirement, Vector};
 use crate::symbolic::{Expr, Graph, Substitution};
 use std::collections::BTreeMap;
 
@@ -35,6 +35,10 @@ pub struct System {
     pub outputs: Vec<Expr>,
     /// Event expressions.
     pub events: Vec<Expr>,
+    /// Initial values that assembly holds.
+    pub held: Vec<Held>,
+    /// What arguments that follow from parameters have to be.
+    pub requirements: Vec<Requirement>,
     /// Points to draw.
     pub points: Vec<Vector>,
     /// Coordinates and velocities with their guesses, rotations.
@@ -62,6 +66,20 @@ pub struct Row {
     pub expr: Expr,
     /// The same in local coordinates, for reactions.
     pub(super) local: Expr,
+}
+
+impl Row {
+    /// A position that is held, as a row.
+    pub(crate) fn of_held(held: &Held) -> Row {
+        Row {
+            name: held.name.clone(),
+            entry: held.entry.clone(),
+            kind: RowKind::Holonomic,
+            unit: held.unit.clone(),
+            expr: held.gap,
+            local: held.gap,
+        }
+    }
 }
 
 /// A row that is left out, because joint coordinates satisfy it in every pose.

@@ -10,6 +10,7 @@
 //! A guess that cannot be assembled is examined further: see `closing`.
 
 mod closing;
+mod held;
 mod integrability;
 mod numbers;
 mod rows;
@@ -23,6 +24,7 @@ use numbers::Numbers;
 use rows::DEPENDENT;
 
 pub use closing::Open;
+pub use held::held;
 pub use words::{redundancies, summary};
 
 /// The number of poses.

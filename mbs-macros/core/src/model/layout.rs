@@ -175,7 +175,7 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
 }
 
 /// The unit of a rate.
-fn rate_unit(unit: &str) -> String {
+pub(super) fn rate_unit(unit: &str) -> String {
     match unit {
         "" => "1/s".to_owned(),
         unit if unit.contains('/') => format!("({unit})/s"),

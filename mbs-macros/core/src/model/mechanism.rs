@@ -3,9 +3,11 @@
 use super::elements::force::Force;
 use super::elements::joint::Joint;
 use super::geometry::Vector;
+use super::held::Held;
 use super::layout::Layout;
 use super::outline::Outline;
 use super::reduction::MergedJoint;
+use super::requirements::Requirement;
 use super::solved::Solved;
 use super::tree::BodyTwist;
 use super::vacuous::VacuousPlace;
@@ -23,6 +25,10 @@ pub struct Model {
     pub outputs: Vec<Expr>,
     /// The expressions of the events.
     pub events: Vec<Expr>,
+    /// Initial values that assembly holds.
+    pub held: Vec<Held>,
+    /// What arguments that follow from parameters have to be.
+    pub requirements: Vec<Requirement>,
     /// Acceleration of gravity.
     pub gravity: Vector,
     /// Joints and constraints that leave rows (merged joints are in `merged`).

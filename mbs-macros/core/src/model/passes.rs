@@ -41,9 +41,10 @@ pub fn resolve(
     }
     debug_assert!(resolver.is_evaluated());
 
-    // Elements. AFTER THIS POINT: joints, forces, outputs and events are expressions in local coordinates, and no tokens
+    // Elements. AFTER THIS POINT: joints, forces, outputs, events and held values are expressions in local coordinates, and no tokens
     // are read any more.
     let (outputs, events) = resolver.outputs();
+    let held = resolver.held();
     let (joints, forces) = resolver.elements();
     if !resolver.errors.is_empty() {
         return None;
@@ -122,6 +123,8 @@ pub fn resolve(
         outline,
         outputs: output_exprs,
         events: event_exprs,
+        held,
+        requirements: state.requirements,
         gravity,
         joints: joints
             .into_iter()

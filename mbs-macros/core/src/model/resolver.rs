@@ -6,6 +6,7 @@ use super::joint_variables::{AskedVariable, UnwrappedAngle};
 use super::needs_angle::needs_angle;
 use super::parts::Part;
 use super::quantities::{Law, Local, Quantity};
+use super::requirements::Requirement;
 use super::value::Value;
 use crate::diagnostics::{Errors, Place};
 use crate::schema::{Group, Kind, Kinds, World};
@@ -38,6 +39,8 @@ pub struct Resolver<'d> {
     pub(super) parts: Vec<Part>,
     pub(super) laws: Vec<Law>,
     pub(super) tables: Vec<Arc<Table>>,
+    /// What the program has to check.
+    pub(super) requirements: Vec<Requirement>,
     /// Joint angles that are counted over full turns, by the name of their joint.
     pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
     /// Variables of joints that an expression uses.
@@ -80,6 +83,7 @@ impl<'d> Resolver<'d> {
             parts: Vec::new(),
             laws: Vec::new(),
             tables: Vec::new(),
+            requirements: Vec::new(),
             unwrapped_angles: Vec::new(),
             joint_variables: Vec::new(),
             used: HashSet::new(),

@@ -5,7 +5,7 @@ use super::kind::Expects::{
     Anything, Count, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector,
     Numbers, Part, Point, Unit, Word,
 };
-use super::kind::{Field, Group, Kind, field, positional};
+use super::kind::{Field, Group, Initial, Kind, field, initial, positional};
 use crate::dimension::Dimension;
 
 /// Of joints.
@@ -163,13 +163,19 @@ pub const KINDS: &[Kind] = &[
         name: "Coordinate",
         group: Group::Part,
         fields: &[
-            positional(
-                "value",
-                KnownAny,
-                Assumed("0"),
-                "initial value; its unit fixes the dimension (an angle by default)",
+            initial(
+                Initial::Coordinate,
+                positional(
+                    "value",
+                    KnownAny,
+                    Assumed("0"),
+                    "initial value; its unit fixes the dimension (an angle by default)",
+                ),
             ),
-            field("rate", KnownAny, Assumed("0"), "initial rate"),
+            initial(
+                Initial::CoordinateRate,
+                field("rate", KnownAny, Assumed("0"), "initial rate"),
+            ),
             field(
                 "unit",
                 Unit,

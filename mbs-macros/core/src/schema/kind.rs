@@ -114,6 +114,29 @@ pub struct Field {
     pub default: Absent,
     /// One line.
     pub doc: &'static str,
+    /// Of initial values: what `Exactly(…)` holds.
+    pub initial: Option<Initial>,
+}
+
+/// An initial value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Initial {
+    /// Position of the origin of a part, or of end `a` of a bar.
+    Origin,
+    /// Position of end `b` of a bar.
+    End,
+    /// Velocity of the origin.
+    Velocity,
+    /// Angle of a planar part.
+    Angle,
+    /// Angular velocity of a planar part.
+    Rate,
+    /// Angular velocity of a spatial part.
+    Spin,
+    /// Value of a `Coordinate`.
+    Coordinate,
+    /// Rate of a `Coordinate`.
+    CoordinateRate,
 }
 
 /// What a field takes.
@@ -199,6 +222,7 @@ pub const fn field(
         expects,
         default,
         doc,
+        initial: None,
     }
 }
 
@@ -215,5 +239,14 @@ pub const fn positional(
         expects,
         default,
         doc,
+        initial: None,
+    }
+}
+
+/// The same field as an initial value, which `Exactly(…)` may hold.
+pub const fn initial(held: Initial, field: Field) -> Field {
+    Field {
+        initial: Some(held),
+        ..field
     }
 }

@@ -10,7 +10,9 @@ mod kinds;
 pub mod planar;
 pub mod spatial;
 
-pub use kind::{Absent, Expects, Field, Group, JointTraits, Kind, World, field, positional};
+pub use kind::{
+    Absent, Expects, Field, Group, Initial, JointTraits, Kind, World, field, positional,
+};
 pub use kinds::Kinds;
 
 impl World {

@@ -5,32 +5,44 @@ use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
     FollowingVector, Frame, Known, KnownVector, Law, Moving, Part, PartAngle,
 };
-use super::kind::{Field, Group, Kind, field, positional};
+use super::kind::{Field, Group, Initial, Kind, field, initial, positional};
 use crate::dimension::Dimension;
 
-const AT_GUESS: Field = field(
-    "at",
-    KnownVector(Dimension::LENGTH),
-    Assumed("what the joints imply"),
-    "initial guess of the position of `origin`",
+const AT_GUESS: Field = initial(
+    Initial::Origin,
+    field(
+        "at",
+        KnownVector(Dimension::LENGTH),
+        Assumed("what the joints imply"),
+        "initial guess of the position of `origin`",
+    ),
 );
-const VELOCITY_GUESS: Field = field(
-    "velocity",
-    KnownVector(Dimension::VELOCITY),
-    Assumed("what the joints imply"),
-    "initial guess of the velocity of `origin`",
+const VELOCITY_GUESS: Field = initial(
+    Initial::Velocity,
+    field(
+        "velocity",
+        KnownVector(Dimension::VELOCITY),
+        Assumed("what the joints imply"),
+        "initial guess of the velocity of `origin`",
+    ),
 );
-const ANGLE_GUESS: Field = field(
-    "angle",
-    Known(Dimension::NONE),
-    Assumed("0, or what the joints imply"),
-    "initial guess of the angle against ground.x",
+const ANGLE_GUESS: Field = initial(
+    Initial::Angle,
+    field(
+        "angle",
+        Known(Dimension::NONE),
+        Assumed("0, or what the joints imply"),
+        "initial guess of the angle against ground.x",
+    ),
 );
-const RATE_GUESS: Field = field(
-    "rate",
-    Known(Dimension::RATE),
-    Assumed("0"),
-    "initial guess of the angular velocity",
+const RATE_GUESS: Field = initial(
+    Initial::Rate,
+    field(
+        "rate",
+        Known(Dimension::RATE),
+        Assumed("0"),
+        "initial guess of the angular velocity",
+    ),
 );
 const FRAME: Field = field(
     "frame",
@@ -75,17 +87,23 @@ pub const KINDS: &[Kind] = &[
                 Assumed("the distance from `from` to `to`"),
                 "distance of its end points `a` and `b`",
             ),
-            field(
-                "from",
-                KnownVector(Dimension::LENGTH),
-                Assumed("what the joints imply"),
-                "initial guess of end `a`",
+            initial(
+                Initial::Origin,
+                field(
+                    "from",
+                    KnownVector(Dimension::LENGTH),
+                    Assumed("what the joints imply"),
+                    "initial guess of end `a`",
+                ),
             ),
-            field(
-                "to",
-                KnownVector(Dimension::LENGTH),
-                Assumed("what the joints imply"),
-                "initial guess of end `b`",
+            initial(
+                Initial::End,
+                field(
+                    "to",
+                    KnownVector(Dimension::LENGTH),
+                    Assumed("what the joints imply"),
+                    "initial guess of end `b`",
+                ),
             ),
             ANGLE_GUESS,
             RATE_GUESS,

@@ -6,7 +6,7 @@ use super::kind::Expects::{
     Attachment, Axis, FollowingVector, Gains, Inertia, Joint, Known, KnownVector, Law,
     MovingVector, Orientation, Part, Point, Shape,
 };
-use super::kind::{Field, Group, Kind, field, positional};
+use super::kind::{Field, Group, Initial, Kind, field, initial, positional};
 use crate::dimension::Dimension;
 
 /// Of joints.
@@ -32,23 +32,32 @@ pub const AXIS: Field = field(
     Assumed("Z, or the z axes of the partners' frames"),
     "its axis in the home pose, in the ground's axes",
 );
-const HOME: Field = field(
-    "at",
-    KnownVector(Dimension::LENGTH),
-    Assumed("[0, 0, 0]"),
-    "position of `origin` in the home pose, which is also the initial guess",
+const HOME: Field = initial(
+    Initial::Origin,
+    field(
+        "at",
+        KnownVector(Dimension::LENGTH),
+        Assumed("[0, 0, 0]"),
+        "position of `origin` in the home pose, which is also the initial guess",
+    ),
 );
-const VELOCITY: Field = field(
-    "velocity",
-    KnownVector(Dimension::VELOCITY),
-    Assumed("what the joints imply"),
-    "initial guess of the velocity of `origin`",
+const VELOCITY: Field = initial(
+    Initial::Velocity,
+    field(
+        "velocity",
+        KnownVector(Dimension::VELOCITY),
+        Assumed("what the joints imply"),
+        "initial guess of the velocity of `origin`",
+    ),
 );
-const SPIN: Field = field(
-    "angular_velocity",
-    KnownVector(Dimension::RATE),
-    Assumed("[0, 0, 0]"),
-    "initial guess of the angular velocity, in the ground's axes",
+const SPIN: Field = initial(
+    Initial::Spin,
+    field(
+        "angular_velocity",
+        KnownVector(Dimension::RATE),
+        Assumed("[0, 0, 0]"),
+        "initial guess of the angular velocity, in the ground's axes",
+    ),
 );
 const STIFFNESS: Field = field(
     "stiffness",
@@ -99,17 +108,23 @@ pub const KINDS: &[Kind] = &[
                 Assumed("the distance from `from` to `to`"),
                 "distance of its end points `a` and `b`",
             ),
-            field(
-                "from",
-                KnownVector(Dimension::LENGTH),
-                Assumed("[0, 0, 0]"),
-                "position of end `a` in the home pose",
+            initial(
+                Initial::Origin,
+                field(
+                    "from",
+                    KnownVector(Dimension::LENGTH),
+                    Assumed("[0, 0, 0]"),
+                    "position of end `a` in the home pose",
+                ),
             ),
-            field(
-                "to",
-                KnownVector(Dimension::LENGTH),
-                Assumed("`length` from `a` along X"),
-                "position of end `b` in the home pose",
+            initial(
+                Initial::End,
+                field(
+                    "to",
+                    KnownVector(Dimension::LENGTH),
+                    Assumed("`length` from `a` along X"),
+                    "position of end `b` in the home pose",
+                ),
             ),
             field(
                 "radius",

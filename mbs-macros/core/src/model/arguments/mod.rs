@@ -4,7 +4,9 @@ mod attachments;
 mod checks;
 mod numbers;
 mod places;
+mod requirements;
 
+use super::held::exactly;
 use super::resolver::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;
@@ -83,8 +85,28 @@ impl<'r, 'd> Arguments<'r, 'd> {
         self.resolver.fail(place, message)
     }
 
-    /// The argument as written, by position or by name.
+    /// The argument, by position or by name; of an initial value that is held what `Exactly(…)` holds.
     pub fn syntax(&self, field: &str) -> Option<&'r Syntax> {
+        let written = self.written(field)?;
+        match self.is_initial(field) {
+            true => Some(exactly(written).unwrap_or(written)),
+            false => Some(written),
+        }
+    }
+
+    /// Whether an initial value is held.
+    pub(in crate::model) fn is_held(&self, field: &str) -> bool {
+        self.written(field).and_then(exactly).is_some()
+    }
+
+    fn is_initial(&self, field: &str) -> bool {
+        let kind = self.kind();
+        let mut fields = kind.iter().flat_map(|kind| kind.fields);
+        fields.any(|known| known.name == field && known.initial.is_some())
+    }
+
+    /// The argument as written.
+    fn written(&self, field: &str) -> Option<&'r Syntax> {
         if let Some(argument) = self.entry.named(field) {
             return Some(&argument.value);
         }

@@ -3,6 +3,7 @@
 use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
+use crate::model::requirements::Wanted;
 use crate::schema::Expects;
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
@@ -38,15 +39,22 @@ impl Arguments<'_, '_> {
                 format!("`{field}` is negative{found}; give it a positive value"),
             );
         }
+        self.require(field, &[value], Wanted::NotNegative);
         Some(())
     }
 
     /// Refuses a value that is not positive.
-    pub fn refuse_not_positive(&mut self, field: &str, value: Expr, message: &str) -> Option<()> {
+    pub fn refuse_not_positive(
+        &mut self,
+        field: &str,
+        value: Expr,
+        message: &'static str,
+    ) -> Option<()> {
         if self.by_default(value) <= 0.0 {
             let found = self.found(value);
             return self.fail(field, format!("{message}{found}"));
         }
+        self.require(field, &[value], Wanted::Positive(message));
         Some(())
     }
 

@@ -85,6 +85,10 @@ impl Resolver<'_> {
                 let along = self.graph.vector_scale(share, from);
                 Some(Value::Vector(self.graph.vector_sub(a, along), dimension))
             }
+            "Exactly" => self.fail(
+                span,
+                "`Exactly` goes around the initial value of a part or `Coordinate`, as in `angle = Exactly(0.4_rad)`; all other values are exact as they are",
+            ),
             "diag" if self.world == World::Spatial => {
                 let list = self.take::<3>(arguments, name, span)?;
                 let zero = self.graph.zero();

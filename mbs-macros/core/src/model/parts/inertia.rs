@@ -5,6 +5,7 @@ use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::geometry::Tensor;
+use crate::model::requirements::Wanted;
 use crate::model::value::Value;
 use crate::symbolic::Expr;
 
@@ -12,7 +13,7 @@ impl Arguments<'_, '_> {
     /// An inertia: a number, `diag(a, b, c)`, three rows, or a shape of the part's mass.
     pub fn inertia(&mut self, field: &str, mass: Expr) -> Option<(Tensor, Option<Shape>)> {
         let syntax = self.syntax(field)?;
-        if let Some(shape) = self.shape(syntax) {
+        if let Some(shape) = self.shape(field, syntax) {
             let shape = shape?;
             return Some((self.shape_inertia(shape, mass), Some(shape)));
         }
@@ -34,6 +35,8 @@ impl Arguments<'_, '_> {
         self.check_dimension(field, dimension, Dimension::INERTIA, Place::of(syntax))?;
         self.check_known(field, syntax, tensor.as_flattened())?;
         self.check_inertia(field, &tensor)?;
+        let [[xx, xy, xz], [_, yy, yz], [.., zz]] = tensor;
+        self.require(field, &[xx, xy, xz, yy, yz, zz], Wanted::Inertia);
         Some((tensor, None))
     }
 

@@ -5,9 +5,12 @@ use crate::diagnostics::{Place, nearest};
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::geometry::Tensor;
+use crate::model::requirements::Wanted;
 use crate::model::value::Value;
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
+
+const POSITIVE_SIZE: &str = "the size of a shape is positive";
 
 impl Arguments<'_, '_> {
     /// `shape =`, for pictures only.
@@ -15,7 +18,7 @@ impl Arguments<'_, '_> {
         let Some(syntax) = self.syntax("shape") else {
             return Some(None);
         };
-        match self.shape(syntax) {
+        match self.shape("shape", syntax) {
             Some(shape) => Some(Some(shape?)),
             None => self.fail(
                 "shape",
@@ -25,7 +28,7 @@ impl Arguments<'_, '_> {
     }
 
     /// The shape that this calls, if it calls one; the inner `None` after an error.
-    pub(super) fn shape(&mut self, syntax: &Syntax) -> Option<Option<Shape>> {
+    pub(super) fn shape(&mut self, field: &str, syntax: &Syntax) -> Option<Option<Shape>> {
         let Syntax::Call(call) = syntax else {
             return None;
         };
@@ -64,7 +67,7 @@ impl Arguments<'_, '_> {
         };
         let mut sizes = Vec::new();
         for argument in call.args.iter().take(lengths) {
-            match self.positive_length(argument) {
+            match self.positive_length(field, argument) {
                 Some(size) => sizes.push(size),
                 None => return Some(None),
             }
@@ -99,7 +102,7 @@ impl Arguments<'_, '_> {
         }
     }
 
-    fn positive_length(&mut self, syntax: &Syntax) -> Option<Expr> {
+    fn positive_length(&mut self, field: &str, syntax: &Syntax) -> Option<Expr> {
         let (expr, dimension) = match self.evaluate(syntax)? {
             Value::Scalar(x, dimension) => (x, dimension),
             other => {
@@ -113,8 +116,9 @@ impl Arguments<'_, '_> {
         self.check_dimension("size", dimension, Dimension::LENGTH, Place::of(syntax))?;
         self.check_known("size", syntax, &[expr])?;
         if self.by_default(expr) <= 0.0 {
-            return self.fail_at(Place::of(syntax), "the size of a shape is positive");
+            return self.fail_at(Place::of(syntax), POSITIVE_SIZE);
         }
+        self.require(field, &[expr], Wanted::Positive(POSITIVE_SIZE));
         Some(expr)
     }
 

@@ -33,8 +33,18 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         target,
         rate: arguments.rate_of(target),
         sides,
-        stiffness: positive(arguments, "stiffness", stiffness)?,
-        onset: positive(arguments, "onset", dimension)?,
+        stiffness: positive(
+            arguments,
+            "stiffness",
+            stiffness,
+            "`stiffness` of a stop is positive",
+        )?,
+        onset: positive(
+            arguments,
+            "onset",
+            dimension,
+            "`onset` of a stop is positive",
+        )?,
         dissipation: arguments
             .not_negative("dissipation", rate.map(|r| Dimension::NONE.over(r)))?,
     };
@@ -64,8 +74,13 @@ fn sides(arguments: &mut Arguments, dimension: Option<Dimension>) -> Option<Vec<
     }
 }
 
-fn positive(arguments: &mut Arguments, field: &str, wanted: Option<Dimension>) -> Option<Expr> {
+fn positive(
+    arguments: &mut Arguments,
+    field: &str,
+    wanted: Option<Dimension>,
+    message: &'static str,
+) -> Option<Expr> {
     let value = arguments.of_dimension(field, wanted)?;
-    arguments.refuse_not_positive(field, value, &format!("`{field}` of a stop is positive"))?;
+    arguments.refuse_not_positive(field, value, message)?;
     Some(value)
 }
