@@ -15,6 +15,7 @@ use crate::linear::Dependence;
 use crate::linear::{
     DelassusFactor, RowMatrix, accumulate, dependence, dot, largest, negative, vector,
 };
+use crate::report::HeldGap;
 use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
@@ -45,7 +46,6 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let (guess, declared) = system.guess();
     check_guess(S::MODEL.coordinates, guess.as_slice())?;
     check_guess(S::MODEL.velocities, declared.as_slice())?;
-    let mut v = declared;
     let guess = unit_rotations(system, &guess)?;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
@@ -65,25 +65,24 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         scale: &scale,
         yardstick: &yardstick,
     };
-    if start.count(Level::Position) > 0 {
-        start.positions(&mut geometry, &mut q, &v).map_err(fault)?;
-        let open = start.open(Level::Position, &q, &v, 1.0);
+    if start.count(Level::Position) == 0 {
+        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+    } else {
+        let at = start.positions(&mut geometry, &mut q, &declared);
+        at.map_err(fault)?;
+        let open = start.open(Level::Position, &q, &declared, 1.0);
         system.holonomic(0.0, &q, &mut phi);
         if !open.is_empty() || !(scale.displacement(&phi) <= ASSEMBLED) {
-            // Without the held values?
-            let mut free = guess;
-            geometry
-                .evaluate(system, 0.0, &free, &mut phi)
-                .map_err(fault)?;
-            close(system, &mut geometry, &mut free, &mut phi, &scale).map_err(fault)?;
+            // Is it the held values, or the joints alone?
+            q = guess;
+            let at = geometry.evaluate(system, 0.0, &q, &mut phi);
+            at.map_err(fault)?;
+            close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
             if scale.displacement(&phi) <= ASSEMBLED {
                 let rank = independent_rows(system, &geometry, &yardstick).rank;
                 return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
             }
-            q = free;
         }
-    } else {
-        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     }
 
     let mut verdict = judge(
@@ -96,21 +95,9 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
-    if start.count(Level::Velocity) > 0 {
-        start.velocities(&geometry, &q, &mut v).map_err(fault)?;
-        let speeds = [&declared, &v].map(|v| yardstick.measure(v));
-        let prescribed = scale.displacement(&geometry.b).max(start.fastest(&q, &v));
-        let speed = speeds[0].max(speeds[1]).max(prescribed);
-        let rates = geometry.velocity_rows(system, &v);
-        let open = start.open(Level::Velocity, &q, &v, speed);
-        if !open.is_empty() || !(scale.displacement(&rates) <= ASSEMBLED * speed) {
-            let freedoms = N.saturating_sub(verdict.rank);
-            return Err(start.refused(Level::Velocity, open, freedoms));
-        }
-    } else {
-        let speed = yardstick.measure(&v);
-        project(system, &geometry, &mut v, &scale, speed);
-    }
+    let freedoms = N.saturating_sub(verdict.rank);
+    let moving = set_in_motion(&start, &geometry, &q, &declared).map_err(fault)?;
+    let v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
     verdict.changes = changes::changes(
         S::MODEL.coordinates,
         guess.as_slice(),
@@ -346,6 +333,33 @@ fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         let mut multiplier = negative(&rates);
         solver.solve(&mut multiplier);
         accumulate(v, &geometry.w, &multiplier);
+    }
+}
+
+/// The velocities of the start; or the held values that cannot be had, if the rows could be satisfied without them.
+fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    start: &Start<S, Q, N, R>,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    q: &SVector<f64, Q>,
+    declared: &SVector<f64, N>,
+) -> Result<Result<SVector<f64, N>, Vec<HeldGap>>, Fault> {
+    let (system, scale, yardstick) = (start.system, start.scale, start.yardstick);
+    let mut free = *declared;
+    let speed = yardstick.measure(&free);
+    project(system, geometry, &mut free, scale, speed);
+    if start.count(Level::Velocity) == 0 {
+        return Ok(Ok(free));
+    }
+    let mut v = *declared;
+    start.velocities(geometry, q, &mut v)?;
+    let violation = |v| scale.displacement(&geometry.velocity_rows(system, v));
+    let prescribed = scale.displacement(&geometry.b).max(start.fastest(q, &v));
+    let speed = speed.max(yardstick.measure(&v)).max(prescribed);
+    let open = start.open(Level::Velocity, q, &v, speed);
+    let possible = violation(&free).max(ASSEMBLED * speed);
+    match open.is_empty() && violation(&v) <= possible {
+        true => Ok(Ok(v)),
+        false => Ok(Err(open)),
     }
 }
 
