@@ -4,7 +4,7 @@
 
 mod run;
 
-use mbs_parts::spatial::Leg;
+use mbs_parts::spatial::Hexapod;
 use mbs_runtime::{Settings, Simulation, mechanism};
 
 mechanism!(Platform {
@@ -14,19 +14,7 @@ mechanism!(Platform {
         inertia = Cylinder(0.5_m, 0.05_m, Z),
         at = [0.0_m, 0.0, 1.0]
     ),
-    low: Each(0..6, |i| Let(
-        i * 60.0_deg + if i % 2 == 0 { 0.1 } else { -0.1 }
-    )),
-    high: Each(0..6, |i| Let(
-        i * 60.0_deg + if i % 2 == 0 { 0.3 } else { -0.3 }
-    )),
-    leg: Each(0..6, |i| Assembly(
-        Leg,
-        base = ground,
-        platform = plate,
-        foot = [1.0_m * cos(low[i]), 1.0_m * sin(low[i]), 0.0_m],
-        head = [0.5_m * cos(high[i]), 0.5_m * sin(high[i]), 1.0_m]
-    )),
+    legs: Assembly(Hexapod, base = ground, platform = plate),
     /// Amplitude of the drives.
     shake: Param(10.0_N),
     /// Stiffness of the control of each leg.
@@ -34,17 +22,17 @@ mechanism!(Platform {
     /// Its damping.
     damping: Param(100.0_N_s_per_m),
     drive: Each(0..6, |i| Let(shake * sin(3.0_per_s * t + i * 1.0_rad)
-        - stiffness * leg[i].slide.stroke
-        - damping * leg[i].slide.speed)),
+        - stiffness * legs.leg[i].slide.stroke
+        - damping * legs.leg[i].slide.speed)),
     up: Each(0..6, |i| Force(
-        leg[i].upper.b,
+        legs.leg[i].upper.b,
         value = [drive[i], 0.0, 0.0],
-        axes = leg[i].lower
+        axes = legs.leg[i].lower
     )),
     down: Each(0..6, |i| Force(
-        leg[i].lower.a,
+        legs.leg[i].lower.a,
         value = [-drive[i], 0.0, 0.0],
-        axes = leg[i].lower
+        axes = legs.leg[i].lower
     )),
     pose: Output(plate.origin),
 });

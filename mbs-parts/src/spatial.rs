@@ -50,6 +50,46 @@ assembly!(Leg {
     reaction: Force(lower.a, value = [-force, 0.0, 0.0], axes = lower),
 });
 
+assembly!(Hexapod {
+    doc: "The six legs of a Stewart–Gough platform, in pairs; `foot` and `head` are where they stand in the home pose,",
+    doc: "with the base in the plane of X and Y and the platform above it.",
+    world: Spatial(),
+    /// The part below.
+    base: Port(Part),
+    /// The part above.
+    platform: Port(Part),
+    /// Radius of the circle of the feet.
+    base_radius: Port(Number, default = 1.0_m),
+    /// Radius of the circle of the heads.
+    platform_radius: Port(Number, default = 0.5_m),
+    /// Height of the heads above the feet.
+    height: Port(Number, default = 1.0_m),
+
+    low: Each(0..6, |i| Let(
+        i * 60.0_deg + if i % 2 == 0 { 0.1 } else { -0.1 }
+    )),
+    high: Each(0..6, |i| Let(
+        i * 60.0_deg + if i % 2 == 0 { 0.3 } else { -0.3 }
+    )),
+    foot: Each(0..6, |i| Let([
+        base_radius * cos(low[i]),
+        base_radius * sin(low[i]),
+        0.0_m
+    ])),
+    head: Each(0..6, |i| Let([
+        platform_radius * cos(high[i]),
+        platform_radius * sin(high[i]),
+        height
+    ])),
+    leg: Each(0..6, |i| Assembly(
+        Leg,
+        base = base,
+        platform = platform,
+        foot = foot[i],
+        head = head[i]
+    )),
+});
+
 assembly!(DoubleWishbone {
     doc: "A double wishbone: two arms that carry an upright, a tie rod, and a spring with its damper.",
     world: Spatial(),

@@ -38,7 +38,15 @@ pub(crate) const RESUMABLE: f64 = 1e-6;
 /// # Errors
 /// [`SimulationError::Assembly`] with the rows that have the largest residuals, [`SimulationError::Held`] with the values
 /// that the rows do not allow, and names that the mechanism does not have.
-pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+///
+/// `ASKED` says whether there may be such values besides the declared ones: without any the code for them is left out.
+pub(crate) fn assemble<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+    const ASKED: bool,
+>(
     system: &S,
     settings: &Settings,
     wanted: &[Wanted],
@@ -58,14 +66,18 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    let conditions = conditions::conditions(system, wanted, &guess)?;
+    let holds = const { ASKED || !S::HELD.is_empty() };
+    let conditions = match holds {
+        true => conditions::conditions(system, wanted, &guess)?,
+        false => Vec::new(),
+    };
     let start = Start {
         system,
         conditions: &conditions,
         scale: &scale,
         yardstick: &yardstick,
     };
-    if start.count(Level::Position) == 0 {
+    if !holds || start.count(Level::Position) == 0 {
         close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     } else {
         let at = start.positions(&mut geometry, &mut q, &declared);
@@ -96,8 +108,13 @@ pub(crate) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         return Err(SimulationError::Assembly(verdict));
     }
     let freedoms = N.saturating_sub(verdict.rank);
-    let moving = set_in_motion(&start, &geometry, &q, &declared).map_err(fault)?;
-    let v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
+    let mut v = declared;
+    let speed = yardstick.measure(&v);
+    project(system, &geometry, &mut v, &scale, speed);
+    if holds && start.count(Level::Velocity) > 0 {
+        let moving = set_in_motion(&start, &geometry, &q, [&declared, &v]).map_err(fault)?;
+        v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
+    }
     verdict.changes = changes::changes(
         S::MODEL.coordinates,
         guess.as_slice(),
@@ -341,22 +358,17 @@ fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     start: &Start<S, Q, N, R>,
     geometry: &ConstraintGeometry<S, Q, N, R>,
     q: &SVector<f64, Q>,
-    declared: &SVector<f64, N>,
+    [declared, free]: [&SVector<f64, N>; 2],
 ) -> Result<Result<SVector<f64, N>, Vec<HeldGap>>, Fault> {
     let (system, scale, yardstick) = (start.system, start.scale, start.yardstick);
-    let mut free = *declared;
-    let speed = yardstick.measure(&free);
-    project(system, geometry, &mut free, scale, speed);
-    if start.count(Level::Velocity) == 0 {
-        return Ok(Ok(free));
-    }
+    let speed = yardstick.measure(declared);
     let mut v = *declared;
     start.velocities(geometry, q, &mut v)?;
     let violation = |v| scale.displacement(&geometry.velocity_rows(system, v));
     let prescribed = scale.displacement(&geometry.b).max(start.fastest(q, &v));
     let speed = speed.max(yardstick.measure(&v)).max(prescribed);
     let open = start.open(Level::Velocity, q, &v, speed);
-    let possible = violation(&free).max(ASSEMBLED * speed);
+    let possible = violation(free).max(ASSEMBLED * speed);
     match open.is_empty() && violation(&v) <= possible {
         true => Ok(Ok(v)),
         false => Ok(Err(open)),

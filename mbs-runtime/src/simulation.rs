@@ -102,7 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
     ) -> Result<Self, SimulationError> {
-        Self::assembled(mechanism, settings, &[], None)
+        Self::assembled::<M, false>(mechanism, settings, &[], None)
     }
 
     /// The same with methods beside the two-level one, which a value of [`methods`] names: only these are compiled for
@@ -116,7 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings: Settings,
         _: C,
     ) -> Result<Self, SimulationError> {
-        Self::assembled(mechanism, settings, &[], Some(C::make))
+        Self::assembled::<M, false>(mechanism, settings, &[], Some(C::make))
     }
 
     /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes up to
@@ -181,8 +181,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::resume_with_methods(mechanism, settings, state, methods::Any)
     }
 
-    /// With `other` for the methods other than the two-level one, from the declared guess.
-    fn assembled<M: Mechanism<System = S>>(
+    /// With `other` for the methods other than the two-level one, from the declared guess; `ASKED` if values may be wanted.
+    fn assembled<M: Mechanism<System = S>, const ASKED: bool>(
         mechanism: M,
         settings: Settings,
         wanted: &[Wanted],
@@ -190,7 +190,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
-        let (state, assembly) = assemble(&system, &settings, wanted)?;
+        let (state, assembly) = assemble::<S, Q, N, R, ASKED>(&system, &settings, wanted)?;
         Self::begin(system, settings, state, assembly, other)
     }
 

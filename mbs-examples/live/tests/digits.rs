@@ -194,7 +194,7 @@ fn what_cannot_be_is_answered_with_a_sentence() {
         refused(1, 0, step, &[], "the step cannot be");
     }
     refused(1, 0, 1e-3, &[f64::NAN], "`length`");
-    refused(1, 0, 1e-3, &[1.0, -1.0], "not positive definite");
+    refused(1, 0, 1e-3, &[1.0, -1.0], "is negative (-1)");
     refused(2, 0, 1e-3, &[1.0, 0.0], "not positive definite");
 }
 

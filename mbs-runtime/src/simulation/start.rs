@@ -63,7 +63,7 @@ impl<M: Mechanism> Start<M> {
         M: Mechanism<System = S>,
         S: System<Q, N, R>,
     {
-        Simulation::assembled(self.mechanism, self.settings, &self.wanted, None)
+        Simulation::assembled::<M, true>(self.mechanism, self.settings, &self.wanted, None)
     }
 
     /// The same with methods beside the two-level one.
@@ -78,7 +78,7 @@ impl<M: Mechanism> Start<M> {
         M: Mechanism<System = S>,
         S: System<Q, N, R>,
     {
-        Simulation::assembled(self.mechanism, self.settings, &self.wanted, Some(C::make))
+        Simulation::assembled::<M, true>(self.mechanism, self.settings, &self.wanted, Some(C::make))
     }
 }
 
