@@ -66,10 +66,11 @@ pub(crate) fn assemble<
         .map_err(fault)?;
     let residual_before = largest(&phi);
     let mut q = guess;
-    let holds = const { ASKED || !S::HELD.is_empty() };
-    let conditions = match holds {
-        true => conditions::conditions(system, wanted, &guess)?,
-        false => Vec::new(),
+    // Conditions on constants, so that what they exclude is not compiled either.
+    let conditions = if const { ASKED || !S::HELD.is_empty() } {
+        conditions::conditions(system, wanted, &guess)?
+    } else {
+        Vec::new()
     };
     let start = Start {
         system,
@@ -77,9 +78,7 @@ pub(crate) fn assemble<
         scale: &scale,
         yardstick: &yardstick,
     };
-    if !holds || start.count(Level::Position) == 0 {
-        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
-    } else {
+    if const { ASKED || !S::HELD.is_empty() } && start.count(Level::Position) > 0 {
         let at = start.positions(&mut geometry, &mut q, &declared);
         at.map_err(fault)?;
         let open = start.open(Level::Position, &q, &declared, 1.0);
@@ -95,6 +94,8 @@ pub(crate) fn assemble<
                 return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
             }
         }
+    } else {
+        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     }
 
     let mut verdict = judge(
@@ -111,7 +112,7 @@ pub(crate) fn assemble<
     let mut v = declared;
     let speed = yardstick.measure(&v);
     project(system, &geometry, &mut v, &scale, speed);
-    if holds && start.count(Level::Velocity) > 0 {
+    if const { ASKED || !S::HELD.is_empty() } && start.count(Level::Velocity) > 0 {
         let moving = set_in_motion(&start, &geometry, &q, [&declared, &v]).map_err(fault)?;
         v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
     }

@@ -1,16 +1,30 @@
-//! A Stewart–Gough platform whose legs are one assembly, in another one.
+//! Platforms on legs that are one assembly.
 
-use mbs_parts::spatial::Hexapod;
+use mbs_parts::spatial::{Hexapod, Leg};
 use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
 
-mechanism!(Platform {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+mechanism!(Tripod {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
     plate: Body(
         mass = 10.0_kg,
         inertia = Cylinder(0.5_m, 0.05_m, Z),
         at = [0.0_m, 0.0, 1.0]
     ),
-    legs: Assembly(Hexapod, base = ground, platform = plate),
+    leg: Each(0..3, |i| Assembly(
+        Leg,
+        base = ground,
+        platform = plate,
+        foot = [
+            1.0_m * cos(i * 120.0_deg),
+            1.0_m * sin(i * 120.0_deg),
+            0.0_m
+        ],
+        head = [
+            0.5_m * cos(i * 120.0_deg + 0.2),
+            0.5_m * sin(i * 120.0_deg + 0.2),
+            1.0_m
+        ]
+    )),
     pose: Output(plate.origin),
     tilt: Output(plate.z),
 });
@@ -25,7 +39,21 @@ mechanism!(ByBodies {
         inertia = Cylinder(0.5_m, 0.05_m, Z),
         at = [0.0_m, 0.0, 1.0]
     ),
-    legs: Assembly(Hexapod, base = ground, platform = plate),
+    leg: Each(0..3, |i| Assembly(
+        Leg,
+        base = ground,
+        platform = plate,
+        foot = [
+            1.0_m * cos(i * 120.0_deg),
+            1.0_m * sin(i * 120.0_deg),
+            0.0_m
+        ],
+        head = [
+            0.5_m * cos(i * 120.0_deg + 0.2),
+            0.5_m * sin(i * 120.0_deg + 0.2),
+            1.0_m
+        ]
+    )),
     pose: Output(plate.origin),
     tilt: Output(plate.z),
 });
@@ -37,13 +65,13 @@ fn the_motion_is_that_of_other_coordinates() {
         step: 5e-3,
         ..Settings::default()
     };
-    let forces = [40.0, 30.0, 55.0, 20.0, 45.0, 35.0];
-    let mut one = Simulation::with_settings(Platform::default(), settings).expect("it assembles");
+    let forces = [60.0, 50.0, 75.0];
+    let mut one = Simulation::with_settings(Tripod::default(), settings).expect("it assembles");
     let mut two = Simulation::with_settings(ByBodies::default(), settings).expect("it assembles");
     assert_ne!(one.positions().len(), two.positions().len());
     for (leg, force) in forces.into_iter().enumerate() {
-        one.inputs_mut().legs.leg[leg].force = force;
-        two.inputs_mut().legs.leg[leg].force = force;
+        one.inputs_mut().leg[leg].force = force;
+        two.inputs_mut().leg[leg].force = force;
     }
     one.run_until(0.2).expect("it runs");
     two.run_until(0.2).expect("it runs");
@@ -52,12 +80,12 @@ fn the_motion_is_that_of_other_coordinates() {
         .norm()
         .max((one.tilt - two.tilt).norm());
     assert!(apart < 1e-10, "{apart}");
-    assert_eq!(Platform::MODEL.inputs[5].name, "legs.leg[5].force");
+    assert_eq!(Tripod::MODEL.inputs[2].name, "leg[2].force");
 }
 
 // The legs follow the pose that is asked for.
 mechanism!(Driven {
-    world: Spatial(),
+    world: Spatial(coordinates = Joint),
     plate: Body(
         mass = 10.0_kg,
         inertia = Cylinder(0.5_m, 0.05_m, Z),

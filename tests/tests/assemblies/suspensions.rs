@@ -4,7 +4,7 @@ use mbs_parts::spatial::{DoubleWishbone, McPhersonStrut};
 use mbs_runtime::{Settings, Simulation, mechanism};
 
 mechanism!(Car {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
     chassis: Body(
         mass = 800.0_kg,
         inertia = Cuboid(3.0_m, 1.2_m, 0.8_m),
