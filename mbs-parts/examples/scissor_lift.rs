@@ -6,34 +6,8 @@
 
 mod run;
 
-use mbs_runtime::{Settings, Simulation, assembly, mechanism};
-
-assembly!(Stage {
-    doc: "Two arms of equal length, joined in their middle.",
-    world: Planar(),
-    /// Where the arm that rises to the right begins.
-    left: Port(Point),
-    /// Where the other one begins.
-    right: Port(Point),
-    /// Rate at the start.
-    rate: Port(Number),
-
-    /// Length of the arms.
-    length: Param(1.0_m),
-    /// Mass of each.
-    mass: Param(1.0_kg),
-
-    rising: Bar(mass = mass, length = length, angle = 40.0_deg, rate = rate),
-    falling: Bar(
-        mass = mass,
-        length = length,
-        angle = 140.0_deg,
-        rate = -rate
-    ),
-    foot: Revolute(left, rising.a),
-    other_foot: Revolute(right, falling.a),
-    pin: Revolute(rising.center, falling.center),
-});
+use mbs_parts::planar::ScissorStage;
+use mbs_runtime::{Settings, Simulation, mechanism};
 
 mechanism!(ScissorLift {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -42,7 +16,7 @@ mechanism!(ScissorLift {
     slide: Particle(mass = 0.5_kg, at = [0.75_m, 0.0]),
     rail: Holonomic(slide.origin.y),
     stage: Each(0..50, |i| Assembly(
-        Stage,
+        ScissorStage,
         left = if i == 0 {
             ground.origin
         } else {

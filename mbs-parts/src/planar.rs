@@ -67,3 +67,33 @@ assembly!(GearTrain {
         ratio = -1.0
     )),
 });
+
+assembly!(ScissorStage {
+    doc: "Two arms of equal length, joined in their middle: a stage of a scissor lift. The next one stands on `falling.b` and",
+    doc: "`rising.b`.",
+    world: Planar(),
+    /// Where the arm that rises to the right begins.
+    left: Port(Point),
+    /// Where the other one begins.
+    right: Port(Point),
+    /// Angle of the arm that rises, at the start.
+    angle: Port(Number, default = 40.0_deg),
+    /// Its rate at the start.
+    rate: Port(Number, default = 0.0_rad_per_s),
+
+    /// Length of the arms.
+    length: Param(1.0_m),
+    /// Mass of each.
+    mass: Param(1.0_kg),
+
+    rising: Bar(mass = mass, length = length, angle = angle, rate = rate),
+    falling: Bar(
+        mass = mass,
+        length = length,
+        angle = 180.0_deg - angle,
+        rate = -rate
+    ),
+    foot: Revolute(left, rising.a),
+    other_foot: Revolute(right, falling.a),
+    pin: Revolute(rising.center, falling.center),
+});

@@ -270,11 +270,15 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         return Ok(());
     }
     let mut moved = guess;
-    if continuation::follow(system, geometry, &mut moved, scale)? {
+    let arrives = continuation::follow(system, geometry, &mut moved, scale)?;
+    if arrives {
         *q = moved;
     }
     geometry.evaluate(system, 0.0, q, phi)?;
-    newton(system, geometry, q, phi, scale)
+    match arrives {
+        true => newton(system, geometry, q, phi, scale),
+        false => Ok(()),
+    }
 }
 
 /// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.

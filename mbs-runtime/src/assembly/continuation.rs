@@ -19,6 +19,8 @@ use nalgebra::SVector;
 /// The first part of the way that is tried at once, and the least.
 const FIRST: f64 = 0.05;
 const LEAST: f64 = 1e-5;
+/// The most parts.
+const MOST: usize = 1000;
 /// Newton's corrections of a part of the way: it is halved if they are not enough.
 const CORRECTIONS: usize = 8;
 /// A part of the way has come to its end within this part of φ(guess).
@@ -36,13 +38,19 @@ pub(super) fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R
     let enough = REACHED * REACHED * residual_of(&open, &scale.weights);
     let mut solver = Box::new(DelassusFactor::new());
     let (mut left, mut part) = (1.0_f64, FIRST);
-    while left > 0.0 {
+    for _ in 0..MOST {
+        if left == 0.0 {
+            return Ok(true);
+        }
         let next = (left - part).max(0.0);
         let mut trial = *q;
         let mut phi = SVector::zeros();
         let mut reached = false;
         for _ in 0..CORRECTIONS {
-            geometry.evaluate(system, 0.0, &trial, &mut phi)?;
+            // Where the equations have no value this part of the way was too long.
+            if geometry.evaluate(system, 0.0, &trial, &mut phi).is_err() {
+                break;
+            }
             let mut missing: SVector<f64, R> = open * next - phi;
             reached = residual_of(&missing, &scale.weights) <= enough;
             if reached {
@@ -63,5 +71,5 @@ pub(super) fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R
             return Ok(false);
         }
     }
-    Ok(true)
+    Ok(left == 0.0)
 }

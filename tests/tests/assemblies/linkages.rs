@@ -1,6 +1,6 @@
 //! Linkages and gear trains.
 
-use mbs_parts::planar::{FourBar, GearTrain};
+use mbs_parts::planar::{FourBar, GearTrain, ScissorStage};
 use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
 
 mechanism!(OneByHand {
@@ -183,47 +183,32 @@ fn assemblies_nest() {
     );
 }
 
-mod lift {
-    use mbs_runtime::{assembly, mechanism};
-
-    assembly!(Stage {
-        world: Planar(),
-        left: Port(Point),
-        right: Port(Point),
-        rising: Bar(mass = 1.0_kg, length = 1.0_m, angle = 40.0_deg),
-        falling: Bar(mass = 1.0_kg, length = 1.0_m, angle = 140.0_deg),
-        foot: Revolute(left, rising.a),
-        other_foot: Revolute(right, falling.a),
-        pin: Revolute(rising.center, falling.center),
-    });
-
-    mechanism!(Lift {
-        world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
-        slide: Particle(mass = 0.5_kg, at = [0.75_m, 0.0]),
-        rail: Holonomic(slide.origin.y),
-        stage: Each(0..3, |i| Assembly(
-            Stage,
-            left = if i == 0 {
-                ground.origin
-            } else {
-                stage[i - 1].falling.b
-            },
-            right = if i == 0 {
-                slide.origin
-            } else {
-                stage[i - 1].rising.b
-            }
-        )),
-        plate: Body(mass = 2.0_kg, inertia = 0.1_kg_m2),
-        hinge: Revolute(stage[2].falling.b, plate.origin),
-        roller: Holonomic(dot(stage[2].rising.b - plate.origin, plate.y)),
-        level: Holonomic(plate.angle),
-    });
-}
+mechanism!(Lift {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
+    slide: Particle(mass = 0.5_kg, at = [0.75_m, 0.0]),
+    rail: Holonomic(slide.origin.y),
+    stage: Each(0..3, |i| Assembly(
+        ScissorStage,
+        left = if i == 0 {
+            ground.origin
+        } else {
+            stage[i - 1].falling.b
+        },
+        right = if i == 0 {
+            slide.origin
+        } else {
+            stage[i - 1].rising.b
+        }
+    )),
+    plate: Body(mass = 2.0_kg, inertia = 0.1_kg_m2),
+    hinge: Revolute(stage[2].falling.b, plate.origin),
+    roller: Holonomic(dot(stage[2].rising.b - plate.origin, plate.y)),
+    level: Holonomic(plate.angle),
+});
 
 #[test]
 fn long_lists_of_names_are_short() {
-    let mobility = lift::Lift::MODEL.mobility.expect("it assembles");
+    let mobility = Lift::MODEL.mobility.expect("it assembles");
     assert_eq!(
         mobility.summary,
         "23 rows, rank 22: the row of `level` follows from rail, stage[0].foot…stage[2].foot, \

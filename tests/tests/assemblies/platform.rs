@@ -1,10 +1,10 @@
 //! Platforms on legs that are one assembly.
 
 use mbs_parts::spatial::{Hexapod, Leg};
-use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+use mbs_runtime::{Mechanism, Settings, Simulation, assembly, mechanism};
 
-mechanism!(Tripod {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
+assembly!(Tripod {
+    world: Spatial(),
     plate: Body(
         mass = 10.0_kg,
         inertia = Cylinder(0.5_m, 0.05_m, Z),
@@ -29,33 +29,17 @@ mechanism!(Tripod {
     tilt: Output(plate.z),
 });
 
+mechanism!(ByJoints {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
+    tripod: Assembly(Tripod),
+});
+
 mechanism!(ByBodies {
     world: Spatial(
         gravity = [0.0, 0.0, -9.81_m_per_s2],
         coordinates = Reference
     ),
-    plate: Body(
-        mass = 10.0_kg,
-        inertia = Cylinder(0.5_m, 0.05_m, Z),
-        at = [0.0_m, 0.0, 1.0]
-    ),
-    leg: Each(0..3, |i| Assembly(
-        Leg,
-        base = ground,
-        platform = plate,
-        foot = [
-            1.0_m * cos(i * 120.0_deg),
-            1.0_m * sin(i * 120.0_deg),
-            0.0_m
-        ],
-        head = [
-            0.5_m * cos(i * 120.0_deg + 0.2),
-            0.5_m * sin(i * 120.0_deg + 0.2),
-            1.0_m
-        ]
-    )),
-    pose: Output(plate.origin),
-    tilt: Output(plate.z),
+    tripod: Assembly(Tripod),
 });
 
 #[test]
@@ -66,21 +50,21 @@ fn the_motion_is_that_of_other_coordinates() {
         ..Settings::default()
     };
     let forces = [60.0, 50.0, 75.0];
-    let mut one = Simulation::with_settings(Tripod::default(), settings).expect("it assembles");
+    let mut one = Simulation::with_settings(ByJoints::default(), settings).expect("it assembles");
     let mut two = Simulation::with_settings(ByBodies::default(), settings).expect("it assembles");
     assert_ne!(one.positions().len(), two.positions().len());
     for (leg, force) in forces.into_iter().enumerate() {
-        one.inputs_mut().leg[leg].force = force;
-        two.inputs_mut().leg[leg].force = force;
+        one.inputs_mut().tripod.leg[leg].force = force;
+        two.inputs_mut().tripod.leg[leg].force = force;
     }
     one.run_until(0.2).expect("it runs");
     two.run_until(0.2).expect("it runs");
-    let (one, two) = (one.outputs(), two.outputs());
+    let (one, two) = (one.outputs().tripod, two.outputs().tripod);
     let apart = (one.pose - two.pose)
         .norm()
         .max((one.tilt - two.tilt).norm());
     assert!(apart < 1e-10, "{apart}");
-    assert_eq!(Tripod::MODEL.inputs[2].name, "leg[2].force");
+    assert_eq!(ByJoints::MODEL.inputs[2].name, "tripod.leg[2].force");
 }
 
 // The legs follow the pose that is asked for.

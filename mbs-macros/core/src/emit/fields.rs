@@ -7,7 +7,7 @@ use crate::names::split;
 use crate::syntax::{Declaration, Instance, path_text};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A field, for some of the values of a list.
 pub(super) struct Field<'q> {
@@ -31,23 +31,26 @@ pub(super) type TypeOf<'t> = &'t dyn Fn(&Instance, &[Field]) -> TokenStream;
 /// The fields of a list.
 pub(super) fn fields<'q>(declaration: &'q Declaration, list: &'q [Quantity]) -> Vec<Field<'q>> {
     let list: Vec<(usize, &Quantity)> = list.iter().enumerate().collect();
-    fields_in(declaration, "", &list)
+    let instances = declaration.instances.iter();
+    let instances = instances.map(|instance| (instance.name.as_str(), instance));
+    fields_in(declaration, &instances.collect(), "", &list)
 }
 
 /// Of the values whose names begin with `assembly`.
 fn fields_in<'q>(
     declaration: &'q Declaration,
+    instances: &HashMap<&str, &'q Instance>,
     assembly: &str,
     list: &[(usize, &'q Quantity)],
 ) -> Vec<Field<'q>> {
     let mut fields: Vec<Field> = Vec::new();
+    let mut known: HashMap<&str, usize> = HashMap::new();
     let mut inner: BTreeMap<String, Vec<(usize, &Quantity)>> = BTreeMap::new();
     for &(place, quantity) in list {
         let own = &quantity.name[assembly.len()..];
         let (word, indices, component) = split(own);
         let base = format!("{assembly}{word}");
-        let at = fields.iter().position(|field| field.name == word);
-        let at = at.unwrap_or_else(|| {
+        let at = *known.entry(word).or_insert_with(|| {
             let family = declaration.family(&base);
             fields.push(Field {
                 name: items::field(declaration, &base, word),
@@ -58,7 +61,7 @@ fn fields_in<'q>(
         });
         let text = &quantity.name[..quantity.name.len() - component.len()];
         let members = &mut fields[at].members;
-        if let Some(instance) = declaration.instance(text) {
+        if let Some(&instance) = instances.get(text) {
             members.insert(indices, Content::Assembly(instance, Vec::new()));
             inner
                 .entry(text.to_owned())
@@ -80,7 +83,7 @@ fn fields_in<'q>(
         if let Content::Assembly(instance, inside) = content
             && let Some(list) = inner.get(instance.name.as_str())
         {
-            *inside = fields_in(declaration, &format!("{}.", instance.name), list);
+            *inside = fields_in(declaration, instances, &format!("{}.", instance.name), list);
         }
     }
     fields

@@ -62,6 +62,15 @@ impl Resolver<'_> {
     pub(super) fn held(&mut self) -> Vec<Held> {
         let mut held = Vec::new();
         for entry in &self.declaration.entries {
+            let named = entry.named.iter().map(|argument| &argument.value);
+            if !entry
+                .positional
+                .iter()
+                .chain(named)
+                .any(|value| exactly(value).is_some())
+            {
+                continue;
+            }
             let name = entry.name.to_string();
             let Some(part) = self.parts.iter().find(|part| part.name == name).cloned() else {
                 continue;

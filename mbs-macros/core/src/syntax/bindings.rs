@@ -126,6 +126,15 @@ impl Bound<'_> {
     }
 }
 
+/// The names that a closure gives to its parameters.
+pub(super) fn names<'f>(pattern: &'f Pat, list: &mut Vec<&'f Ident>) {
+    match pattern {
+        Pat::Ident(name) => list.push(&name.ident),
+        Pat::Tuple(tuple) => tuple.elems.iter().for_each(|name| names(name, list)),
+        _ => {}
+    }
+}
+
 fn bind<'f>(
     pattern: &'f Pat,
     bound: Bound<'f>,

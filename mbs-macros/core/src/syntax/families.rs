@@ -1,7 +1,7 @@
 //! Families: one entry stands for many, `name: Each(0..5, |i| Kind(…))`. They become ordinary entries here; later stages
 //! know their names only.
 
-use super::bindings::{Bindings, Bound};
+use super::bindings::{Bindings, Bound, names};
 use super::name::Name;
 use super::ranges::{Over, ranges};
 use std::ops::Range;
@@ -117,18 +117,11 @@ impl<'e> Written<'e> {
 
     /// Names that the closure gives to its parameters.
     pub(super) fn parameters(&self) -> Vec<&'e Ident> {
-        fn note<'e>(pattern: &'e Pat, names: &mut Vec<&'e Ident>) {
-            match pattern {
-                Pat::Ident(name) => names.push(&name.ident),
-                Pat::Tuple(tuple) => tuple.elems.iter().for_each(|name| note(name, names)),
-                _ => {}
-            }
-        }
-        let mut names = Vec::new();
+        let mut list = Vec::new();
         for pattern in &self.parameters {
-            note(pattern, &mut names);
+            names(pattern, &mut list);
         }
-        names
+        list
     }
 
     /// The members in order, the last index first: name and what it is. Those that an `if` leaves out have none.

@@ -3,7 +3,7 @@
 use super::Declaration;
 use super::children::children_mut;
 use super::reference::{member_of, reference};
-use crate::diagnostics::Errors;
+use crate::diagnostics::{Errors, Place};
 use std::collections::HashSet;
 use syn::{Expr, ExprCall, Member};
 
@@ -34,12 +34,15 @@ pub(super) fn resolve(declaration: &mut Declaration, errors: &mut Errors) {
     let world = declaration.world_kind();
     for instance in &declaration.instances {
         let of = &instance.definition;
+        if of.world == world {
+            continue;
+        }
         // The one outside is wrong already.
         let outer = declaration.instance(instance.name.assembly());
-        if of.world != world && outer.is_none_or(|outer| outer.definition.world == world) {
+        if outer.is_none_or(|outer| outer.definition.world == world) {
             let before = errors.enter(instance.name.as_str());
             errors.at(
-                crate::diagnostics::Place::of(&instance.path),
+                Place::of(&instance.path),
                 format!(
                     "`{}` is an assembly of {}, and this mechanism is one of {}",
                     of.name,

@@ -1,7 +1,9 @@
 //! Other expressions in the place of names.
 
+use super::bindings::names;
+use super::children::children_mut;
 use super::entry::ASSEMBLY;
-use syn::{Expr, Ident, Pat, Stmt};
+use syn::{Expr, Ident, Stmt};
 
 /// Where a name stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,15 +19,6 @@ pub(super) enum Role {
 pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
     match expr {
         Expr::Path(_) => replace(expr, Role::Value, of),
-        Expr::Paren(paren) => rewrite(&mut paren.expr, of),
-        Expr::Group(group) => rewrite(&mut group.expr, of),
-        Expr::Unary(unary) => rewrite(&mut unary.expr, of),
-        Expr::Binary(binary) => {
-            rewrite(&mut binary.left, of);
-            rewrite(&mut binary.right, of);
-        }
-        Expr::Array(array) => array.elems.iter_mut().for_each(|item| rewrite(item, of)),
-        Expr::Tuple(tuple) => tuple.elems.iter_mut().for_each(|item| rewrite(item, of)),
         Expr::Call(call) => {
             // The path of a law is that of a function, and the first argument of an assembly is its own.
             let is_path =
@@ -36,17 +29,6 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
             if skipped == 0 {
                 rewrite_function(&mut call.func, of);
             }
-        }
-        Expr::MethodCall(call) => {
-            rewrite(&mut call.receiver, of);
-            call.args
-                .iter_mut()
-                .for_each(|argument| rewrite(argument, of));
-        }
-        Expr::Field(field) => rewrite(&mut field.base, of),
-        Expr::Index(index) => {
-            rewrite(&mut index.expr, of);
-            rewrite(&mut index.index, of);
         }
         Expr::Assign(assign) => match argument(&assign.left) {
             Some(Word::Law) => rewrite_function(&mut assign.right, of),
@@ -67,17 +49,17 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
         Expr::Block(block) => rewrite_block(&mut block.block.stmts, of),
         Expr::Closure(closure) => {
             let mut own = Vec::new();
-            closure
-                .inputs
-                .iter()
-                .for_each(|pattern| names(pattern, &mut own));
-            let outer = |name: &Ident, role: Role| match own.contains(name) {
+            let inputs = closure.inputs.iter();
+            inputs.for_each(|pattern| names(pattern, &mut own));
+            let outer = |name: &Ident, role: Role| match own.contains(&name) {
                 true => None,
                 false => of(name, role),
             };
             rewrite(&mut closure.body, &outer);
         }
-        _ => {}
+        other => children_mut(other)
+            .into_iter()
+            .for_each(|child| rewrite(child, of)),
     }
 }
 
@@ -131,13 +113,5 @@ fn rewrite_block(statements: &mut [Stmt], of: &dyn Fn(&Ident, Role) -> Option<Ex
         if let Stmt::Expr(expr, _) = statement {
             rewrite(expr, of);
         }
-    }
-}
-
-fn names(pattern: &Pat, list: &mut Vec<Ident>) {
-    match pattern {
-        Pat::Ident(name) => list.push(name.ident.clone()),
-        Pat::Tuple(tuple) => tuple.elems.iter().for_each(|name| names(name, list)),
-        _ => {}
     }
 }
