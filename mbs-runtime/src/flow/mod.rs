@@ -9,7 +9,9 @@ mod midpoint;
 mod trapezoid;
 
 use crate::linear::RowMatrix;
-pub(crate) use choice::choose;
+pub(crate) use choice::{choose, is_large};
+#[cfg(feature = "sparse")]
+pub(crate) use group::right_tangent;
 pub(crate) use group::{pull_back, pull_back_rows, transport, unroll};
 pub(crate) use implicit::{Implicit, trapezoid};
 pub(crate) use leapfrog::Leapfrog;

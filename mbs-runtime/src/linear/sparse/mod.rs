@@ -1,0 +1,9 @@
+//! Sparse matrices of any pattern, and their factors; on faer.
+
+mod entries;
+mod lu;
+mod pattern;
+
+pub(crate) use entries::{Entries, Recorder};
+pub(crate) use lu::SparseLu;
+pub(crate) use pattern::{Columns, Pattern};
