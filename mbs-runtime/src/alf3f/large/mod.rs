@@ -2,9 +2,11 @@
 //! redundant rows. The step is the [implicit one](super::implicit_step); its matrices are sparse.
 
 #[cfg(feature = "sparse")]
-mod saddle;
+mod matrices;
 #[cfg(feature = "sparse")]
 mod step;
+#[cfg(feature = "sparse")]
+mod tangents;
 #[cfg(not(feature = "sparse"))]
 mod without;
 

@@ -6,10 +6,11 @@
 //! v₁ = v_b + (M₁ − h/2 ∂F/∂v)⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 //!
-//! Velocities and multipliers are corrected together, by one factor of the [`Saddle`]. Its regularisation takes the place
+//! Velocities and multipliers are corrected together, by one factor of the [saddle matrix](crate::linear::sparse::Saddle). Its regularisation takes the place
 //! of the dense step's look for rows that have lost their direction.
 
-use super::saddle::{Saddle, Tangents};
+use super::matrices::StepMatrices;
+use super::tangents::Tangents;
 use crate::alf3f::closing::{self, Closing, Limits, Refining, not_converged, refine, residual_of};
 use crate::alf3f::corrections::Corrections;
 use crate::alf3f::step_context::{PROMPT, REFINEMENTS, StepContext};
@@ -29,12 +30,12 @@ const SINGULAR: Fault = Fault::Flow {
 /// Matrices and workspace.
 pub(crate) struct SparseStep<const Q: usize, const N: usize, const R: usize> {
     tangents: Tangents,
-    saddle: Saddle,
+    matrices: StepMatrices,
     /// Right-hand side and solution: N velocities, R multipliers.
     x: Vec<f64>,
     force: SVector<f64, N>,
     momentum: SVector<f64, N>,
-    /// Whether the saddle is factored for the present iteration.
+    /// Whether the matrix is factored for the present iteration.
     current: bool,
 }
 
@@ -50,7 +51,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         } = state;
         let tangents = Tangents::new(system, *time, (positions, velocities));
         Some(Box::new(SparseStep {
-            saddle: Saddle::new::<S, Q, N, R>(&tangents)?,
+            matrices: StepMatrices::new::<S, Q, N, R>(&tangents)?,
             tangents,
             x: vec![0.0; N + R],
             force: zeros(),
@@ -143,7 +144,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         context.work.impulse = [kappa, zeros()];
         if R > 0 {
             let before = vb;
-            if !self.saddle.factor_velocities(&self.tangents, h) {
+            if !self.matrices.factor_velocities::<R>(&self.tangents, h) {
                 return Err(SINGULAR);
             }
             let mut rows = Rates {
@@ -234,7 +235,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         let turn = vector(|i| 0.5 * self.h * (v0[i] + self.vb[i]));
         let SparseStep {
             tangents,
-            saddle,
+            matrices,
             current,
             ..
         } = &mut *self.step;
@@ -254,13 +255,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             &mut f_v.sink(),
             &mut p_q.sink(),
         );
-        *current = saddle.factor_positions::<S, Q, N, R>(tangents, &turn, self.h);
+        *current = matrices.factor_positions::<S, Q, N, R>(tangents, &turn, self.h);
         Ok(*current)
     }
 
     fn solve(&mut self) -> bool {
         let SparseStep {
-            saddle, x, current, ..
+            matrices,
+            x,
+            current,
+            ..
         } = &mut *self.step;
         let (velocities, multipliers) = x.split_at_mut(N);
         velocities.copy_from_slice(self.change.as_slice());
@@ -270,7 +274,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
                 false => -self.defect[i],
             };
         }
-        if !saddle.lu.solve(x) {
+        if !matrices.saddle.lu.solve(x) {
             // The next residual is not finite, either, which ends the iteration.
             x.fill(f64::NAN);
         }
@@ -328,7 +332,7 @@ impl<const Q: usize, const N: usize, const R: usize> Refining for Rates<'_, Q, N
         for i in 0..R {
             x[N + i] = -self.rates[i];
         }
-        self.solved &= self.step.saddle.lu.solve(x);
+        self.solved &= self.step.matrices.saddle.lu.solve(x);
         *self.v += SVector::<f64, N>::from_column_slice(&x[..N]);
         *self.total += SVector::<f64, R>::from_column_slice(&x[N..]);
     }

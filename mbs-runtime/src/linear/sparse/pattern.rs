@@ -1,5 +1,6 @@
 //! Which entries of a matrix are not zero, column by column.
 
+use super::Entries;
 use std::collections::BTreeSet;
 
 /// A pattern on its way.
@@ -56,6 +57,14 @@ impl Columns {
         let first = self.starts[column];
         let rows = &self.rows[first..self.starts[column + 1]];
         first + rows.binary_search(&row).expect("an entry of the pattern")
+    }
+
+    /// The indices of these entries.
+    pub(crate) fn slots(&self, entries: &Entries) -> Vec<usize> {
+        let places = entries.places.iter();
+        places
+            .map(|&(row, column)| self.slot(row, column))
+            .collect()
     }
 
     /// Row and column of each entry, in order.
