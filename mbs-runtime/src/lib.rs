@@ -80,6 +80,7 @@ mod free;
 pub mod generated;
 mod integrator;
 mod known_cost;
+mod large;
 mod linear;
 mod mechanism;
 pub mod methods;

@@ -8,7 +8,8 @@ use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
 use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
-use crate::flow::{Leapfrog, Midpoint, Trapezoid, is_large};
+use crate::flow::{Leapfrog, Midpoint, Trapezoid};
+use crate::large::{is_large, is_sparse};
 use crate::linear::{add, added, vector};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
@@ -102,7 +103,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let mut state = state;
         state.make_room(count);
         let before = state.with_same_room();
-        let large = match const { is_large::<S, Q, N, R>() } && flow == Flow::Implicit && !is_high {
+        let large = match is_sparse::<S, Q, N, R>(settings) {
             true => SparseStep::new(&system, &state),
             false => None,
         };

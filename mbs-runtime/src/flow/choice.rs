@@ -1,6 +1,7 @@
 //! The choice of the flow.
 
 use crate::fault::Fault;
+use crate::large::is_sparse;
 use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
@@ -10,8 +11,6 @@ use nalgebra::SVector;
 /// is large below that already.
 const STIFF: f64 = 0.25;
 const POWER_ITERATIONS: usize = 30;
-/// With fewer velocities and rows dense arrays, held in caches, are the faster.
-const FEWEST_UNKNOWNS: usize = 100;
 
 /// The flow of the settings, if the structure of the equations allows it; by default the flow that fits the
 /// structure.
@@ -41,7 +40,7 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
         }
         Some(flow) => Ok(flow),
         // Other flows have dense arrays.
-        None if const { is_large::<S, Q, N, R>() } => Ok(Flow::Implicit),
+        None if is_sparse::<S, Q, N, R>(settings) => Ok(Flow::Implicit),
         None if const { S::STRUCTURE.allows(Flow::Leapfrog) && S::STRUCTURE.position_forces } => {
             let stiffness = stiffness(system, state, settings.step).map_err(|fault| {
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
@@ -55,15 +54,6 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
         }
         None => Ok(natural),
     }
-}
-
-/// Whether a mechanism is solved with sparse factors, which the implicit flow has, unless another flow is asked for: it is
-/// large, and its elimination was not planned when it was compiled.
-pub(crate) const fn is_large<S, const Q: usize, const N: usize, const R: usize>() -> bool
-where
-    S: System<Q, N, R>,
-{
-    cfg!(feature = "sparse") && N + R >= FEWEST_UNKNOWNS && S::ELIMINATION.is_none()
 }
 
 impl Structure {

@@ -9,7 +9,7 @@ mod midpoint;
 mod trapezoid;
 
 use crate::linear::RowMatrix;
-pub(crate) use choice::{choose, is_large};
+pub(crate) use choice::choose;
 #[cfg(feature = "sparse")]
 pub(crate) use group::right_tangent;
 pub(crate) use group::{pull_back, pull_back_rows, transport, unroll};

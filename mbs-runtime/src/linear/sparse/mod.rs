@@ -8,4 +8,4 @@ mod saddle;
 pub(crate) use entries::{Entries, Recorder};
 pub(crate) use lu::SparseLu;
 pub(crate) use pattern::{Columns, Pattern};
-pub(crate) use saddle::{PROXIMAL, Saddle};
+pub(crate) use saddle::Saddle;

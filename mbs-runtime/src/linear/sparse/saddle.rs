@@ -12,7 +12,7 @@
 use super::{Columns, Entries, Pattern, SparseLu};
 
 /// ε: rows that add less than its root to the others are regularised.
-pub(crate) const PROXIMAL: f64 = 1e-10;
+const PROXIMAL: f64 = 1e-10;
 
 /// The matrix, and its factors.
 pub(crate) struct Saddle {
@@ -87,6 +87,11 @@ impl Saddle {
             // A row that vanishes altogether gets no multiplier.
             values[slot] += if length > 0.0 { PROXIMAL * length } else { 1.0 };
         }
+    }
+
+    /// D.
+    pub(crate) fn lengths(&self) -> &[f64] {
+        &self.lengths
     }
 
     /// Adds A of these rows below, and −Aᵀ beside.
