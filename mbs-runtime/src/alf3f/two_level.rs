@@ -9,7 +9,7 @@ use super::step_context::{Counters, StepContext};
 use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
-use crate::large::{is_large, is_sparse};
+use crate::large::{check_dense, is_large, is_sparse};
 use crate::linear::{add, added, vector};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
@@ -107,6 +107,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             true => SparseStep::new(&system, &state),
             false => None,
         };
+        if large.is_none() {
+            check_dense(N, flow)?;
+        }
         let mut context = StepContext::new(system, state, settings, placed, large.is_none())
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let yardstick = &*context.yardstick.clone();

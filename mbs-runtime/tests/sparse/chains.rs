@@ -66,9 +66,9 @@ fn settings(step: f64, flow: Option<Flow>) -> Settings {
 
 #[test]
 fn sparse_and_dense_factors_have_the_same_limit() {
-    let ends = [4e-3, 2e-3].map(|step| {
-        let [sparse, dense] = [None, Some(Flow::Trapezoid)]
-            .map(|flow| run(conservative::Free {}, settings(step, flow), 0.2));
+    let ends = [8e-3, 4e-3].map(|step| {
+        let [sparse, dense] = [Some(Flow::Implicit), Some(Flow::Trapezoid)]
+            .map(|flow| run(conservative::Free {}, settings(step, flow), 0.16));
         assert!(sparse.rows < 1e-11, "{}", sparse.rows);
         apart(&sparse, &dense)
     });
@@ -79,10 +79,10 @@ fn sparse_and_dense_factors_have_the_same_limit() {
 #[test]
 fn a_damped_chain_converges_with_the_square_of_the_step() {
     let ends =
-        [4e-3, 2e-3, 1e-3].map(|step| run(Chain { damping: 1e-3 }, settings(step, None), 0.3));
+        [8e-3, 4e-3, 2e-3].map(|step| run(Chain { damping: 1e-3 }, settings(step, None), 0.16));
     let [coarse, middle, fine] = &ends;
     assert!(fine.rows < 1e-11, "{}", fine.rows);
-    assert!(fine.energy_error < 1e-5, "{}", fine.energy_error);
+    assert!(fine.energy_error < 2e-5, "{}", fine.energy_error);
     let ratio = apart(coarse, middle) / apart(middle, fine);
     assert!((3.0..5.5).contains(&ratio), "{ratio}");
 }
