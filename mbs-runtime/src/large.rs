@@ -12,32 +12,30 @@ const FEWEST_BESIDE_OTHERS: usize = 300;
 /// With more velocities the matrices that the dense flows have on the stack, N × N, are larger than 4 MB.
 const MOST_DENSE: usize = 700;
 
-/// Whether there are sparse factors for a mechanism: it is large, and its elimination was not planned when it was
-/// compiled. A constant of the mechanism: others do not compile the code for it.
-pub(crate) const fn is_large<S, const Q: usize, const N: usize, const R: usize>() -> bool
-where
-    S: System<Q, N, R>,
-{
+/// Whether there are sparse factors for a mechanism: it is large. A constant of the mechanism: others do not compile the code for it.
+pub(crate) const fn is_large<const N: usize, const R: usize>() -> bool {
     let fewest = match R {
         0 => FEWEST_WITHOUT_ROWS,
         _ => FEWEST_UNKNOWNS,
     };
-    cfg!(feature = "sparse") && N + R >= fewest && S::ELIMINATION.is_none()
+    cfg!(feature = "sparse") && N + R >= fewest
 }
 
-/// Whether a simulation with these settings takes them: the implicit flow has them.
+/// Whether a simulation with these settings takes them: the implicit flow has them. If the elimination was planned when
+/// the mechanism was compiled, that flow has to be asked for.
 pub(crate) fn is_sparse<S, const Q: usize, const N: usize, const R: usize>(
     settings: &Settings,
 ) -> bool
 where
     S: System<Q, N, R>,
 {
-    let possible = const { is_large::<S, Q, N, R>() };
+    let possible = const { is_large::<N, R>() };
     possible
         && settings.method == Method::TwoLevel
         && settings.order == 2
         && settings.fixed_iterations.is_none()
         && match settings.flow {
+            None if S::ELIMINATION.is_some() => false,
             None => S::STRUCTURE.velocity_forces || N + R >= FEWEST_BESIDE_OTHERS,
             flow => flow == Some(Flow::Implicit),
         }

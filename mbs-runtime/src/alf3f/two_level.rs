@@ -369,7 +369,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 Outcome::Done => Ok(()),
                 Outcome::Lost => kick_flow_kick(context, &mut **kicks, h),
             },
-            Stepping::Large(step) if const { is_large::<S, Q, N, R>() } => step.step(context, h),
+            Stepping::Large(step) if const { is_large::<N, R>() } => step.step(context, h),
             Stepping::Leapfrog(_)
             | Stepping::Sparse(..)
             | Stepping::Midpoint(_)

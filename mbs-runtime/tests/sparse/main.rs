@@ -1,7 +1,9 @@
 //! Large mechanisms with sparse factors: `cargo test -p mbs-runtime --features sparse --test sparse`.
 
 mod chains;
+mod crank;
 mod redundant;
+mod singular;
 mod snake;
 
 use mbs_runtime::{Mechanism, Settings, Simulation, System};
