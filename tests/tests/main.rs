@@ -32,6 +32,7 @@ mod newton_euler;
 mod parameter_checks;
 mod parts;
 mod passages;
+mod planar_joints;
 mod reactions;
 mod reference_page;
 mod references;

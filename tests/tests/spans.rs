@@ -92,7 +92,7 @@ fn names() {
         "
         out: Output(pivot),
                     ~~~~~",
-        "`pivot` is declared as `Revolute`",
+        "an output is a number, vector or point, but this is the joint `pivot`",
     );
 }
 

@@ -240,14 +240,10 @@ impl<'d> Resolver<'d> {
                     // Its own error is recorded already.
                     return None;
                 }
-                let advice = match self.kind_of(entry).is_some_and(|kind| kind.traits().hinge) {
-                    true => "; in the plane parts have angles, joints have not",
-                    false => "",
-                };
                 self.fail(
                     place,
                     format!(
-                        "`{name}` is declared as `{}`, which has no value that an expression could use{advice}",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use",
                         entry.kind
                     ),
                 )
@@ -296,14 +292,13 @@ impl<'d> Resolver<'d> {
                 | "Body"
                 | "Particle"
         ) || self.has_frames(entry)
+            || self.is_planar_joint(entry)
     }
 
-    /// Whether every entry that has a value has been evaluated.
+    /// Whether every entry that has a value has been evaluated; joints of the plane are where an expression names them.
     pub(super) fn is_evaluated(&self) -> bool {
-        let states = self.states.iter();
-        states
-            .into_iter()
-            .all(|state| matches!(state, State::Done(_)))
+        let mut entries = self.declaration.entries.iter().zip(&self.states);
+        entries.all(|(entry, state)| matches!(state, State::Done(_)) || self.is_planar_joint(entry))
     }
 
     /// The value of an entry.
@@ -321,7 +316,8 @@ impl<'d> Resolver<'d> {
         if !matches!(self.states[index], State::Waiting) {
             return;
         }
-        let hinged = self.has_frames(self.entry(index));
+        let entry = self.entry(index);
+        let hinged = self.has_frames(entry) || self.is_planar_joint(entry);
         if hinged && self.misplaced.contains(&self.entry(index).name.to_string()) {
             self.states[index] = State::Done(None);
             return;
@@ -346,6 +342,7 @@ impl<'d> Resolver<'d> {
             "Body" => self.spatial_body(entry),
             "Particle" => self.particle(entry),
             _ if self.has_frames(entry) => self.joint_frames(entry),
+            _ if self.is_planar_joint(entry) => self.planar_joint(entry),
             _ => None,
         };
         self.errors.leave(before);

@@ -36,8 +36,10 @@ pub fn resolve(
         return None;
     }
     let gravity = resolver.gravity();
-    for index in 0..declaration.entries.len() {
-        resolver.force(index);
+    for (index, entry) in declaration.entries.iter().enumerate() {
+        if !resolver.is_planar_joint(entry) {
+            resolver.force(index);
+        }
     }
     debug_assert!(resolver.is_evaluated());
 

@@ -224,12 +224,17 @@ pub const KINDS: &[Kind] = &[
         name: "Force",
         group: Group::Force,
         fields: &[
-            positional("on", Point, Required, "where it acts"),
+            positional(
+                "on",
+                Point,
+                Required,
+                "where it acts, or a joint that slides",
+            ),
             field(
                 "value",
                 MovingVector(Dimension::FORCE),
                 Required,
-                "its components",
+                "its components; in a joint its value along the joint's axis",
             ),
             field(
                 "axes",
@@ -238,7 +243,7 @@ pub const KINDS: &[Kind] = &[
                 "the part in whose axes the components are given",
             ),
         ],
-        doc: "A force on a point.",
+        doc: "A force on a point, or in a joint: on its child, and back on its parent.",
         joint: None,
     },
 ];

@@ -239,14 +239,6 @@ impl Arguments<'_, '_> {
         matches!(value, Some(Value::Joint(_)))
     }
 
-    /// The scalar torque about a joint's axis.
-    pub fn torque_value(&mut self, field: &str) -> Option<Expr> {
-        let syntax = self.syntax(field)?;
-        let (value, dimension) = self.resolver.scalar(syntax)?;
-        self.check_dimension(field, dimension, Dimension::TORQUE, Place::of(syntax))?;
-        Some(value)
-    }
-
     /// Stiffness or damping in three directions: a number for all, three numbers, or a matrix; zero if it was not given.
     pub fn gains(&mut self, field: &str) -> Option<Tensor> {
         let zero = self.graph().zero();
