@@ -13,6 +13,7 @@ mod baselines;
 mod book;
 mod derivatives;
 mod descriptions;
+mod drives;
 mod elimination;
 mod families;
 mod flipped_signs;

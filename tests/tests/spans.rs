@@ -200,7 +200,7 @@ fn conditions() {
         "
         turn: Drive(bar.angle, value = sin(bar.angle) + 1.0_rad_per_s * t),
                                            ~~~~~~~~~",
-        "a drive follows time and parameters only",
+        "a drive follows time, parameters and inputs only",
     );
     points_at(
         "
