@@ -101,9 +101,12 @@ fn what_cannot_be_reached_is_refused() {
     assert!((reach.outputs().tip - 0.7).abs() < 1e-9);
 }
 
+/// A constant of Rust; its nominal value is another one, so that the test shows which is used.
+const SPEED: f64 = 2.0;
+
 mechanism!(Tug {
     world: Planar(),
-    speed: Param(2.0_m_per_s),
+    speed: Param(SPEED, nominal = 1.5_m_per_s),
     load: Particle(mass = 1.0_kg, velocity = [2.0, 0.0]),
     track: PointOnLine(load, ground.origin),
     winch: Drive(track.speed, value = speed),

@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::geometry::{Owner, Point, Vector};
-use super::quantities::{Law, quantity};
+use super::quantities::{Law, Quantity, quantity};
 use super::resolver::{Resolver, State};
 use super::value::Value;
 use crate::diagnostics::{Place, did_you_mean};
@@ -266,6 +266,13 @@ impl<'d> Resolver<'d> {
     }
 
     fn search(&self, name: &str) -> String {
+        let is_constant = name.len() > 1 && !name.contains(|c: char| c.is_lowercase());
+        if is_constant && self.names.keys().all(|known| !known.eq_ignore_ascii_case(name)) {
+            let own = name.to_lowercase();
+            return format!(
+                "; a constant of Rust is the default of a parameter: `{own}: Param({name}, nominal = …)`, with about its value and its unit"
+            );
+        }
         let families = self.declaration.families.iter();
         let families: Vec<String> = families.map(|family| family.name.to_string()).collect();
         let own = self.names.keys().filter(|name| !is_one_of_many(name));
@@ -364,10 +371,16 @@ impl<'d> Resolver<'d> {
     }
 
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {
-        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let mut arguments = Arguments::new(self, entry);
+        let constant = arguments.constant()?;
+        let field = if constant.is_some() { "nominal" } else { "value" };
+        let (default, dimension) = arguments.number(field)?;
         let symbol = Symbol::Parameter(self.parameters.len() as u32);
         self.graph.set_name(symbol, entry.name.to_string());
-        self.parameters.push(quantity(entry, default, dimension));
+        self.parameters.push(Quantity {
+            constant,
+            ..quantity(entry, default, dimension)
+        });
         Some(Value::Scalar(self.graph.symbol(symbol), dimension))
     }
 

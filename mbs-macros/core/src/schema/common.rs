@@ -52,7 +52,13 @@ pub const KINDS: &[Kind] = &[
                 "value",
                 KnownAny,
                 Required,
-                "default value; its unit fixes the dimension",
+                "default value; its unit fixes the dimension. With `nominal =` the path of a constant of Rust, an `f64` in SI units",
+            ),
+            field(
+                "nominal",
+                KnownAny,
+                Assumed("the value"),
+                "of a constant: about its value, with its unit; the compiler, which does not know the constant, checks with it",
             ),
             field(
                 "unit",

@@ -6,6 +6,7 @@ mod numbers;
 mod places;
 mod requirements;
 
+pub(super) use self::numbers::CONSTANT_IN_ASSEMBLY;
 use super::held::exactly;
 use super::resolver::Resolver;
 use super::value::Value;
