@@ -136,3 +136,11 @@ fn a_saved_state_has_the_turns() {
     assert!(first.outputs().turned > 18.0);
     assert_eq!(first.outputs().turned, second.outputs().turned);
 }
+
+/// A start holds the angle of a bar without angle, also beyond half a turn.
+#[test]
+fn a_start_holds_turns() {
+    let start = Simulation::start(natural::Shop::default()).hold("turned", 9.0);
+    let shop: natural::ShopSimulation = start.begin().expect("it is held");
+    assert!((shop.outputs().turned - 9.0).abs() < 1e-9);
+}

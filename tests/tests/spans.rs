@@ -226,8 +226,8 @@ fn examples_fit_what_they_are_given_for() {
     );
     points_at_in_space(
         "
-        weld: Fixed(arm, box_, at = rod.b), box_: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
-                                    ~~~~~",
+        weld: Fixed(arm, box_, at = 2.0 * rod.b), box_: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+                                          ~~~~~",
         "a place that several entries share is a `Point`",
     );
 }

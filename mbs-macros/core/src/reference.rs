@@ -135,7 +135,7 @@ fn takes(expects: Expects) -> String {
         Expects::Axis => "`X`, `Y`, `Z` or components".to_owned(),
         Expects::Attachment => "a part with `at =`, a point, or a frame".to_owned(),
         Expects::Joint => "a joint".to_owned(),
-        Expects::Orientation => "`turn(axis, angle)`, or a list of them".to_owned(),
+        Expects::Orientation => "`turn(axis, angle)`, `quaternion(w, x, y, z)`, `axes(x, y)`, a part (as it is in the home pose), or a list of these, each in the axes that the one before has turned".to_owned(),
         Expects::Formulation => "`Auto`, `Natural`, `Reference` or `Joint`".to_owned(),
         Expects::Shape => "`Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`".to_owned(),
         Expects::Inertia => {

@@ -267,7 +267,12 @@ impl<'d> Resolver<'d> {
 
     fn search(&self, name: &str) -> String {
         let is_constant = name.len() > 1 && !name.contains(|c: char| c.is_lowercase());
-        if is_constant && self.names.keys().all(|known| !known.eq_ignore_ascii_case(name)) {
+        if is_constant
+            && self
+                .names
+                .keys()
+                .all(|known| !known.eq_ignore_ascii_case(name))
+        {
             let own = name.to_lowercase();
             return format!(
                 "; a constant of Rust is the default of a parameter: `{own}: Param({name}, nominal = …)`, with about its value and its unit"
@@ -373,7 +378,11 @@ impl<'d> Resolver<'d> {
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {
         let mut arguments = Arguments::new(self, entry);
         let constant = arguments.constant()?;
-        let field = if constant.is_some() { "nominal" } else { "value" };
+        let field = if constant.is_some() {
+            "nominal"
+        } else {
+            "value"
+        };
         let (default, dimension) = arguments.number(field)?;
         let symbol = Symbol::Parameter(self.parameters.len() as u32);
         self.graph.set_name(symbol, entry.name.to_string());

@@ -220,7 +220,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "tension as a function of [length, rate], instead of the other fields; or a table of tension over elongation, instead of `stiffness`",
+                "tension as a function of [length, rate], and of p and q in `law = name(p, q)`, instead of the other fields; or a table of tension over elongation, instead of `stiffness`",
             ),
         ],
         doc: "A spring and damper between two points.",

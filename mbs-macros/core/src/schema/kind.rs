@@ -171,7 +171,7 @@ pub enum Expects {
     Attachment,
     /// A joint.
     Joint,
-    /// `turn(axis, angle)`, or a list of them, each in the axes that the one before has turned.
+    /// `turn(axis, angle)`, `quaternion(w, x, y, z)`, `axes(x, y)`, a part, or a list of these.
     Orientation,
     /// `Auto`, `Natural`, `Reference` or `Joint`.
     Formulation,

@@ -203,7 +203,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "torque against turning as a function of [angle, rate], instead of the other fields; or a table of torque over turning, instead of `stiffness`",
+                "torque against turning as a function of [angle, rate], and of p and q in `law = name(p, q)`, instead of the other fields; or a table of torque over turning, instead of `stiffness`",
             ),
         ],
         doc: "A rotational spring and damper between two parts, or in a joint.",

@@ -108,7 +108,7 @@ impl Arguments<'_, '_> {
                 format!("both sides belong to `{owner}`: a joint holds two different parts"),
             );
         }
-        let at = self.vector("at");
+        let at = self.home_place("at");
         if at.is_none() && self.has("at") {
             return None;
         }
