@@ -97,3 +97,34 @@ assembly!(ScissorStage {
     other_foot: Revolute(right, falling.a),
     pin: Revolute(rising.center, falling.center),
 });
+
+assembly!(Cylinder {
+    doc: "A hydraulic cylinder between two points; the program moves it. `slide.stroke` is how far it is out.",
+    world: Planar(),
+    /// Where the barrel hangs.
+    foot: Port(Point),
+    /// Where the rod holds.
+    head: Port(Point),
+    /// Length between the points with the stroke 0; barrel and rod have 0.6 of it each.
+    closed: Port(Number),
+    /// Guess of the direction from foot to head.
+    angle: Port(Number),
+
+    /// Mass of the barrel.
+    barrel_mass: Param(60.0_kg),
+    /// Mass of the rod.
+    rod_mass: Param(40.0_kg),
+    /// How far it is out at `set_at`.
+    stroke: Input(unit = m),
+    /// How fast it goes out from then on.
+    speed: Input(unit = m_per_s),
+    /// The time of the two.
+    set_at: Input(unit = s),
+
+    barrel: Bar(mass = barrel_mass, length = 0.6 * closed, angle = angle),
+    rod: Bar(mass = rod_mass, length = 0.6 * closed, angle = angle),
+    hinge: Revolute(foot, barrel.a),
+    pin: Revolute(head, rod.b),
+    slide: Prismatic(barrel.point(0.4 * closed, 0.0_m), rod.a),
+    oil: Drive(slide.stroke, value = stroke, rate = speed, since = set_at),
+});

@@ -6,6 +6,7 @@ mod conditions;
 mod continuation;
 mod differences;
 mod held;
+mod jump;
 #[cfg(feature = "sparse")]
 mod large;
 mod verdict;
@@ -25,6 +26,7 @@ use crate::singular::NOTHING;
 use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Coordinate, Level, Settings, SimulationError, State, System};
 pub(crate) use conditions::Wanted;
+pub(crate) use jump::jump;
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -98,14 +100,14 @@ pub(crate) fn assemble<
             q = guess;
             let at = geometry.evaluate(system, 0.0, &q, &mut phi);
             at.map_err(fault)?;
-            close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+            close(system, 0.0, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
             if scale.displacement(&phi) <= ASSEMBLED {
                 let rank = independent_rows(system, &geometry, &yardstick).rank;
                 return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
             }
         }
     } else {
-        close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+        close(system, 0.0, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     }
 
     let rows = independent_rows(system, &geometry, &yardstick);
@@ -203,24 +205,25 @@ pub(crate) fn vanishes<S: System<Q, N, R>, const Q: usize, const N: usize, const
 /// Newton's method from the guess, or where it does not close the rows, after they have been closed little by little.
 fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
+    t: f64,
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut SVector<f64, Q>,
     phi: &mut SVector<f64, R>,
     scale: &RowScale<R>,
 ) -> Result<(), Fault> {
     let guess = *q;
-    newton(system, geometry, q, phi, scale)?;
+    newton(system, t, geometry, q, phi, scale)?;
     if residual_of(phi, &scale.weights) <= 1.0 {
         return Ok(());
     }
     let mut moved = guess;
-    let arrives = continuation::follow(system, geometry, &mut moved, scale)?;
+    let arrives = continuation::follow(system, t, geometry, &mut moved, scale)?;
     if arrives {
         *q = moved;
     }
-    geometry.evaluate(system, 0.0, q, phi)?;
+    geometry.evaluate(system, t, q, phi)?;
     match arrives {
-        true => newton(system, geometry, q, phi, scale),
+        true => newton(system, t, geometry, q, phi, scale),
         false => Ok(()),
     }
 }
@@ -228,6 +231,7 @@ fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 /// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
 fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
+    t: f64,
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut SVector<f64, Q>,
     phi: &mut SVector<f64, R>,
@@ -248,7 +252,7 @@ fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             accumulate(&mut way, &geometry.w, &multiplier);
             let trial = system.advance(q, &way, factor);
             let mut residual = SVector::zeros();
-            system.holonomic(0.0, &trial, &mut residual);
+            system.holonomic(t, &trial, &mut residual);
             if residual_of(&residual, &scale.weights) < before {
                 *q = trial;
                 break;
@@ -259,7 +263,7 @@ fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
                 return Ok(());
             }
         }
-        geometry.evaluate(system, 0.0, q, phi)?;
+        geometry.evaluate(system, t, q, phi)?;
     }
     Ok(())
 }

@@ -259,7 +259,7 @@ pub struct Structure {
     pub velocity_forces: bool,
     /// A force depends on positions (∂f/∂q is not structurally zero).
     pub position_forces: bool,
-    /// A row or force depends on time.
+    /// A row or force depends on time, or a row on an input, or a velocity row is not homogeneous.
     pub time_dependent: bool,
     /// The number of leading rows that are holonomic.
     pub holonomic_rows: usize,

@@ -6,6 +6,7 @@ mod advance;
 mod any;
 mod books;
 mod dense;
+mod drives;
 mod energy_guard;
 mod fixed_steps;
 mod hermite;

@@ -132,6 +132,8 @@ mechanisms! {
     chaplygin_sleigh: scenes::chaplygin_sleigh::ChaplyginSleigh;
     knife_edge: scenes::knife_edge::KnifeEdge;
     workshop: fixtures::Workshop;
+    incline: fixtures::Incline;
+    disks: fixtures::Disks;
     whip: fixtures::Whip;
     vice: fixtures::Vice;
     spine: fixtures::Spine;

@@ -92,7 +92,7 @@ fn names() {
         "
         out: Output(pivot),
                     ~~~~~",
-        "`pivot` is declared as `Revolute`",
+        "an output is a number, vector or point, but this is the joint `pivot`",
     );
 }
 
@@ -200,7 +200,7 @@ fn conditions() {
         "
         turn: Drive(bar.angle, value = sin(bar.angle) + 1.0_rad_per_s * t),
                                            ~~~~~~~~~",
-        "a drive follows time and parameters only",
+        "a drive follows time, parameters and inputs only",
     );
     points_at(
         "
@@ -226,8 +226,8 @@ fn examples_fit_what_they_are_given_for() {
     );
     points_at_in_space(
         "
-        weld: Fixed(arm, box_, at = rod.b), box_: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
-                                    ~~~~~",
+        weld: Fixed(arm, box_, at = 2.0 * rod.b), box_: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+                                          ~~~~~",
         "a place that several entries share is a `Point`",
     );
 }

@@ -38,7 +38,8 @@ mechanism!(DrivenSliderCrank {
 
     slider_x: Output(slider.origin.x),
     slider_vx: Output(slider.velocity.x),
-    rod_angle: Output(rod.angle),
+    // The rod does not turn round: its direction is enough, and no turns are counted.
+    rod_angle: Output(atan2(rod.x.y, rod.x.x)),
 });
 
 /// The scene.

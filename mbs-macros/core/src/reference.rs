@@ -56,8 +56,9 @@ partials).
 Parts have `velocity`, the axes `x`, `y` and `z`, points (`a`, `b`, `center` of a bar; `origin` and `center` of a body;
 `origin` of a particle and of the ground), `point(x, y)` or `point(x, y, z)` in their own axes, and `velocity_at(point)`; in
 the plane also `angle` and `rate`, in space `angular_velocity` and `frame([x, y, z], axis)`, a place and an axis for a joint.
-Points have components and `velocity`; a coordinate has `rate`. Joints of space have what their kind says below: `angle`
-(counted over full turns), `rate`, `stroke`, `speed`.
+Points have components and `velocity`; a coordinate has `rate`. Joints have what their kind says below, of the second
+partner against the first: `angle`, `rate`, `stroke`, `speed`. In the plane the angle is between the x axes of the
+partners, in space it is 0 in the home pose. Angles of bars, bodies and joints are counted over full turns.
 
 `name: Each(0..5, |i| Kind(…))` is a *family*: one entry for each index of the range `0..5` or `0..=4`, with the names
 `name[0]` to `name[4]`. An expression names a member by `name[…]` with whole numbers, indices and `+ − * / %`, as in
@@ -134,7 +135,7 @@ fn takes(expects: Expects) -> String {
         Expects::Axis => "`X`, `Y`, `Z` or components".to_owned(),
         Expects::Attachment => "a part with `at =`, a point, or a frame".to_owned(),
         Expects::Joint => "a joint".to_owned(),
-        Expects::Orientation => "`turn(axis, angle)`, or a list of them".to_owned(),
+        Expects::Orientation => "`turn(axis, angle)`, `quaternion(w, x, y, z)`, `axes(x, y)`, a part (as it is in the home pose), or a list of these, each in the axes that the one before has turned".to_owned(),
         Expects::Formulation => "`Auto`, `Natural`, `Reference` or `Joint`".to_owned(),
         Expects::Shape => "`Cuboid(x, y, z)`, `Cylinder(radius, length, axis)` or `Sphere(radius)`".to_owned(),
         Expects::Inertia => {

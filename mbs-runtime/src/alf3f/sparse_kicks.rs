@@ -47,7 +47,7 @@ enum Factor {
 /// What is iterated on: the first kick of a step, and where it leads.
 struct Kick<const Q: usize, const N: usize, const R: usize> {
     /// q₁ without the velocity.
-    base: SVector<f64, N>,
+    base: SVector<f64, Q>,
     q: SVector<f64, Q>,
     va: SVector<f64, N>,
     kappa: SVector<f64, R>,
@@ -264,7 +264,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let half = 0.5 * h * h;
         let a0 = &context.start.acceleration;
         Kick {
-            base: vector(|i| state.positions[i] + half * a0[i]),
+            base: match Q == N {
+                true => vector(|i| state.positions[i] + half * a0[i]),
+                false => context.system.advance(&state.positions, a0, half),
+            },
             q: state.positions,
             va,
             kappa,
@@ -329,8 +332,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             ..
         } = &mut *self.context;
         let kick = &mut *self.kick;
-        for i in 0..N {
-            kick.q[i] = kick.base[i] + self.h * kick.va[i];
+        if Q == N {
+            for i in 0..N {
+                kick.q[i] = kick.base[i] + self.h * kick.va[i];
+            }
+        } else {
+            // Counted angles are stored beside the coordinates.
+            kick.q = system.advance(&kick.base, &kick.va, self.h);
         }
         let entries = &mut self.kicks.end.entries;
         system.sparse_constraints(self.t1, &kick.q, &mut work.phi, entries, &mut end.b);

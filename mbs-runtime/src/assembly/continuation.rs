@@ -29,12 +29,13 @@ const REACHED: f64 = 1e-3;
 /// Moves `q` from the guess to where the rows are nearly closed; whether it came there.
 pub(super) fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
+    t: f64,
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
     q: &mut SVector<f64, Q>,
     scale: &RowScale<R>,
 ) -> Result<bool, Fault> {
     let mut open = SVector::zeros();
-    geometry.evaluate(system, 0.0, q, &mut open)?;
+    geometry.evaluate(system, t, q, &mut open)?;
     let enough = REACHED * REACHED * residual_of(&open, &scale.weights);
     let mut solver = Box::new(DelassusFactor::new());
     let (mut left, mut part) = (1.0_f64, FIRST);
@@ -48,7 +49,7 @@ pub(super) fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R
         let mut reached = false;
         for _ in 0..CORRECTIONS {
             // Where the equations have no value this part of the way was too long.
-            if geometry.evaluate(system, 0.0, &trial, &mut phi).is_err() {
+            if geometry.evaluate(system, t, &trial, &mut phi).is_err() {
                 break;
             }
             let mut missing: SVector<f64, R> = open * next - phi;

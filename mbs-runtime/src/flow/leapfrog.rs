@@ -40,7 +40,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     #[inline(always)]
     fn begin(
         &mut self,
-        _: &S,
+        system: &S,
         t: f64,
         q: &SVector<f64, Q>,
         va: &SVector<f64, N>,
@@ -50,9 +50,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         self.h = h;
         self.t1 = t + h;
         self.half_kick = scaled(0.5 * h, &start.acceleration);
-        if S::ROTATIONS.is_empty() {
+        if Q == N {
             let (q, half_kick) = (entries(q), entries(&self.half_kick));
             self.base = vector(|i| q[i] + h * half_kick[i]);
+        } else if S::ROTATIONS.is_empty() {
+            self.base = system.advance(q, &self.half_kick, h);
         } else if let Some(drift) = &mut self.drift {
             drift.begin::<S>(q, va, h);
         }
@@ -70,11 +72,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         va: &SVector<f64, N>,
         q: &mut SVector<f64, Q>,
     ) -> Result<(), Fault> {
-        if S::ROTATIONS.is_empty() {
+        if Q == N {
             let (q, base, va) = (entries_mut(q), entries(&self.base), entries(va));
             for i in 0..N {
                 q[i] = base[i] + self.h * va[i];
             }
+        } else if S::ROTATIONS.is_empty() {
+            // Counted angles are stored beside the coordinates.
+            *q = system.advance(&self.base, va, self.h);
         } else if let Some(drift) = &mut self.drift {
             *q = drift.fly(system, added(va, 1.0, &self.half_kick));
         }

@@ -50,7 +50,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Sets an `Input` from now on.
     ///
     /// # Errors
-    /// No input has this name, or the value is NaN or infinite.
+    /// No input has this name, or the value is NaN or infinite. A `Drive` follows the input to where no pose satisfies
+    /// the rows; then the input keeps its value.
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), SimulationError> {
         let index = find(
             "input",
@@ -63,10 +64,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 value,
             });
         }
+        let before = self.driving_inputs();
         if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
             *input = value;
         }
-        self.inputs_changed()
+        self.inputs_changed(&before)
     }
 
     /// Sets all inputs, in the order of [`Model::inputs`](crate::Model::inputs), or none if one of them is NaN or
@@ -79,11 +81,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 value,
             });
         }
+        let before = self.driving_inputs();
         copy(values, self.integrator.system_mut().inputs_mut());
-        self.inputs_changed()
+        self.inputs_changed(&before)
     }
 
-    fn inputs_changed(&mut self) -> Result<(), SimulationError> {
+    fn inputs_changed(&mut self, before: &[f64]) -> Result<(), SimulationError> {
+        if let Err(error) = self.follow_inputs(before) {
+            copy(before, self.integrator.system_mut().inputs_mut());
+            self.integrator.refresh(&self.settings)?;
+            return Err(error);
+        }
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
         // The last step belongs to the motion with the old input.

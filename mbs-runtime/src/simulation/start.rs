@@ -24,8 +24,7 @@ impl<M: Mechanism> Start<M> {
         }
     }
 
-    /// Holds a coordinate, velocity or `Output` at a value, in the unit that the model tells. (The angle of a bar that is
-    /// described by its end points lies between −π and π.)
+    /// Holds a coordinate, velocity or `Output` at a value, in the unit that the model tells.
     pub fn hold(mut self, name: &str, value: f64) -> Self {
         self.wanted.push(Wanted {
             name: name.to_owned(),

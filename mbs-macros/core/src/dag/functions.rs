@@ -190,11 +190,17 @@ fn structure(derived: &Derived) -> Structure {
     let system = &derived.system;
     let graph = &system.graph;
     let on_time = |expr: &Expr| graph.depends_on(*expr, |symbol| symbol == Symbol::Time);
+    let on_inputs =
+        |expr: &Expr| graph.depends_on(*expr, |symbol| matches!(symbol, Symbol::Input(_)));
     Structure {
         constant_mass: derived.constant_mass,
         velocity_forces: !derived.applied.by_velocity.is_empty(),
         position_forces: !derived.applied.by_position.is_empty(),
-        time_dependent: system.rows.iter().any(|row| on_time(&row.expr))
+        time_dependent: system
+            .rows
+            .iter()
+            .any(|row| on_time(&row.expr) || on_inputs(&row.expr))
+            || derived.rheonomic.iter().any(|&b| !graph.is_zero(b))
             || system.forces.iter().any(on_time),
         rotations: system.layout.rotations.len(),
         holonomic_rows: system.holonomic_rows(),

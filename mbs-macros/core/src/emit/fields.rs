@@ -120,6 +120,10 @@ impl<'q> Field<'q> {
             true => items::documented(&first.doc, &first.unit),
             false => format!("{} (in the units of its members)", first.doc),
         };
+        if let Some(constant) = &first.constant {
+            let constant = quote! { #constant }.to_string().replace(' ', "");
+            return doc(&format!("{} `{constant}` by default.", first.doc));
+        }
         let defaults: Vec<f64> = quantities.iter().map(|value| value.default).collect();
         let about = about.strip_suffix(')').unwrap_or(&about);
         doc(&format!("{about}{})", of_values(&defaults)))

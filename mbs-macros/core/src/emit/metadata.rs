@@ -221,12 +221,14 @@ fn option_text(number: Option<usize>) -> String {
 }
 
 fn quantity_text(quantity: &Quantity) -> String {
+    let default = match &quantity.constant {
+        // Its type is checked where the defaults are made.
+        Some(constant) => quote::quote! { #constant as f64 }.to_string(),
+        None => number(quantity.default),
+    };
     format!(
-        "::mbs_runtime::Quantity {{ name: {:?}, unit: {:?}, default: {}, doc: {:?} }}",
-        quantity.name,
-        quantity.unit,
-        number(quantity.default),
-        quantity.doc
+        "::mbs_runtime::Quantity {{ name: {:?}, unit: {:?}, default: {default}, doc: {:?} }}",
+        quantity.name, quantity.unit, quantity.doc
     )
 }
 

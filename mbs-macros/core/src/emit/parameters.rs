@@ -87,7 +87,10 @@ fn structure(
         let about = field.about(|defaults| format!("; {} by default", by_default(defaults)));
         quote! { #about pub #name: #kind, }
     });
-    let default = |_, parameter: &Quantity| tokens(&number(parameter.default));
+    let default = |_, parameter: &Quantity| match &parameter.constant {
+        Some(constant) => quote! { #constant },
+        None => tokens(&number(parameter.default)),
+    };
     let defaults = fields.iter().map(|field| {
         let name = &field.name;
         let value = field.value(&default, &|instance, fields| {

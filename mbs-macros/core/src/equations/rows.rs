@@ -37,9 +37,7 @@ pub(super) fn rows(graph: &mut Graph, reduction: &mut Substitution, model: &Mode
                 let expr = graph.substitute(row.expr, reduction);
                 let kind = match level {
                     Level::Velocity => RowKind::Nonholonomic,
-                    Level::Position if graph.depends_on(expr, |symbol| symbol == Symbol::Time) => {
-                        RowKind::Rheonomic
-                    }
+                    Level::Position if graph.depends_on(expr, is_prescribed) => RowKind::Rheonomic,
                     Level::Position => RowKind::Holonomic,
                 };
                 let name = row.name(entry);
@@ -56,6 +54,11 @@ pub(super) fn rows(graph: &mut Graph, reduction: &mut Substitution, model: &Mode
         }
     }
     list
+}
+
+/// What moves a row without a motion of the mechanism.
+fn is_prescribed(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::Time | Symbol::Input(_))
 }
 
 fn unit_of(dimension: Option<Dimension>, level: Level) -> String {

@@ -1,9 +1,52 @@
-//! Counted joint angles after the reduction: the angle of a joint of the tree is its coordinate, which is not limited
-//! to one turn; only the other angles need a stored value.
+//! Angles that are counted over full turns.
+//!
+//! After the reduction the angle of a joint of the tree is its coordinate, which is not limited to one turn; only the
+//! other angles need a stored value.
 
+use super::geometry::Owner;
+use super::joint_variables::UnwrappedAngle;
 use super::resolver::Resolver;
 use super::tree::Tree;
-use crate::symbolic::{Substitution, Symbol};
+use crate::symbolic::{Expr, Function, Substitution, Symbol};
+
+impl Resolver<'_> {
+    /// The angle of a part of the plane against ground.x: its coordinate, or that of its direction, counted over full
+    /// turns.
+    pub(super) fn part_angle(&mut self, owner: Owner) -> Expr {
+        let frame = self.frame(owner);
+        let (Some(part), None) = (owner.part(), frame.angle) else {
+            return frame.angle.unwrap_or_else(|| self.graph.zero());
+        };
+        let mut known = self.unwrapped_angles.iter();
+        if let Some(known) = known.find(|known| known.bar == Some(part)) {
+            return known.angle;
+        }
+        let angle = self.graph.atan2(frame.axes[0][1], frame.axes[0][0]);
+        let name = self.owner_name(owner).to_owned();
+        self.counted(&name, Some(part), angle)
+    }
+
+    /// `within`, which is the angle within one turn, plus the full turns since the start:
+    /// angle = within + 2π round((last − within)/2π).
+    pub(super) fn counted(&mut self, of: &str, bar: Option<usize>, within: Expr) -> Expr {
+        let index = self.unwrapped_angles.len() as u32;
+        let symbol = Symbol::UnwrappedAngle(index);
+        self.graph.set_name(symbol, format!("{of}.angle"));
+        let last = self.graph.symbol(symbol);
+        let behind = self.graph.sub(last, within);
+        let turns = self.graph.scale(0.5 / std::f64::consts::PI, behind);
+        let turns = self.graph.function(Function::Round, turns);
+        let terms = [(within, 1.0), (turns, 2.0 * std::f64::consts::PI)];
+        let angle = self.graph.linear(0.0, &terms);
+        self.unwrapped_angles.push(UnwrappedAngle {
+            of: of.to_owned(),
+            bar,
+            angle,
+            within,
+        });
+        angle
+    }
+}
 
 /// Replaces the counted angles of the joints of a tree, whose coordinates have their values in `substitution` or stand for
 /// themselves. Answers the other angles, by their index in [`Resolver::unwrapped_angles`].
@@ -17,7 +60,7 @@ pub(super) fn replace(
     for (index, unwrapped) in resolver.unwrapped_angles.iter().enumerate() {
         let mut joints = tree.joints.iter();
         let own = joints.find_map(|joint| {
-            if joint.joint != unwrapped.joint {
+            if unwrapped.bar.is_some() || joint.joint != unwrapped.of {
                 return None;
             }
             let local = *joint.angles().first()?;
@@ -44,7 +87,7 @@ pub(super) fn replace(
 pub(super) fn renumber(resolver: &mut Resolver, kept: &[usize], substitution: &mut Substitution) {
     for (place, &index) in kept.iter().enumerate() {
         let memory = Symbol::UnwrappedAngle(place as u32);
-        let name = format!("{}.angle", resolver.unwrapped_angles[index].joint);
+        let name = format!("{}.angle", resolver.unwrapped_angles[index].of);
         resolver.graph.set_name(memory, name);
         let value = resolver.graph.symbol(memory);
         substitution.insert(Symbol::UnwrappedAngle(index as u32), value);

@@ -2,7 +2,7 @@
 
 use super::arguments::Arguments;
 use super::geometry::{Owner, Point, Vector};
-use super::quantities::{Law, quantity};
+use super::quantities::{Law, Quantity, quantity};
 use super::resolver::{Resolver, State};
 use super::value::Value;
 use crate::diagnostics::{Place, did_you_mean};
@@ -240,14 +240,10 @@ impl<'d> Resolver<'d> {
                     // Its own error is recorded already.
                     return None;
                 }
-                let advice = match self.kind_of(entry).is_some_and(|kind| kind.traits().hinge) {
-                    true => "; in the plane parts have angles, joints have not",
-                    false => "",
-                };
                 self.fail(
                     place,
                     format!(
-                        "`{name}` is declared as `{}`, which has no value that an expression could use{advice}",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use",
                         entry.kind
                     ),
                 )
@@ -270,6 +266,18 @@ impl<'d> Resolver<'d> {
     }
 
     fn search(&self, name: &str) -> String {
+        let is_constant = name.len() > 1 && !name.contains(|c: char| c.is_lowercase());
+        if is_constant
+            && self
+                .names
+                .keys()
+                .all(|known| !known.eq_ignore_ascii_case(name))
+        {
+            let own = name.to_lowercase();
+            return format!(
+                "; a constant of Rust is the default of a parameter: `{own}: Param({name}, nominal = …)`, with about its value and its unit"
+            );
+        }
         let families = self.declaration.families.iter();
         let families: Vec<String> = families.map(|family| family.name.to_string()).collect();
         let own = self.names.keys().filter(|name| !is_one_of_many(name));
@@ -296,14 +304,13 @@ impl<'d> Resolver<'d> {
                 | "Body"
                 | "Particle"
         ) || self.has_frames(entry)
+            || self.is_planar_joint(entry)
     }
 
-    /// Whether every entry that has a value has been evaluated.
+    /// Whether every entry that has a value has been evaluated; joints of the plane are where an expression names them.
     pub(super) fn is_evaluated(&self) -> bool {
-        let states = self.states.iter();
-        states
-            .into_iter()
-            .all(|state| matches!(state, State::Done(_)))
+        let mut entries = self.declaration.entries.iter().zip(&self.states);
+        entries.all(|(entry, state)| matches!(state, State::Done(_)) || self.is_planar_joint(entry))
     }
 
     /// The value of an entry.
@@ -321,7 +328,8 @@ impl<'d> Resolver<'d> {
         if !matches!(self.states[index], State::Waiting) {
             return;
         }
-        let hinged = self.has_frames(self.entry(index));
+        let entry = self.entry(index);
+        let hinged = self.has_frames(entry) || self.is_planar_joint(entry);
         if hinged && self.misplaced.contains(&self.entry(index).name.to_string()) {
             self.states[index] = State::Done(None);
             return;
@@ -346,6 +354,7 @@ impl<'d> Resolver<'d> {
             "Body" => self.spatial_body(entry),
             "Particle" => self.particle(entry),
             _ if self.has_frames(entry) => self.joint_frames(entry),
+            _ if self.is_planar_joint(entry) => self.planar_joint(entry),
             _ => None,
         };
         self.errors.leave(before);
@@ -367,10 +376,20 @@ impl<'d> Resolver<'d> {
     }
 
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {
-        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let mut arguments = Arguments::new(self, entry);
+        let constant = arguments.constant()?;
+        let field = if constant.is_some() {
+            "nominal"
+        } else {
+            "value"
+        };
+        let (default, dimension) = arguments.number(field)?;
         let symbol = Symbol::Parameter(self.parameters.len() as u32);
         self.graph.set_name(symbol, entry.name.to_string());
-        self.parameters.push(quantity(entry, default, dimension));
+        self.parameters.push(Quantity {
+            constant,
+            ..quantity(entry, default, dimension)
+        });
         Some(Value::Scalar(self.graph.symbol(symbol), dimension))
     }
 

@@ -1,7 +1,7 @@
-//! The two frames of a spatial joint, one on each partner: they coincide in the home pose, with z along the joint's
-//! axis.
+//! The two frames of a joint, one on each partner. In space they coincide in the home pose, with z along the joint's
+//! axis; in the plane they have the axes of the partners.
 
-use super::geometry::{Attachment, Owner, Point};
+use super::geometry::{Attachment, Owner, Point, Vector};
 use super::mobilizer::{Freedom, Mobilizer};
 
 /// The two frames of a joint.
@@ -15,6 +15,8 @@ pub struct JointFrames {
     pub turns: bool,
     /// It has a stroke along its axis.
     pub slides: bool,
+    /// The direction of the stroke, fixed in the parent, in the ground's axes.
+    pub along: Vector,
     /// On the first partner.
     pub parent: Attachment,
     /// On the second.

@@ -1,12 +1,14 @@
-//! `angle`, `rate`, `stroke` and `speed` of a joint of space: from the frames of its partners, or, where the tree has made
-//! the joint a coordinate, that coordinate itself.
+//! `angle`, `rate`, `stroke` and `speed` of a joint: from the frames of its partners, or, where the tree has made the
+//! joint a coordinate, that coordinate itself.
 
+use super::geometry::Owner;
 use super::joint_frames::JointFrames;
-use super::joint_variables::{AskedVariable, JointVariable, UnwrappedAngle};
+use super::joint_variables::{AskedVariable, JointVariable};
 use super::resolver::{Resolver, State};
 use super::tree::Tree;
 use super::value::Value;
 use crate::dimension::Dimension;
+use crate::schema::World;
 use crate::symbolic::{Expr, Function, Node, Substitution, Symbol};
 use proc_macro2::Span;
 
@@ -21,7 +23,10 @@ impl Resolver<'_> {
             return known.expr;
         }
         let expr = match variable {
-            JointVariable::Angle => self.counted_angle(joint),
+            JointVariable::Angle => match self.world {
+                World::Planar => self.relative_angle(joint),
+                World::Spatial => self.spatial_angle(joint),
+            },
             JointVariable::Rate => self.turning_rate(joint),
             JointVariable::Stroke => self.slide(joint),
             JointVariable::Speed => {
@@ -65,31 +70,15 @@ impl Resolver<'_> {
         let gap = self
             .graph
             .vector_sub(joint.child.point.position, joint.parent.point.position);
-        self.graph.dot(joint.parent.axes[2], gap)
+        self.graph.dot(joint.along, gap)
     }
 
-    fn counted_angle(&mut self, joint: &JointFrames) -> Expr {
+    fn spatial_angle(&mut self, joint: &JointFrames) -> Expr {
         let [x, y, _] = joint.parent.axes;
         let turned = joint.child.axes[0];
         let (sin, cos) = (self.graph.dot(y, turned), self.graph.dot(x, turned));
         let angle = self.graph.atan2(sin, cos);
-        let index = self.unwrapped_angles.len() as u32;
-        let symbol = Symbol::UnwrappedAngle(index);
-        self.graph.set_name(symbol, format!("{}.angle", joint.name));
-        // angle + 2π round((last − angle)/2π)
-        let last = self.graph.symbol(symbol);
-        let behind = self.graph.sub(last, angle);
-        let turns = self.graph.scale(0.5 / std::f64::consts::PI, behind);
-        let turns = self.graph.function(Function::Round, turns);
-        let counted = self
-            .graph
-            .linear(0.0, &[(angle, 1.0), (turns, 2.0 * std::f64::consts::PI)]);
-        self.unwrapped_angles.push(UnwrappedAngle {
-            joint: joint.name.clone(),
-            angle: counted,
-            within: angle,
-        });
-        counted
+        self.counted(&joint.name, None, angle)
     }
 
     fn turning_rate(&mut self, joint: &JointFrames) -> Expr {
@@ -148,6 +137,16 @@ impl Resolver<'_> {
         if joint.slides {
             known.extend(["stroke", "speed"]);
         }
+        if matches!(member, "angle" | "rate")
+            && joint.turns
+            && let Some(particle) = self.particle_of(joint)
+        {
+            let name = &joint.name;
+            return self.fail(
+                span,
+                format!("`{name}` has no `{member}`: `{particle}` is a particle and has no orientation; use a `Body` or a `Bar`"),
+            );
+        }
         if !known.contains(&member) {
             let advice = match (member, known.is_empty()) {
                 (_, true) => format!("a `{}` leaves no single motion to name", joint.kind),
@@ -177,5 +176,12 @@ impl Resolver<'_> {
             self.joint_variable(joint, variable),
             Some(dimension),
         ))
+    }
+
+    /// The name of a partner that is a particle.
+    pub(super) fn particle_of(&self, joint: &JointFrames) -> Option<String> {
+        let mut parts = joint.owners().into_iter().filter_map(Owner::part);
+        let found = parts.find(|&part| self.parts[part].kind == "Particle")?;
+        Some(self.parts[found].name.clone())
     }
 }

@@ -1,4 +1,4 @@
-//! `angle`, `rate`, `stroke` and `speed` of a joint of space, as data.
+//! `angle`, `rate`, `stroke` and `speed` of a joint, and angles that are counted over full turns, as data.
 
 use crate::symbolic::Expr;
 
@@ -31,12 +31,14 @@ pub(super) struct AskedVariable {
     pub expr: Expr,
 }
 
-/// A joint angle that is counted over full turns: `atan2` gives the angle within one turn, and the stored last angle
-/// determines the number of turns.
+/// The angle of a joint of space, or of a bar of the plane in natural coordinates, that is counted over full turns:
+/// `atan2` gives the angle within one turn, and the stored last angle determines the number of turns.
 #[derive(Debug, Clone)]
 pub struct UnwrappedAngle {
-    /// The joint.
-    pub joint: String,
+    /// The joint or bar.
+    pub of: String,
+    /// The bar. The angle of a joint of space starts within half a turn of 0, that of a bar of its guess.
+    pub bar: Option<usize>,
     /// The counted angle, in local coordinates.
     pub angle: Expr,
     /// The same within one turn.

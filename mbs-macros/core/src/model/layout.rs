@@ -18,7 +18,7 @@ pub struct Layout {
     pub slots: Vec<usize>,
     /// Rotations, in order.
     pub rotations: Vec<Rotation>,
-    /// Counted joint angles: for each its coordinate and the angle, in local coordinates, that it remembers.
+    /// Counted angles: for each its coordinate and the angle, in local coordinates, that it remembers.
     pub unwrapped_angles: Vec<(usize, Expr)>,
 }
 
@@ -157,12 +157,15 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
     }
     for &index in &reduction.unwrapped_angles {
         let unwrapped = &resolver.unwrapped_angles[index];
-        let guess = resolver.graph.zero();
+        let guess = match unwrapped.bar {
+            Some(bar) => guesses.angle(bar, &mut resolver.graph),
+            None => resolver.graph.zero(),
+        };
         layout
             .unwrapped_angles
             .push((layout.coordinates.len(), unwrapped.angle));
         layout.coordinates.push(Stored {
-            name: format!("{}.angle", unwrapped.joint),
+            name: format!("{}.angle", unwrapped.of),
             unit: "rad".to_owned(),
             guess,
         });

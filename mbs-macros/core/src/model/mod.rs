@@ -37,6 +37,7 @@ mod joint_kinematics;
 mod needs_angle;
 mod outputs;
 mod parts;
+mod planar_joint;
 mod resolver;
 
 // The passes, and what they use.

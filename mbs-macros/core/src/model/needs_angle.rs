@@ -5,14 +5,37 @@ use crate::syntax::{Declaration, Entry, children, reference};
 use std::collections::HashSet;
 use syn::{Expr as Syntax, Member};
 
-/// The names whose angle a joint, force or condition uses. Natural coordinates have no angle that counts full turns, so
-/// that such a bar takes reference coordinates. (Outputs, events and drives need only the direction.)
+/// The names whose angle a joint, force or condition uses, and the partners of joints among them. Natural coordinates
+/// have no angle, so that such a bar takes reference coordinates. (Drives of bars need only the direction; outputs and
+/// events have an angle that is counted beside the coordinates.)
 pub(super) fn needs_angle(declaration: &Declaration, kinds: &Kinds) -> HashSet<String> {
     let mut names = HashSet::new();
     for entry in &declaration.entries {
         note_entry(entry, declaration, kinds, &mut names);
     }
+    let mut joints = declaration.entries.iter();
+    let joints = joints
+        .by_ref()
+        .filter(|entry| entry.kind == "Revolute" && names.contains(entry.name.as_str()));
+    let partners: Vec<String> = joints.flat_map(partners).collect();
+    names.extend(partners);
     names
+}
+
+/// The parts whose points a joint names.
+fn partners(joint: &Entry) -> Vec<String> {
+    let named = ["parent", "child"].map(|field| joint.named(field));
+    let named = named.into_iter().flatten().map(|argument| &argument.value);
+    let points = joint.positional.iter().chain(named);
+    let owner = |point: &Syntax| {
+        let part = match point {
+            Syntax::Field(field) => &field.base,
+            Syntax::MethodCall(call) => &call.receiver,
+            _ => return None,
+        };
+        Some(reference(part)?.ok()?.text())
+    };
+    points.filter_map(owner).collect()
 }
 
 fn note_entry(
@@ -39,7 +62,7 @@ fn note_entry(
     });
     for (argument, field) in by_place.chain(by_name) {
         match field.map(|field| field.expects) {
-            Some(Expects::Driven) => continue,
+            Some(Expects::Driven) if drives_bar(argument, declaration) => continue,
             Some(Expects::PartAngle) => {
                 note(argument, names);
             }
@@ -47,6 +70,19 @@ fn note_entry(
         }
         note_angles(argument, names);
     }
+}
+
+/// Whether this is `bar.angle`, and not the angle of a joint.
+fn drives_bar(target: &Syntax, declaration: &Declaration) -> bool {
+    let Syntax::Field(field) = target else {
+        return true;
+    };
+    let Some(Ok(name)) = reference(&field.base) else {
+        return true;
+    };
+    let name = name.text();
+    let mut entries = declaration.entries.iter();
+    entries.all(|entry| entry.name != name.as_str() || entry.kind != "Revolute")
 }
 
 /// Notes `name` of each `name.angle`.

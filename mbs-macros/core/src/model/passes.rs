@@ -1,5 +1,6 @@
 //! The passes of stage 2, in order, with the conditions that hold after each.
 
+use super::arguments::CONSTANT_IN_ASSEMBLY;
 use super::elements::JointEntry;
 use super::elements::kinds::kinds;
 use super::formulation::{Description, Formulation};
@@ -36,8 +37,10 @@ pub fn resolve(
         return None;
     }
     let gravity = resolver.gravity();
-    for index in 0..declaration.entries.len() {
-        resolver.force(index);
+    for (index, entry) in declaration.entries.iter().enumerate() {
+        if !resolver.is_planar_joint(entry) {
+            resolver.force(index);
+        }
     }
     debug_assert!(resolver.is_evaluated());
 
@@ -146,5 +149,10 @@ pub fn parameters(declaration: &Declaration, errors: &mut Errors) -> Vec<Quantit
     let mut resolver = Resolver::new(declaration, kinds(), formulation, errors);
     resolver.declare();
     resolver.quantities();
+    for entry in &declaration.entries {
+        if entry.named("nominal").is_some() && entry.kind == "Param" {
+            resolver.fail::<()>(entry.span(), CONSTANT_IN_ASSEMBLY);
+        }
+    }
     resolver.parameters
 }

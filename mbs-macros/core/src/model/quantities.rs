@@ -10,8 +10,10 @@ pub struct Quantity {
     pub name: String,
     /// SI unit, empty where dimensionless or not stated.
     pub unit: String,
-    /// Default value.
+    /// Default value; of a constant of Rust its nominal value, which is all that the compiler knows of it.
     pub default: f64,
+    /// The constant of Rust that is the default value of the program.
+    pub constant: Option<syn::ExprPath>,
     /// Documentation comment.
     pub doc: String,
 }
@@ -41,6 +43,7 @@ pub(super) fn quantity(entry: &Entry, default: f64, dimension: Option<Dimension>
         name: entry.name.to_string(),
         unit,
         default,
+        constant: None,
         doc: entry.doc.clone(),
     }
 }

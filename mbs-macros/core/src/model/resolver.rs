@@ -41,7 +41,7 @@ pub struct Resolver<'d> {
     pub(super) tables: Vec<Arc<Table>>,
     /// What the program has to check.
     pub(super) requirements: Vec<Requirement>,
-    /// Joint angles that are counted over full turns, by the name of their joint.
+    /// Angles that are counted over full turns.
     pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
     /// Variables of joints that an expression uses.
     pub(super) joint_variables: Vec<AskedVariable>,

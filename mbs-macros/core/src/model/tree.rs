@@ -137,11 +137,13 @@ impl TreeJoint {
         turns.map(|(_, local)| local).collect()
     }
 
-    /// The local coordinate by which the child slides along z of the frames, and the stroke per unit of it, where that is not
-    /// one.
+    /// The local coordinate by which the child slides along the axis of the joint, and the stroke per unit of it, where
+    /// that is not one.
     pub fn stroke(&self) -> Option<(u32, Option<Expr>)> {
+        let slides = |(freedom, _): &(&Freedom, u32)| matches!(freedom, Freedom::Slide(_));
+        let single = self.freedoms().filter(slides).count() == 1;
         self.freedoms().find_map(|(freedom, local)| match freedom {
-            Freedom::Slide(2) => Some((local, None)),
+            Freedom::Slide(_) if single => Some((local, None)),
             Freedom::Helix(lead) => Some((local, Some(*lead))),
             _ => None,
         })

@@ -52,7 +52,13 @@ pub const KINDS: &[Kind] = &[
                 "value",
                 KnownAny,
                 Required,
-                "default value; its unit fixes the dimension",
+                "default value; its unit fixes the dimension. With `nominal =` the path of a constant of Rust, an `f64` in SI units",
+            ),
+            field(
+                "nominal",
+                KnownAny,
+                Assumed("the value"),
+                "of a constant: about its value, with its unit; the compiler, which does not know the constant, checks with it",
             ),
             field(
                 "unit",
@@ -214,7 +220,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "tension as a function of [length, rate], instead of the other fields; or a table of tension over elongation, instead of `stiffness`",
+                "tension as a function of [length, rate], and of p and q in `law = name(p, q)`, instead of the other fields; or a table of tension over elongation, instead of `stiffness`",
             ),
         ],
         doc: "A spring and damper between two points.",
@@ -224,12 +230,17 @@ pub const KINDS: &[Kind] = &[
         name: "Force",
         group: Group::Force,
         fields: &[
-            positional("on", Point, Required, "where it acts"),
+            positional(
+                "on",
+                Point,
+                Required,
+                "where it acts, or a joint that slides",
+            ),
             field(
                 "value",
                 MovingVector(Dimension::FORCE),
                 Required,
-                "its components",
+                "its components; in a joint its value along the joint's axis",
             ),
             field(
                 "axes",
@@ -238,7 +249,7 @@ pub const KINDS: &[Kind] = &[
                 "the part in whose axes the components are given",
             ),
         ],
-        doc: "A force on a point.",
+        doc: "A force on a point, or in a joint: on its child, and back on its parent.",
         joint: None,
     },
 ];

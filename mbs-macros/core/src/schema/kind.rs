@@ -50,9 +50,9 @@ pub struct Kind {
 /// Data of a joint for names and messages, besides its fields.
 #[derive(Debug, Clone, Copy)]
 pub struct JointTraits {
-    /// It has `angle` and `rate`; joints of space.
+    /// It has `angle` and `rate`.
     pub turns: bool,
-    /// It has `stroke` and `speed`; joints of space.
+    /// It has `stroke` and `speed`.
     pub slides: bool,
     /// It holds the orientation of its partners, which so have one.
     pub holds_orientation: bool,
@@ -62,8 +62,6 @@ pub struct JointTraits {
     pub elsewhere: &'static str,
     /// Arguments that it has in the other world only.
     pub arguments_elsewhere: &'static [&'static str],
-    /// In the plane, it has an angle or stroke that belongs to its parts.
-    pub hinge: bool,
 }
 
 impl JointTraits {
@@ -75,7 +73,6 @@ impl JointTraits {
         carries: false,
         elsewhere: "",
         arguments_elsewhere: &[],
-        hinge: false,
     };
 }
 
@@ -174,7 +171,7 @@ pub enum Expects {
     Attachment,
     /// A joint.
     Joint,
-    /// `turn(axis, angle)`, or a list of them, each in the axes that the one before has turned.
+    /// `turn(axis, angle)`, `quaternion(w, x, y, z)`, `axes(x, y)`, a part, or a list of these.
     Orientation,
     /// `Auto`, `Natural`, `Reference` or `Joint`.
     Formulation,

@@ -169,8 +169,18 @@ pub const KINDS: &[Kind] = &[
         name: "TorsionSpring",
         group: Group::Force,
         fields: &[
-            positional("parent", PartAngle, Required, "the first partner"),
-            positional("child", PartAngle, Required, "the second partner"),
+            positional(
+                "parent",
+                PartAngle,
+                Required,
+                "the first partner, or a joint that turns",
+            ),
+            positional(
+                "child",
+                PartAngle,
+                Assumed("that of the joint"),
+                "the second partner",
+            ),
             field(
                 "stiffness",
                 Known(Dimension::TORQUE),
@@ -193,22 +203,27 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "torque against turning as a function of [angle, rate], instead of the other fields; or a table of torque over turning, instead of `stiffness`",
+                "torque against turning as a function of [angle, rate], and of p and q in `law = name(p, q)`, instead of the other fields; or a table of torque over turning, instead of `stiffness`",
             ),
         ],
-        doc: "A rotational spring and damper between two parts.",
+        doc: "A rotational spring and damper between two parts, or in a joint.",
         joint: None,
     },
     Kind {
         name: "Torque",
         group: Group::Force,
         fields: &[
-            positional("on", Part, Required, "the part it acts on"),
+            positional(
+                "on",
+                Part,
+                Required,
+                "the part it acts on, or a joint that turns",
+            ),
             field(
                 "value",
                 Moving(Dimension::TORQUE),
                 Required,
-                "its value, counter-clockwise",
+                "its value, counter-clockwise; in a joint on its child",
             ),
             field(
                 "from",
@@ -217,7 +232,7 @@ pub const KINDS: &[Kind] = &[
                 "the part that feels the reaction",
             ),
         ],
-        doc: "A torque on a part.",
+        doc: "A torque on a part, or in a joint.",
         joint: None,
     },
 ];

@@ -23,7 +23,7 @@ pub const AT: Field = field(
     "at",
     KnownVector(Dimension::LENGTH),
     Assumed("the points of the partners"),
-    "where the joint is in the home pose, in the ground's axes",
+    "where the joint is in the home pose, in the ground's axes, or a point of a part",
 );
 /// Of joints.
 pub const AXIS: Field = field(
@@ -38,7 +38,7 @@ const HOME: Field = initial(
         "at",
         KnownVector(Dimension::LENGTH),
         Assumed("[0, 0, 0]"),
-        "position of `origin` in the home pose, which is also the initial guess",
+        "position of `origin` in the home pose, which is also the initial guess; or a point of another part",
     ),
 );
 const VELOCITY: Field = initial(
@@ -114,7 +114,7 @@ pub const KINDS: &[Kind] = &[
                     "from",
                     KnownVector(Dimension::LENGTH),
                     Assumed("[0, 0, 0]"),
-                    "position of end `a` in the home pose",
+                    "position of end `a` in the home pose, or a point of another part",
                 ),
             ),
             initial(
@@ -123,7 +123,7 @@ pub const KINDS: &[Kind] = &[
                     "to",
                     KnownVector(Dimension::LENGTH),
                     Assumed("`length` from `a` along X"),
-                    "position of end `b` in the home pose",
+                    "position of end `b` in the home pose, or a point of another part",
                 ),
             ),
             field(
@@ -224,7 +224,7 @@ pub const KINDS: &[Kind] = &[
                 "law",
                 Law,
                 Assumed("none"),
-                "torque against turning as a function of [angle, rate], instead of the other fields; or a table of torque over turning, instead of `stiffness`",
+                "torque against turning as a function of [angle, rate], and of p and q in `law = name(p, q)`, instead of the other fields; or a table of torque over turning, instead of `stiffness`",
             ),
         ],
         doc: "A rotational spring and damper in a joint.",

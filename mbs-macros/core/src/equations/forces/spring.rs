@@ -32,8 +32,10 @@ pub(super) fn action(
             let energy = graph.table(table, INTEGRAL, stretch);
             elastic(graph, energy, damping, rate)
         }
-        Characteristic::Law(law) => {
-            let tension = graph.law(law, &[deflection, rate]);
+        Characteristic::Law(law, ref others) => {
+            let mut arguments = vec![deflection, rate];
+            arguments.extend(others);
+            let tension = graph.law(law, &arguments);
             let force = graph.neg(tension);
             Action {
                 potential: None,

@@ -26,6 +26,7 @@ impl Resolver<'_> {
             kind: entry.kind.to_string(),
             turns: traits.turns,
             slides: traits.slides,
+            along: parent.axes[2],
             parent,
             child,
             letters,
@@ -107,7 +108,7 @@ impl Arguments<'_, '_> {
                 format!("both sides belong to `{owner}`: a joint holds two different parts"),
             );
         }
-        let at = self.vector("at");
+        let at = self.home_place("at");
         if at.is_none() && self.has("at") {
             return None;
         }
@@ -273,6 +274,11 @@ impl Arguments<'_, '_> {
     /// The angular velocity of the child against the parent about the axis, rad/s.
     pub fn joint_rate(&mut self, joint: &JointFrames) -> Expr {
         self.resolver().joint_variable(joint, JointVariable::Rate)
+    }
+
+    /// How fast the child slides along the axis against the parent, m/s.
+    pub fn joint_speed(&mut self, joint: &JointFrames) -> Expr {
+        self.resolver().joint_variable(joint, JointVariable::Speed)
     }
 
     /// How far the child has slid along the axis, m.

@@ -3,9 +3,11 @@
 mod attachments;
 mod checks;
 mod numbers;
+mod orientation;
 mod places;
 mod requirements;
 
+pub(super) use self::numbers::CONSTANT_IN_ASSEMBLY;
 use super::held::exactly;
 use super::resolver::Resolver;
 use super::value::Value;
@@ -132,10 +134,18 @@ impl<'r, 'd> Arguments<'r, 'd> {
             .map(|f| f.expects)
     }
 
-    /// A law of `count` arguments.
-    pub fn law(&mut self, field: &str, count: usize) -> Option<u32> {
+    /// A law, and the values of its arguments after the first `count`: `friction` has none, `friction(dry, within)` two.
+    pub fn law_of(&mut self, field: &str, count: usize) -> Option<(u32, Vec<Expr>)> {
         let syntax = self.syntax(field)?;
-        self.resolver.law(syntax, count)
+        let Syntax::Call(call) = syntax else {
+            return Some((self.resolver.law(syntax, count)?, Vec::new()));
+        };
+        let values = call.args.iter().map(|x| self.resolver.scalar(x));
+        let values: Vec<_> = values.collect();
+        let values: Option<Vec<_>> = values.into_iter().collect();
+        let values: Vec<Expr> = values?.into_iter().map(|(value, _)| value).collect();
+        let law = self.resolver.law(&call.func, count + values.len())?;
+        Some((law, values))
     }
 
     /// `true` or `false`; false if absent.

@@ -8,6 +8,9 @@ use crate::schema::Expects;
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
 
+/// Refuses a constant of Rust in an assembly.
+pub(in crate::model) const CONSTANT_IN_ASSEMBLY: &str = "a constant of Rust is the default of a parameter of a mechanism: where an assembly is used its path would mean another one; give a number here";
+
 impl Arguments<'_, '_> {
     /// A scalar of the dimension in the schema.
     pub fn scalar(&mut self, field: &str) -> Option<Expr> {
@@ -119,6 +122,24 @@ impl Arguments<'_, '_> {
             dimension = Some(stated);
         }
         Some((value, dimension))
+    }
+
+    /// The constant of Rust that a parameter takes its default from, where there is a `nominal =`; the outer `None` after
+    /// an error.
+    pub(in crate::model) fn constant(&mut self) -> Option<Option<syn::ExprPath>> {
+        if !self.has("nominal") {
+            return Some(None);
+        }
+        if self.entry.name.is_nested() {
+            return self.fail("value", CONSTANT_IN_ASSEMBLY);
+        }
+        match self.syntax("value") {
+            Some(Syntax::Path(path)) => Some(Some(path.clone())),
+            _ => self.fail(
+                "value",
+                "a parameter with `nominal =` takes the path of a constant, such as `LENGTH`; leave `nominal =` out for a number",
+            ),
+        }
     }
 
     /// A stated unit fits the value beside it.

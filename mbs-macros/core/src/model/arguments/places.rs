@@ -4,7 +4,7 @@ use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::value::Value;
-use crate::model::{Axes, Frame, Owner, Point, Representation, Tensor, Vector};
+use crate::model::{Frame, Owner, Point, Representation, Tensor, Vector};
 use crate::schema::{Expects, World};
 use crate::symbolic::Expr;
 use syn::Expr as Syntax;
@@ -25,6 +25,19 @@ impl Arguments<'_, '_> {
             self.check_known(field, syntax, &vector)?;
         }
         Some(vector)
+    }
+
+    /// A place of the home pose of space: a vector, or a point of a part, which stands for where it is there.
+    pub fn home_place(&mut self, field: &str) -> Option<Vector> {
+        let syntax = self.syntax(field)?;
+        let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
+        let point = match (self.resolver.world, value) {
+            (World::Spatial, Some(Value::Point(point))) => point,
+            _ => return self.vector(field),
+        };
+        // Once more, so that what it names counts as used.
+        self.resolver.evaluate(syntax)?;
+        Some(self.resolver.home_of(&point))
     }
 
     /// A point; a particle stands for its own.
@@ -144,39 +157,6 @@ impl Arguments<'_, '_> {
         Some(self.resolver.graph.unit(vector))
     }
 
-    /// `turn(axis, angle)` or a list of them, each in the axes that those before have turned.
-    pub fn orientation(&mut self, field: &str) -> Option<Axes> {
-        let mut axes = self.resolver.graph.ground_axes();
-        let Some(syntax) = self.syntax(field) else {
-            return Some(axes);
-        };
-        let turns: Vec<&Syntax> = match syntax {
-            Syntax::Array(list) => list.elems.iter().collect(),
-            single => vec![single],
-        };
-        for turn in turns {
-            let call = match turn {
-                Syntax::Call(call) if call.args.len() == 2 => Some(call),
-                _ => None,
-            };
-            let call = call.filter(
-                |call| matches!(&*call.func, Syntax::Path(path) if path.path.is_ident("turn")),
-            );
-            let Some(call) = call else {
-                return self.resolver.fail(
-                    Place::of(turn),
-                    "expected `turn(axis, angle)`, such as `turn(Z, 30.0_deg)`, or a list of them",
-                );
-            };
-            let axis = self.direction_of(field, &call.args[0])?;
-            let (angle, dimension) = self.resolver.scalar(&call.args[1])?;
-            self.check_dimension(field, dimension, Dimension::NONE, Place::of(&call.args[1]))?;
-            self.check_known(field, &call.args[1], &[angle])?;
-            axes = self.resolver.graph.turned_about(&axes, axis, angle);
-        }
-        Some(axes)
-    }
-
     /// `Frame([x, y], angle)`.
     pub fn prescribed_frame(&mut self, field: &str) -> Option<(Vector, Expr)> {
         let syntax = self.syntax(field)?;
@@ -237,14 +217,6 @@ impl Arguments<'_, '_> {
         };
         let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
         matches!(value, Some(Value::Joint(_)))
-    }
-
-    /// The scalar torque about a joint's axis.
-    pub fn torque_value(&mut self, field: &str) -> Option<Expr> {
-        let syntax = self.syntax(field)?;
-        let (value, dimension) = self.resolver.scalar(syntax)?;
-        self.check_dimension(field, dimension, Dimension::TORQUE, Place::of(syntax))?;
-        Some(value)
     }
 
     /// Stiffness or damping in three directions: a number for all, three numbers, or a matrix; zero if it was not given.

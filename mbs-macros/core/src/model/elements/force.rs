@@ -95,8 +95,8 @@ pub enum Characteristic {
         /// The deflection at which the table's argument is zero.
         free: Expr,
     },
-    /// By its index.
-    Law(u32),
+    /// By its index, with what it takes after deflection and rate.
+    Law(u32, Vec<Expr>),
 }
 
 /// The force of a damper.

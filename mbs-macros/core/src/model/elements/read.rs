@@ -16,7 +16,7 @@ impl Resolver<'_> {
                 continue;
             };
             let name = entry.name.to_string();
-            if self.misplaced.contains(&name) {
+            if self.misplaced.contains(&name) || self.is_wrong_joint(entry) {
                 continue;
             }
             let before = self.errors.enter(&name);

@@ -70,10 +70,7 @@ impl Resolver<'_> {
                 Some(Dimension::VELOCITY),
             )),
             (World::Planar, "angle") => {
-                let angle = match frame.angle {
-                    Some(angle) => angle,
-                    None => self.graph.atan2(frame.axes[0][1], frame.axes[0][0]),
-                };
+                let angle = self.part_angle(owner);
                 Some(Value::Scalar(angle, Some(Dimension::NONE)))
             }
             (_, "length") if self.bar_length(owner).is_some() => self

@@ -8,6 +8,7 @@ use std::collections::HashMap;
 pub(in crate::model) struct Guesses {
     values: HashMap<u32, (Expr, Expr)>,
     quaternions: HashMap<u32, [Expr; 4]>,
+    angles: HashMap<usize, Expr>,
 }
 
 impl Guesses {
@@ -38,6 +39,16 @@ impl Guesses {
             .map_or_else(|| graph.zero(), |value| value.1)
     }
 
+    pub(in crate::model) fn set_angle(&mut self, bar: usize, angle: Expr) {
+        self.angles.insert(bar, angle);
+    }
+
+    /// The angle of a bar of the plane that has none among its coordinates.
+    pub(in crate::model) fn angle(&self, bar: usize, graph: &mut Graph) -> Expr {
+        let angle = self.angles.get(&bar).copied();
+        angle.unwrap_or_else(|| graph.zero())
+    }
+
     /// Whether all are known once the parameters are.
     pub(in crate::model) fn are_known(&self, graph: &Graph) -> bool {
         let values = self
@@ -45,8 +56,10 @@ impl Guesses {
             .values()
             .flat_map(|&(position, rate)| [position, rate]);
         let quaternions = self.quaternions.values().flatten().copied();
+        let angles = self.angles.values().copied();
         values
             .chain(quaternions)
+            .chain(angles)
             .all(|x| !graph.depends_on(x, |symbol| !symbol.is_parameter_like()))
     }
 }

@@ -65,7 +65,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
         }
     }
     let mut guesses = Guesses::default();
-    for (part, pose) in parts.iter().zip(poses) {
+    for (index, (part, pose)) in parts.iter().zip(poses).enumerate() {
         if part.representation == Representation::Coordinate {
             let zero = resolver.graph.zero();
             let value = (
@@ -75,6 +75,9 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             guesses.set(part.locals[0], value.0, value.1);
         } else if let Some(pose) = pose {
             store(&mut resolver.graph, part, &pose, &mut guesses);
+            if part.representation == Representation::Natural {
+                guesses.set_angle(index, pose.angle);
+            }
         }
     }
     guesses

@@ -75,7 +75,7 @@ impl Resolver<'_> {
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let guess = Guess {
-            origin: arguments.vector("at"),
+            origin: arguments.home_place("at"),
             velocity: arguments.vector("velocity"),
             ..Guess::default()
         };

@@ -16,7 +16,7 @@ impl Resolver<'_> {
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let free = arguments.flag("free");
-        let (from, to) = (arguments.vector("from"), arguments.vector("to"));
+        let (from, to) = (arguments.home_place("from"), arguments.home_place("to"));
         let (velocity, spin) = (
             arguments.vector("velocity"),
             arguments.vector("angular_velocity"),
@@ -130,7 +130,7 @@ impl Resolver<'_> {
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let center = arguments.vector("center_of_mass");
-        let origin = arguments.vector("at");
+        let origin = arguments.home_place("at");
         let (velocity, spin) = (
             arguments.vector("velocity"),
             arguments.vector("angular_velocity"),

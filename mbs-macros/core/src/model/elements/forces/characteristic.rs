@@ -35,7 +35,8 @@ pub(super) fn read(arguments: &mut Arguments, free: &str) -> Option<Characterist
                 "a law takes the place of stiffness, damping and free length; keep one of them",
             );
         }
-        return arguments.law("law", 2).map(Characteristic::Law);
+        let (law, others) = arguments.law_of("law", 2)?;
+        return Some(Characteristic::Law(law, others));
     }
     if !arguments.has("stiffness") && !arguments.has("damping") {
         return arguments.fail(

@@ -1,11 +1,15 @@
-//! A force on a point.
+//! A force on a point, or in a joint.
 
+use super::actuator;
 use super::axes::force_in;
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::{Force, ForceElement};
 use crate::model::geometry::Owner;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
+    if arguments.names_joint("on") {
+        return actuator::force(arguments);
+    }
     let (on, value) = (arguments.point("on"), arguments.vector("value"));
     let (on, value) = (on?, value?);
     if on.owner == Owner::Ground {

@@ -1,5 +1,6 @@
 //! Force elements as they are declared, one file each. Those of one world are in `planar` and `spatial`.
 
+mod actuator;
 mod axes;
 mod characteristic;
 mod dimensions;

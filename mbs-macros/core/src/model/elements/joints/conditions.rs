@@ -53,7 +53,7 @@ pub(super) fn check(arguments: &mut Arguments, field: &str) -> Option<()> {
     arguments.refuse(
         field,
         &|symbol| matches!(symbol, Symbol::Input(_)),
-        "a condition on positions cannot follow an input, whose rate is unknown; write it as a function of `t`, or let a force follow the input",
+        "a condition on positions cannot follow an input, whose rate is unknown; write it as a function of `t`, use a `Drive`, or let a force follow the input",
     )?;
     arguments.refuse_laws(field)?;
     arguments.refuse_kinks(field, 0)

@@ -1,6 +1,7 @@
-//! A position prescribed as a function of time: a rheonomic row.
+//! A position or velocity prescribed as a function of time and inputs.
 
 use super::conditions;
+use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Condition, Joint, Level, ReactionComponent};
@@ -20,16 +21,34 @@ pub(super) const KIND: JointKind = JointKind {
                 "target",
                 Expects::Driven,
                 Absent::Required,
-                "an angle, length or other expression of the positions",
+                "an angle, length or other expression of the positions, or of the velocities",
             ),
             field(
                 "value",
                 Expects::MovingAny,
                 Absent::Required,
-                "its value as a function of `t`",
+                "its value as a function of `t`, parameters and inputs",
+            ),
+            field(
+                "rate",
+                Expects::MovingAny,
+                Absent::Assumed("0"),
+                "how fast the value goes on from `since`: value + rate · (t − since)",
+            ),
+            field(
+                "acceleration",
+                Expects::MovingAny,
+                Absent::Assumed("0"),
+                "how fast the rate goes on: + acceleration · (t − since)²/2",
+            ),
+            field(
+                "since",
+                Expects::MovingAny,
+                Absent::Assumed("none"),
+                "the time of the value and the rate, as an input; needed with them",
             ),
         ],
-        doc: "Prescribes a position as a function of time.",
+        doc: "Prescribes a position or a velocity as a function of time and inputs.",
         joint: Some(JointTraits::NONE),
     },
     read,
@@ -42,31 +61,14 @@ enum Target {
 }
 
 fn read(arguments: &mut Arguments) -> Option<Joint> {
-    let (value, of_value) = arguments.quantity("value")?;
-    arguments.refuse(
-        "value",
-        &|symbol| !matches!(symbol, Symbol::Time | Symbol::Parameter(_)),
-        "a drive follows time and parameters only; a relation between positions is a `Holonomic` or `Coupling`",
-    )?;
-    arguments.refuse_laws("value")?;
-    arguments.refuse_kinks("value", 0)?;
+    let (value, of_value) = value(arguments)?;
     let owner = bar_angle(arguments);
     let (target, of_target) = match owner {
         Some(owner) => (
             Target::Direction(arguments.frame(owner).axes[0]),
             Some(Dimension::NONE),
         ),
-        None => {
-            conditions::check(arguments, "target")?;
-            let (target, dimension) = arguments.quantity("target")?;
-            if !conditions::moves(arguments, target) {
-                return arguments.fail(
-                    "target",
-                    "this does not depend on any position: name what is to be driven, such as `crank.angle`",
-                );
-            }
-            (Target::Expression(target), dimension)
-        }
+        None => expression(arguments)?,
     };
     if let (Some(target), Some(value)) = (of_target, of_value)
         && target != value
@@ -78,8 +80,14 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     }
     // target − value(t); for a direction sin(θ − value), whose multiplier is the same torque.
     let graph = arguments.graph();
+    let mut level = Level::Position;
     let expr = match target {
-        Target::Expression(target) => graph.sub(target, value),
+        Target::Expression(target) => {
+            if graph.depends_on(target, Symbol::is_velocity) {
+                level = Level::Velocity;
+            }
+            graph.sub(target, value)
+        }
         Target::Direction(axis) => {
             let wanted = graph.direction(value);
             graph.planar_cross(wanted, axis)
@@ -87,7 +95,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     };
     let condition = Condition {
         suffix: String::new(),
-        level: Level::Position,
+        level,
         expr,
         dimension: of_target.or(of_value),
     };
@@ -108,6 +116,92 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
         owners: owner.into_iter().collect(),
         ..Joint::default()
     })
+}
+
+/// value + rate · (t − since) + acceleration · (t − since)²/2.
+fn value(arguments: &mut Arguments) -> Option<(Expr, Option<Dimension>)> {
+    let (mut value, dimension) = known(arguments, "value")?;
+    let mut factor = 1.0;
+    for (field, order) in [("rate", 1), ("acceleration", 2)] {
+        if !arguments.has(field) {
+            continue;
+        }
+        if !arguments.has("since") {
+            return arguments.fail(
+                field,
+                format!("a drive with `{field} =` takes `since =`, too: the time at which its values were set, such as an `Input(0.0_s)`"),
+            );
+        }
+        let (slope, found) = known(arguments, field)?;
+        let wanted = dimension.map(|d| (0..order).fold(d, |d, _| d.over(Dimension::TIME)));
+        check(arguments, field, found, wanted)?;
+        let (since, found) = known(arguments, "since")?;
+        check(arguments, "since", found, Some(Dimension::TIME))?;
+        factor /= f64::from(order);
+        let graph = arguments.graph();
+        let time = graph.symbol(Symbol::Time);
+        let passed = graph.sub(time, since);
+        let term = graph.product(&[(slope, 1), (passed, order)]);
+        let term = graph.scale(factor, term);
+        value = graph.add(value, term);
+    }
+    Some((value, dimension))
+}
+
+/// What is known of time, parameters and inputs.
+fn known(arguments: &mut Arguments, field: &str) -> Option<(Expr, Option<Dimension>)> {
+    let found = arguments.quantity(field)?;
+    arguments.refuse(
+        field,
+        &|symbol| {
+            !matches!(
+                symbol,
+                Symbol::Time | Symbol::Parameter(_) | Symbol::Input(_)
+            )
+        },
+        "a drive follows time, parameters and inputs only; a relation between positions is a `Holonomic` or `Coupling`",
+    )?;
+    arguments.refuse_laws(field)?;
+    arguments.refuse_kinks(field, 0)?;
+    Some(found)
+}
+
+fn check(
+    arguments: &mut Arguments,
+    field: &str,
+    found: Option<Dimension>,
+    wanted: Option<Dimension>,
+) -> Option<()> {
+    match (arguments.syntax(field), wanted) {
+        (Some(syntax), Some(wanted)) => {
+            arguments.check_dimension(field, found, wanted, Place::of(syntax))
+        }
+        _ => Some(()),
+    }
+}
+
+/// A position, or a velocity that is affine in the velocities.
+fn expression(arguments: &mut Arguments) -> Option<(Target, Option<Dimension>)> {
+    let (target, dimension) = arguments.quantity("target")?;
+    if arguments.graph().depends_on(target, Symbol::is_velocity) {
+        arguments.refuse_laws("target")?;
+        arguments.refuse_kinks("target", 1)?;
+        if !arguments.graph().is_affine_in_velocities(target) {
+            return arguments.fail(
+                "target",
+                "a velocity that is driven must be affine in the velocities: a component, not a norm",
+            );
+        }
+        return Some((Target::Expression(target), dimension));
+    }
+    conditions::check(arguments, "target")?;
+    if !conditions::moves(arguments, target) {
+        return arguments.fail(
+            "target",
+            "this does not depend on any position: name what is to be driven, such as `crank.angle`",
+        );
+    }
+    Some((Target::Expression(target), dimension))
 }
 
 /// Whether the target is `bar.angle` of a bar in natural coordinates.

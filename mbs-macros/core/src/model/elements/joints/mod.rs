@@ -10,6 +10,7 @@ mod holonomic;
 mod nonholonomic;
 mod planar;
 mod relation;
+mod rolling;
 mod spatial;
 
 use super::joint::Joint;

@@ -1,10 +1,14 @@
-//! A torque on a part, with its reaction on another.
+//! A torque on a part, with its reaction on another, or in a joint.
 
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::{Force, ForceElement, Load};
+use crate::model::elements::forces::actuator;
 use crate::model::geometry::Owner;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
+    if arguments.names_joint("on") {
+        return actuator::torque(arguments);
+    }
     let (on, value) = (arguments.part("on"), arguments.scalar("value"));
     let from = if arguments.has("from") {
         arguments.part("from")?

@@ -1,11 +1,20 @@
-//! A rotational spring and damper between two parts.
+//! A rotational spring and damper between two parts, or in a joint.
 
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::{Force, ForceElement};
-use crate::model::elements::forces::characteristic;
+use crate::model::elements::forces::{actuator, characteristic};
 use crate::symbolic::Expr;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
+    if arguments.names_joint("parent") {
+        return in_joint(arguments);
+    }
+    if !arguments.has("child") {
+        return arguments.fail(
+            "",
+            "a torsion spring acts between two parts; name the second, too, or a joint that turns",
+        );
+    }
     let (parent, child) = (arguments.part("parent"), arguments.part("child"));
     let characteristic = characteristic::read(arguments, "angle");
     let owners = [parent?, child?];
@@ -37,4 +46,24 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
             characteristic: characteristic?,
         },
     })
+}
+
+fn in_joint(arguments: &mut Arguments) -> Option<Force> {
+    if arguments.has("child") {
+        return arguments.fail(
+            "child",
+            "a spring in a joint acts between its two partners; leave this out",
+        );
+    }
+    let joint = actuator::turning(
+        arguments,
+        "parent",
+        "which has no angle; name a `Revolute`, or two parts",
+    );
+    let characteristic = characteristic::read(arguments, "angle");
+    Some(actuator::torsion_spring(
+        arguments,
+        &joint?,
+        characteristic?,
+    ))
 }

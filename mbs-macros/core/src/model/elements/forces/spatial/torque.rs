@@ -1,12 +1,13 @@
 //! A torque on a part, with its reaction on another, or in a joint.
 
 use crate::model::arguments::Arguments;
-use crate::model::elements::force::{Force, ForceElement, Load};
+use crate::model::elements::force::{Force, ForceElement};
+use crate::model::elements::forces::actuator;
 use crate::model::geometry::Owner;
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     if arguments.names_joint("on") {
-        return in_joint(arguments);
+        return actuator::torque(arguments);
     }
     let on = arguments.part("on")?;
     let value = arguments.vector("value")?;
@@ -44,32 +45,5 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
             torque: value,
             axes,
         },
-    })
-}
-
-fn in_joint(arguments: &mut Arguments) -> Option<Force> {
-    let joint = arguments.joint("on")?;
-    if let Some(field) = ["from", "axes"]
-        .into_iter()
-        .find(|field| arguments.has(field))
-    {
-        return arguments.fail(
-            field,
-            "a torque in a joint acts on its child, about its axis, and back on its parent; leave this out",
-        );
-    }
-    if !joint.turns {
-        let (kind, name) = (&joint.kind, &joint.name);
-        return arguments.fail(
-            "on",
-            format!("`{name}` is a `{kind}`, which does not turn about one axis; name a `Revolute` or `Cylindrical`, or a part"),
-        );
-    }
-    let force = arguments.torque_value("value")?;
-    let rate = arguments.joint_rate(&joint);
-    Some(Force {
-        points: Vec::new(),
-        owners: vec![joint.parent.point.owner, joint.child.point.owner],
-        element: ForceElement::Loads(vec![Load { rate, force }]),
     })
 }

@@ -7,6 +7,7 @@ mod held;
 mod point_on_line;
 mod prismatic;
 mod revolute;
+mod rolling;
 
 use crate::model::elements::kind::JointKind;
 
@@ -16,5 +17,6 @@ pub(super) const KINDS: &[JointKind] = &[
     prismatic::KIND,
     fixed::KIND,
     point_on_line::KIND,
+    rolling::KIND,
     gear::KIND,
 ];

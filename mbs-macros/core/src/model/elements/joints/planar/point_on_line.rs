@@ -30,8 +30,11 @@ pub(super) const KIND: JointKind = JointKind {
                 "direction of the line, in the axes of the line's part",
             ),
         ],
-        doc: "A point stays on a line that is fixed in another part.",
-        joint: Some(JointTraits::NONE),
+        doc: "A point stays on a line that is fixed in another part. It has `stroke` and `speed`: of the point along the line, from the line's point.",
+        joint: Some(JointTraits {
+            slides: true,
+            ..JointTraits::NONE
+        }),
     },
     read,
 };

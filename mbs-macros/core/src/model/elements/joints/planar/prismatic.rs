@@ -29,11 +29,11 @@ pub(super) const KIND: JointKind = JointKind {
                 "angle of the child's frame against the parent's",
             ),
         ],
-        doc: "The child slides along an axis of the parent and does not turn against it.",
+        doc: "The child slides along an axis of the parent and does not turn against it. It has `stroke` and `speed`: of the child's point from the parent's, along the axis.",
         joint: Some(JointTraits {
             carries: true,
             arguments_elsewhere: &["at"],
-            hinge: true,
+            slides: true,
             ..JointTraits::NONE
         }),
     },

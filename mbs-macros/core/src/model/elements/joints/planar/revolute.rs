@@ -13,11 +13,11 @@ pub(super) const KIND: JointKind = JointKind {
         name: "Revolute",
         group: Group::Joint,
         fields: &[PARENT, CHILD],
-        doc: "The two points coincide. Between ends of bars, particles and the ground they are merged: no coordinate and no row.",
+        doc: "The two points coincide. Between ends of bars, particles and the ground they are merged: no coordinate and no row. It has `angle` and `rate`: those of the child less those of the parent.",
         joint: Some(JointTraits {
             carries: true,
             arguments_elsewhere: &["at", "axis"],
-            hinge: true,
+            turns: true,
             ..JointTraits::NONE
         }),
     },

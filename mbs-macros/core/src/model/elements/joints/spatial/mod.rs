@@ -15,6 +15,7 @@ mod prismatic;
 mod rack_pinion;
 mod relation;
 mod revolute;
+mod rolling;
 mod screw;
 mod sliding_point;
 mod spherical;
@@ -37,4 +38,5 @@ pub(super) const KINDS: &[JointKind] = &[
     rack_pinion::KIND,
     point_on_line::KIND,
     point_on_plane::KIND,
+    rolling::KIND,
 ];

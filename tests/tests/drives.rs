@@ -1,0 +1,127 @@
+//! Drives that follow inputs.
+
+use mbs_runtime::{Settings, Simulation, SimulationError, mechanism};
+
+// A hoist of 2 kg, and a rotor of 3 kg m² whose speed is driven.
+mechanism!(Plant {
+    world: Planar(gravity = [0.0, -10.0_m_per_s2]),
+    height: Input(0.0_m),
+    climb: Input(0.0_m_per_s),
+    push: Input(0.0_m_per_s2),
+    set_at: Input(0.0_s),
+    speed: Input(0.0_rad_per_s),
+
+    cage: Body(mass = 2.0_kg, inertia = 1.0_kg_m2),
+    shaft: Prismatic(ground.origin, cage.origin, axis = Y),
+    hoist: Drive(
+        shaft.stroke,
+        value = height,
+        rate = climb,
+        acceleration = push,
+        since = set_at
+    ),
+    rotor: Body(mass = 1.0_kg, inertia = 3.0_kg_m2),
+    bearing: Revolute(ground.origin, rotor.origin),
+    motor: Drive(bearing.rate, value = speed),
+
+    lifted: Output(shaft.stroke),
+    lifting: Output(shaft.speed),
+    turned: Output(bearing.angle),
+});
+
+fn plant() -> PlantSimulation {
+    let settings = Settings {
+        step: 1e-2,
+        ..Settings::default()
+    };
+    Simulation::with_settings(Plant::default(), settings).expect("it assembles")
+}
+
+/// Position and rates of a program, set once in five steps.
+#[test]
+fn the_hoist_follows_a_program() {
+    let mut plant = plant();
+    for tick in 0..40 {
+        let t = f64::from(tick) * 0.05;
+        let mut inputs = plant.inputs_mut();
+        inputs.height = 0.5 * t.powi(2);
+        inputs.climb = t;
+        inputs.push = 1.0;
+        inputs.set_at = t;
+        drop(inputs);
+        plant.run_until(t + 0.05).expect("it runs");
+    }
+    assert!((plant.outputs().lifted - 2.0).abs() < 1e-12);
+    assert!((plant.outputs().lifting - 2.0).abs() < 1e-12);
+    // Weight and inertia.
+    let force = plant.reaction("hoist", "force").expect("it has one");
+    assert!((force - 22.0).abs() < 1e-9, "{force}");
+    // m g h + m v²/2.
+    let energy = plant.energy();
+    assert!((energy.drive_work - 44.0).abs() < 1e-9, "{energy:?}");
+    assert!(energy.error.abs() < 1e-9, "{energy:?}");
+}
+
+/// A jump takes the mechanism along at once, and the drive does its work.
+#[test]
+fn jumps_are_work_of_the_drive() {
+    let mut plant = plant();
+    plant.set_input("height", 0.3).expect("it is reached");
+    assert!((plant.outputs().lifted - 0.3).abs() < 1e-12);
+    assert!((plant.energy().drive_work - 6.0).abs() < 1e-9);
+    plant.set_input("speed", 4.0).expect("it is reached");
+    assert!((plant.energy().drive_work - 30.0).abs() < 1e-9);
+    plant.run_until(1.0).expect("it runs");
+    assert!((plant.outputs().turned - 4.0).abs() < 1e-9);
+    assert!((plant.outputs().lifted - 0.3).abs() < 1e-12);
+    assert!(plant.energy().error.abs() < 1e-9, "{:?}", plant.energy());
+}
+
+mechanism!(Reach {
+    world: Planar(),
+    wanted: Input(0.5_m),
+    arm: Bar(mass = 1.0_kg, length = 1.0_m, angle = 60.0_deg),
+    pivot: Revolute(ground.origin, arm.a),
+    drive: Drive(arm.b.x, value = wanted),
+    tip: Output(arm.b.x),
+});
+
+/// Where no pose follows, input and state stay as they were.
+#[test]
+fn what_cannot_be_reached_is_refused() {
+    let mut reach = Simulation::new(Reach::default()).expect("it assembles");
+    let refused = reach.set_input("wanted", 1.5);
+    assert!(
+        matches!(refused, Err(SimulationError::Assembly(_))),
+        "{refused:?}"
+    );
+    assert_eq!(reach.inputs().wanted, 0.5);
+    reach.set_input("wanted", 0.7).expect("it is reached");
+    reach.run_until(0.1).expect("it runs");
+    assert!((reach.outputs().tip - 0.7).abs() < 1e-9);
+}
+
+/// A constant of Rust; its nominal value is another one, so that the test shows which is used.
+const SPEED: f64 = 2.0;
+
+mechanism!(Tug {
+    world: Planar(),
+    speed: Param(SPEED, nominal = 1.5_m_per_s),
+    load: Particle(mass = 1.0_kg, velocity = [2.0, 0.0]),
+    track: PointOnLine(load, ground.origin),
+    winch: Drive(track.speed, value = speed),
+    brake: Force(track, value = -5.0_N),
+});
+
+/// A velocity row with a constant part does work, although nothing depends on time.
+#[test]
+fn a_constant_speed_does_work() {
+    let mut tug = Simulation::new(Tug::default()).expect("it assembles");
+    tug.run_until(1.0).expect("it runs");
+    assert!(
+        (tug.energy().drive_work - 10.0).abs() < 1e-9,
+        "{:?}",
+        tug.energy()
+    );
+    assert!(tug.energy().error.abs() < 1e-9, "{:?}", tug.energy());
+}

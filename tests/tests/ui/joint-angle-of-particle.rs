@@ -1,0 +1,13 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    bob: Particle(mass = 1.0_kg),
+    end: Revolute(bar.b, bob.origin),
+    out: Output(end.angle),
+});
+
+fn main() {}
