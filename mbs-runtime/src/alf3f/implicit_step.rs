@@ -19,6 +19,7 @@ use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{Implicit, transport, trapezoid};
 use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, negative, vector};
+use crate::memory::Box;
 use crate::singular::{MEAN_LOST, ROUND_OFF, STILL, has_stalled};
 use nalgebra::SVector;
 
@@ -280,6 +281,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             work,
             ..
         } = &mut *self.context;
+        let end = &mut **end;
         self.q = trapezoid(
             system,
             &state.positions,
@@ -359,7 +361,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
 
         let size = yardstick.measure(&change);
         let speed = yardstick.measure(&self.vb);
-        let last = std::mem::replace(&mut self.size, size);
+        let last = core::mem::replace(&mut self.size, size);
         if size > 0.1 * last || !size.is_finite() {
             self.step.solver.invalidate();
         }

@@ -9,6 +9,7 @@ use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
 use crate::linear::{add, added, vector};
+use crate::memory::{Box, MOST_STAGES};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
@@ -96,6 +97,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 (stages, stages.len())
             }
         };
+        if count > MOST_STAGES {
+            return Err(SimulationError::Order {
+                order: settings.order,
+                because: "`mbs-runtime` was built without its feature `std`, and has room for one stage",
+            });
+        }
         let mut state = state;
         state.make_room(count);
         let before = state.with_same_room();

@@ -1,5 +1,7 @@
 //! The choice of the flow.
 
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;

@@ -1,6 +1,9 @@
 //! The factor of a mass matrix, and the inverse of one that is constant.
 
 use crate::ParameterError;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
+use crate::memory::{Box, zeroed};
 use nalgebra::{SMatrix, SVector};
 
 /// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
@@ -125,5 +128,5 @@ pub fn inverse_mass<const N: usize>(
 
 /// A matrix of zeros, which never was on the stack.
 pub fn clear_mass<const N: usize>() -> Box<SMatrix<f64, N, N>> {
-    bytemuck::zeroed_box()
+    zeroed()
 }
