@@ -71,6 +71,8 @@ mod any;
 mod assembly;
 #[cfg(feature = "std")]
 mod baselines;
+#[cfg(feature = "std")]
+pub mod c_interface;
 mod check;
 mod constraint_geometry;
 mod contract;
