@@ -22,6 +22,7 @@ static void show(const char *name, double value) {
     printf("%s %016" PRIx64 " %.6f\n", name, bits, value);
 }
 
+/* ANCHOR: main */
 int main(void) {
     slider_crank_parameters parameters;
     require(slider_crank_default_parameters(&parameters, sizeof parameters));
@@ -57,3 +58,4 @@ int main(void) {
     slider_crank_free(plant);
     return 0;
 }
+/* ANCHOR_END: main */

@@ -6,7 +6,7 @@
 #[cfg(not(feature = "std"))]
 use crate::elementary::Elementary as _;
 use crate::linear::{dot, largest, largest_of, products, vector};
-use crate::memory::with_points;
+use crate::memory::{MOST_POINTS, with_points};
 use crate::sink::Diagonal;
 use crate::{Coordinate, Model, System};
 use nalgebra::SVector;
@@ -31,6 +31,12 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
     /// length.
     #[inline(never)]
     pub(crate) fn new<S: System<Q, N, R>, const R: usize>(system: &S, step: f64) -> Self {
+        const {
+            assert!(
+                S::MODEL.points.len() <= MOST_POINTS,
+                "without its feature `std` mbs-runtime has room for 64 points of a mechanism"
+            );
+        }
         let (q, _) = system.guess();
         let (reach, extent) = with_points(
             S::MODEL.points.len(),

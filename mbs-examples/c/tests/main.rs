@@ -95,6 +95,37 @@ fn names_of_a_header_are_names_of_c_each_once() {
     assert!(text.contains("double none; /* there are no inputs */"));
 }
 
+/// A law with an error in it.
+fn broken([length, rate]: [f64; 2]) -> (f64, [f64; 2]) {
+    assert!(length < 1.01, "a law that panics, for the test");
+    (rate, [0.0, 1.0])
+}
+
+mechanism!(Broken {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    bob: Particle(mass = 1.0_kg, at = [0.0, -1.0]),
+    strut: SpringDamper(ground.origin, bob.origin, law = broken),
+});
+mbs_runtime::c_library!(broken: Broken);
+
+unsafe extern "C" {
+    fn broken_new(parameters: *const f64, size: usize, step: f64, plant: *mut *mut Plant) -> i32;
+    fn broken_run_until(plant: *mut Plant, time: f64) -> i32;
+    fn broken_free(plant: *mut Plant);
+}
+
+#[test]
+fn no_panic_leaves_the_library() {
+    let mut plant = null_mut();
+    unsafe {
+        let none = 0.0;
+        assert_eq!(broken_new(&raw const none, 8, 1e-3, &raw mut plant), 0);
+        let status = broken_run_until(plant, 1.0);
+        assert_eq!(status, Status::Internal as i32);
+        broken_free(plant);
+    }
+}
+
 #[test]
 fn null_pointers_and_wrong_sizes_are_refused() {
     let mut numbers = [0.15, 0.4, 0.0, 0.0, 0.0, 0.0];

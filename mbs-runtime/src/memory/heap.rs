@@ -5,8 +5,11 @@ use bytemuck::Zeroable;
 /// A value with an address of its own.
 pub type Box<T> = std::boxed::Box<T>;
 
-/// The most stages of a step: any number.
-pub const MOST_STAGES: usize = usize::MAX;
+/// The most stages of a step: more than any order has.
+pub const MOST_STAGES: usize = 1 << 16;
+
+/// The most points of a mechanism: more than any has.
+pub const MOST_POINTS: usize = 1 << 16;
 
 /// A list with an entry for each stage of a step.
 pub type StageList<T> = Vec<T>;

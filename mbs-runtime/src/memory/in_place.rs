@@ -6,11 +6,11 @@ use core::ops::{Deref, DerefMut};
 /// The most stages of a step: that of second order. Lists for more would take half of the memory of a small mechanism.
 pub const MOST_STAGES: usize = 1;
 
-/// The most points of which the size of a mechanism is taken; the array is on the stack while a simulation is made.
-const MOST_POINTS: usize = 64;
+/// The most points of a mechanism; an array of them is on the stack while a simulation is made.
+pub const MOST_POINTS: usize = 64;
 
 /// A value in place of a pointer to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Box<T: ?Sized>(T);
 
 impl<T> Box<T> {
@@ -49,14 +49,14 @@ pub fn zero_rows<const K: usize>() -> Rows<K> {
     Box([[0.0; K]; K])
 }
 
-/// What `read` makes of the points that `fill` writes over zeros: of the first 64, where there are more.
+/// What `read` makes of the points that `fill` writes over zeros; there are at most [`MOST_POINTS`].
 pub fn with_points<T>(
     count: usize,
     fill: impl FnOnce(&mut [[f64; 3]]),
     read: impl FnOnce(&[[f64; 3]]) -> T,
 ) -> T {
     let mut points = [[0.0; 3]; MOST_POINTS];
-    let points = &mut points[..count.min(MOST_POINTS)];
+    let points = &mut points[..count];
     fill(points);
     read(points)
 }

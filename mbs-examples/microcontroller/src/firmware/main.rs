@@ -22,10 +22,11 @@ extern "C" fn run() -> ! {
     let written = match &outcome {
         Ok(outcome) => writeln!(
             Host,
-            "{outcome}steps {}\ninstructions a step {}\ninstructions of the longest step {}\nstack {stack} bytes\nstatic memory {} bytes",
+            "{outcome}steps {}\ninstructions a step {}\ninstructions of the longest step {}\nsimulation {} bytes\nstack {stack} bytes\nstatic memory {} bytes",
             mbs_microcontroller::STEPS,
             clock::instructions(outcome.total) / mbs_microcontroller::STEPS,
             clock::instructions(outcome.longest),
+            size_of::<mbs_microcontroller::SliderCrankFixedStepSimulation>(),
             stack::static_memory(),
         ),
         Err(error) => writeln!(Host, "the run failed: {error}"),
