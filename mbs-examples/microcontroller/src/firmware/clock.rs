@@ -12,13 +12,14 @@ const SYSTICK: *mut u32 = 0xE000_E010 as *mut u32;
 /// The timer counts down in 24 bits.
 const MOST: u32 = 0x00FF_FFFF;
 
-/// Starts the timer with the clock of the processor.
+/// Starts the timer with the clock of the processor, and waits for its first count: until then it is zero.
 pub fn start() {
     // SAFETY: the registers of SysTick exist in every Cortex-M4, and nothing else uses them.
     unsafe {
         SYSTICK.wrapping_add(1).write_volatile(MOST);
         SYSTICK.wrapping_add(2).write_volatile(0);
         SYSTICK.write_volatile(0b101);
+        while SYSTICK.wrapping_add(2).read_volatile() == 0 {}
     }
 }
 
