@@ -57,6 +57,11 @@
 //! | constant | positions | [`Flow::Leapfrog`], explicit (or the trapezoid, where a spring is stiff for the step) |
 //! | depends on q | positions | [`Flow::Midpoint`], implicit, in momentum form |
 //! | any | velocities | [`Flow::Implicit`], with the multiplier inside the step |
+//!
+//! # Without the standard library
+//!
+//! Without its feature `std`, which is on by default, the crate is `no_std` and allocates nothing: it has mechanisms,
+//! [`Dynamics`], [`TwoLevelStepper`] and [`FixedStepSimulation`]. [`c_interface`] is for programs in C.
 
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
