@@ -66,7 +66,7 @@
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 #![cfg_attr(not(feature = "std"), no_std)]
-// Parts that only `Simulation` uses are within files that other parts are used of.
+// Without `std` some items have no user left: those that `Simulation` alone uses.
 #![cfg_attr(not(feature = "std"), allow(dead_code, unused_imports))]
 
 mod affinities;
