@@ -17,14 +17,12 @@ pub fn by_tangents<S, const Q: usize, const N: usize, const R: usize>(
     let mut mass = RowMatrix::<N, N>::zeros();
     system.mass_matrix(q, &mut mass);
     // slopes[j][i][k] = ∂M_ij/∂q_k
-    let slopes: Vec<_> = (0..N)
-        .map(|j| {
-            let unit: SVector<f64, N> = vector(|i| if i == j { 1.0 } else { 0.0 });
-            let mut slope = RowMatrix::<N, N>::zeros();
-            system.force_tangents(0.0, q, &unit, &mut Discard, &mut Discard, &mut slope);
-            slope
-        })
-        .collect();
+    let slopes: [_; N] = core::array::from_fn(|j| {
+        let unit: SVector<f64, N> = vector(|i| if i == j { 1.0 } else { 0.0 });
+        let mut slope = RowMatrix::<N, N>::zeros();
+        system.force_tangents(0.0, q, &unit, &mut Discard, &mut Discard, &mut slope);
+        slope
+    });
     for i in 0..N {
         // ω × p of the rotation that i belongs to: rows a, b, c in cyclic order.
         let mut rotations = S::ROTATIONS.iter();

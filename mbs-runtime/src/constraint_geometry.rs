@@ -3,6 +3,7 @@
 use crate::System;
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, add, vector};
+use crate::memory::Box;
 use nalgebra::SVector;
 
 /// A, b, W = M⁻¹Aᵀ, S = A M⁻¹ Aᵀ and M⁻¹f at one instant.
@@ -56,7 +57,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     pub(crate) fn rows_at_guess(system: &S) -> Result<Box<Self>, Fault> {
         let (q, _) = system.guess();
         let mut geometry = ConstraintGeometry::new(system, &q)?;
-        let (a, b) = (&mut geometry.a, &mut geometry.b);
+        let ConstraintGeometry { a, b, .. } = &mut *geometry;
         system.constraints(0.0, &q, &mut SVector::zeros(), a, b);
         Ok(geometry)
     }
@@ -99,5 +100,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         system.row_rates(&self.a, v, &mut rates);
         add(&mut rates, &self.b);
         rates
+    }
+    /// S of the holonomic rows, with unit rows in place of the others.
+    pub(crate) fn holonomic_delassus(&self) -> RowMatrix<R, R> {
+        let mut delassus = self.delassus.clone();
+        let rows = delassus.entries_mut();
+        for i in S::STRUCTURE.holonomic_rows..R {
+            for j in 0..R {
+                rows[i][j] = 0.0;
+                rows[j][i] = 0.0;
+            }
+            rows[i][i] = 1.0;
+        }
+        delassus
     }
 }

@@ -4,6 +4,7 @@ use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dot, finite, vector};
+use crate::memory::Box;
 use crate::{SimulationError, System, TensorSink};
 use nalgebra::{SMatrix, SVector};
 
@@ -20,7 +21,7 @@ use nalgebra::{SMatrix, SVector};
 ///     pivot: Revolute(ground.origin, rod.a),
 /// });
 ///
-/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// # fn main() -> Result<(), Box<dyn core::error::Error>> {
 /// let simulation: PendulumSimulation = Simulation::new(Pendulum {})?;
 /// let mut dynamics = simulation.dynamics()?;
 /// let at_rest = dynamics.accelerations()[0];

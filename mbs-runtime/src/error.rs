@@ -1,44 +1,15 @@
 //! Errors of the runtime: what happened, where (joint, row, parameter, time), and what to do.
 
-use std::fmt;
+#[cfg(feature = "std")]
+#[path = "error/unknown_name.rs"]
+mod unknown_name;
+#[cfg(not(feature = "std"))]
+#[path = "error/unlisted_name.rs"]
+mod unknown_name;
 
-/// A name that the mechanism does not have.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UnknownName {
-    /// The sort of name: `parameter`, `input`, `output`, `event`.
-    pub what: &'static str,
-    /// The name that was given.
-    pub name: String,
-    /// The names there are.
-    pub known: Vec<&'static str>,
-}
+pub use unknown_name::UnknownName;
 
-impl UnknownName {
-    /// The error for `name`, given the names there are.
-    pub fn new(
-        what: &'static str,
-        name: &str,
-        known: impl IntoIterator<Item = &'static str>,
-    ) -> Self {
-        UnknownName {
-            what,
-            name: name.to_owned(),
-            known: known.into_iter().collect(),
-        }
-    }
-}
-
-impl fmt::Display for UnknownName {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(out, "no {} is named `{}`; ", self.what, self.name)?;
-        match self.known.as_slice() {
-            [] => write!(out, "this mechanism has none"),
-            known => write!(out, "there are: {}", known.join(", ")),
-        }
-    }
-}
-
-impl std::error::Error for UnknownName {}
+use core::fmt;
 
 /// Parameters that do not make a mechanism.
 #[derive(Debug, Clone, PartialEq)]
@@ -118,19 +89,25 @@ impl fmt::Display for ParameterError {
             ParameterError::InertiaNotPositive { body, moments } => write!(
                 out,
                 "the inertia of `{body}` is not positive definite: its principal moments are {} kg m²; all three have to be positive",
-                list(moments)
+                List(moments)
             ),
             ParameterError::InertiaTriangle { body, moments } => write!(
                 out,
                 "no body has the inertia of `{body}`: its principal moments are {} kg m², and none of them may exceed the sum of the other two",
-                list(moments)
+                List(moments)
             ),
         }
     }
 }
 
-fn list([a, b, c]: &[f64; 3]) -> String {
-    format!("{a:.6}, {b:.6} and {c:.6}")
+/// Three numbers as text.
+struct List<'a>(&'a [f64; 3]);
+
+impl fmt::Display for List<'_> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let List([a, b, c]) = self;
+        write!(out, "{a:.6}, {b:.6} and {c:.6}")
+    }
 }
 
-impl std::error::Error for ParameterError {}
+impl core::error::Error for ParameterError {}

@@ -7,7 +7,9 @@ use crate::linear::{added, vector};
 use nalgebra::{SMatrix, SVector};
 
 pub use crate::contract::{Elimination, Rates};
+pub use crate::elementary::Elementary;
 pub use crate::linear::{entries, entries_mut};
+pub use crate::memory::Box;
 pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
 pub use checks::{require_inertia, require_not_negative, require_positive};

@@ -20,7 +20,7 @@
 //!     height: Output(rod.b.y),
 //! });
 //!
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # fn main() -> Result<(), Box<dyn core::error::Error>> {
 //! let mut simulation = Simulation::new(Pendulum { length: 0.5 })?;
 //! simulation.run_until(1.0)?;
 //! assert!(simulation.outputs().height < 0.0);
@@ -57,56 +57,82 @@
 //! | constant | positions | [`Flow::Leapfrog`], explicit (or the trapezoid, where a spring is stiff for the step) |
 //! | depends on q | positions | [`Flow::Midpoint`], implicit, in momentum form |
 //! | any | velocities | [`Flow::Implicit`], with the multiplier inside the step |
+//!
+//! # Without the standard library
+//!
+//! Without its feature `std`, which is on by default, the crate is `no_std` and allocates nothing: it has mechanisms,
+//! [`Dynamics`], [`TwoLevelStepper`] and [`FixedStepSimulation`]. [`c_interface`] is for programs in C.
 
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
+#![cfg_attr(not(feature = "std"), no_std)]
+// Without `std` some items have no user left: those that `Simulation` alone uses.
+#![cfg_attr(not(feature = "std"), allow(dead_code, unused_imports))]
 
 mod affinities;
 pub mod alf3f;
+#[cfg(feature = "std")]
 mod any;
 mod assembly;
+#[cfg(feature = "std")]
 mod baselines;
+#[cfg(feature = "std")]
+pub mod c_interface;
 mod check;
 mod constraint_geometry;
 mod contract;
 mod dynamics;
+mod elementary;
 mod energy;
+#[cfg(feature = "std")]
 mod ensemble;
 mod error;
 mod fault;
+mod fixed_step_simulation;
 mod flow;
 mod free;
 #[doc(hidden)]
 pub mod generated;
+#[cfg(not(feature = "std"))]
+mod hosted;
+#[cfg(feature = "std")]
 mod integrator;
 mod known_cost;
 mod large;
 mod linear;
 mod mechanism;
+mod memory;
+#[cfg(feature = "std")]
 pub mod methods;
 mod model;
+#[cfg(feature = "std")]
 pub mod output;
+#[cfg(feature = "std")]
 mod reactions;
 mod report;
 mod row_scale;
+#[cfg(feature = "std")]
 mod samples;
 mod settings;
+#[cfg(feature = "std")]
 mod simulation;
 mod simulation_error;
 mod singular;
 mod sink;
 mod state;
+#[cfg(feature = "std")]
 mod stepper;
 mod work;
 mod yardstick;
 
-pub use alf3f::{PaperStepper, TwoLevelStepper};
-pub use any::AnySimulation;
-pub use baselines::BaselineStepper;
+pub use alf3f::TwoLevelStepper;
 pub use contract::{Configuration, Constraints, Inertia, Loads, NamedValues, Observables, System};
 pub use dynamics::Dynamics;
-pub use ensemble::{simulate_ensemble, simulate_ensemble_with_any_method};
 pub use error::{ParameterError, UnknownName};
+pub use fixed_step_simulation::FixedStepSimulation;
+#[cfg(not(feature = "std"))]
+#[doc(hidden)]
+pub use hosted::Simulation;
 pub use mbs_macros::{assembly, mechanism};
 pub use mechanism::Mechanism;
 pub use model::{
@@ -114,13 +140,21 @@ pub use model::{
     Redundancy, Row, RowKind, Segment, Structure, World,
 };
 pub use nalgebra;
-pub use report::{AssemblyVerdict, Change, Energy, HeldGap, RankLoss, Reactions, Report, Sample};
-pub use samples::Samples;
+pub use report::{Energy, RankLoss, Report};
 pub use settings::{
     BaumgarteSettings, BdfSettings, Flow, GeneralizedAlphaSettings, Method, MultiplierStart,
     PaperSettings, PenaltySettings, ProjectionSettings, RowDirection, Settings,
 };
-pub use simulation::{InputsMut, Simulation, Start};
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
 pub use state::{Ledger, State, StepController, ThreeFields};
+#[cfg(feature = "std")]
+pub use {
+    alf3f::PaperStepper,
+    any::AnySimulation,
+    baselines::BaselineStepper,
+    ensemble::{simulate_ensemble, simulate_ensemble_with_any_method},
+    report::{AssemblyVerdict, Change, HeldGap, Reactions, Sample},
+    samples::Samples,
+    simulation::{InputsMut, Simulation, Start},
+};

@@ -1,5 +1,11 @@
 //! Results and diagnostics of a simulation.
 
+#[cfg(feature = "std")]
+mod lists;
+
+#[cfg(feature = "std")]
+pub use lists::{AssemblyVerdict, Change, HeldGap, Reactions, Sample};
+
 /// The energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Energy {
@@ -13,33 +19,6 @@ pub struct Energy {
     pub drive_work: f64,
     /// T + V − work − (T + V at the start).
     pub error: f64,
-}
-
-/// A row of results.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Sample {
-    /// Time, s.
-    pub time: f64,
-    /// In the order of [`Model::outputs`](crate::Model::outputs).
-    pub outputs: Vec<f64>,
-    /// The energy balance.
-    pub energy: Energy,
-    /// max |φ| over the holonomic rows, each in its own unit.
-    pub holonomic_error: f64,
-    /// max |A v + b| over all rows, each in its own unit.
-    pub velocity_error: f64,
-}
-
-/// Joint reactions and multipliers at an instant.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reactions {
-    /// False if rows are redundant, or nearly so: the values are then those of least norm, for the rows of this
-    /// description. ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
-    pub unique: bool,
-    /// In the order of [`Model::reactions`](crate::Model::reactions).
-    pub values: Vec<f64>,
-    /// λ in the order of [`Model::rows`](crate::Model::rows).
-    pub multipliers: Vec<f64>,
 }
 
 /// Work done and errors met since the start.
@@ -110,47 +89,4 @@ impl RankLoss {
     pub fn joints(&self) -> &[&'static str] {
         &self.joints[..self.count]
     }
-}
-
-/// What assembly found.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct AssemblyVerdict {
-    /// max |φ| of the declared guess.
-    pub residual_before: f64,
-    /// max |φ| after assembly.
-    pub residual: f64,
-    /// Root mean square change of q, weighted with the masses.
-    pub moved: f64,
-    /// Numerical rank of A in the assembled pose.
-    pub rank: usize,
-    /// Rows that depend on those above them in that pose.
-    pub redundant_rows: Vec<&'static str>,
-    /// The holonomic rows with the largest |φ| after assembly, worst first.
-    pub worst_rows: Vec<(&'static str, f64)>,
-    /// The coordinates that assembly has moved, the farthest first, and then the velocities that it has changed.
-    pub changes: Vec<Change>,
-}
-
-/// A coordinate or velocity whose initial value is not the declared one.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Change {
-    /// As [`Model::coordinates`](crate::Model::coordinates) or [`Model::velocities`](crate::Model::velocities) names it.
-    pub name: &'static str,
-    /// SI unit.
-    pub unit: &'static str,
-    /// Its declared value, or what the declared values imply.
-    pub declared: f64,
-    /// Its value at the start.
-    pub started: f64,
-}
-
-/// An initial value that could not be held.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HeldGap {
-    /// For example `crank.angle`.
-    pub name: String,
-    /// SI unit.
-    pub unit: String,
-    /// By how much it would be off, where all are off as little as possible.
-    pub gap: f64,
 }

@@ -1,6 +1,8 @@
 //! The size of a violation of a row, as a displacement.
 
 use crate::constraint_geometry::ConstraintGeometry;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::fault::Fault;
 use crate::large::is_sparse;
 use crate::linear::{dot, entries, larger, products, vector};

@@ -24,7 +24,7 @@ use self::energy_guard::EnergyGuard;
 use self::known_poses::KnownPoses;
 use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
-use crate::assembly::{RESUMABLE, Wanted, assemble};
+use crate::assembly::{Wanted, assemble, check_rates};
 use crate::fault::Fault;
 use crate::integrator::Integrator;
 use crate::linear::largest;
@@ -210,17 +210,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let yardstick = &simulation.yardstick;
         let scale = RowScale::new(simulation.system(), yardstick, &settings)
             .map_err(|fault| simulation.fault(fault))?;
-        // What moves a row by less than its tolerance in a step is allowed at rest, too.
-        let least = settings.constraint_tolerance / settings.step;
-        let allowed = (RESUMABLE * yardstick.measure(simulation.velocities())).max(least);
-        for (i, (row, value)) in S::MODEL.rows.iter().zip(rates.iter().copied()).enumerate() {
-            if scale.displacement_of(i, value) > allowed {
-                return Err(SimulationError::State {
-                    what: row.name,
-                    value,
-                });
-            }
-        }
+        let speed = yardstick.measure(simulation.velocities());
+        check_rates(S::MODEL, &rates, &scale, (&settings, speed))?;
         Ok(simulation)
     }
 

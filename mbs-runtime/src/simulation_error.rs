@@ -1,9 +1,16 @@
 //! Errors of a simulation: what happened, where (row, coordinate, time), and what to do.
 
-use std::fmt;
+mod clock;
+#[cfg(feature = "std")]
+mod start;
+
+use self::clock::clock;
+use core::fmt;
 
 use crate::fault::Fault;
-use crate::{AssemblyVerdict, Flow, HeldGap, Level, Model, ParameterError, UnknownName};
+#[cfg(feature = "std")]
+use crate::{AssemblyVerdict, HeldGap, Level};
+use crate::{Flow, Model, ParameterError, UnknownName};
 
 /// Why a simulation could not be set up or continued.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,8 +73,22 @@ pub enum SimulationError {
         wanted: f64,
     },
     /// The declared guess cannot be assembled.
+    #[cfg(feature = "std")]
     Assembly(AssemblyVerdict),
+    /// The same without a list of rows.
+    NotAssembled {
+        /// The row that is farthest from satisfied.
+        row: &'static str,
+        /// Its residual.
+        residual: f64,
+    },
+    /// A declaration that holds initial values, for a simulation that cannot.
+    HeldStart {
+        /// The first of them.
+        name: &'static str,
+    },
     /// Initial values that cannot be held: too many, or values that the rows do not allow.
+    #[cfg(feature = "std")]
     Held {
         /// Positions or velocities.
         level: Level,
@@ -168,7 +189,7 @@ pub enum SimulationError {
     /// A value that an input cannot take.
     Input {
         /// The input.
-        name: String,
+        name: &'static str,
         /// The value.
         value: f64,
     },
@@ -286,30 +307,23 @@ impl fmt::Display for SimulationError {
                 out,
                 "cannot run to t = {wanted} s from t = {now} s; give a finite time that is not in the past"
             ),
-            Assembly(verdict) => {
-                write!(
-                    out,
-                    "the mechanism cannot be assembled near its declared guess; "
-                )?;
-                out.write_str(match verdict.worst_rows.is_empty() {
-                    true => "its rows have no finite values there",
-                    false => "these rows pull apart: ",
-                })?;
-                for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
-                    let comma = if i > 0 { ", " } else { "" };
-                    write!(out, "{comma}`{row}` (residual {residual:.3e})")?;
-                }
-                write!(
-                    out,
-                    "; check the lengths in these joints, or start from a closer guess"
-                )
-            }
+            #[cfg(feature = "std")]
+            Assembly(verdict) => start::write_assembly(out, verdict),
+            NotAssembled { row, residual } => write!(
+                out,
+                "the mechanism cannot be assembled near its declared guess; `{row}` is off most (residual {residual:.3e}); check the lengths in this joint, or start from a closer guess"
+            ),
+            HeldStart { name } => write!(
+                out,
+                "the declaration holds `{name}` exactly, which only `Simulation` does: take the state from one, and resume from it"
+            ),
+            #[cfg(feature = "std")]
             Held {
                 level,
                 held,
                 open,
                 degrees_of_freedom,
-            } => write_held(out, *level, held, open, *degrees_of_freedom),
+            } => start::write_held(out, *level, held, open, *degrees_of_freedom),
             NotConverged {
                 time,
                 step,
@@ -395,44 +409,7 @@ impl fmt::Display for SimulationError {
     }
 }
 
-/// The message of [`SimulationError::Held`].
-fn write_held(
-    out: &mut fmt::Formatter<'_>,
-    level: Level,
-    held: &[String],
-    open: &[HeldGap],
-    degrees_of_freedom: usize,
-) -> fmt::Result {
-    let what = match level {
-        Level::Position => "positions",
-        Level::Velocity => "velocities",
-    };
-    write!(out, "the {what} that are held cannot all be had: ")?;
-    match open.is_empty() {
-        true => write!(out, "`{}`", held.join("`, `"))?,
-        false => out.write_str("in the nearest start ")?,
-    }
-    for (i, HeldGap { name, unit, gap }) in open.iter().enumerate() {
-        let comma = if i > 0 { ", " } else { "" };
-        write!(out, "{comma}`{name}` is off by {gap:.3e} {unit}")?;
-    }
-    match (degrees_of_freedom, held.len()) {
-        (most, count) if count > most => write!(
-            out,
-            "; {count} values are held, and the joints leave {most} free: hold {most} at most, and declare the others as guesses"
-        ),
-        _ => out.write_str(
-            "; the joints do not allow these values together: change one, or declare it as a guess",
-        ),
-    }
-}
-
-/// A time as a sum of steps, without the round-off of the sum.
-fn clock(time: f64) -> f64 {
-    format!("{time:.11e}").parse().unwrap_or(time)
-}
-
-impl std::error::Error for SimulationError {}
+impl core::error::Error for SimulationError {}
 
 impl From<ParameterError> for SimulationError {
     fn from(error: ParameterError) -> Self {

@@ -3,6 +3,7 @@
 //! The same generated code writes dense arrays and sparse storage: it writes each structurally nonzero entry once, in a
 //! fixed order, and never a structural zero. The owner of the storage clears it once, when it is made.
 
+use crate::memory::Box;
 use nalgebra::SMatrix;
 
 /// Receives the structurally nonzero entries of a matrix, each exactly once per evaluation and always in the same order.

@@ -1,6 +1,7 @@
 //! The state of a simulation: all data to continue it bit for bit.
 
 use crate::linear::{entries, entries_mut, vector};
+use crate::memory::StageList;
 use crate::row_scale::RowScale;
 use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
 use nalgebra::SVector;
@@ -21,7 +22,7 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// … plus its change from the step before.
     pub multiplier_changes: SVector<f64, R>,
     /// The same two, stage by stage, of the last step of a composition; empty for second order.
-    pub stage_multipliers: Vec<[SVector<f64, R>; 2]>,
+    pub stage_multipliers: StageList<[SVector<f64, R>; 2]>,
     /// Accumulated work.
     pub ledger: Ledger,
     /// Data of the step controller, for runs with a tolerance.
@@ -158,7 +159,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             velocities,
             multipliers: SVector::zeros(),
             multiplier_changes: SVector::zeros(),
-            stage_multipliers: Vec::new(),
+            stage_multipliers: StageList::new(),
             ledger: Ledger::default(),
             step_controller: StepController::default(),
             fields: ThreeFields::default(),

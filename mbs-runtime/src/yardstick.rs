@@ -3,7 +3,10 @@
 //!
 //! No length is compared with a metre: the same mechanism in other units of length, mass and time takes the same steps.
 
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::linear::{dot, largest, largest_of, products, vector};
+use crate::memory::{MOST_POINTS, with_points};
 use crate::sink::Diagonal;
 use crate::{Coordinate, Model, System};
 use nalgebra::SVector;
@@ -28,11 +31,19 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
     /// length.
     #[inline(never)]
     pub(crate) fn new<S: System<Q, N, R>, const R: usize>(system: &S, step: f64) -> Self {
+        const {
+            assert!(
+                S::MODEL.points.len() <= MOST_POINTS,
+                "without its feature `std` mbs-runtime has room for 64 points of a mechanism"
+            );
+        }
         let (q, _) = system.guess();
-        let mut points = vec![[0.0; 3]; S::MODEL.points.len()];
-        system.points(0.0, &q, &mut points);
-        let reach = largest_of(points.as_flattened());
-        let length = [extent(&points), reach]
+        let (reach, extent) = with_points(
+            S::MODEL.points.len(),
+            |points| system.points(0.0, &q, points),
+            |points| (largest_of(points.as_flattened()), extent(points)),
+        );
+        let length = [extent, reach]
             .into_iter()
             .find(|&length| is_length(length))
             .unwrap_or_else(|| without_points(system, step));

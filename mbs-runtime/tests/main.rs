@@ -14,6 +14,7 @@ mod energy_gain;
 mod ensemble;
 mod equilibrium;
 mod extrapolation;
+mod fixed_steps;
 mod flows;
 mod holonomic;
 mod hostile_settings;

@@ -92,5 +92,5 @@ fn every_file_of_tests_is_a_module() {
             }
         }
     }
-    assert_eq!(programs, 3);
+    assert_eq!(programs, 4);
 }

@@ -3,6 +3,8 @@
 //! It is the same for kicks with dense and with sparse factors, with nonholonomic rows, for the implicit step and for
 //! the baselines that iterate on rows; they differ in residual, factor and correction.
 
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::fault::Fault;
 use crate::linear::entries;
 use crate::singular::{STAGNATED, STALLED};

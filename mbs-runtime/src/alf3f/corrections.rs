@@ -42,7 +42,7 @@ impl Corrections {
     ) -> Verdict {
         let size = yardstick.measure(change);
         let speed = yardstick.measure(vb);
-        let last = std::mem::replace(&mut self.size, size);
+        let last = core::mem::replace(&mut self.size, size);
         // At the rate of this correction.
         let next = size * (size / last).min(1.0);
         let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(q, h));

@@ -20,6 +20,7 @@ use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{Implicit, transport, trapezoid};
 use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, negative, vector};
+use crate::memory::Box;
 use crate::singular::MEAN_LOST;
 use nalgebra::SVector;
 
@@ -274,6 +275,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             work,
             ..
         } = &mut *self.context;
+        let end = &mut **end;
         self.q = trapezoid(
             system,
             &state.positions,

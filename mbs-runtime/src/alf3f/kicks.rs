@@ -184,6 +184,7 @@ where
             ..
         } = &mut *self.context;
         let Kick { va, q, .. } = &mut *self.kick;
+        let end = &mut **end;
         self.flow.positions(system, va, q)?;
         system.constraints(self.t1, q, &mut work.phi, end.a.entries_mut(), &mut end.b);
         Ok(residual_of(&work.phi, &scale.weights))
@@ -203,6 +204,7 @@ where
         let directions = (self.flow).position_sensitivity(system, &self.kick.va, start)?;
         system.delassus(&end.a, directions, &mut work.matrix);
         let lengths = scale.lengths(start);
+        let work = &mut **work;
         (work.projection).factor(&work.matrix, &lengths, work.delassus.skipped());
         counters.regularised += u64::from(work.projection.regularised);
         self.kick.by = Factor::Projection;

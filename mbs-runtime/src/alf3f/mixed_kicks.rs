@@ -108,6 +108,7 @@ where
             yardstick,
             ..
         } = &mut *self.context;
+        let end = &mut **end;
         self.flow.positions(system, &self.va, &mut self.q)?;
         system.constraints(
             self.t1,
@@ -130,7 +131,7 @@ where
         for i in holonomic..R {
             self.defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
-        if std::mem::take(&mut self.is_first) {
+        if core::mem::take(&mut self.is_first) {
             // Kicks that cancel leave their round-off.
             let speeds = vector(|i| self.va[i].abs() + v[i].abs());
             let speed = yardstick.measure(&speeds).max(AT_REST);
@@ -172,6 +173,7 @@ where
         for length in &mut lengths.as_mut_slice()[holonomic..] {
             *length *= 2.0;
         }
+        let work = &mut **work;
         (work.projection).factor(&work.matrix, &lengths, work.delassus.skipped());
         counters.regularised += u64::from(work.projection.regularised);
         Ok(true)

@@ -235,7 +235,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             context.check_way(0.5 * h, &apart)?;
         }
         context.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
-        std::mem::swap(&mut self.start, &mut self.end);
+        core::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
     }
 

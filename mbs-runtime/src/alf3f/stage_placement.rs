@@ -10,6 +10,7 @@
 //! σ at the beginning and at the end of the step gives y. The fractions p of all stages are known, so that the length
 //! with the largest gap around the pose is computed without trial steps.
 
+use crate::memory::StageList;
 use crate::singular::RankMargin;
 
 /// The clearance, as a fraction of the step, above which the step is accepted; below it another length can be better.
@@ -29,9 +30,9 @@ const AHEAD: f64 = 1.5;
 #[derive(Debug, Clone)]
 pub(crate) struct StagePlacement {
     /// Fractions of a step.
-    places: Vec<f64>,
+    places: StageList<f64>,
     start: RankMargin,
-    seen: Vec<RankMargin>,
+    seen: StageList<RankMargin>,
     /// Where the singular pose is, as a fraction of the step; infinite where there is none.
     pose: f64,
 }
@@ -47,7 +48,7 @@ impl StagePlacement {
         StagePlacement {
             places: places.collect(),
             start: RankMargin::FULL,
-            seen: Vec::with_capacity(stages.len()),
+            seen: StageList::with_capacity(stages.len()),
             pose: f64::INFINITY,
         }
     }

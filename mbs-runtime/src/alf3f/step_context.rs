@@ -5,6 +5,7 @@ use super::closing::{Refining, refine};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative, vector};
+use crate::memory::Box;
 use crate::row_scale::RowScale;
 use crate::singular::Thresholds;
 use crate::yardstick::Yardstick;
@@ -152,7 +153,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         self.state.velocities = v;
         self.state
             .keep_impulse(h, &self.work.impulse[0], weak, &self.scale);
-        std::mem::swap(&mut self.start, &mut self.end);
+        core::mem::swap(&mut self.start, &mut self.end);
         self.counters.stages += 1;
         Ok(())
     }

@@ -11,6 +11,7 @@ use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
 use crate::large::{check_dense, is_large, is_sparse};
 use crate::linear::{add, added, vector};
+use crate::memory::{Box, MOST_STAGES};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
 use nalgebra::SVector;
@@ -100,6 +101,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 (stages, stages.len())
             }
         };
+        if count > MOST_STAGES {
+            return Err(SimulationError::Order {
+                order: settings.order,
+                because: "`mbs-runtime` was built without its feature `std`, and has room for one stage",
+            });
+        }
         let mut state = state;
         state.make_room(count);
         let before = state.with_same_room();

@@ -4,8 +4,8 @@ use super::differences::derivative;
 use crate::linear::{vector, zeros};
 use crate::yardstick::Yardstick;
 use crate::{Level, SimulationError, System, UnknownName};
+use core::f64::consts::TAU;
 use nalgebra::SVector;
-use std::f64::consts::TAU;
 
 /// A value that the program asks for.
 #[derive(Debug, Clone)]

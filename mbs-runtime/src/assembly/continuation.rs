@@ -7,12 +7,12 @@
 //! Newton's method from the guess itself can turn a long chain into knots; here all rows that hold are held on the way, as
 //! if the mechanism were moved by hand.
 
-use super::holonomic_delassus;
 use crate::System;
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{DelassusFactor, accumulate};
+use crate::memory::Box;
 use crate::row_scale::RowScale;
 use nalgebra::SVector;
 
@@ -57,7 +57,7 @@ pub(super) fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R
             if reached {
                 break;
             }
-            solver.factor(&holonomic_delassus(geometry));
+            solver.factor(&geometry.holonomic_delassus());
             solver.solve(&mut missing);
             let mut way = SVector::zeros();
             accumulate(&mut way, &geometry.w, &missing);

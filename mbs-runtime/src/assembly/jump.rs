@@ -1,7 +1,7 @@
 //! Rows that follow inputs: where an input jumps, the mechanism follows at once.
 
-use super::verdict::{ASSEMBLED, judge};
-use super::{close, independent_rows, project};
+use super::newton::{ASSEMBLED, close, project};
+use super::verdict::{independent_rows, judge};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::linear::largest;
 use crate::row_scale::RowScale;

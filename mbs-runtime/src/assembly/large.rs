@@ -1,7 +1,8 @@
 //! The start of a large mechanism with sparse factors: the same as that with dense arrays, where all rows are
 //! independent and nothing is held.
 
-use super::verdict::{ASSEMBLED, judge, moved};
+use super::newton::{ASSEMBLED, MAX_ITERATIONS};
+use super::verdict::{judge, moved};
 use crate::alf3f::residual_of;
 use crate::linear::sparse::{Entries, Recorder, Saddle};
 use crate::linear::{Dependence, largest, vector, zeros};
@@ -10,8 +11,6 @@ use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, State, System};
 use nalgebra::SVector;
 
-/// Newton steps of the position problem.
-const MAX_ITERATIONS: usize = 60;
 /// A random right-hand side is answered by multipliers larger than this, relative to those of a row by itself, where
 /// rows depend on others.
 const DEPENDENT: f64 = 1e7;

@@ -1,14 +1,146 @@
-//! The verdict on a start.
+//! The start of a simulation, with the verdict on its rows and with initial values that are held.
 
 use super::changes;
-use crate::linear::{Dependence, dot, largest, vector};
+use super::conditions::{self, Wanted};
+use super::guess::{check_guess, check_rows, check_state, unit_rotations};
+use super::held::Start;
+#[cfg(feature = "sparse")]
+use super::large;
+use super::newton::{ASSEMBLED, close, project};
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
+#[cfg(feature = "sparse")]
+use crate::large::is_sparse;
+use crate::linear::{Dependence, dependence, dot, largest, vector};
+use crate::report::HeldGap;
 use crate::row_scale::RowScale;
+use crate::singular::NOTHING;
 use crate::sink::Diagonal;
-use crate::{AssemblyVerdict, Change, Model, System};
+use crate::yardstick::Yardstick;
+use crate::{AssemblyVerdict, Change, Level, Model, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
-/// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
-pub(super) const ASSEMBLED: f64 = 1e-9;
+/// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
+/// A v + b = 0.
+///
+/// A guess that satisfies φ = 0 is left as it is. Values that the declaration or `wanted` holds are further equations.
+///
+/// # Errors
+/// [`SimulationError::Assembly`] with the rows that have the largest residuals, [`SimulationError::Held`] with the values
+/// that the rows do not allow, and names that the mechanism does not have.
+///
+/// `ASKED` says whether there may be such values besides the declared ones: without any the code for them is left out.
+pub(crate) fn assemble<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+    const ASKED: bool,
+>(
+    system: &S,
+    settings: &Settings,
+    wanted: &[Wanted],
+) -> Result<(State<Q, N, R>, AssemblyVerdict), SimulationError> {
+    let (guess, declared) = system.guess();
+    check_guess(S::MODEL.coordinates, guess.as_slice())?;
+    check_guess(S::MODEL.velocities, declared.as_slice())?;
+    let guess = unit_rotations(system, &guess)?;
+    let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
+
+    let yardstick = Yardstick::new(system, settings.step);
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    #[cfg(feature = "sparse")]
+    if S::HELD.is_empty()
+        && wanted.is_empty()
+        && is_sparse::<S, Q, N, R>(settings)
+        && let Some(assembled) = large::assemble(system, &guess, &declared, &yardstick, &scale)
+    {
+        return Ok(assembled);
+    }
+    let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
+    let mut phi = SVector::zeros();
+    geometry
+        .evaluate(system, 0.0, &guess, &mut phi)
+        .map_err(fault)?;
+    let residual_before = largest(&phi);
+    let mut q = guess;
+    // Conditions on constants, so that what they exclude is not compiled either.
+    let conditions = if const { ASKED || !S::HELD.is_empty() } {
+        conditions::conditions(system, wanted, &guess)?
+    } else {
+        Vec::new()
+    };
+    let start = Start {
+        system,
+        conditions: &conditions,
+        scale: &scale,
+        yardstick: &yardstick,
+    };
+    if const { ASKED || !S::HELD.is_empty() } && start.count(Level::Position) > 0 {
+        let at = start.positions(&mut geometry, &mut q, &declared);
+        at.map_err(fault)?;
+        let open = start.open(Level::Position, &q, &declared, 1.0);
+        system.holonomic(0.0, &q, &mut phi);
+        if !open.is_empty() || !(scale.displacement(&phi) <= ASSEMBLED) {
+            // Is it the held values, or the joints alone?
+            q = guess;
+            let at = geometry.evaluate(system, 0.0, &q, &mut phi);
+            at.map_err(fault)?;
+            close(system, 0.0, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+            if scale.displacement(&phi) <= ASSEMBLED {
+                let rank = independent_rows(system, &geometry, &yardstick).rank;
+                return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
+            }
+        }
+    } else {
+        close(system, 0.0, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
+    }
+
+    let rows = independent_rows(system, &geometry, &yardstick);
+    let mut verdict = judge(system, rows, (&phi, &scale), residual_before, [&guess, &q]);
+    if !(scale.displacement(&phi) <= ASSEMBLED) {
+        return Err(SimulationError::Assembly(verdict));
+    }
+    let freedoms = N.saturating_sub(verdict.rank);
+    let mut v = declared;
+    let speed = yardstick.measure(&v);
+    project(system, &geometry, &mut v, &scale, speed);
+    if const { ASKED || !S::HELD.is_empty() } && start.count(Level::Velocity) > 0 {
+        let moving = set_in_motion(&start, &geometry, &q, [&declared, &v]).map_err(fault)?;
+        v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
+    }
+    verdict.changes = moved::<S, Q, N, R>([&guess, &q], [&declared, &v], yardstick.length);
+    Ok((State::new(0.0, q, v), verdict))
+}
+
+/// The verdict on a state from which a simulation resumes; the state is not changed.
+pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    settings: &Settings,
+    state: &State<Q, N, R>,
+) -> Result<AssemblyVerdict, SimulationError> {
+    let q = &state.positions;
+    check_state(system, state)?;
+    let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
+    let yardstick = Yardstick::new(system, settings.step);
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    let mut phi = SVector::zeros();
+    system.holonomic(state.time, q, &mut phi);
+    check_rows(S::MODEL, &phi, &scale)?;
+    let residual = largest(&phi);
+    #[cfg(feature = "sparse")]
+    if is_sparse::<S, Q, N, R>(settings)
+        && let Some(rows) = large::rows(system, state.time, q)
+    {
+        return Ok(judge(system, rows, (&phi, &scale), residual, [q, q]));
+    }
+    let mut geometry = ConstraintGeometry::new(system, q).map_err(fault)?;
+    geometry
+        .evaluate(system, state.time, q, &mut phi)
+        .map_err(fault)?;
+    let rows = independent_rows(system, &geometry, &yardstick);
+    Ok(judge(system, rows, (&phi, &scale), residual, [q, q]))
+}
 
 /// What assembly moved.
 pub(super) fn moved<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -73,4 +205,52 @@ fn names(model: &Model, rows: &[usize]) -> Vec<&'static str> {
     rows.iter()
         .filter_map(|&i| Some(model.rows.get(i)?.name))
         .collect()
+}
+
+/// The rows that do not depend on others. A row that is zero except for round-off is dependent.
+pub(crate) fn independent_rows<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    _: &S,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    yardstick: &Yardstick<Q, N>,
+) -> Dependence {
+    dependence(geometry.a.rows(), geometry.w.rows(), |i| {
+        vanishes(geometry, yardstick, i)
+    })
+}
+
+/// Whether a row is zero except for round-off.
+pub(crate) fn vanishes<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    yardstick: &Yardstick<Q, N>,
+    row: usize,
+) -> bool {
+    let expected = RowScale::<R>::expected::<S, Q, N>(row, yardstick.length);
+    yardstick.row_length_squared(&geometry.a[row]) <= (NOTHING * expected).powi(2)
+}
+
+/// The velocities of the start; or the held values that cannot be had, if the rows could be satisfied without them.
+fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    start: &Start<S, Q, N, R>,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    q: &SVector<f64, Q>,
+    [declared, free]: [&SVector<f64, N>; 2],
+) -> Result<Result<SVector<f64, N>, Vec<HeldGap>>, Fault> {
+    let (system, scale, yardstick) = (start.system, start.scale, start.yardstick);
+    let speed = yardstick.measure(declared);
+    let mut v = *declared;
+    start.velocities(geometry, q, &mut v)?;
+    let violation = |v| scale.displacement(&geometry.velocity_rows(system, v));
+    let prescribed = scale.displacement(&geometry.b).max(start.fastest(q, &v));
+    let speed = speed.max(yardstick.measure(&v)).max(prescribed);
+    let open = start.open(Level::Velocity, q, &v, speed);
+    let possible = violation(free).max(ASSEMBLED * speed);
+    match open.is_empty() && violation(&v) <= possible {
+        true => Ok(Ok(v)),
+        false => Ok(Err(open)),
+    }
 }

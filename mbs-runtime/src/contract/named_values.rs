@@ -2,7 +2,7 @@
 
 /// Values that a generated struct holds as fields: the [inputs](super::Loads::Inputs) and
 /// [outputs](super::Observables::Outputs) of a mechanism, in declared order.
-pub trait NamedValues: Copy + PartialEq + std::fmt::Debug + Send + Sync + 'static {
+pub trait NamedValues: Copy + PartialEq + core::fmt::Debug + Send + Sync + 'static {
     /// The values that `fill` writes into zeros.
     fn from_values(fill: impl FnOnce(&mut [f64])) -> Self;
     /// Passes the values to `read`.

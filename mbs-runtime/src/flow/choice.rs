@@ -1,5 +1,7 @@
 //! The choice of the flow.
 
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::fault::Fault;
 use crate::large::is_sparse;
 use crate::linear::{RowMatrix, dot, vector};

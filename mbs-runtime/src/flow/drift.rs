@@ -2,6 +2,7 @@
 
 use crate::System;
 use crate::linear::{RowMatrix, entries, entries_mut};
+use crate::memory::Box;
 use nalgebra::SVector;
 
 /// Rotation in a step, rad, above which the factors of A₀M⁻¹A₀ᵀ are not used: they neglect the rotation of a kick, and

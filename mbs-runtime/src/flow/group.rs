@@ -7,6 +7,8 @@
 //! ```
 
 use crate::System;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::linear::RowMatrix;
 use nalgebra::SVector;
 

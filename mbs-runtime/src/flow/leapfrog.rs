@@ -9,6 +9,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, added, entries, entries_mut, scaled, vector};
+use crate::memory::Box;
 use nalgebra::SVector;
 
 pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {

@@ -16,6 +16,7 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{RowMatrix, entries, entries_mut, vector};
+use crate::memory::Box;
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 

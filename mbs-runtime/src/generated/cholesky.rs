@@ -1,8 +1,11 @@
 //! The factor of a mass matrix, and the inverse of one that is constant.
 
 use crate::ParameterError;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
+use crate::memory::{Box, zeroed};
+use core::ops::Range;
 use nalgebra::{SMatrix, SVector};
-use std::ops::Range;
 
 /// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
 const WEAKEST: f64 = 1e14;
@@ -159,5 +162,5 @@ pub fn inverse_mass<const N: usize>(
 
 /// A matrix of zeros, which never was on the stack.
 pub fn clear_mass<const N: usize>() -> Box<SMatrix<f64, N, N>> {
-    bytemuck::zeroed_box()
+    zeroed()
 }

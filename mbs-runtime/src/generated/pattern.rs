@@ -40,7 +40,7 @@ impl Pattern {
     }
 
     /// The slots of a column.
-    fn column(&self, position: usize) -> std::ops::Range<usize> {
+    fn column(&self, position: usize) -> core::ops::Range<usize> {
         self.starts[position] as usize..self.starts[position + 1] as usize
     }
 
@@ -58,20 +58,26 @@ impl Pattern {
         })
     }
 
-    fn spread(&self, slots: std::ops::Range<usize>, from: &[f64], wide: &mut [f64]) {
+    fn spread(&self, slots: core::ops::Range<usize>, from: &[f64], wide: &mut [f64]) {
         for (value, &position) in from[slots.clone()].iter().zip(&self.positions[slots]) {
             wide[position as usize] = *value;
         }
     }
 
-    fn collect(&self, slots: std::ops::Range<usize>, wide: &[f64], into: &mut [f64]) {
+    fn collect(&self, slots: core::ops::Range<usize>, wide: &[f64], into: &mut [f64]) {
         for (value, &position) in into[slots.clone()].iter_mut().zip(&self.positions[slots]) {
             *value = wide[position as usize];
         }
     }
 
     /// wide ← wide − factor · slots.
-    fn subtract(&self, slots: std::ops::Range<usize>, from: &[f64], factor: f64, wide: &mut [f64]) {
+    fn subtract(
+        &self,
+        slots: core::ops::Range<usize>,
+        from: &[f64],
+        factor: f64,
+        wide: &mut [f64],
+    ) {
         for (value, &position) in from[slots.clone()].iter().zip(&self.positions[slots]) {
             wide[position as usize] -= factor * value;
         }

@@ -68,8 +68,8 @@ mod tests {
         let axis = [0.7_f64, 0.6, 0.2];
         let size = axis.iter().map(|x| x * x).sum::<f64>().sqrt();
         let n = axis.map(|x| x / size);
-        let inertia: [[f64; 3]; 3] = std::array::from_fn(|i| {
-            std::array::from_fn(|j| 3.0 * n[i] * n[j] + if i == j { 2.0 } else { 0.0 })
+        let inertia: [[f64; 3]; 3] = core::array::from_fn(|i| {
+            core::array::from_fn(|j| 3.0 * n[i] * n[j] + if i == j { 2.0 } else { 0.0 })
         });
         let (mut moments, _) = principal_axes(&inertia);
         moments.sort_by(f64::total_cmp);

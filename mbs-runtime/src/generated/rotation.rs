@@ -1,5 +1,8 @@
 //! Rotations by unit quaternions (w, x, y, z), which take body axes to space axes.
 
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
+
 /// Squared half angles below which sine and cosine are series: their first neglected terms are below 3e-17.
 const SMALL: f64 = 1e-2;
 
@@ -120,7 +123,7 @@ mod tests {
         let q = turned(
             [1.0, 0.0, 0.0, 0.0],
             [0.0, 0.0, 1.0],
-            std::f64::consts::FRAC_PI_2,
+            core::f64::consts::FRAC_PI_2,
         );
         let x = product(
             product(q, [0.0, 1.0, 0.0, 0.0]),
@@ -132,7 +135,7 @@ mod tests {
     #[test]
     fn half_a_turn_has_a_vector() {
         let vector = rotation_between([1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]);
-        assert!(close(&vector, &[0.0, std::f64::consts::PI, 0.0], 1e-15));
+        assert!(close(&vector, &[0.0, core::f64::consts::PI, 0.0], 1e-15));
         assert_eq!(
             rotation_between([1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]),
             [0.0; 3]

@@ -40,7 +40,7 @@ pub(super) fn possible(
 ) -> Result<(Moments, Option<Principal>, f64), ParameterError> {
     let (moments, axes) = principal_axes(inertia);
     let mut sorted = moments;
-    sorted.sort_by(f64::total_cmp);
+    sorted.sort_unstable_by(f64::total_cmp);
     let [least, middle, most] = sorted;
     if !(least > 1e-14 * most && most.is_finite()) {
         return Err(ParameterError::InertiaNotPositive { body, moments });
@@ -62,7 +62,7 @@ impl Spin {
         let equal = |i: usize, j: usize| (moments[i] - moments[j]).abs() <= EQUAL * most;
         let column = |k: usize| match &axes {
             Some((axes, _)) => [axes[0][k], axes[1][k], axes[2][k]],
-            None => std::array::from_fn(|i| if i == k { 1.0 } else { 0.0 }),
+            None => core::array::from_fn(|i| if i == k { 1.0 } else { 0.0 }),
         };
         let symmetric = [(0, 1, 2), (1, 2, 0), (2, 0, 1)]
             .into_iter()
@@ -94,15 +94,15 @@ impl Spin {
             Kind::General { moments, inverse } => match &self.axes {
                 None => splitting(moments, inverse, q, omega, h),
                 Some((axes, turn)) => {
-                    let own = std::array::from_fn(|k| (0..3).map(|i| axes[i][k] * omega[i]).sum());
+                    let own = core::array::from_fn(|k| (0..3).map(|i| axes[i][k] * omega[i]).sum());
                     let (q, after) = splitting(moments, inverse, product(q, *turn), own, h);
                     let back = [turn[0], -turn[1], -turn[2], -turn[3]];
                     // The change is turned back, so that the round-off of the axes does not add up step by step.
-                    let change: [f64; 3] = std::array::from_fn(|k| after[k] - own[k]);
+                    let change: [f64; 3] = core::array::from_fn(|k| after[k] - own[k]);
                     let turned = |i: usize| (0..3).map(|k| axes[i][k] * change[k]).sum::<f64>();
                     (
                         product(q, back),
-                        std::array::from_fn(|i| omega[i] + turned(i)),
+                        core::array::from_fn(|i| omega[i] + turned(i)),
                     )
                 }
             },
@@ -118,7 +118,7 @@ fn symmetric(n: [f64; 3], excess: f64, q: [f64; 4], w: [f64; 3], h: f64) -> ([f6
     let half = 0.5 * h;
     let along = n[0] * w[0] + n[1] * w[1] + n[2] * w[2];
     // L/a, half of the turn about it.
-    let precession = std::array::from_fn(|i| half * (w[i] + excess * along * n[i]));
+    let precession = core::array::from_fn(|i| half * (w[i] + excess * along * n[i]));
     let (cosine, sine) = cosine_and_sine(-half * excess * along);
     let own = [cosine, sine * n[0], sine * n[1], sine * n[2]];
     let q = product(product(q, exponential(precession)), own);
@@ -129,8 +129,8 @@ fn symmetric(n: [f64; 3], excess: f64, q: [f64; 4], w: [f64; 3], h: f64) -> ([f6
         n[2] * w[0] - n[0] * w[2],
         n[0] * w[1] - n[1] * w[0],
     ];
-    let twice = std::array::from_fn::<f64, 3, _>(|i| along * n[i] - w[i]);
-    let w = std::array::from_fn(|i| w[i] - sin * across[i] + versine * twice[i]);
+    let twice = core::array::from_fn::<f64, 3, _>(|i| along * n[i] - w[i]);
+    let w = core::array::from_fn(|i| w[i] - sin * across[i] + versine * twice[i]);
     (q, w)
 }
 
@@ -143,7 +143,7 @@ fn splitting(
     omega: [f64; 3],
     h: f64,
 ) -> ([f64; 4], [f64; 3]) {
-    let start: [f64; 3] = std::array::from_fn(|i| moments[i] * omega[i]);
+    let start: [f64; 3] = core::array::from_fn(|i| moments[i] * omega[i]);
     let mut l = start;
     turn::<0>(&mut q, &mut l, 0.25 * h * inverse[0]);
     turn::<1>(&mut q, &mut l, 0.25 * h * inverse[1]);
@@ -152,7 +152,7 @@ fn splitting(
     turn::<0>(&mut q, &mut l, 0.25 * h * inverse[0]);
     // The change of ω: moments and their reciprocals have products that are off by the same round-off in every step.
     let changed = |i: usize| omega[i] + inverse[i] * (l[i] - start[i]);
-    (q, std::array::from_fn(changed))
+    (q, core::array::from_fn(changed))
 }
 
 /// Turns the body about its axis I; `half` times L_I is half the angle. L stays in space.

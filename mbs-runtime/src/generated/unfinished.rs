@@ -4,8 +4,8 @@ use crate::{
     Configuration, Constraints, Inertia, Loads, MatrixSink, Model, NamedValues, Observables,
     Structure, System, TensorSink, World,
 };
+use core::marker::PhantomData;
 use nalgebra::{SMatrix, SVector};
-use std::marker::PhantomData;
 
 /// The system of a declaration with errors, so that rustc shows only the errors of the declaration.
 #[derive(Debug, Clone, Default)]

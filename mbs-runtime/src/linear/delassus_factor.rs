@@ -3,6 +3,8 @@
 use super::kept_rows::dependent_rows;
 use super::proximal::Proximal;
 use super::{SPARSE_FROM, Square, larger};
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::singular::{
     OTHER_ROWS, REDUNDANT, RankMargin, Thresholds, UNUSUAL, WEAK_PIVOT, round_off,
 };
@@ -40,7 +42,7 @@ pub(crate) struct DelassusFactor<const K: usize> {
 impl<const K: usize> DelassusFactor<K> {
     pub(crate) fn new() -> Self {
         DelassusFactor {
-            upper: bytemuck::zeroed_box(),
+            upper: crate::memory::zeroed(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,

@@ -1,10 +1,13 @@
 //! Small dense kernels on matrices of fixed size, and elimination without zeros. None allocates; all accept size 0.
 
+use crate::memory::Box;
+
 mod delassus_factor;
 mod kept_rows;
 mod pivoted;
 mod projection_lu;
 mod proximal;
+#[cfg(feature = "std")]
 mod rank;
 mod row_matrix;
 #[cfg(feature = "sparse")]
@@ -14,6 +17,7 @@ mod vector;
 pub(crate) use delassus_factor::DelassusFactor;
 pub(crate) use pivoted::Pivoted;
 pub(crate) use projection_lu::ProjectionLu;
+#[cfg(feature = "std")]
 pub(crate) use rank::{Dependence, dependence};
 pub(crate) use row_matrix::{RowMatrix, rows};
 pub(crate) use vector::{

@@ -17,7 +17,7 @@ pub(crate) struct Pivoted<const K: usize> {
 impl<const K: usize> Pivoted<K> {
     pub(crate) fn new() -> Self {
         Pivoted {
-            lu: bytemuck::zeroed_box(),
+            lu: crate::memory::zeroed(),
             order: [0; K],
         }
     }
@@ -54,7 +54,7 @@ const LEFT: f64 = 0.1;
 
 /// Not a method: writes to what a field points to would make the optimiser read the field again after each.
 fn eliminate<const K: usize>(lu: &mut [[f64; K]; K], order: &mut [usize; K]) -> bool {
-    let mut diagonal: [f64; K] = std::array::from_fn(|i| lu[i][i].abs());
+    let mut diagonal: [f64; K] = core::array::from_fn(|i| lu[i][i].abs());
     for k in 0..K {
         let mut best = k;
         if !(lu[k][k].abs() >= LEFT * diagonal[k]) || diagonal[k] == 0.0 {

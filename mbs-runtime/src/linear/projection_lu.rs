@@ -21,7 +21,7 @@ pub(crate) struct ProjectionLu<const K: usize> {
 impl<const K: usize> ProjectionLu<K> {
     pub(crate) fn new() -> Self {
         ProjectionLu {
-            lu: bytemuck::zeroed_box(),
+            lu: crate::memory::zeroed(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,

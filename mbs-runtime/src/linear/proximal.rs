@@ -4,15 +4,18 @@
 //! multipliers of redundant rows are those of least norm, and that of a row without direction is zero.
 
 use super::dot_of as dot;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
+use crate::memory::{Rows, zero_rows};
 use crate::singular::{PASSED, PASSES, PROXIMAL, SHRINKS};
 
-/// Kept on the heap, because it is seldom used and large systems are built on small stacks.
+/// Kept by [`memory`](crate::memory), because it is seldom used and large systems are built on small stacks.
 #[derive(Clone)]
 pub(crate) struct Proximal<const K: usize> {
     /// B with rows and columns scaled.
-    scaled: Box<[[f64; K]]>,
+    scaled: Rows<K>,
     /// Cholesky factor of BBᵀ + εI, lower.
-    factor: Box<[[f64; K]]>,
+    factor: Rows<K>,
     /// 1/√(a M⁻¹ aᵀ), row by row.
     scale: [f64; K],
 }
@@ -20,8 +23,8 @@ pub(crate) struct Proximal<const K: usize> {
 impl<const K: usize> Proximal<K> {
     pub(super) fn new() -> Self {
         Proximal {
-            scaled: vec![[0.0; K]; K].into_boxed_slice(),
-            factor: vec![[0.0; K]; K].into_boxed_slice(),
+            scaled: zero_rows(),
+            factor: zero_rows(),
             scale: [0.0; K],
         }
     }

@@ -1,10 +1,11 @@
 //! A matrix that is worked on row by row.
 
 use crate::MatrixSink;
+use crate::memory::{Box, zeroed};
+use core::ops::{Deref, DerefMut, Index, IndexMut};
 use nalgebra::{SMatrix, SVector};
-use std::ops::{Deref, DerefMut, Index, IndexMut};
 
-/// R rows of N entries, on the heap: large systems are built on small stacks.
+/// R rows of N entries, kept by [`memory`](crate::memory): large systems are built on small stacks.
 ///
 /// The contract passes rows as the columns of `SMatrix<f64, N, R>`, so that a row is contiguous; `matrix[i]` is row i, and
 /// as a [`MatrixSink`] it takes entry (row, column).
@@ -14,7 +15,7 @@ pub(crate) struct RowMatrix<const N: usize, const R: usize>(Box<SMatrix<f64, N, 
 impl<const N: usize, const R: usize> RowMatrix<N, R> {
     /// Rows of zeros, which never were on the stack.
     pub(crate) fn zeros() -> Self {
-        RowMatrix(bytemuck::zeroed_box())
+        RowMatrix(zeroed())
     }
 
     /// Copies all entries of another matrix, of which an assignment could make a copy on the stack first.

@@ -10,7 +10,7 @@ pub(crate) fn vector<const N: usize>(entry: impl FnMut(usize) -> f64) -> SVector
     SVector::from(array(entry))
 }
 
-/// The array with these entries. (The loop is a few lines where `std::array::from_fn` is hundreds, for every mechanism and
+/// The array with these entries. (The loop is a few lines where `core::array::from_fn` is hundreds, for every mechanism and
 /// every closure, that the optimiser has to remove.)
 #[inline(always)]
 pub(crate) fn array<T: Copy + Default, const N: usize>(

@@ -181,7 +181,7 @@ pub struct Settings {
     ///     drive: Force(on = rod.b, value = [drive_force, 0.0]),
     /// });
     ///
-    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
     /// let settings = Settings { step: 1e-3, fixed_iterations: Some(2), ..Settings::default() };
     /// let mut simulation = Simulation::with_settings(SliderCrank::default(), settings)?;
     /// assert!(SliderCrank::MODEL.step_flops(2).is_some_and(|flops| flops < 20_000));
@@ -243,7 +243,7 @@ impl Settings {
     /// #     rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 0.0_deg),
     /// #     pivot: Revolute(ground.origin, rod.a),
     /// # });
-    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
     /// let mut simulation = Simulation::with_accuracy(Pendulum {}, 1e-8)?;
     /// simulation.run_until(10.0)?;
     /// println!("{}", simulation.settings().method.name());
@@ -267,7 +267,7 @@ impl Settings {
     /// #     rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 0.0_deg),
     /// #     pivot: Revolute(ground.origin, rod.a),
     /// # });
-    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// # fn main() -> Result<(), Box<dyn core::error::Error>> {
     /// let settings = Settings::for_tolerance(1e-8);
     /// let mut simulation = Simulation::with_settings(Pendulum {}, settings)?;
     /// simulation.run_until(10.0)?;

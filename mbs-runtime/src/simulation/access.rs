@@ -59,10 +59,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             S::MODEL.inputs.iter().map(|input| input.name),
         )?;
         if !value.is_finite() {
-            return Err(SimulationError::Input {
-                name: name.to_owned(),
-                value,
-            });
+            // The model names as many inputs as were found.
+            let name = S::MODEL.inputs.get(index).map_or("", |input| input.name);
+            return Err(SimulationError::Input { name, value });
         }
         let before = self.driving_inputs();
         if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
@@ -77,7 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut named = values.iter().zip(S::MODEL.inputs);
         if let Some((&value, input)) = named.find(|(value, _)| !value.is_finite()) {
             return Err(SimulationError::Input {
-                name: input.name.to_owned(),
+                name: input.name,
                 value,
             });
         }

@@ -1,11 +1,11 @@
-//! The module that the book carries, interpreted.
+//! The module that the book carries, interpreted; or another one, at the path `LIVE_MODULE` within the workspace.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::GzDecoder;
-use std::fs;
 use std::io::Read;
 use std::path::PathBuf;
+use std::{env, fs};
 use wasmi::{Engine, Instance, Linker, Memory, Module, Store, WasmParams, WasmResults};
 
 /// Where the page has its files.
@@ -15,6 +15,10 @@ pub fn folder() -> PathBuf {
 
 /// The module as the browser unpacks it.
 fn binary() -> Vec<u8> {
+    if let Some(path) = env::var_os("LIVE_MODULE") {
+        let workspace = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..");
+        return fs::read(workspace.join(path)).expect("the module of LIVE_MODULE was built");
+    }
     let script = fs::read_to_string(folder().join("module.js")).expect("the module was built");
     let text = script.split('"').nth(1).expect("a text in quotes");
     let packed = STANDARD.decode(text).expect("base64");

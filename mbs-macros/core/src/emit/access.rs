@@ -10,13 +10,17 @@ use crate::syntax::{Declaration, Instance};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-/// The alias of the simulation, and the two structs.
+/// The aliases of the simulations, and the two structs.
 pub(super) fn emit(declaration: &Declaration, outline: &Outline, program: &Program) -> TokenStream {
     let (name, system) = (&declaration.name, items::system(declaration));
     let visibility = visibility(declaration);
     let alias = items::simulation(declaration);
+    let fixed_steps = items::fixed_step_simulation(declaration);
     let sizes = tokens(&Capability::System.sizes(program));
     let about = doc(&format!("A simulation of [`{name}`]."));
+    let about_fixed_steps = doc(&format!(
+        "A simulation of [`{name}`] by steps of one length."
+    ));
     let inputs = values(
         declaration,
         &items::inputs_and_outputs(declaration).0,
@@ -33,6 +37,10 @@ pub(super) fn emit(declaration: &Declaration, outline: &Outline, program: &Progr
         #about
         #[allow(dead_code)]
         #visibility type #alias = ::mbs_runtime::Simulation<#system, #sizes>;
+
+        #about_fixed_steps
+        #[allow(dead_code)]
+        #visibility type #fixed_steps = ::mbs_runtime::FixedStepSimulation<#system, #sizes>;
 
         #inputs
         #outputs

@@ -38,11 +38,15 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
     });
     let unfinished = quote! { ::mbs_runtime::generated::Unfinished<#inputs, #outputs> };
     let alias = items::simulation(declaration);
+    let fixed_steps = items::fixed_step_simulation(declaration);
     quote! {
         #parameters
 
         #[allow(dead_code)]
         #visibility type #alias = ::mbs_runtime::Simulation<#unfinished, 0, 0, 0>;
+
+        #[allow(dead_code)]
+        #visibility type #fixed_steps = ::mbs_runtime::FixedStepSimulation<#unfinished, 0, 0, 0>;
 
         #( #named )*
 

@@ -33,6 +33,12 @@ pub(super) fn simulation(declaration: &Declaration) -> Ident {
     format_ident!("{name}Simulation", span = name.span())
 }
 
+/// The name of the simulation by steps of one length.
+pub(super) fn fixed_step_simulation(declaration: &Declaration) -> Ident {
+    let name = &declaration.name;
+    format_ident!("{name}FixedStepSimulation", span = name.span())
+}
+
 /// The structs of inputs and outputs.
 pub(super) fn inputs_and_outputs(declaration: &Declaration) -> (Ident, Ident) {
     let of = |suffix: &str| {

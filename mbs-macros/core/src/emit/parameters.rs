@@ -249,6 +249,8 @@ pub(super) fn emit_mechanism(
             const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#coordinates, #velocities, #rows>>::MODEL;
 
             fn prepare(&self) -> ::core::result::Result<#system, ::mbs_runtime::ParameterError> {
+                #[allow(unused_imports)]
+                use ::mbs_runtime::generated::Elementary as _;
                 #( ::mbs_runtime::generated::check_finite(#names, #fields)?; )*
                 #body
             }

@@ -31,7 +31,7 @@ pub(super) fn emit(
     let inverse = program.constant_mass.is_some().then(|| {
         let matrix = quote! { ::mbs_runtime::nalgebra::SMatrix<f64, #size, #size> };
         match items::boxes_inverse(size) {
-            true => quote! { inverse_mass: ::std::boxed::Box<#matrix>, },
+            true => quote! { inverse_mass: ::mbs_runtime::generated::Box<#matrix>, },
             false => quote! { inverse_mass: #matrix, },
         }
     });
@@ -145,7 +145,7 @@ pub(super) fn emit(
         #[allow(unexpected_cfgs)]
         const _: () = {
             #[allow(unused_imports)]
-            use ::mbs_runtime::generated::{entries, entries_mut, rows, rows_mut};
+            use ::mbs_runtime::generated::{Elementary as _, entries, entries_mut, rows, rows_mut};
             #[allow(unused_imports)]
             use ::mbs_runtime::nalgebra::{SMatrix, SVector};
 

@@ -2,9 +2,10 @@
 
 use crate::alf3f::step_context::StepContext;
 use crate::fault::Fault;
+use crate::memory::Box;
 use crate::{State, System};
+use core::marker::PhantomData;
 use nalgebra::SVector;
-use std::marker::PhantomData;
 
 /// There is none.
 pub(crate) struct SparseStep<const Q: usize, const N: usize, const R: usize> {

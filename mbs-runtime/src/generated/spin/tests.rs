@@ -12,7 +12,7 @@ fn rotated(q: [f64; 4], x: [f64; 3]) -> [f64; 3] {
 }
 
 fn momentum(inertia: &[[f64; 3]; 3], q: [f64; 4], w: [f64; 3]) -> [f64; 3] {
-    let l = std::array::from_fn(|i| (0..3).map(|j| inertia[i][j] * w[j]).sum());
+    let l = core::array::from_fn(|i| (0..3).map(|j| inertia[i][j] * w[j]).sum());
     rotated(q, l)
 }
 
@@ -72,8 +72,8 @@ fn tops_move_exactly() {
     let turn = turned([1.0, 0.0, 0.0, 0.0], [0.4, 0.2, -0.9], 1.0);
     let columns: [[f64; 3]; 3] =
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(|axis| rotated(turn, axis));
-    let inertia = std::array::from_fn(|i| {
-        std::array::from_fn(|j| {
+    let inertia = core::array::from_fn(|i| {
+        core::array::from_fn(|j| {
             (0..3)
                 .map(|k| columns[k][i] * TOP[k][k] * columns[k][j])
                 .sum()

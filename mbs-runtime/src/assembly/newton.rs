@@ -1,0 +1,104 @@
+//! The nearest pose that satisfies the rows, and the nearest velocity.
+
+use super::continuation;
+use crate::System;
+use crate::alf3f::residual_of;
+use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
+use crate::linear::{DelassusFactor, accumulate, negative};
+use crate::memory::Box;
+use crate::row_scale::RowScale;
+use nalgebra::SVector;
+
+/// Newton steps of the position problem; each is damped until it reduces the residual.
+pub(super) const MAX_ITERATIONS: usize = 60;
+/// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
+pub(super) const ASSEMBLED: f64 = 1e-9;
+
+/// Newton's method from the guess, or where it does not close the rows, after they have been closed little by little.
+pub(super) fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    t: f64,
+    geometry: &mut ConstraintGeometry<S, Q, N, R>,
+    q: &mut SVector<f64, Q>,
+    phi: &mut SVector<f64, R>,
+    scale: &RowScale<R>,
+) -> Result<(), Fault> {
+    let guess = *q;
+    newton(system, t, geometry, q, phi, scale)?;
+    if residual_of(phi, &scale.weights) <= 1.0 {
+        return Ok(());
+    }
+    let mut moved = guess;
+    let arrives = continuation::follow(system, t, geometry, &mut moved, scale)?;
+    if arrives {
+        *q = moved;
+    }
+    geometry.evaluate(system, t, q, phi)?;
+    match arrives {
+        true => newton(system, t, geometry, q, phi, scale),
+        false => Ok(()),
+    }
+}
+
+/// Damped Newton in the metric of M: q ← q ⊕ −M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹φ, with the proximal solve where rows are dependent.
+fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    t: f64,
+    geometry: &mut ConstraintGeometry<S, Q, N, R>,
+    q: &mut SVector<f64, Q>,
+    phi: &mut SVector<f64, R>,
+    scale: &RowScale<R>,
+) -> Result<(), Fault> {
+    let mut solver = Box::new(DelassusFactor::new());
+    for _ in 0..MAX_ITERATIONS {
+        let before = residual_of(phi, &scale.weights);
+        if before <= 1.0 {
+            return Ok(());
+        }
+        solver.factor(&geometry.holonomic_delassus());
+        let mut multiplier = negative(phi);
+        solver.solve(&mut multiplier);
+        let mut factor = 1.0;
+        loop {
+            let mut way = SVector::zeros();
+            accumulate(&mut way, &geometry.w, &multiplier);
+            let trial = system.advance(q, &way, factor);
+            let mut residual = SVector::zeros();
+            system.holonomic(t, &trial, &mut residual);
+            if residual_of(&residual, &scale.weights) < before {
+                *q = trial;
+                break;
+            }
+            factor *= 0.5;
+            if factor < 1e-6 {
+                // No step reduces the residual: it is round-off, or the rows contradict each other.
+                return Ok(());
+            }
+        }
+        geometry.evaluate(system, t, q, phi)?;
+    }
+    Ok(())
+}
+
+/// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
+pub(super) fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    geometry: &ConstraintGeometry<S, Q, N, R>,
+    v: &mut SVector<f64, N>,
+    scale: &RowScale<R>,
+    speed: f64,
+) {
+    let mut solver = Box::new(DelassusFactor::new());
+    solver.factor(&geometry.delassus);
+    for _ in 0..3 {
+        let rates = geometry.velocity_rows(system, v);
+        // Velocities that satisfy the rows are left as they are.
+        if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
+            return;
+        }
+        let mut multiplier = negative(&rates);
+        solver.solve(&mut multiplier);
+        accumulate(v, &geometry.w, &multiplier);
+    }
+}

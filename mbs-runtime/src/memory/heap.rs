@@ -1,0 +1,39 @@
+//! Values on the heap.
+
+use bytemuck::Zeroable;
+
+/// A value with an address of its own.
+pub type Box<T> = std::boxed::Box<T>;
+
+/// The most stages of a step: more than any order has.
+pub const MOST_STAGES: usize = 1 << 16;
+
+/// The most points of a mechanism: more than any has.
+pub const MOST_POINTS: usize = 1 << 16;
+
+/// A list with an entry for each stage of a step.
+pub type StageList<T> = Vec<T>;
+
+/// The rows of a square matrix.
+pub type Rows<const K: usize> = Box<[[f64; K]]>;
+
+/// A value of zeros, which never was on the stack.
+pub fn zeroed<T: Zeroable>() -> Box<T> {
+    bytemuck::zeroed_box()
+}
+
+/// Rows of zeros.
+pub fn zero_rows<const K: usize>() -> Rows<K> {
+    vec![[0.0; K]; K].into_boxed_slice()
+}
+
+/// What `read` makes of the points that `fill` writes over zeros.
+pub fn with_points<T>(
+    count: usize,
+    fill: impl FnOnce(&mut [[f64; 3]]),
+    read: impl FnOnce(&[[f64; 3]]) -> T,
+) -> T {
+    let mut points = vec![[0.0; 3]; count];
+    fill(&mut points);
+    read(&points)
+}

@@ -1,0 +1,31 @@
+//! Times in messages.
+
+use core::fmt::{self, Write};
+
+/// A time as a sum of steps, without the round-off of the sum: to twelve digits.
+pub(super) fn clock(time: f64) -> f64 {
+    let mut text = Text::default();
+    let written = write!(text, "{time:.11e}");
+    let read = core::str::from_utf8(&text.bytes[..text.length]);
+    match (written, read) {
+        (Ok(()), Ok(read)) => read.parse().unwrap_or(time),
+        _ => time,
+    }
+}
+
+/// Room for a number of twelve digits with its exponent.
+#[derive(Default)]
+struct Text {
+    bytes: [u8; 24],
+    length: usize,
+}
+
+impl Write for Text {
+    fn write_str(&mut self, part: &str) -> fmt::Result {
+        let end = self.length + part.len();
+        let place = self.bytes.get_mut(self.length..end).ok_or(fmt::Error)?;
+        place.copy_from_slice(part.as_bytes());
+        self.length = end;
+        Ok(())
+    }
+}

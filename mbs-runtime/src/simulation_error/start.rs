@@ -1,0 +1,59 @@
+//! The messages about a start that cannot be had.
+
+use crate::{AssemblyVerdict, HeldGap, Level};
+use core::fmt;
+
+/// The message of [`SimulationError::Assembly`](super::SimulationError::Assembly).
+pub(super) fn write_assembly(
+    out: &mut fmt::Formatter<'_>,
+    verdict: &AssemblyVerdict,
+) -> fmt::Result {
+    write!(
+        out,
+        "the mechanism cannot be assembled near its declared guess; "
+    )?;
+    out.write_str(match verdict.worst_rows.is_empty() {
+        true => "its rows have no finite values there",
+        false => "these rows pull apart: ",
+    })?;
+    for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
+        let comma = if i > 0 { ", " } else { "" };
+        write!(out, "{comma}`{row}` (residual {residual:.3e})")?;
+    }
+    write!(
+        out,
+        "; check the lengths in these joints, or start from a closer guess"
+    )
+}
+
+/// The message of [`SimulationError::Held`](super::SimulationError::Held).
+pub(super) fn write_held(
+    out: &mut fmt::Formatter<'_>,
+    level: Level,
+    held: &[String],
+    open: &[HeldGap],
+    degrees_of_freedom: usize,
+) -> fmt::Result {
+    let what = match level {
+        Level::Position => "positions",
+        Level::Velocity => "velocities",
+    };
+    write!(out, "the {what} that are held cannot all be had: ")?;
+    match open.is_empty() {
+        true => write!(out, "`{}`", held.join("`, `"))?,
+        false => out.write_str("in the nearest start ")?,
+    }
+    for (i, HeldGap { name, unit, gap }) in open.iter().enumerate() {
+        let comma = if i > 0 { ", " } else { "" };
+        write!(out, "{comma}`{name}` is off by {gap:.3e} {unit}")?;
+    }
+    match (degrees_of_freedom, held.len()) {
+        (most, count) if count > most => write!(
+            out,
+            "; {count} values are held, and the joints leave {most} free: hold {most} at most, and declare the others as guesses"
+        ),
+        _ => out.write_str(
+            "; the joints do not allow these values together: change one, or declare it as a guess",
+        ),
+    }
+}
