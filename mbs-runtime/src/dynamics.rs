@@ -4,8 +4,9 @@ use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dot, finite, vector};
-use crate::{SimulationError, System, TensorSink};
+use crate::{SimulationError, System, TensorSink, UnknownName};
 use nalgebra::{SMatrix, SVector};
+use std::fmt;
 
 /// M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 at a state of a mechanism, evaluated; made by
 /// [`Simulation::dynamics`](crate::Simulation::dynamics).
@@ -36,7 +37,9 @@ pub struct Dynamics<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     pub(crate) system: S,
     pub(crate) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
     pub(crate) solver: Box<DelassusFactor<R>>,
+    time: f64,
     positions: SVector<f64, Q>,
+    velocities: SVector<f64, N>,
     mass: RowMatrix<N, N>,
     jacobian_rate: RowMatrix<N, R>,
     residuals: SVector<f64, R>,
@@ -44,6 +47,7 @@ pub struct Dynamics<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     forces: SVector<f64, N>,
     accelerations: SVector<f64, N>,
     multipliers: SVector<f64, R>,
+    reactions: Vec<f64>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamics<S, Q, N, R> {
@@ -70,7 +74,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
             geometry: ConstraintGeometry::new(&system, q)?,
             system,
             solver: Box::new(DelassusFactor::new()),
+            time: t,
             positions: *q,
+            velocities: *v,
             mass: RowMatrix::zeros(),
             jacobian_rate: RowMatrix::zeros(),
             residuals: SVector::zeros(),
@@ -78,6 +84,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
             forces: SVector::zeros(),
             accelerations: SVector::zeros(),
             multipliers: SVector::zeros(),
+            reactions: vec![0.0; S::MODEL.reactions.len()],
         };
         dynamics.solve(t, q, v)?;
         Ok(dynamics)
@@ -102,7 +109,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
     /// With F = f + ∂T/∂q the first equation reads M v̇ = F − (∂p/∂q) v + Aᵀλ, which needs no affinities.
     fn solve(&mut self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> Result<(), Fault> {
         let (system, geometry) = (&self.system, &mut self.geometry);
-        self.positions = *q;
+        (self.time, self.positions, self.velocities) = (t, *q, *v);
         geometry.mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         geometry.evaluate(system, t, q, &mut self.residuals)?;
         system.mass_matrix(q, self.mass.entries_mut());
@@ -129,6 +136,43 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
             true => Ok(()),
             false => Err(Fault::NonFinite("reactions")),
         }
+    }
+
+    /// The same with these inputs.
+    pub(crate) fn follow(
+        &mut self,
+        inputs: &[f64],
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> Result<(), SimulationError> {
+        let own = self.system.inputs_mut().iter_mut();
+        own.zip(inputs).for_each(|(own, input)| *own = *input);
+        self.evaluate(t, q, v)
+    }
+
+    /// The joint reactions that belong to λ, in the order of [`Model::reactions`](crate::Model::reactions). Allocates
+    /// nothing.
+    pub fn reactions(&mut self) -> &[f64] {
+        self.system.reactions(
+            self.time,
+            &self.positions,
+            &self.velocities,
+            &self.accelerations,
+            &self.multipliers,
+            &mut self.reactions,
+        );
+        &self.reactions
+    }
+
+    /// One component of a joint's reaction, as [`Simulation::reaction`](crate::Simulation::reaction). Allocates nothing.
+    ///
+    /// # Errors
+    /// An unknown joint, or one without this component.
+    pub fn reaction(&mut self, joint: &str, component: &str) -> Result<f64, UnknownName> {
+        let index = S::MODEL.reaction_index(joint, component)?;
+        // As many values as the model names.
+        Ok(self.reactions().get(index).copied().unwrap_or(f64::NAN))
     }
 
     /// M.
@@ -180,6 +224,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
     /// λ; N or N m for rows in m or rad. For rows that follow from others this is one solution of many.
     pub fn multipliers(&self) -> &SVector<f64, R> {
         &self.multipliers
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> fmt::Debug
+    for Dynamics<S, Q, N, R>
+{
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("Dynamics")
+            .field("mechanism", &S::MODEL.name)
+            .field("time", &self.time)
+            .field("positions", &self.positions.as_slice())
+            .field("velocities", &self.velocities.as_slice())
+            .field("accelerations", &self.accelerations.as_slice())
+            .field("multipliers", &self.multipliers.as_slice())
+            .finish_non_exhaustive()
     }
 }
 

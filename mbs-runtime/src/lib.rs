@@ -57,6 +57,12 @@
 //! | constant | positions | [`Flow::Leapfrog`], explicit (or the trapezoid, where a spring is stiff for the step) |
 //! | depends on q | positions | [`Flow::Midpoint`], implicit, in momentum form |
 //! | any | velocities | [`Flow::Implicit`], with the multiplier inside the step |
+//!
+//! # Features
+//!
+//! * `serde`: [`State`], [`Settings`], [`Sample`], [`Report`], [`Reactions`] and [`output::Frame`] can be written and
+//!   read by `serde`, [`AssemblyVerdict`] written. Settings that are read may leave fields out; a field that does not exist
+//!   is an error. A state that is read with all digits goes on bit for bit.
 
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]

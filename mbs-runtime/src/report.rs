@@ -2,6 +2,8 @@
 
 /// The energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Energy {
     /// T.
     pub kinetic: f64,
@@ -17,6 +19,8 @@ pub struct Energy {
 
 /// A row of results.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Sample {
     /// Time, s.
     pub time: f64,
@@ -32,6 +36,8 @@ pub struct Sample {
 
 /// Joint reactions and multipliers at an instant.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Reactions {
     /// False if rows are redundant, or nearly so: the values are then those of least norm, for the rows of this
     /// description. ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
@@ -44,6 +50,8 @@ pub struct Reactions {
 
 /// Work done and errors met since the start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Report {
     /// Steps accepted.
     pub steps: u64,
@@ -71,6 +79,7 @@ pub struct Report {
 
 /// A singular pose during the motion: rows that are generally independent were dependent there, or nearly so.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RankLoss {
     /// When, s; from the steps around it.
     pub time: f64,
@@ -114,6 +123,8 @@ impl RankLoss {
 
 /// What assembly found.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct AssemblyVerdict {
     /// max |φ| of the declared guess.
     pub residual_before: f64,
@@ -133,6 +144,8 @@ pub struct AssemblyVerdict {
 
 /// A coordinate or velocity whose initial value is not the declared one.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Change {
     /// As [`Model::coordinates`](crate::Model::coordinates) or [`Model::velocities`](crate::Model::velocities) names it.
     pub name: &'static str,
@@ -146,6 +159,8 @@ pub struct Change {
 
 /// An initial value that could not be held.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct HeldGap {
     /// For example `crank.angle`.
     pub name: String,

@@ -7,6 +7,7 @@ use crate::{AssemblyVerdict, Flow, HeldGap, Level, Model, ParameterError, Unknow
 
 /// Why a simulation could not be set up or continued.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// The parameters do not make a mechanism.
     Parameter(ParameterError),
@@ -414,7 +415,16 @@ fn clock(time: f64) -> f64 {
     format!("{time:.11e}").parse().unwrap_or(time)
 }
 
-impl std::error::Error for SimulationError {}
+impl std::error::Error for SimulationError {
+    /// The error of the parameters or of a name. The message of this error includes that of its source.
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            SimulationError::Parameter(source) => Some(source),
+            SimulationError::UnknownName(source) => Some(source),
+            _ => None,
+        }
+    }
+}
 
 impl From<ParameterError> for SimulationError {
     fn from(error: ParameterError) -> Self {

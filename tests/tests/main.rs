@@ -11,6 +11,7 @@ mod allocations;
 mod assemblies;
 mod baselines;
 mod book;
+mod data;
 mod derivatives;
 mod descriptions;
 mod elimination;

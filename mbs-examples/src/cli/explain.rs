@@ -303,5 +303,6 @@ fn kind(kind: RowKind) -> &'static str {
         RowKind::Holonomic => "holonomic",
         RowKind::Rheonomic => "rheonomic",
         RowKind::Nonholonomic => "nonholonomic",
+        _ => "other",
     }
 }

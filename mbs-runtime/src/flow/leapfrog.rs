@@ -11,6 +11,7 @@ use crate::fault::Fault;
 use crate::linear::{RowMatrix, added, entries, entries_mut, scaled, vector};
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t1: f64,

@@ -8,6 +8,7 @@ use crate::{AnySimulation, Energy};
 
 /// One recorded instant of a run.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Frame {
     /// Time, s.
     pub time: f64,
