@@ -23,6 +23,7 @@ mod formulations;
 mod friction;
 mod fuzz;
 mod held_starts;
+mod home;
 mod integrability;
 mod large;
 mod layers;

@@ -80,7 +80,11 @@ Masses, inertias and lengths that follow from parameters are checked with the de
 of the program when a simulation is made.
 
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
-would be a mistake, `deny: Redundant()` makes each an error at its joint.
+would be a mistake, `deny: Redundant()` makes each an error at its joint. An entry that nothing uses is an error; while a
+declaration grows, `allow: Unused()` lets it pass.
+
+Generated code names its library `::mbs_runtime`. Where a crate has it under another name, or only through another crate, it
+gives the path first: `mechanism!(crate = product::mbs, SliderCrank { … })`, and `assembly!` alike.
 
 This page is written by the compiler's own table of kinds, and tested to be up to date.
 ";
