@@ -2,11 +2,13 @@
 
 use mbs_runtime::{Method, PaperSettings, Sample, Settings, Simulation, State, mechanism};
 
-mechanism!(Pendulum {
+mechanism!(pub(crate) Pendulum {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.0_deg),
     pivot: Revolute(ground.origin, rod.a),
     height: Output(rod.b.y),
+    tip: Output(rod.b),
+    rate: Output(rod.rate),
 });
 
 /// Order 4 with a tolerance: the state then has multipliers of stages and a step controller.

@@ -35,6 +35,7 @@ mod parameter_checks;
 mod parts;
 mod passages;
 mod reactions;
+mod recordings;
 mod reference_page;
 mod references;
 mod rest;
