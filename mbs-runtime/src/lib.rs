@@ -60,6 +60,8 @@
 //!
 //! # Features
 //!
+//! * `plot`: diagrams of recorded runs as SVG ([`output::Recording::save`]).
+//! * `latex`: `Model::latex`, the equations of motion; adds the compiler of `mechanism!` to the program.
 //! * `serde`: [`State`], [`Settings`], [`Sample`], [`Report`], [`Reactions`] and [`output::Frame`] can be written and
 //!   read by `serde`, [`AssemblyVerdict`] written. Settings that are read may leave fields out; a field that does not exist
 //!   is an error. A state that is read with all digits goes on bit for bit.

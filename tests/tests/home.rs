@@ -23,7 +23,7 @@ assembly!(
 
 mechanism!(
     crate = product::mbs,
-    Pendulum {
+    pub(crate) Pendulum {
         world: Planar(gravity = [0.0, -9.81_m_per_s2]),
         arm: Assembly(Arm, at = ground.origin),
         height: Output(arm.bar.b.y),

@@ -87,4 +87,7 @@ fn an_own_mechanism_explains_itself() {
     }
     let equations = Pendulum::MODEL.latex().unwrap();
     assert!(equations.contains("M_{1,1} &= "), "{equations}");
+    // The text of a declaration has no assemblies.
+    let refused = crate::home::Pendulum::MODEL.latex().unwrap_err();
+    assert!(refused.contains("has no assemblies"), "{refused}");
 }

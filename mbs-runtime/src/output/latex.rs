@@ -8,8 +8,13 @@ impl Model {
     /// compile time.
     ///
     /// # Errors
-    /// The messages of a declaration that cannot be compiled from its text: one with assemblies of another crate.
+    /// The messages of a declaration that cannot be compiled from its text: one with assemblies, which it does not contain.
     pub fn latex(&self) -> Result<String, String> {
-        mbs_macros_core::explain::latex(self.declaration)
+        mbs_macros_core::explain::latex(self.declaration).map_err(|messages| {
+            format!(
+                "the equations of `{}` cannot be derived from the text of its declaration, which has no assemblies: {messages}",
+                self.name
+            )
+        })
     }
 }
