@@ -31,6 +31,7 @@ mod left_out;
 mod mobility;
 mod new_joint;
 mod newton_euler;
+mod packages;
 mod parameter_checks;
 mod parts;
 mod passages;
