@@ -115,7 +115,7 @@ pub fn outputs(recording: &Recording) -> Result<String, String> {
     picture_of(height, |root| {
         let areas = root.split_evenly((panels.len().max(1), 1));
         for (area, (unit, curves)) in areas.iter().zip(&panels) {
-            let name = if *unit == "" { "1" } else { unit };
+            let name = if unit.is_empty() { "1" } else { unit };
             linear(area, &recording.title, name, curves)?;
         }
         Ok(())
