@@ -6,11 +6,15 @@ mod conditions;
 mod continuation;
 mod differences;
 mod held;
+#[cfg(feature = "sparse")]
+mod large;
 
 use self::held::Start;
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
+#[cfg(feature = "sparse")]
+use crate::large::is_sparse;
 use crate::linear::Dependence;
 use crate::linear::{
     DelassusFactor, RowMatrix, accumulate, dependence, dot, largest, negative, vector,
@@ -18,8 +22,11 @@ use crate::linear::{
 use crate::report::HeldGap;
 use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
+use crate::sink::Diagonal;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Coordinate, Level, Model, Settings, SimulationError, State, System};
+use crate::{
+    AssemblyVerdict, Change, Coordinate, Level, Model, Settings, SimulationError, State, System,
+};
 pub(crate) use conditions::Wanted;
 use nalgebra::SVector;
 
@@ -59,6 +66,14 @@ pub(crate) fn assemble<
 
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    #[cfg(feature = "sparse")]
+    if S::HELD.is_empty()
+        && wanted.is_empty()
+        && is_sparse::<S, Q, N, R>(settings)
+        && let Some(assembled) = large::assemble(system, &guess, &declared, &yardstick, &scale)
+    {
+        return Ok(assembled);
+    }
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
     let mut phi = SVector::zeros();
     geometry
@@ -98,13 +113,8 @@ pub(crate) fn assemble<
         close(system, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
     }
 
-    let mut verdict = judge(
-        system,
-        (&geometry, &phi),
-        (&yardstick, &scale),
-        residual_before,
-        [&guess, &q],
-    );
+    let rows = independent_rows(system, &geometry, &yardstick);
+    let mut verdict = judge(system, rows, (&phi, &scale), residual_before, [&guess, &q]);
     if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
@@ -116,19 +126,21 @@ pub(crate) fn assemble<
         let moving = set_in_motion(&start, &geometry, &q, [&declared, &v]).map_err(fault)?;
         v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
     }
-    verdict.changes = changes::changes(
-        S::MODEL.coordinates,
-        guess.as_slice(),
-        q.as_slice(),
-        yardstick.length,
-    );
-    verdict.changes.extend(changes::changes(
-        S::MODEL.velocities,
-        declared.as_slice(),
-        v.as_slice(),
-        yardstick.length,
-    ));
+    verdict.changes = moved::<S, Q, N, R>([&guess, &q], [&declared, &v], yardstick.length);
     Ok((State::new(0.0, q, v), verdict))
+}
+
+/// What assembly moved.
+fn moved<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    [guess, q]: [&SVector<f64, Q>; 2],
+    [declared, v]: [&SVector<f64, N>; 2],
+    length: f64,
+) -> Vec<Change> {
+    let (before, after) = (guess.as_slice(), q.as_slice());
+    let mut changes = changes::changes(S::MODEL.coordinates, before, after, length);
+    let (before, after) = (declared.as_slice(), v.as_slice());
+    changes.extend(changes::changes(S::MODEL.velocities, before, after, length));
+    changes
 }
 
 /// The verdict on a state from which a simulation resumes; the state is not changed.
@@ -153,13 +165,10 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
         }
     }
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, state.time, settings.step);
-    let mut geometry = ConstraintGeometry::new(system, q).map_err(fault)?;
-    let mut phi = SVector::zeros();
-    geometry
-        .evaluate(system, state.time, q, &mut phi)
-        .map_err(fault)?;
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    let mut phi = SVector::zeros();
+    system.holonomic(state.time, q, &mut phi);
     for (i, row) in S::MODEL.rows.iter().enumerate() {
         if scale.displacement_of(i, phi[i]) > RESUMABLE {
             return Err(SimulationError::State {
@@ -168,31 +177,36 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
             });
         }
     }
-    Ok(judge(
-        system,
-        (&geometry, &phi),
-        (&yardstick, &scale),
-        largest(&phi),
-        [q, q],
-    ))
+    let residual = largest(&phi);
+    #[cfg(feature = "sparse")]
+    if is_sparse::<S, Q, N, R>(settings)
+        && let Some(rows) = large::rows(system, state.time, q)
+    {
+        return Ok(judge(system, rows, (&phi, &scale), residual, [q, q]));
+    }
+    let mut geometry = ConstraintGeometry::new(system, q).map_err(fault)?;
+    geometry
+        .evaluate(system, state.time, q, &mut phi)
+        .map_err(fault)?;
+    let rows = independent_rows(system, &geometry, &yardstick);
+    Ok(judge(system, rows, (&phi, &scale), residual, [q, q]))
 }
 
 /// The verdict on the pose q, reached from `guess`.
 fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    (geometry, phi): (&ConstraintGeometry<S, Q, N, R>, &SVector<f64, R>),
-    (yardstick, scale): (&Yardstick<Q, N>, &RowScale<R>),
+    rows: Dependence,
+    (phi, scale): (&SVector<f64, R>, &RowScale<R>),
     residual_before: f64,
     [guess, q]: [&SVector<f64, Q>; 2],
 ) -> AssemblyVerdict {
-    let rows = independent_rows(system, geometry, yardstick);
     let mut change = SVector::zeros();
     let way = system.difference(guess, q);
     system.momentum(q, &way, &mut change);
     let moved = dot(&change, &way).max(0.0);
-    let mut mass = crate::linear::RowMatrix::<N, N>::zeros();
+    let mut mass = Diagonal::<N>::zeros();
     system.mass_matrix(q, &mut mass);
-    let total: f64 = (0..N).map(|i| mass[i][i]).sum();
+    let total: f64 = mass.0.iter().sum();
     let displacements: SVector<f64, R> = vector(|i| scale.displacement_of(i, phi[i]));
     let worst = worst_rows(S::MODEL, displacements.as_slice(), scale.tolerance);
     AssemblyVerdict {

@@ -60,6 +60,7 @@
 //!
 //! # Features
 //!
+//! * `sparse`: large mechanisms of every structure without dense arrays.
 //! * `plot`: diagrams of recorded runs as SVG ([`output::Recording::save`]).
 //! * `latex`: `Model::latex`, the equations of motion; adds the compiler of `mechanism!` to the program.
 //! * `serde`: [`State`], [`Settings`], [`Sample`], [`Report`], [`Reactions`] and [`output::Frame`] can be written and
@@ -88,6 +89,7 @@ mod free;
 pub mod generated;
 mod integrator;
 mod known_cost;
+mod large;
 mod linear;
 mod mechanism;
 pub mod methods;

@@ -2,6 +2,7 @@
 
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
+use crate::large::is_sparse;
 use crate::linear::{dot, entries, larger, products, vector};
 use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
 use crate::yardstick::Yardstick;
@@ -19,7 +20,7 @@ pub(crate) struct RowScale<const R: usize> {
     /// |a_i|²: with it multipliers of rows in different units are comparable, as works.
     pub(crate) lengths_squared: SVector<f64, R>,
     /// a M⁻¹aᵀ of the holonomic rows at the guess, 0 of the others: a row that has become much shorter is beside a
-    /// singular pose where it vanishes.
+    /// singular pose where it vanishes. (Not computed where factors are sparse, which do not use it.)
     pub(crate) usual: SVector<f64, R>,
     /// ([`LEFT_OPEN`] / tolerance)².
     pub(crate) lost: f64,
@@ -34,7 +35,10 @@ impl<const R: usize> RowScale<R> {
     ) -> Result<Self, Fault> {
         let tolerance = settings.constraint_tolerance;
         let yardstick = yardstick.for_tolerance(S::MODEL, tolerance);
-        let geometry = ConstraintGeometry::at_guess(system)?;
+        let geometry = match is_sparse::<S, Q, N, R>(settings) {
+            true => ConstraintGeometry::rows_at_guess(system)?,
+            false => ConstraintGeometry::at_guess(system)?,
+        };
         let lengths_squared: SVector<f64, R> = vector(|i| {
             let length_squared = yardstick.row_length_squared(&geometry.a[i]);
             let expected = Self::expected::<S, Q, N>(i, yardstick.length);

@@ -31,6 +31,15 @@ pub enum SimulationError {
         /// One that can.
         instead: Flow,
     },
+    /// The dense arrays of a step would not fit on a stack.
+    Large {
+        /// N.
+        velocities: usize,
+        /// The flow that would need them.
+        flow: Flow,
+        /// What to do.
+        wanted: &'static str,
+    },
     /// A method that cannot integrate this mechanism.
     Method {
         /// The method of the settings.
@@ -252,6 +261,15 @@ impl fmt::Display for SimulationError {
                 "the {} flow cannot be used here: {because}; use {}, or leave the choice to the runtime",
                 flow.name(),
                 instead.name()
+            ),
+            Large {
+                velocities,
+                flow,
+                wanted,
+            } => write!(
+                out,
+                "the {} flow would need dense arrays of {velocities} × {velocities} numbers; {wanted}",
+                flow.name()
             ),
             Method { method, because } => write!(
                 out,

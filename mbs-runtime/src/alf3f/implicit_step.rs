@@ -13,17 +13,15 @@
 
 use super::closing::{self, Closing, Limits, Refining, refine};
 use super::closing::{not_converged, residual_of};
+use super::corrections::Corrections;
 use super::step_context::{PROMPT, REFINEMENTS, StepContext};
 use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::flow::{Implicit, transport, trapezoid};
 use crate::linear::{Pivoted, ProjectionLu, RowMatrix, accumulate, dot, negative, vector};
-use crate::singular::{MEAN_LOST, ROUND_OFF, STILL, has_stalled};
+use crate::singular::MEAN_LOST;
 use nalgebra::SVector;
-
-/// Corrections that stall below this multiple of round-off are round-off that the rows amplify.
-const AMPLIFIED: f64 = 10.0;
 
 /// How a step ended.
 pub(super) enum Outcome {
@@ -109,8 +107,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             vb: v0,
             defect: crate::linear::zeros(),
             change: crate::linear::zeros(),
-            size: f64::NAN,
-            settled: false,
+            corrections: Corrections::none(),
         };
         let closed = closing::close(&mut rows, limits, false);
         let Balance {
@@ -252,10 +249,7 @@ struct Balance<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     defect: SVector<f64, R>,
     /// What is missing of the momentum balance.
     change: SVector<f64, N>,
-    /// Size of the last correction.
-    size: f64,
-    /// Whether it was round-off.
-    settled: bool,
+    corrections: Corrections,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Balance<'_, S, Q, N, R> {
@@ -358,24 +352,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.vb += change;
         self.kappa += multiplier;
 
-        let size = yardstick.measure(&change);
-        let speed = yardstick.measure(&self.vb);
-        let last = std::mem::replace(&mut self.size, size);
-        if size > 0.1 * last || !size.is_finite() {
+        let end = (&self.q, &self.vb);
+        let verdict = self.corrections.add(&change, end, self.h, yardstick);
+        if verdict.slow {
             self.step.solver.invalidate();
         }
-        // The next correction, at the rate of this one.
-        let next = size * (size / last).min(1.0);
-        let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(&self.q, self.h));
-        let noise = (STILL * speed).max(AMPLIFIED * round_off);
-        let stalled = has_stalled(size, last) && size <= noise;
-        self.settled = size <= round_off || stalled;
-        next <= round_off || stalled
+        verdict.converged
     }
 
     #[inline(always)]
     fn is_settled(&self) -> bool {
-        self.settled
+        self.corrections.settled
     }
 
     fn is_stale(&self) -> bool {
@@ -389,7 +376,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             not_converged(&defect, &weights, iterations)
         } else {
             Fault::Flow {
-                residual: self.size,
+                residual: self.corrections.size,
                 iterations,
             }
         }

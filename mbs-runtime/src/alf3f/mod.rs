@@ -2,10 +2,12 @@
 
 pub(crate) mod closing;
 mod composition;
+mod corrections;
 mod extrapolation;
 mod implicit_step;
 mod kick_flow_kick;
 mod kicks;
+pub(crate) mod large;
 mod mixed_kicks;
 mod paper;
 pub(crate) mod sparse;

@@ -77,6 +77,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         state: State<Q, N, R>,
         settings: &Settings,
         placed: bool,
+        dense: bool,
     ) -> Result<Self, Fault> {
         let geometry = ConstraintGeometry::new(&system, &state.positions)?;
         let yardstick = Box::new(Yardstick::new(&system, settings.step));
@@ -92,6 +93,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             work: Workspace::new(),
             counters: Counters::default(),
         };
+        if !dense {
+            return Ok(context);
+        }
         let guess = ConstraintGeometry::at_guess(&context.system)?;
         let thresholds = match (settings.order, placed) {
             (2, false) => Thresholds::SECOND_ORDER,

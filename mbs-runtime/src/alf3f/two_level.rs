@@ -3,11 +3,13 @@
 use super::extrapolation::Extrapolation;
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::kick_flow_kick::kick_flow_kick;
+use super::large::SparseStep;
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
 use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
+use crate::large::{check_dense, is_large, is_sparse};
 use crate::linear::{add, added, vector};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
@@ -48,6 +50,8 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Trapezoid(Box<Trapezoid<Q, N, R>>),
     /// The second is for steps near singular poses.
     Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
+    /// The implicit step of large mechanisms.
+    Large(Box<SparseStep<Q, N, R>>),
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -102,7 +106,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let mut state = state;
         state.make_room(count);
         let before = state.with_same_room();
-        let mut context = StepContext::new(system, state, settings, placed)
+        let large = match is_sparse::<S, Q, N, R>(settings) {
+            true => SparseStep::new(&system, &state),
+            false => None,
+        };
+        if large.is_none() {
+            check_dense(N, flow)?;
+        }
+        let mut context = StepContext::new(system, state, settings, placed, large.is_none())
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let yardstick = &*context.yardstick.clone();
         let flow = match flow {
@@ -122,7 +133,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 Stepping::Trapezoid(Trapezoid::new(yardstick))
             }
             // Every mechanism can have it.
-            _ => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
+            _ => match large {
+                Some(mut large) => {
+                    large.refresh(&mut context);
+                    Stepping::Large(large)
+                }
+                None => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
+            },
         };
         Ok(TwoLevelStepper {
             context,
@@ -174,8 +191,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// The rank margin of the holonomic rows at the current state; `None` without such rows.
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
         let rows = S::STRUCTURE.holonomic_rows;
-        if let Stepping::Sparse(kicks, _) = &self.flow {
-            return Some(kicks.rank_margin());
+        match &self.flow {
+            Stepping::Sparse(kicks, _) => return Some(kicks.rank_margin()),
+            Stepping::Large(_) => return None,
+            _ => {}
         }
         let StepContext { start, work, .. } = &mut self.context;
         (rows > 0).then(|| work.delassus.rank_margin(&start.delassus, rows))
@@ -209,6 +228,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 kicks.refresh(&mut self.context);
                 Ok(())
             }
+            Stepping::Large(step) => {
+                step.refresh(&mut self.context);
+                Ok(())
+            }
             _ => self.context.refresh(),
         }
     }
@@ -218,6 +241,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let context = &self.context;
         match &self.flow {
             Stepping::Sparse(kicks, _) => kicks.rates(context),
+            Stepping::Large(step) => step.rates(context),
             _ => context
                 .start
                 .velocity_rows(&context.system, &context.state.velocities),
@@ -348,7 +372,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 Outcome::Done => Ok(()),
                 Outcome::Lost => kick_flow_kick(context, &mut **kicks, h),
             },
-            Stepping::Leapfrog(_) | Stepping::Sparse(..) | Stepping::Midpoint(_) => {
+            Stepping::Large(step) if const { is_large::<S, Q, N, R>() } => step.step(context, h),
+            Stepping::Leapfrog(_)
+            | Stepping::Sparse(..)
+            | Stepping::Midpoint(_)
+            | Stepping::Large(_) => {
                 unreachable!("`choose` refuses flows that the mechanism cannot have")
             }
         }
@@ -382,7 +410,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             Stepping::Leapfrog(_) | Stepping::Sparse(..) => Flow::Leapfrog,
             Stepping::Midpoint(_) => Flow::Midpoint,
             Stepping::Trapezoid(_) => Flow::Trapezoid,
-            Stepping::Implicit(..) => Flow::Implicit,
+            Stepping::Implicit(..) | Stepping::Large(_) => Flow::Implicit,
         }
     }
 

@@ -1,6 +1,7 @@
 //! The choice of the flow.
 
 use crate::fault::Fault;
+use crate::large::is_sparse;
 use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
@@ -38,6 +39,8 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
             ))
         }
         Some(flow) => Ok(flow),
+        // Other flows have dense arrays.
+        None if is_sparse::<S, Q, N, R>(settings) => Ok(Flow::Implicit),
         None if const { S::STRUCTURE.allows(Flow::Leapfrog) && S::STRUCTURE.position_forces } => {
             let stiffness = stiffness(system, state, settings.step).map_err(|fault| {
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)

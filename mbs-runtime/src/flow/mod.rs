@@ -10,6 +10,8 @@ mod trapezoid;
 
 use crate::linear::RowMatrix;
 pub(crate) use choice::choose;
+#[cfg(feature = "sparse")]
+pub(crate) use group::right_tangent;
 pub(crate) use group::{pull_back, pull_back_rows, transport, unroll};
 pub(crate) use implicit::{Implicit, trapezoid};
 pub(crate) use leapfrog::Leapfrog;

@@ -2,6 +2,7 @@
 
 use crate::ParameterError;
 use nalgebra::{SMatrix, SVector};
+use std::ops::Range;
 
 /// How much larger than its pivot a diagonal entry of M may be: beyond that the pivot is round-off.
 const WEAKEST: f64 = 1e14;
@@ -38,7 +39,8 @@ impl<const N: usize> Cholesky<N> {
     pub fn factor(mass: &SMatrix<f64, N, N>) -> Result<Self, usize> {
         // M is symmetric: its columns are its rows.
         let mut lower = mass.data.0;
-        let inverse_diagonal = factor_in_place(&mut lower)?;
+        let mut inverse_diagonal = [0.0; N];
+        factor_in_place(&mut lower, &mut inverse_diagonal, 0..N)?;
         Ok(Cholesky {
             lower,
             inverse_diagonal,
@@ -49,18 +51,22 @@ impl<const N: usize> Cholesky<N> {
     #[inline]
     pub fn solve(&self, x: &mut SVector<f64, N>) {
         let [x] = &mut x.data.0;
-        solve(&self.lower, &self.inverse_diagonal, x);
+        solve(&self.lower, &self.inverse_diagonal, x, 0..N);
     }
 }
 
-/// L of M = L Lᵀ in place of M, whose diagonal stays; returns the inverse diagonal of L.
+/// L of M = L Lᵀ in place of a diagonal block of M, whose diagonal stays; `inverse_diagonal` is that of L.
 #[inline(always)]
-fn factor_in_place<const N: usize>(lower: &mut [[f64; N]; N]) -> Result<[f64; N], usize> {
-    let mut inverse_diagonal = [0.0; N];
-    for k in 0..N {
+fn factor_in_place<const N: usize>(
+    lower: &mut [[f64; N]; N],
+    inverse_diagonal: &mut [f64; N],
+    block: Range<usize>,
+) -> Result<(), usize> {
+    let Range { start, end } = block;
+    for k in start..end {
         let whole = lower[k][k];
         let mut pivot = whole;
-        for j in 0..k {
+        for j in start..k {
             pivot -= lower[k][j] * lower[k][j];
         }
         // Written so that NaN is refused, too.
@@ -69,33 +75,53 @@ fn factor_in_place<const N: usize>(lower: &mut [[f64; N]; N]) -> Result<[f64; N]
         }
         let inverse = 1.0 / pivot.sqrt();
         inverse_diagonal[k] = inverse;
-        for i in k + 1..N {
+        for i in k + 1..end {
             let mut entry = lower[i][k];
-            for j in 0..k {
+            for j in start..k {
                 entry -= lower[i][j] * lower[k][j];
             }
             lower[i][k] = entry * inverse;
         }
     }
-    Ok(inverse_diagonal)
+    Ok(())
 }
 
+/// x ← M⁻¹ x in a diagonal block of M.
 #[inline(always)]
-fn solve<const N: usize>(lower: &[[f64; N]; N], inverse_diagonal: &[f64; N], x: &mut [f64; N]) {
-    for i in 0..N {
+fn solve<const N: usize>(
+    lower: &[[f64; N]; N],
+    inverse_diagonal: &[f64; N],
+    x: &mut [f64; N],
+    block: Range<usize>,
+) {
+    let Range { start, end } = block;
+    for i in start..end {
         let mut value = x[i];
-        for j in 0..i {
+        for j in start..i {
             value -= lower[i][j] * x[j];
         }
         x[i] = value * inverse_diagonal[i];
     }
-    for i in (0..N).rev() {
+    for i in (start..end).rev() {
         let mut value = x[i];
-        for j in i + 1..N {
+        for j in i + 1..end {
             value -= lower[j][i] * x[j];
         }
         x[i] = value * inverse_diagonal[i];
     }
+}
+
+/// Where the diagonal block of a symmetric matrix that begins at `start` ends: the bodies of a mechanism have blocks of
+/// their own.
+fn end_of_block<const N: usize>(matrix: &[[f64; N]; N], start: usize) -> usize {
+    let mut end = start + 1;
+    let mut row = start;
+    while row < end {
+        let beyond = matrix[row][end..].iter().rposition(|&entry| entry != 0.0);
+        end += beyond.map_or(0, |last| last + 1);
+        row += 1;
+    }
+    end
 }
 
 /// M⁻¹ of a constant mass matrix, in whose place its factor is left; on the heap, because a large one does not fit on the
@@ -109,14 +135,22 @@ pub fn inverse_mass<const N: usize>(
     coordinates: &[&'static str; N],
 ) -> Result<Box<SMatrix<f64, N, N>>, ParameterError> {
     let lower = &mut mass.data.0;
-    let inverse_diagonal =
-        factor_in_place(lower).map_err(|column| ParameterError::MassNotPositive {
-            coordinate: coordinates[column],
-        })?;
+    let mut inverse_diagonal = [0.0; N];
     let mut inverse = clear_mass();
-    for (i, column) in inverse.data.0.iter_mut().enumerate() {
-        column[i] = 1.0;
-        solve(lower, &inverse_diagonal, column);
+    let mut start = 0;
+    while start < N {
+        let block = start..end_of_block(lower, start);
+        factor_in_place(lower, &mut inverse_diagonal, block.clone()).map_err(|column| {
+            ParameterError::MassNotPositive {
+                coordinate: coordinates[column],
+            }
+        })?;
+        for i in block.clone() {
+            let column = &mut inverse.data.0[i];
+            column[i] = 1.0;
+            solve(lower, &inverse_diagonal, column, block.clone());
+        }
+        start = block.end;
     }
     // Exactly symmetric: generated code reads one triangle.
     inverse.fill_upper_triangle_with_lower_triangle();

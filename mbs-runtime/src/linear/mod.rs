@@ -7,6 +7,8 @@ mod projection_lu;
 mod proximal;
 mod rank;
 mod row_matrix;
+#[cfg(feature = "sparse")]
+pub(crate) mod sparse;
 mod vector;
 
 pub(crate) use delassus_factor::DelassusFactor;

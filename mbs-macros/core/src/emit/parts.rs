@@ -13,6 +13,9 @@ use crate::dag::{ALL_TANGENTS, Function, Operation, Output, Parts, Place, Progra
 use crate::symbolic::{Graph, Map};
 use std::fmt::Write;
 
+/// rustc remarks that the words of longer tables take it long.
+const LONGEST_UNREMARKED: usize = 100_000;
+
 /// The long functions of a mechanism.
 pub(super) struct LongFunctions {
     functions: Vec<(&'static str, Parts)>,
@@ -190,9 +193,14 @@ impl LongFunctions {
             let (list, length) = (self.list(at), self.lengths[at]);
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
+            let table = self.table(at, &list);
+            let patience = match table.len() > LONGEST_UNREMARKED {
+                true => "#[allow(long_running_const_eval)]\n",
+                false => "",
+            };
             let _ = writeln!(
                 out,
-                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&mut [f64; {length}], &[{5}]); {2}] = [{3}];\nconst {1}_TABLE: &'static [{5}] = {4};",
+                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&mut [f64; {length}], &[{5}]); {2}] = [{3}];\n{patience}const {1}_TABLE: &'static [{5}] = {4};",
                 parts
                     .shapes
                     .iter()
@@ -201,7 +209,7 @@ impl LongFunctions {
                 name.to_uppercase(),
                 names.len(),
                 names.join(", "),
-                self.word.list(&self.table(at, &list)),
+                self.word.list(&table),
                 self.word.name()
             );
         }

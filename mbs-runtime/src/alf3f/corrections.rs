@@ -1,0 +1,57 @@
+//! The corrections of velocities in Newton's method for an implicit step: when they are small enough.
+
+use crate::singular::{ROUND_OFF, STILL, has_stalled};
+use crate::yardstick::Yardstick;
+use nalgebra::SVector;
+
+/// Corrections that stall below this multiple of round-off are round-off that the rows amplify.
+const AMPLIFIED: f64 = 10.0;
+
+/// The sizes of corrections in a step.
+pub(super) struct Corrections {
+    /// Size of the last one.
+    pub(super) size: f64,
+    /// Whether it was round-off.
+    pub(super) settled: bool,
+}
+
+/// What follows from a correction.
+pub(super) struct Verdict {
+    /// The next correction would be round-off.
+    pub(super) converged: bool,
+    /// The factor should be renewed.
+    pub(super) slow: bool,
+}
+
+impl Corrections {
+    pub(super) fn none() -> Self {
+        Corrections {
+            size: f64::NAN,
+            settled: false,
+        }
+    }
+
+    /// Adds a correction of v_b, in a step of h seconds that ends at q.
+    #[inline(always)]
+    pub(super) fn add<const Q: usize, const N: usize>(
+        &mut self,
+        change: &SVector<f64, N>,
+        (q, vb): (&SVector<f64, Q>, &SVector<f64, N>),
+        h: f64,
+        yardstick: &Yardstick<Q, N>,
+    ) -> Verdict {
+        let size = yardstick.measure(change);
+        let speed = yardstick.measure(vb);
+        let last = std::mem::replace(&mut self.size, size);
+        // At the rate of this correction.
+        let next = size * (size / last).min(1.0);
+        let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(q, h));
+        let noise = (STILL * speed).max(AMPLIFIED * round_off);
+        let stalled = has_stalled(size, last) && size <= noise;
+        self.settled = size <= round_off || stalled;
+        Verdict {
+            converged: next <= round_off || stalled,
+            slow: size > 0.1 * last || !size.is_finite(),
+        }
+    }
+}
