@@ -5,11 +5,11 @@ pub mod absent;
 pub mod laboratory;
 #[cfg(feature = "laboratory")]
 pub mod pages;
-pub mod plot;
 pub mod reference;
 pub mod scene;
 pub mod scenes;
-pub mod table;
+
+pub use mbs_runtime::output::{plot, table};
 
 mod start;
 pub use start::start;

@@ -32,14 +32,24 @@ macro_rules! methods_of_any_simulation {
             fn input(&, name: &str) -> Result<f64, UnknownName>;
             /// Sets an `Input`.
             fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
+            /// The value of an `Output`.
+            fn output(&, name: &str) -> Result<f64, UnknownName>;
             /// All `Output`s.
             fn output_values(&) -> Vec<f64>;
+            /// A generalized coordinate.
+            fn coordinate(&, name: &str) -> Result<f64, UnknownName>;
+            /// A generalized velocity.
+            fn velocity(&, name: &str) -> Result<f64, UnknownName>;
+            /// A named point, m.
+            fn point(&, name: &str) -> Result<[f64; 3], UnknownName>;
             /// Named points, m.
             fn points(&) -> Vec<[f64; 3]>;
             /// The energy balance.
             fn energy(&) -> Energy;
             /// Joint reactions.
             fn reactions(&) -> Result<Reactions, SimulationError>;
+            /// One component of a joint's reaction.
+            fn reaction(&, joint: &str, component: &str) -> Result<f64, SimulationError>;
             /// The current instant as a row of results.
             fn sample(&) -> Sample;
             /// Work done and errors met so far.
@@ -56,7 +66,7 @@ pub(crate) use methods_of_any_simulation;
 macro_rules! declare {
     ($($(#[doc = $doc:literal])* fn $name:ident(&$($mutable:ident)? $(, $argument:ident: $kind:ty)*) -> $result:ty;)*) => {
         /// The object-safe form of [`Simulation`](crate::Simulation); each method is described there.
-        pub trait AnySimulation {
+        pub trait AnySimulation: std::fmt::Debug {
             $($(#[doc = $doc])* fn $name(&$($mutable)? self $(, $argument: $kind)*) -> $result;)*
             /// q.
             fn coordinates(&self) -> Vec<f64>;

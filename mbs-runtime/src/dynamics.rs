@@ -1,11 +1,15 @@
 //! The equations of motion at one state, as matrices.
 
+#[cfg(feature = "std")]
+mod reactions;
+
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dot, finite, vector};
 use crate::memory::Box;
 use crate::{SimulationError, System, TensorSink};
+use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 /// M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 at a state of a mechanism, evaluated; made by
@@ -37,7 +41,9 @@ pub struct Dynamics<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     pub(crate) system: S,
     pub(crate) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
     pub(crate) solver: Box<DelassusFactor<R>>,
+    time: f64,
     positions: SVector<f64, Q>,
+    velocities: SVector<f64, N>,
     mass: RowMatrix<N, N>,
     jacobian_rate: RowMatrix<N, R>,
     residuals: SVector<f64, R>,
@@ -45,6 +51,9 @@ pub struct Dynamics<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     forces: SVector<f64, N>,
     accelerations: SVector<f64, N>,
     multipliers: SVector<f64, R>,
+    /// Of all joints; a list of any length.
+    #[cfg(feature = "std")]
+    reactions: Vec<f64>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamics<S, Q, N, R> {
@@ -71,7 +80,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
             geometry: ConstraintGeometry::new(&system, q)?,
             system,
             solver: Box::new(DelassusFactor::new()),
+            time: t,
             positions: *q,
+            velocities: *v,
             mass: RowMatrix::zeros(),
             jacobian_rate: RowMatrix::zeros(),
             residuals: SVector::zeros(),
@@ -79,6 +90,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
             forces: SVector::zeros(),
             accelerations: SVector::zeros(),
             multipliers: SVector::zeros(),
+            #[cfg(feature = "std")]
+            reactions: vec![0.0; S::MODEL.reactions.len()],
         };
         dynamics.solve(t, q, v)?;
         Ok(dynamics)
@@ -103,7 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
     /// With F = f + ∂T/∂q the first equation reads M v̇ = F − (∂p/∂q) v + Aᵀλ, which needs no affinities.
     fn solve(&mut self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> Result<(), Fault> {
         let (system, geometry) = (&self.system, &mut self.geometry);
-        self.positions = *q;
+        (self.time, self.positions, self.velocities) = (t, *q, *v);
         geometry.mass = system.factor_mass(q).ok_or(Fault::Mass)?;
         geometry.evaluate(system, t, q, &mut self.residuals)?;
         system.mass_matrix(q, self.mass.entries_mut());
@@ -181,6 +194,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
     /// λ; N or N m for rows in m or rad. For rows that follow from others this is one solution of many.
     pub fn multipliers(&self) -> &SVector<f64, R> {
         &self.multipliers
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> fmt::Debug
+    for Dynamics<S, Q, N, R>
+{
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("Dynamics")
+            .field("mechanism", &S::MODEL.name)
+            .field("time", &self.time)
+            .field("positions", &self.positions.as_slice())
+            .field("velocities", &self.velocities.as_slice())
+            .field("accelerations", &self.accelerations.as_slice())
+            .field("multipliers", &self.multipliers.as_slice())
+            .finish_non_exhaustive()
     }
 }
 

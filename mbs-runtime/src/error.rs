@@ -13,6 +13,7 @@ use core::fmt;
 
 /// Parameters that do not make a mechanism.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum ParameterError {
     /// A parameter is NaN or infinite.
     NotFinite {

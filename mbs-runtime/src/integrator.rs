@@ -9,6 +9,7 @@ use nalgebra::SVector;
 /// The integrator of a simulation: the two-level method, or one that only some programs compile.
 // One per simulation, and no box between a simulation and its usual method.
 #[allow(clippy::large_enum_variant)]
+#[derive(Clone)]
 pub(crate) enum Integrator<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     TwoLevel(TwoLevelStepper<S, Q, N, R>),
     Other(AnyStepper<S, Q, N, R>),

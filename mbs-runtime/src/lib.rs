@@ -58,6 +58,15 @@
 //! | depends on q | positions | [`Flow::Midpoint`], implicit, in momentum form |
 //! | any | velocities | [`Flow::Implicit`], with the multiplier inside the step |
 //!
+//! # Features
+//!
+//! * `sparse`: large mechanisms of every structure without dense arrays.
+//! * `plot`: diagrams of recorded runs as SVG ([`output::Recording::save`]).
+//! * `latex`: `Model::latex`, the equations of motion; adds the compiler of `mechanism!` to the program.
+//! * `serde`: [`State`], [`Settings`], [`Sample`], [`Report`], [`Reactions`] and [`output::Frame`] can be written and
+//!   read by `serde`, [`AssemblyVerdict`] written. Settings that are read may leave fields out; a field that does not exist
+//!   is an error. A state that is read with all digits goes on bit for bit.
+//!
 //! # Without the standard library
 //!
 //! Without its feature `std`, which is on by default, the crate is `no_std` and allocates nothing: it has mechanisms,

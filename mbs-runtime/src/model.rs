@@ -178,6 +178,7 @@ pub struct Row {
 
 /// The kinds of constraint rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum RowKind {
     /// φ(q) = 0.
     Holonomic,

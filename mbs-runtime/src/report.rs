@@ -8,6 +8,8 @@ pub use lists::{AssemblyVerdict, Change, HeldGap, Reactions, Sample};
 
 /// The energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Energy {
     /// T.
     pub kinetic: f64,
@@ -23,6 +25,8 @@ pub struct Energy {
 
 /// Work done and errors met since the start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Report {
     /// Steps accepted.
     pub steps: u64,
@@ -50,6 +54,7 @@ pub struct Report {
 
 /// A singular pose during the motion: rows that are generally independent were dependent there, or nearly so.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RankLoss {
     /// When, s; from the steps around it.
     pub time: f64,

@@ -5,6 +5,7 @@ use crate::{AnySimulation, Sample, SimulationError};
 /// Iterator over samples; made by [`Simulation::samples`](crate::Simulation::samples).
 ///
 /// Each item runs the simulation to the next sample; the iterator ends after the first error.
+#[derive(Debug)]
 pub struct Samples<'a> {
     simulation: &'a mut dyn AnySimulation,
     start: f64,

@@ -5,12 +5,14 @@ mod accuracy;
 mod advance;
 mod any;
 mod books;
+mod debug;
 mod dense;
 mod drives;
 mod energy_guard;
 mod fixed_steps;
 mod hermite;
 mod known_poses;
+mod names;
 mod passage;
 mod placement;
 mod pose;
@@ -35,7 +37,7 @@ use crate::stepper::MakeStepper;
 use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
-    Samples, Settings, SimulationError, State, System, UnknownName,
+    Samples, Settings, SimulationError, State, System,
 };
 use nalgebra::SVector;
 
@@ -48,6 +50,7 @@ pub use self::start::Start;
 /// let mut simulation = Simulation::new(SliderCrank { crank_length: 0.2, ..Default::default() })?;
 /// simulation.run_until(10.0)?;
 /// ```
+#[derive(Clone)]
 pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     settings: Settings,
     integrator: Integrator<S, Q, N, R>,
@@ -345,6 +348,39 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Dynamics::new(system, self.time(), self.positions(), self.velocities())
     }
 
+    /// Moves equations that [`Simulation::dynamics`] has made to the current instant, with the current inputs. Allocates
+    /// nothing:
+    ///
+    /// ```
+    /// # use mbs_runtime::{Simulation, mechanism};
+    /// # mechanism!(Pendulum {
+    /// #     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    /// #     rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = 0.0_deg),
+    /// #     pivot: Revolute(ground.origin, rod.a),
+    /// # });
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let mut simulation = Simulation::new(Pendulum {})?;
+    /// let mut dynamics = simulation.dynamics()?;
+    /// let mut greatest = 0.0_f64;
+    /// for _ in 0..1000 {
+    ///     simulation.step()?;
+    ///     simulation.update(&mut dynamics)?;
+    ///     greatest = greatest.max(dynamics.reaction("pivot", "fy")?);
+    /// }
+    /// // A rod that falls from the horizontal pulls with 5/2 of its weight at the lowest point.
+    /// assert!((greatest - 2.5 * 9.81).abs() < 1e-3);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Dynamics::evaluate`].
+    pub fn update(&self, dynamics: &mut Dynamics<S, Q, N, R>) -> Result<(), SimulationError> {
+        let state = self.state();
+        let (q, v) = (&state.positions, &state.velocities);
+        dynamics.follow(self.system().inputs(), state.time, q, v)
+    }
+
     /// Joint reactions at the current instant, from the equations at acceleration level.
     ///
     /// # Errors
@@ -371,27 +407,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// One component of a joint's reaction, as [`Model::reactions`](crate::Model::reactions) names them: the force or
-    /// torque on the child, in world axes.
+    /// torque on the child, in world axes. It solves the equations at acceleration level, in memory that it allocates;
+    /// [`Simulation::update`] with [`Dynamics::reaction`] does the same without allocation.
     ///
     /// # Errors
     /// An unknown joint, or one without this component; otherwise as [`Simulation::reactions`].
     pub fn reaction(&self, joint: &str, component: &str) -> Result<f64, SimulationError> {
-        let list = S::MODEL.reactions;
-        let Some(index) = list
-            .iter()
-            .position(|r| r.joint == joint && r.component == component)
-        else {
-            let of_joint: Vec<_> = list.iter().filter(|r| r.joint == joint).collect();
-            return Err(match of_joint.is_empty() {
-                true => UnknownName::new("joint with reactions", joint, joints(list)),
-                false => UnknownName::new(
-                    "component of this reaction",
-                    component,
-                    of_joint.iter().map(|r| r.component),
-                ),
-            }
-            .into());
-        };
+        let index = S::MODEL.reaction_index(joint, component)?;
         // As many values as the model names.
         self.reactions()
             .map(|reactions| reactions.values.get(index).copied().unwrap_or(f64::NAN))
@@ -436,11 +458,4 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             rank_losses: self.singularities.losses().len(),
         }
     }
-}
-
-/// The joints that have reactions, each once.
-fn joints(reactions: &'static [crate::Reaction]) -> Vec<&'static str> {
-    let mut names: Vec<&str> = reactions.iter().map(|reaction| reaction.joint).collect();
-    names.dedup();
-    names
 }

@@ -14,6 +14,7 @@ use crate::{Flow, Model, ParameterError, UnknownName};
 
 /// Why a simulation could not be set up or continued.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum SimulationError {
     /// The parameters do not make a mechanism.
     Parameter(ParameterError),
@@ -409,7 +410,16 @@ impl fmt::Display for SimulationError {
     }
 }
 
-impl core::error::Error for SimulationError {}
+impl core::error::Error for SimulationError {
+    /// The error of the parameters or of a name. The message of this error includes that of its source.
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        match self {
+            SimulationError::Parameter(source) => Some(source),
+            SimulationError::UnknownName(source) => Some(source),
+            _ => None,
+        }
+    }
+}
 
 impl From<ParameterError> for SimulationError {
     fn from(error: ParameterError) -> Self {

@@ -55,6 +55,7 @@ impl<const N: usize> TensorSink for [[[f64; N]; N]; N] {
 }
 
 /// A sink that ignores the matrix.
+#[derive(Debug)]
 pub struct Discard;
 
 impl MatrixSink for Discard {

@@ -8,6 +8,7 @@ use nalgebra::SVector;
 
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// Time, s.
     pub time: f64,
@@ -169,6 +170,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
 
 /// Data of the energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Ledger {
     /// T + V where the balance starts; `None` until a simulation has taken it.
     pub initial: Option<f64>,
@@ -180,6 +182,7 @@ pub struct Ledger {
 
 /// Data of the step controller, kept from step to step.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StepController {
     /// The step in use, s; zero: none was chosen yet.
     pub step: f64,
@@ -203,6 +206,7 @@ pub struct StepController {
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ThreeFields<const N: usize, const R: usize> {
     /// λ.
     pub lambda: SVector<f64, R>,

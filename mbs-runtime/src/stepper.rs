@@ -11,7 +11,7 @@ use nalgebra::SVector;
 
 /// A method as a simulation uses it; the functions are those of the enumeration `Integrator`.
 pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>:
-    Send + Sync
+    BoxedStepper<S, Q, N, R> + Send + Sync
 {
     fn step(&mut self, h: f64, monitor: &mut StepMonitor) -> Result<(), SimulationError>;
     fn rank_margin(&mut self) -> Option<RankMargin>;
@@ -27,6 +27,30 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn counters(&self) -> Counters;
     fn is_sparse(&self) -> bool;
     fn estimate(&self) -> Option<f64>;
+}
+
+/// A copy of a method behind a box; every method that can be cloned has it.
+pub(crate) trait BoxedStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    /// The method and its workspace again.
+    fn boxed_clone(&self) -> AnyStepper<S, Q, N, R>;
+}
+
+impl<T, S, const Q: usize, const N: usize, const R: usize> BoxedStepper<S, Q, N, R> for T
+where
+    T: Stepper<S, Q, N, R> + Clone + 'static,
+    S: System<Q, N, R>,
+{
+    fn boxed_clone(&self) -> AnyStepper<S, Q, N, R> {
+        Box::new(self.clone())
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Clone
+    for AnyStepper<S, Q, N, R>
+{
+    fn clone(&self) -> Self {
+        self.as_ref().boxed_clone()
+    }
 }
 
 /// Quantities after a step, for the report.

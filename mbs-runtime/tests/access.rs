@@ -1,7 +1,8 @@
 //! Inputs and outputs as fields, beside those by name.
 
+use crate::common::alloc::count;
 use mbs_runtime::nalgebra::SVector;
-use mbs_runtime::{Simulation, SimulationError, mechanism};
+use mbs_runtime::{AnySimulation, Simulation, SimulationError, mechanism};
 
 mechanism!(Cart {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -86,4 +87,56 @@ fn the_next_step_tells_of_a_value_that_is_not_finite() {
         other => panic!("{other:?}"),
     }
     simulation.step().unwrap();
+}
+
+#[test]
+fn every_name_can_be_asked_of_any_simulation() {
+    let mut simulation = cart();
+    simulation.run_until(0.5).unwrap();
+    let any: &dyn AnySimulation = &simulation;
+    assert_eq!(any.output("speed").unwrap(), simulation.outputs().speed);
+    let model = any.model();
+    for (index, coordinate) in model.coordinates.iter().enumerate() {
+        let value = any.coordinate(coordinate.name).unwrap();
+        assert_eq!(value, simulation.positions()[index]);
+    }
+    for (index, velocity) in model.velocities.iter().enumerate() {
+        let value = any.velocity(velocity.name).unwrap();
+        assert_eq!(value, simulation.velocities()[index]);
+    }
+    assert_eq!(any.point("cart.origin").unwrap(), simulation.points()[0]);
+    let force = any.reaction("rail", "fy").unwrap();
+    assert!((force - 2.0 * 9.81).abs() < 1e-9, "{force}");
+    let unknown = any.output("sped").unwrap_err();
+    assert_eq!(
+        unknown.to_string(),
+        "no output is named `sped`; there are: place, tip.x, tip.y, speed"
+    );
+    for unknown in [any.coordinate("q"), any.velocity("q")] {
+        assert!(!unknown.unwrap_err().known.is_empty());
+    }
+    assert!(any.point("cart").is_err());
+}
+
+#[test]
+fn outputs_and_reactions_by_name_do_not_allocate() {
+    let mut simulation = cart();
+    let mut dynamics = simulation.dynamics().unwrap();
+    simulation.inputs_mut().push = 5.5;
+    let before = count();
+    let mut sum = 0.0;
+    for _ in 0..10 {
+        simulation.step().unwrap();
+        sum += simulation.output("speed").unwrap();
+        simulation.update(&mut dynamics).unwrap();
+        sum += dynamics.reaction("rail", "fy").unwrap();
+    }
+    assert_eq!(count(), before);
+    assert!(sum > 190.0);
+    // The equations have followed the input and the state.
+    let here = simulation.dynamics().unwrap();
+    assert_eq!(dynamics.applied_forces(), here.applied_forces());
+    let reaction = dynamics.reaction("rail", "fy").unwrap();
+    assert_eq!(reaction, simulation.reaction("rail", "fy").unwrap());
+    assert!(dynamics.reaction("rail", "fz").is_err());
 }

@@ -12,6 +12,13 @@ mechanism!(Arm {
     drive: Torque(on = arm, value = motor),
     angle: Output(arm.angle),
     upright: Event(arm.angle),
+    allow: Unused(),
+    /// For a spring that is not there yet.
+    stiffness: Param(1.0_N_per_m),
+    wind: Input(unit = N),
+    force: Let(stiffness * 0.1_m),
+    mark: Point([0.1_m, 0.2_m]),
+    curve: Table([0.0, 1.0, 2.0], [0.0, 1.0, 4.0]),
 });
 
 mechanism!(Disc {

@@ -9,6 +9,7 @@ mod clean;
 mod clock;
 mod composition;
 mod contract;
+mod copies;
 mod dynamics;
 mod energy_gain;
 mod ensemble;

@@ -53,6 +53,12 @@ mod reactions {}
 #[doc = include_str!("../../book/src/assembly.md")]
 mod assembly {}
 
+#[doc = include_str!("../../book/src/control.md")]
+mod control {}
+
+#[doc = include_str!("../../book/src/recording.md")]
+mod recording {}
+
 #[doc = include_str!("../../book/src/accuracy.md")]
 mod accuracy {}
 

@@ -289,7 +289,7 @@ fn refused(holds: &[(&str, f64)], rates: &[(&str, f64)]) -> SimulationError {
     for (name, value) in rates {
         start = start.hold_rate(name, *value);
     }
-    start.begin().err().expect("it is refused")
+    start.begin().expect_err("it is refused")
 }
 
 #[test]

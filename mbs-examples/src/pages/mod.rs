@@ -19,6 +19,7 @@ mod instructions;
 pub mod markdown;
 mod model_size;
 pub mod orders;
+mod others;
 mod paper;
 pub mod phases;
 mod random_passages;

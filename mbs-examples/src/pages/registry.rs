@@ -3,8 +3,8 @@
 use super::data::Data;
 use super::{
     accuracies, calls, candidates, charts, compile_times, compositions, derivation, instructions,
-    model_size, orders, paper, phases, random_passages, rival, rows, scenes, springs, sweep,
-    symbolic, tolerances, tuning, which,
+    model_size, orders, others, paper, phases, random_passages, rival, rows, scenes, springs,
+    sweep, symbolic, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -46,6 +46,7 @@ pub const fn file(path: &'static str, render: Render) -> Entry {
 }
 
 const README: &str = "README.md";
+const INTRODUCTION: &str = "book/src/introduction.md";
 const ACCURACY: &str = "book/src/accuracy.md";
 const COORDINATES: &str = "book/src/coordinates.md";
 const COMMAND_LINE: &str = "book/src/command-line.md";
@@ -71,6 +72,7 @@ const COMPILE_TIMES: &str = "book/src/results/compile-times.md";
 /// All of them.
 pub const ENTRIES: &[Entry] = &[
     block(README, "scenes", scenes::table),
+    block(INTRODUCTION, "others", others::table),
     block(README, "rows", rows::measured),
     block(README, "orders", orders::table),
     block(README, "samples", orders::samples),

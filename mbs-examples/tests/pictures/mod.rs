@@ -72,6 +72,8 @@ const MODEL: Model = Model {
 };
 
 fn frame(time: f64, x: f64, kinetic: f64, error: f64) -> Frame {
+    let mut energy = Energy::default();
+    (energy.kinetic, energy.error) = (kinetic, error);
     Frame {
         time,
         coordinates: vec![x],
@@ -79,13 +81,7 @@ fn frame(time: f64, x: f64, kinetic: f64, error: f64) -> Frame {
         outputs: vec![0.1 * x],
         points: vec![[0.0; 3], [x, 0.5, 0.0]],
         reactions: vec![10.0, x],
-        energy: Energy {
-            kinetic,
-            potential: 0.0,
-            nonconservative_work: 0.0,
-            drive_work: 0.0,
-            error,
-        },
+        energy,
         holonomic_error: error,
         velocity_error: 0.0,
     }

@@ -12,6 +12,7 @@
 //! Tokens keep their places, so that an error in an assembly is shown in its own file.
 
 use crate::diagnostics::{Errors, Failure};
+use crate::home::Home;
 use crate::syntax::{self, ASSEMBLY, path_text};
 use crate::{emit, model};
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
@@ -95,13 +96,13 @@ fn named(tokens: &TokenStream, paths: &mut Vec<TokenStream>) {
 }
 
 /// Compiles `assembly!`: the struct of its parameters, and the macro that hands out its tokens.
-pub fn compile(tokens: TokenStream) -> TokenStream {
+pub fn compile(tokens: TokenStream, home: &Home) -> TokenStream {
     if let Some(itself) = contains_itself(&tokens) {
         return itself;
     }
     let tokens = match gather(tokens, "assembly") {
         Gathered::Asked(tokens) => return tokens,
-        Gathered::All(tokens) => tokens,
+        Gathered::All(tokens) => home.strip(tokens),
     };
     let (declaration, inside) = apart(tokens.clone());
     let mut errors = Errors::new();

@@ -4,6 +4,7 @@ use crate::analysis::Analysis;
 use crate::assemblies::{self, Gathered};
 use crate::choose::Search;
 use crate::diagnostics::{Errors, Failure};
+use crate::home::Home;
 use crate::syntax::{self, Declaration};
 use crate::{budget, dag, derivatives, emit, equations, mobility, model};
 use proc_macro2::TokenStream;
@@ -11,12 +12,20 @@ use proc_macro2::TokenStream;
 /// Compiles a declaration to Rust. If it has errors, its correct parts are emitted all the same (for completion in
 /// editors), with one `compile_error!` per error.
 pub fn compile(tokens: TokenStream) -> TokenStream {
-    guarded(|| compile_checked(tokens))
+    guarded(|| at_home(tokens, compile_checked))
 }
 
 /// Compiles an assembly: `assembly!`.
 pub fn compile_assembly(tokens: TokenStream) -> TokenStream {
-    guarded(|| assemblies::compile(tokens))
+    guarded(|| at_home(tokens, assemblies::compile))
+}
+
+/// Runs a compiler whose code finds the runtime where the tokens say.
+fn at_home(tokens: TokenStream, run: fn(TokenStream, &Home) -> TokenStream) -> TokenStream {
+    match Home::of(&tokens) {
+        Ok(home) => home.put(run(tokens, &home)),
+        Err(error) => error.to_compile_error(),
+    }
 }
 
 fn guarded(run: impl FnOnce() -> TokenStream) -> TokenStream {
@@ -27,10 +36,10 @@ fn guarded(run: impl FnOnce() -> TokenStream) -> TokenStream {
     })
 }
 
-fn compile_checked(tokens: TokenStream) -> TokenStream {
+fn compile_checked(tokens: TokenStream, home: &Home) -> TokenStream {
     let tokens = match assemblies::gather(tokens, "mechanism") {
         Gathered::Asked(tokens) => return tokens,
-        Gathered::All(tokens) => tokens,
+        Gathered::All(tokens) => home.strip(tokens),
     };
     // An assembly that is wrong says so where it is declared.
     if syntax::is_broken(&tokens) {

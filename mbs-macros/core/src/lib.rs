@@ -16,6 +16,7 @@ pub mod contract;
 pub mod diagnostics;
 pub mod dimension;
 pub mod explain;
+mod home;
 pub mod mobility;
 pub mod names;
 pub mod reference;

@@ -18,25 +18,27 @@ pub fn page() -> String {
     let mut out = String::from(INTRODUCTION);
     let _ = writeln!(out, "\n## Worlds");
     for world in World::ALL {
-        entry(&mut out, world.kind());
+        entry(&mut out, world.kind(), "");
     }
     let _ = writeln!(out, "\n# Kinds of both worlds");
-    kinds(&mut out, model::kinds().common());
+    kinds(&mut out, model::kinds().common(), "");
     for world in World::ALL {
         let _ = writeln!(out, "\n# Kinds of {}", world.describe());
-        kinds(&mut out, model::kinds().own(world));
+        let of = format!(" of {}", world.describe());
+        kinds(&mut out, model::kinds().own(world), &of);
     }
     units(&mut out);
     out
 }
 
-fn kinds(out: &mut String, kinds: &[Kind]) {
+/// With `of` behind each heading: the list of headings beside the page then says which world they belong to.
+fn kinds(out: &mut String, kinds: &[Kind], of: &str) {
     for (group, heading) in HEADINGS {
         let mut list = kinds.iter().filter(|kind| kind.group == group).peekable();
         if list.peek().is_some() {
-            let _ = writeln!(out, "\n## {heading}");
+            let _ = writeln!(out, "\n## {heading}{of}");
         }
-        list.for_each(|kind| entry(out, kind));
+        list.for_each(|kind| entry(out, kind, of));
     }
 }
 
@@ -81,13 +83,17 @@ Masses, inertias and lengths that follow from parameters are checked with the de
 of the program when a simulation is made.
 
 Rows that follow from others are found and named; they are harmless, and part of the mechanism's documentation. Where they
-would be a mistake, `deny: Redundant()` makes each an error at its joint.
+would be a mistake, `deny: Redundant()` makes each an error at its joint. An entry that nothing uses is an error; while a
+declaration grows, `allow: Unused()` lets it pass.
+
+Generated code names its library `::mbs_runtime`. Where a crate has it under another name, or only through another crate, it
+gives the path first: `mechanism!(crate = product::mbs, SliderCrank { … })`, and `assembly!` alike.
 
 This page is written by the compiler's own table of kinds, and tested to be up to date.
 ";
 
-fn entry(out: &mut String, kind: &Kind) {
-    let _ = writeln!(out, "\n### `{}`\n\n{}\n", kind.name, kind.doc);
+fn entry(out: &mut String, kind: &Kind, of: &str) {
+    let _ = writeln!(out, "\n### `{}`{of}\n\n{}\n", kind.name, kind.doc);
     let _ = writeln!(out, "| argument | takes | if left out | |");
     let _ = writeln!(out, "|---|---|---|---|");
     kind.fields.iter().for_each(|field| row(out, field));

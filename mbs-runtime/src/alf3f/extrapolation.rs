@@ -42,6 +42,7 @@ const WEIGHTS: [&[f64]; 3] = [
 const UNLIKE: f64 = 0.5;
 
 /// The weighted mean of the ends of a step taken in different numbers of parts.
+#[derive(Clone)]
 pub(super) struct Extrapolation {
     weights: &'static [f64],
 }

@@ -39,6 +39,7 @@ enum Along {
     Velocity,
 }
 
+#[derive(Clone)]
 pub(super) struct ImplicitStep<const Q: usize, const N: usize, const R: usize> {
     solver: Implicit<N>,
     /// ½(A₀ + A₁), and J⁻¹ times its rows.

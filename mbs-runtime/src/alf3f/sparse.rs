@@ -23,12 +23,14 @@ pub(crate) struct Bordered {
 }
 
 /// K where A₀ and A₁ belong to different instants.
+#[derive(Clone)]
 pub(crate) struct Pair {
     lower: Slots,
     upper: Slots,
 }
 
 /// M by itself.
+#[derive(Clone)]
 pub(crate) struct SparseMass {
     factor: Slots,
 }

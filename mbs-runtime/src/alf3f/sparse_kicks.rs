@@ -25,6 +25,7 @@ use crate::{State, System};
 use nalgebra::SVector;
 
 /// The factors at both ends of a step, and its workspace.
+#[derive(Clone)]
 pub(crate) struct SparseKicks<const N: usize, const R: usize> {
     plan: &'static Elimination<N, R>,
     /// K at the current state, factored.

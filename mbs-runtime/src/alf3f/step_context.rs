@@ -23,6 +23,7 @@ pub(super) const PROMPT: usize = 4;
 const ASTRAY: f64 = 1.0;
 
 /// System, state, and the workspace of a step.
+#[derive(Clone)]
 pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,
@@ -37,6 +38,7 @@ pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize
 }
 
 /// Factorisations and multipliers of a step.
+#[derive(Clone)]
 pub(crate) struct Workspace<const R: usize> {
     /// B.
     pub(crate) matrix: RowMatrix<R, R>,

@@ -14,6 +14,7 @@ use crate::linear::{add, added, vector};
 use crate::memory::{Box, MOST_STAGES};
 use crate::singular::RankMargin;
 use crate::{Flow, Settings, SimulationError, State, System};
+use core::fmt;
 use nalgebra::SVector;
 
 /// With a smaller σ another branch of the motion is within reach of a step.
@@ -23,6 +24,7 @@ const NEAR: f64 = 0.3;
 ///
 /// A step allocates nothing and has the given length, near singular poses too. [`Simulation`](crate::Simulation) wraps
 /// it; use it directly to measure, or to compose steps.
+#[derive(Clone)]
 pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) context: StepContext<S, Q, N, R>,
     flow: Stepping<Q, N, R>,
@@ -40,6 +42,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
 }
 
 /// The flow and its workspace.
+#[derive(Clone)]
 enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Leapfrog(Leapfrog<Q, N, R>),
     /// The second is for steps near singular poses.
@@ -420,5 +423,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     pub(crate) fn counters(&self) -> Counters {
         self.context.counters
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> fmt::Debug
+    for TwoLevelStepper<S, Q, N, R>
+{
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("TwoLevelStepper")
+            .field("mechanism", &S::MODEL.name)
+            .field("state", &self.context.state)
+            .finish_non_exhaustive()
     }
 }

@@ -21,6 +21,7 @@ const BETA: f64 = 0.04;
 /// A step below this fraction of the given one is an error.
 const SMALLEST: f64 = 1e-9;
 
+#[derive(Clone)]
 pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
     equations: Index1<N, R>,
     stages: RungeKutta<Q, N>,

@@ -25,11 +25,13 @@ use crate::{BaumgarteSettings, Method, Settings, System};
 use nalgebra::SVector;
 
 /// The treatment of violations of the rows.
+#[derive(Clone)]
 enum Remedy<const R: usize> {
     Terms,
     Projection(Box<RowScale<R>>),
 }
 
+#[derive(Clone)]
 pub(crate) struct Explicit<const Q: usize, const N: usize, const R: usize> {
     equations: Index1<N, R>,
     stages: RungeKutta<Q, N>,

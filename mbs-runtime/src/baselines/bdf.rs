@@ -51,6 +51,7 @@ const RESOLVED: [f64; MOST_ORDER + 1] = [
     0.04,
 ];
 
+#[derive(Clone)]
 pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
     settings: BdfSettings,
     history: Box<History<Q, N>>,

@@ -11,6 +11,7 @@ pub(super) const MOST_ORDER: usize = 5;
 const KEPT: usize = MOST_ORDER + 2;
 
 /// Instants, the newest first.
+#[derive(Clone)]
 pub(super) struct History<const Q: usize, const N: usize> {
     len: usize,
     times: [f64; KEPT],

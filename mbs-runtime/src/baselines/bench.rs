@@ -9,6 +9,7 @@ use crate::{State, System};
 use nalgebra::SVector;
 
 /// System, state, and the constraint geometry where the state is.
+#[derive(Clone)]
 pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,

@@ -24,6 +24,7 @@ use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     alpha_m: f64,
     alpha_f: f64,

@@ -16,6 +16,7 @@ use nalgebra::SVector;
 /// ```text
 /// A v̇ + γ + 2α (A v + b) + β² φ = 0
 /// ```
+#[derive(Clone)]
 pub(crate) struct Index1<const N: usize, const R: usize> {
     pub(crate) delassus: Box<DelassusFactor<R>>,
     /// Instead of it where rows are many.

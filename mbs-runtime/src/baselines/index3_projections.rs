@@ -24,6 +24,7 @@ use crate::sink::Discard;
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct Index3<const N: usize, const R: usize> {
     penalty: f64,
     motion: Motion<N>,

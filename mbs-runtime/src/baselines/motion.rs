@@ -14,6 +14,7 @@ const CONVERGED: f64 = 1e-12;
 const STILL: f64 = 1e-7;
 
 /// p, F and the tangents at one instant.
+#[derive(Clone)]
 pub(crate) struct Motion<const N: usize> {
     pub(crate) p: SVector<f64, N>,
     pub(crate) f: SVector<f64, N>,

@@ -21,6 +21,7 @@ use crate::row_scale::RowScale;
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct Penalty<const N: usize, const R: usize> {
     settings: PenaltySettings,
     scale: Box<RowScale<R>>,

@@ -21,6 +21,7 @@ use crate::singular::{EXACT, RankMargin, Thresholds};
 use nalgebra::SVector;
 
 /// K at one instant with its factor.
+#[derive(Clone)]
 pub(crate) struct Planned<const N: usize, const R: usize> {
     plan: &'static Elimination<N, R>,
     matrix: Bordered,

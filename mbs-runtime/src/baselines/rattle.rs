@@ -22,17 +22,20 @@ use crate::yardstick::Yardstick;
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct Rattle<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     flow: Stepping<Q, N, R>,
     rows: Rows<S, Q, N, R>,
 }
 
+#[derive(Clone)]
 enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Leapfrog(Box<Leapfrog<Q, N, R>>),
     Midpoint(Box<Midpoint<Q, N, R>>),
 }
 
 /// All but the flow.
+#[derive(Clone)]
 struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     end: Box<ConstraintGeometry<S, Q, N, R>>,
     matrix: RowMatrix<R, R>,

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 
 /// A method and its workspace.
 pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>:
-    Send + Sync
+    BoxedRule<S, Q, N, R> + Send + Sync
 {
     /// Advances by h seconds.
     fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault>;
@@ -41,6 +41,30 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// How far the evaluations of the last step stayed from singular poses, as a fraction of the way.
     fn clearance(&self) -> f64 {
         f64::INFINITY
+    }
+}
+
+/// A copy of a rule behind a box; every rule that can be cloned has it.
+pub(crate) trait BoxedRule<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    /// The rule and its workspace again.
+    fn boxed_clone(&self) -> AnyRule<S, Q, N, R>;
+}
+
+impl<T, S, const Q: usize, const N: usize, const R: usize> BoxedRule<S, Q, N, R> for T
+where
+    T: Rule<S, Q, N, R> + Clone + 'static,
+    S: System<Q, N, R>,
+{
+    fn boxed_clone(&self) -> AnyRule<S, Q, N, R> {
+        Box::new(self.clone())
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Clone
+    for AnyRule<S, Q, N, R>
+{
+    fn clone(&self) -> Self {
+        self.as_ref().boxed_clone()
     }
 }
 

@@ -13,6 +13,7 @@ use crate::linear::{add_scaled, added, scaled};
 use nalgebra::SVector;
 
 /// Room for the stages of a step.
+#[derive(Clone)]
 pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     pub(crate) tableau: &'static Tableau,
     /// θ̇ and v̇ of each stage.

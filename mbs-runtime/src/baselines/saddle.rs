@@ -13,6 +13,7 @@ use nalgebra::SVector;
 /// Pivots below this fraction of the largest are round-off.
 const DEPENDENT: f64 = 1e-11;
 
+#[derive(Clone)]
 pub(crate) struct Saddle<const N: usize, const R: usize> {
     jacobian: Box<Pivoted<N>>,
     /// J⁻¹Aᵀ, row by row.

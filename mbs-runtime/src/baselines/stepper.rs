@@ -11,10 +11,12 @@ use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, Structure, System};
 use nalgebra::SVector;
+use std::fmt;
 
 /// A baseline by itself: steps of any length, without energy balance or report.
 ///
 /// A step allocates nothing. [`Simulation`](crate::Simulation) wraps it; use it directly to measure.
+#[derive(Clone)]
 pub struct BaselineStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) bench: Bench<S, Q, N, R>,
     rule: AnyRule<S, Q, N, R>,
@@ -175,5 +177,16 @@ fn refusal(method: &Method, structure: &Structure, rows: usize) -> Option<&'stat
             Some("it has nonholonomic rows, which the augmented Lagrangian of index 3 cannot see")
         }
         _ => None,
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> fmt::Debug
+    for BaselineStepper<S, Q, N, R>
+{
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("BaselineStepper")
+            .field("mechanism", &S::MODEL.name)
+            .field("state", &self.bench.state)
+            .finish_non_exhaustive()
     }
 }

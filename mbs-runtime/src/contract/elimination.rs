@@ -13,6 +13,7 @@ use nalgebra::SVector;
 /// of the fill: for each column the pivot and the entries below it. The entries above the diagonal are at the same
 /// indices of another array, or are the same if A₀ = A₁. The pivot of a row that depends on others is set to zero, and
 /// its multiplier is zero.
+#[derive(Debug)]
 pub struct Elimination<const N: usize, const R: usize> {
     /// N + R.
     pub unknowns: usize,

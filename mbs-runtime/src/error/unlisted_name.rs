@@ -4,6 +4,7 @@ use core::fmt;
 
 /// A name that the mechanism does not have.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct UnknownName {
     /// The sort of name: `parameter`, `input`, `output`, `event`.
     pub what: &'static str,

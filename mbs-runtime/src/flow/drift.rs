@@ -11,6 +11,7 @@ const SWIFT: f64 = 0.05;
 /// Change of the angle of a step by which the tangent of the flight is taken, rad: round-off leaves seven digits.
 const DIFFERENCE: f64 = 1e-8;
 
+#[derive(Clone)]
 pub(crate) struct Drift<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     /// q and v before the flight, and after it.

@@ -28,6 +28,7 @@ pub(crate) fn trapezoid<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     system.advance(q0, &added(v0, 1.0, v1), 0.5 * h)
 }
 
+#[derive(Clone)]
 pub(crate) struct Implicit<const N: usize> {
     h: f64,
     t1: f64,

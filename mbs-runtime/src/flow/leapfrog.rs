@@ -12,6 +12,7 @@ use crate::linear::{RowMatrix, added, entries, entries_mut, scaled, vector};
 use crate::memory::Box;
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct Leapfrog<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t1: f64,

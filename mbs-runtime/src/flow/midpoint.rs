@@ -29,6 +29,7 @@ use nalgebra::SVector;
 /// Residues of the iteration add up over the stages of a composed step, whose own error is far smaller.
 const NEGLIGIBLE_IN_STAGES: f64 = 1e-15;
 
+#[derive(Clone)]
 pub(crate) struct Midpoint<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t0: f64,

@@ -20,6 +20,7 @@ use crate::memory::Box;
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
+#[derive(Clone)]
 pub(crate) struct Trapezoid<const Q: usize, const N: usize, const R: usize> {
     h: f64,
     t0: f64,

@@ -8,6 +8,7 @@
 use super::DEPENDENT;
 
 /// The pattern of a factor.
+#[derive(Debug)]
 pub struct Pattern {
     /// Where each column begins, with its pivot, and where the last one ends.
     pub starts: &'static [u32],

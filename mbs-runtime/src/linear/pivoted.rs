@@ -9,6 +9,7 @@ use super::{SPARSE_FROM, Square};
 use nalgebra::{SMatrix, SVector};
 
 /// P J = L U.
+#[derive(Clone)]
 pub(crate) struct Pivoted<const K: usize> {
     lu: Square<K>,
     order: [usize; K],

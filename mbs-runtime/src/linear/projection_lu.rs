@@ -9,6 +9,7 @@ use nalgebra::{SMatrix, SVector};
 ///
 /// B differs from the positive definite A₀M⁻¹A₀ᵀ by O(h), so that elimination needs no pivoting; a pivot that is small
 /// relative to a M⁻¹aᵀ of its row shows a redundant row or a singular pose.
+#[derive(Clone)]
 pub(crate) struct ProjectionLu<const K: usize> {
     lu: Square<K>,
     inverse_pivot: [f64; K],

@@ -1,13 +1,28 @@
-//! The output of a run: a table ([`csv`]) and an animation ([`motion`]), both from the same recorded [`Frame`]s.
+//! The output of a run: a table ([`csv`]), an animation ([`motion`]) and, with the feature `plot`, diagrams, all from the
+//! same recorded [`Frame`]s; [`Record`] makes them. And the model in words.
 
 pub mod csv;
+mod explain;
 mod json;
+#[cfg(feature = "latex")]
+mod latex;
 pub mod motion;
+#[cfg(feature = "plot")]
+pub mod plot;
+mod progress;
+mod record;
+mod save;
+pub mod table;
+
+pub use explain::Explanation;
+pub use progress::ProgressBar;
+pub use record::{Interrupted, Progress, Record, Recording};
 
 use crate::{AnySimulation, Energy};
 
 /// One recorded instant of a run.
 #[derive(Debug, Clone, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Frame {
     /// Time, s.
     pub time: f64,

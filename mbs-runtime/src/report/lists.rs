@@ -4,6 +4,8 @@ use super::Energy;
 
 /// A row of results.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Sample {
     /// Time, s.
     pub time: f64,
@@ -19,6 +21,8 @@ pub struct Sample {
 
 /// Joint reactions and multipliers at an instant.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct Reactions {
     /// False if rows are redundant, or nearly so: the values are then those of least norm, for the rows of this
     /// description. ([`Model::is_determined`](crate::Model::is_determined) says for which joints.)
@@ -31,6 +35,8 @@ pub struct Reactions {
 
 /// What assembly found.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct AssemblyVerdict {
     /// max |φ| of the declared guess.
     pub residual_before: f64,
@@ -50,6 +56,8 @@ pub struct AssemblyVerdict {
 
 /// A coordinate or velocity whose initial value is not the declared one.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 pub struct Change {
     /// As [`Model::coordinates`](crate::Model::coordinates) or [`Model::velocities`](crate::Model::velocities) names it.
     pub name: &'static str,
@@ -63,6 +71,8 @@ pub struct Change {
 
 /// An initial value that could not be held.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct HeldGap {
     /// For example `crank.angle`.
     pub name: String,

@@ -2,6 +2,8 @@
 
 /// Settings of [`Method::Baumgarte`](crate::Method::Baumgarte).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct BaumgarteSettings {
     /// α = β, 1/s.
     pub gain: f64,

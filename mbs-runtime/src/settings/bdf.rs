@@ -2,6 +2,8 @@
 
 /// Settings of [`Method::Bdf`](crate::Method::Bdf).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct BdfSettings {
     /// Tolerance of the positions in a step, relative to the size of the mechanism (or to 1 m).
     pub tolerance: f64,

@@ -2,6 +2,8 @@
 
 /// Settings of [`Method::GeneralizedAlpha`](crate::Method::GeneralizedAlpha).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct GeneralizedAlphaSettings {
     /// ρ, the factor by which the amplitude of motion of infinite frequency is multiplied in a
     /// step; from 0 to 1.

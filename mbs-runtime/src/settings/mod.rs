@@ -19,6 +19,8 @@ pub(crate) const ORDERS: [u8; 4] = [2, 4, 6, 8];
 
 /// The choice of the integrator.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Method {
     /// Two-level ALF-3F: positions and velocities have separate multipliers.
     #[default]
@@ -98,6 +100,8 @@ impl Method {
 
 /// The unconstrained part of a two-level step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum Flow {
     /// Kick, leapfrog, kick: constant mass, forces of position and time only.
     Leapfrog,
@@ -126,6 +130,8 @@ impl Flow {
 /// By default two-level of order 2 with a step of 1 ms, placement on, a constraint tolerance of 1e-13 and at most 25
 /// iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct Settings {
     /// The integrator.
     pub method: Method,

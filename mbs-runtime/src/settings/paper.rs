@@ -2,6 +2,8 @@
 
 /// The start values of the multipliers μ in line 3 of Algorithm 1, which the paper does not specify.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum MultiplierStart {
     /// With the change of μ over the last accepted step, scaled by h/h_last; at the start of a run with that of the
     /// reactions at acceleration level, h (λ + f̄)/m̄. A step that is tried again after a rejection is scaled likewise. M-ALF
@@ -15,6 +17,8 @@ pub enum MultiplierStart {
 
 /// The direction c_R of equation (19) along which a row has its mass, damping, stiffness and force; a_R c_R = 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum RowDirection {
     /// c_R = M⁻¹aᵀ/(a M⁻¹aᵀ), which gives the least m̄_R = c_Rᵀ M c_R of all directions.
     #[default]
@@ -26,6 +30,8 @@ pub enum RowDirection {
 /// Settings of Algorithm 1. The defaults are those of a search over other mechanisms than those of the charts ("How the
 /// baselines were tuned" in the book).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct PaperSettings {
     /// Newton (lines 10–14) stops when the correction of the weak velocities is below this fraction of their size.
     pub newton_tolerance: f64,

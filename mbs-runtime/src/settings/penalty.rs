@@ -2,6 +2,8 @@
 
 /// Settings of [`Method::Penalty`](crate::Method::Penalty).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct PenaltySettings {
     /// ξ, 1/s².
     pub penalty: f64,

@@ -2,6 +2,8 @@
 
 /// Settings of [`Method::Index3Projections`](crate::Method::Index3Projections).
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct ProjectionSettings {
     /// ξ.
     pub penalty: f64,

@@ -98,7 +98,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// The value of an `Output`, in the unit that [`Model::outputs`](crate::Model::outputs) tells.
+    /// The value of an `Output`, in the unit that [`Model::outputs`](crate::Model::outputs) tells. Allocates nothing.
     ///
     /// # Errors
     /// No output has this name.
@@ -108,7 +108,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             name,
             S::MODEL.outputs.iter().map(|output| output.name),
         )?;
-        Ok(self.output_values().get(index).copied().unwrap_or(f64::NAN))
+        let of_index = |outputs: &[f64]| outputs.get(index).copied();
+        Ok(self.outputs().with_values(of_index).unwrap_or(f64::NAN))
     }
 
     /// All `Output`s, in the order and units of [`Model::outputs`](crate::Model::outputs).
@@ -168,7 +169,8 @@ fn copy(from: &[f64], to: &mut [f64]) {
     }
 }
 
-fn find(
+/// The place of a name in a list of the model.
+pub(super) fn find(
     what: &'static str,
     name: &str,
     known: impl Iterator<Item = &'static str> + Clone,

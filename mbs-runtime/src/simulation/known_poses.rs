@@ -11,6 +11,7 @@ pub(super) const SAME: f64 = 0.02;
 pub(super) const ALIKE: f64 = 0.2;
 
 /// Positions at singular poses that were found.
+#[derive(Clone)]
 pub(super) struct KnownPoses<const Q: usize> {
     positions: Vec<SVector<f64, Q>>,
 }

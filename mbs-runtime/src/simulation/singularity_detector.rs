@@ -205,13 +205,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if let Some(now) = self.rank_margin
             && let Some((time, sigma)) = self.singularities.note(self.time(), now)
         {
-            self.record(time, sigma);
+            self.note_loss(time, sigma);
         }
     }
 
     #[cold]
     #[inline(never)]
-    fn record(&mut self, time: f64, sigma: f64) {
+    fn note_loss(&mut self, time: f64, sigma: f64) {
         let mut weights = self.integrator.weakest_rows();
         let mut order: [usize; R] = array(|i| i);
         let involved = strongest(weights.as_mut_slice(), &mut order);

@@ -3,8 +3,9 @@
 
 use super::fields::{array_of, filled};
 use super::items::{self, visibility};
+use super::likely;
 use crate::schema::PRIMITIVES;
-use crate::syntax::{Declaration, Family, Instance};
+use crate::syntax::{Declaration, Entry, Family, Instance};
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -76,8 +77,9 @@ fn zeros(declaration: &Declaration, name: &Ident, kind: &str, assembly: &str) ->
     let own = own.filter(|entry| entry.kind == kind && entry.name.assembly() == assembly);
     let lost = declaration.lost.iter();
     let lost = lost.filter(|_| kind == "Param" && assembly.is_empty());
-    let words = own.map(|entry| entry.name.word()).chain(lost);
-    let mut fields: Vec<(&Ident, TokenStream)> = words.map(|word| (word, quote! { f64 })).collect();
+    let own = own.map(|entry| (entry.name.word(), type_of(declaration, entry)));
+    let lost = lost.map(|word| (word, quote! { f64 }));
+    let mut fields: Vec<(&Ident, TokenStream)> = own.chain(lost).collect();
     let mut inner = Vec::new();
     for instance in inside(declaration, kind, assembly) {
         let path = &instance.path;
@@ -125,6 +127,15 @@ fn zeros(declaration: &Declaration, name: &Ident, kind: &str, assembly: &str) ->
                 Self { #( #values )* }
             }
         }
+    }
+}
+
+/// The type of a value outside a family.
+fn type_of(declaration: &Declaration, entry: &Entry) -> TokenStream {
+    let is_output = entry.kind == "Output";
+    match is_output.then(|| likely::components(declaration, entry)) {
+        Some(Some(size)) => quote! { ::mbs_runtime::nalgebra::SVector<f64, #size> },
+        _ => quote! { f64 },
     }
 }
 

@@ -11,6 +11,7 @@ mod copies;
 mod fallback;
 mod fields;
 mod items;
+mod likely;
 mod metadata;
 mod methods;
 mod motion;

@@ -11,6 +11,7 @@
 use super::assemblies::{Definition, Definitions, Port, Takes, any_token, path_text, put_all};
 use super::entry::{ASSEMBLY, PORT, place};
 use super::item::{Item, read_header, split_at_commas};
+use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place, did_you_mean};
@@ -161,10 +162,11 @@ fn note(
         }
         return;
     }
-    if entry.name == "deny" {
+    if is_level(entry.name.as_str()) {
+        let word = &entry.name;
         return errors.at(
             entry.name.span(),
-            "`deny:` stands in the mechanism, for all of its rows",
+            format!("`{word}:` stands in the mechanism, for all of it"),
         );
     }
     if !is_free(entry.name.word(), definition, errors) {

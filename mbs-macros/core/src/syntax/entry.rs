@@ -1,8 +1,9 @@
 //! One entry: read from its expression, and put into the declaration.
 
 use super::families::EACH;
+use super::levels::{self, place_level};
 use super::{Declaration, Entry, Name, NamedArgument};
-use crate::diagnostics::{Errors, Place, did_you_mean, nearest};
+use crate::diagnostics::{Errors, did_you_mean, nearest};
 use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::{Expr, Ident};
@@ -18,9 +19,8 @@ pub(super) const PORT: &str = "Port";
 /// It is something else, or an argument is given twice or in the wrong place.
 pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> {
     let example = match name.as_str() {
-        "world" => "Planar()",
-        "deny" => "Redundant()",
-        _ => "Param(1.0_m)",
+        "world" => "Planar()".to_owned(),
+        word => levels::example(word).unwrap_or_else(|| "Param(1.0_m)".to_owned()),
     };
     let expected = || match name.is_member() {
         true => "expected what each member is, as in `|i| Kind(…)`".to_owned(),
@@ -95,18 +95,7 @@ pub(super) fn place(
         );
         return false;
     }
-    if entry.name == "deny" {
-        let given = entry.positional.iter();
-        let given = given.chain(entry.named.iter().map(|argument| &argument.value));
-        if entry.kind != "Redundant" {
-            errors.at(
-                entry.kind.span(),
-                "`deny:` takes `Redundant()`: rows that follow from others become errors; an entry needs another name",
-            );
-        } else if let Some(argument) = given.into_iter().next() {
-            errors.at(Place::of(argument), "`Redundant()` takes no arguments");
-        }
-        declaration.deny_redundant = true;
+    if place_level(&entry, declaration, errors) {
         return true;
     }
     if entry.name == "world" {

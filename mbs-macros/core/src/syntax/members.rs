@@ -2,6 +2,7 @@
 
 use super::entry::{ASSEMBLY, entry, lost_parameter, place};
 use super::families::{EACH, Family, Written};
+use super::levels::is_level;
 use super::name::Name;
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place};
@@ -28,7 +29,7 @@ pub(super) fn place_family(
 ) {
     let FamilyItem { name, doc, call } = item;
     let word = name.as_str();
-    if ["world", "deny"].contains(&word) {
+    if word == "world" || is_level(word) {
         errors.at(
             name.span(),
             format!("`{word}:` stands once; it is no family"),

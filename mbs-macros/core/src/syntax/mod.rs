@@ -11,6 +11,7 @@ mod definition;
 mod entry;
 mod families;
 mod item;
+mod levels;
 mod members;
 mod name;
 mod nested;
@@ -57,6 +58,8 @@ pub struct Declaration {
     pub world: Option<Entry>,
     /// `deny: Redundant()`: rows that follow from others are errors.
     pub deny_redundant: bool,
+    /// `allow: Unused()`: entries that nothing uses are no errors.
+    pub allow_unused: bool,
     /// All other entries, in order.
     pub entries: Vec<Entry>,
     /// The families, whose members are among the entries.
@@ -115,6 +118,7 @@ impl Declaration {
             doc: String::new(),
             world: None,
             deny_redundant: false,
+            allow_unused: false,
             entries: Vec::new(),
             families: Vec::new(),
             definitions: Vec::new(),

@@ -13,6 +13,7 @@ use crate::linear::sparse::Saddle;
 use nalgebra::SVector;
 
 /// The matrices; they have one pattern.
+#[derive(Clone)]
 pub(super) struct StepMatrices {
     pub(super) saddle: Saddle,
     turned: Turned,

@@ -28,6 +28,7 @@ const SINGULAR: Fault = Fault::Flow {
 };
 
 /// Matrices and workspace.
+#[derive(Clone)]
 pub(crate) struct SparseStep<const Q: usize, const N: usize, const R: usize> {
     tangents: Tangents,
     matrices: StepMatrices,

@@ -6,6 +6,7 @@ use crate::linear::sparse::{Columns, Entries, Pattern, Recorder};
 use nalgebra::SVector;
 
 /// M, the tangents of a step, and A at its two ends.
+#[derive(Clone)]
 pub(super) struct Tangents {
     pub(super) mass: Entries,
     pub(super) f_q: Entries,
@@ -40,6 +41,7 @@ impl Tangents {
 }
 
 /// B, and below it A₁T of the holonomic rows.
+#[derive(Clone)]
 pub(super) struct Turned {
     pub(super) columns: Columns,
     pub(super) values: Vec<f64>,

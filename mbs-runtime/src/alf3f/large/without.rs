@@ -8,11 +8,13 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 /// There is none.
+#[derive(Clone)]
 pub(crate) struct SparseStep<const Q: usize, const N: usize, const R: usize> {
     never: Never,
     sizes: PhantomData<(SVector<f64, N>, SVector<f64, R>)>,
 }
 
+#[derive(Clone)]
 enum Never {}
 
 impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {

@@ -22,6 +22,7 @@ mod rows;
 mod start;
 
 use nalgebra::SVector;
+use std::fmt;
 
 use self::rows::{Instant, Jacobian, RowMotion, Unknowns};
 use self::start::Origin;
@@ -35,6 +36,7 @@ use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, System};
 
 /// The integrator of the paper by itself.
+#[derive(Clone)]
 pub struct PaperStepper<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,
@@ -369,5 +371,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let geometry = &self.end.geometry;
         let rates: SVector<f64, R> = vector(|i| dot(&geometry.a[i], v) + geometry.b[i]);
         closing::not_converged(&rates, &SVector::repeat(1.0), iterations)
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> fmt::Debug
+    for PaperStepper<S, Q, N, R>
+{
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        out.debug_struct("PaperStepper")
+            .field("mechanism", &S::MODEL.name)
+            .field("state", &self.state)
+            .finish_non_exhaustive()
     }
 }

@@ -28,6 +28,7 @@ pub(super) struct Unknowns<const Q: usize, const N: usize, const R: usize> {
 }
 
 /// One instant of Algorithm 1.
+#[derive(Clone)]
 pub(super) struct Instant<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     motion: RowMotion,
     pub(super) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
@@ -233,6 +234,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Instant
 }
 
 /// Storage of J.
+#[derive(Clone)]
 pub(super) struct Jacobian<const N: usize> {
     mass: RowMatrix<N, N>,
     f_v: RowMatrix<N, N>,

@@ -10,6 +10,7 @@ use core::marker::PhantomData;
 use nalgebra::SVector;
 
 /// There is no value of this type.
+#[derive(Clone)]
 pub(crate) struct SparseKicks<const N: usize, const R: usize> {
     never: core::convert::Infallible,
     _sizes: PhantomData<[[(); N]; R]>,

@@ -18,6 +18,26 @@ pub(crate) struct SparseLu {
     factored: bool,
 }
 
+/// Working memory for factors and solutions of a pattern.
+fn scratch(symbolic: &SymbolicLu<usize>) -> MemBuffer {
+    let of_factor = symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, Default::default());
+    let of_solve = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
+    MemBuffer::new(of_factor.or(of_solve))
+}
+
+/// Working memory holds nothing between calls.
+impl Clone for SparseLu {
+    fn clone(&self) -> Self {
+        SparseLu {
+            matrix: self.matrix.clone(),
+            symbolic: self.symbolic.clone(),
+            numeric: self.numeric.clone(),
+            memory: scratch(&self.symbolic),
+            factored: self.factored,
+        }
+    }
+}
+
 impl SparseLu {
     /// A matrix of zeros; `None` if the pattern is singular, or there is no memory.
     pub(crate) fn new(columns: &Columns) -> Option<SparseLu> {
@@ -31,11 +51,9 @@ impl SparseLu {
             ..LuSymbolicParams::default()
         };
         let symbolic = factorize_symbolic_lu(pattern.as_ref(), parameters).ok()?;
-        let of_factor = symbolic.factorize_numeric_lu_scratch::<f64>(Par::Seq, Default::default());
-        let of_solve = symbolic.solve_in_place_scratch::<f64>(1, Par::Seq);
         Some(SparseLu {
             matrix: SparseColMat::new(pattern, values),
-            memory: MemBuffer::new(of_factor.or(of_solve)),
+            memory: scratch(&symbolic),
             symbolic,
             numeric: NumericLu::new(),
             factored: false,

@@ -42,6 +42,7 @@ impl Pattern {
 }
 
 /// The rows of all entries, column by column.
+#[derive(Clone)]
 pub(crate) struct Columns {
     /// Where each column begins, and where the last one ends.
     pub(crate) starts: Vec<usize>,

@@ -15,6 +15,7 @@ use super::{Columns, Entries, Pattern, SparseLu};
 const PROXIMAL: f64 = 1e-10;
 
 /// The matrix, and its factors.
+#[derive(Clone)]
 pub(crate) struct Saddle {
     pub(crate) lu: SparseLu,
     pub(crate) columns: Columns,

@@ -264,8 +264,9 @@ function drawBodies(c, cam, at, rod) {
       }
     }
     if (!body.solid.length && !body.wire.length) for (const track of body.own) {
-      const p = at[track];
-      if (p) item(p[2], () => disc(c, p, 6.5, colour, colours.page, 2));
+      // A joint there is drawn over it, and leaves a ring.
+      const p = at[track], radius = isJoint[track] ? Math.max(13, 0.62 * rod + 7) : 6.5;
+      if (p) item(p[2], () => disc(c, p, radius, colour, colours.page, 2));
     }
   }
 

@@ -49,8 +49,8 @@ pub(in crate::model) fn connected(
     }
 }
 
-/// Every parameter, input, point and named expression is used: nothing is silently ignored. A family is used if one of
-/// its members is.
+/// Every parameter, input, point and named expression is used: nothing is silently ignored, unless `allow: Unused()` says
+/// so. A family is used if one of its members is.
 pub(in crate::model) fn used(resolver: &mut Resolver) {
     let declaration = resolver.declaration;
     let used = resolver.used.iter().map(|name| base(name).to_owned());
@@ -67,10 +67,19 @@ pub(in crate::model) fn used(resolver: &mut Resolver) {
             "Param" | "Input" | "Let" | "Table" | "Point" | "Coordinate"
         ) && used.insert(name.clone())
         {
+            // A coordinate that moves nothing has no mass, which no declaration may allow.
+            let is_lint = kind != "Coordinate";
+            if is_lint && declaration.allow_unused {
+                continue;
+            }
+            let otherwise = match is_lint {
+                true => ", or write `allow: Unused()`",
+                false => "",
+            };
             let before = resolver.errors.enter(entry.name.assembly());
             resolver.fail::<()>(
                 entry.span(),
-                format!("`{name}` is declared but never used; use it or remove it"),
+                format!("`{name}` is declared but never used; use it or remove it{otherwise}"),
             );
             resolver.errors.leave(before);
         }

@@ -1,8 +1,8 @@
-//! Diagrams of a run as SVG: the energy balance and the constraint errors.
+//! Diagrams of a run as SVG: outputs, the energy balance, the constraint errors.
 
 use std::ops::Range;
 
-use mbs_runtime::output::Frame;
+use super::{Frame, Recording};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
@@ -20,6 +20,16 @@ const GRID: RGBColor = RGBColor(228, 229, 225);
 const BLUE: RGBColor = RGBColor(20, 80, 125);
 const ORANGE: RGBColor = RGBColor(224, 142, 46);
 const GREEN: RGBColor = RGBColor(60, 133, 72);
+const COLOURS: [RGBColor; 5] = [
+    BLUE,
+    ORANGE,
+    GREEN,
+    RGBColor(150, 50, 110),
+    RGBColor(110, 110, 110),
+];
+
+/// Height of one of several diagrams.
+const PANEL: u32 = 320;
 
 /// Smaller errors are drawn at this value: a logarithmic axis has no zero.
 const FLOOR: f64 = 1e-18;
@@ -94,6 +104,50 @@ pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
     })
 }
 
+/// The outputs of a recorded run over time, a diagram for each unit; more than five of a unit, or names that are too long for
+/// one legend, are continued in a further diagram.
+///
+/// # Errors
+/// The message of the drawing library.
+pub fn outputs(recording: &Recording) -> Result<String, String> {
+    let panels = panels(recording);
+    let height = PANEL * panels.len().max(1) as u32;
+    picture_of(height, |root| {
+        let areas = root.split_evenly((panels.len().max(1), 1));
+        for (area, (unit, curves)) in areas.iter().zip(&panels) {
+            let name = if unit.is_empty() { "1" } else { unit };
+            linear(area, &recording.title, name, curves)?;
+        }
+        Ok(())
+    })
+}
+
+/// The outputs of each unit, as many together as a legend has room for.
+fn panels(recording: &Recording) -> Vec<(&'static str, Vec<Curve>)> {
+    let mut panels: Vec<(&str, Vec<Curve>)> = Vec::new();
+    for (index, output) in recording.model.outputs.iter().enumerate() {
+        let value = |frame: &Frame| frame.outputs.get(index).copied().unwrap_or(f64::NAN);
+        let curve = Curve::new(output.name, BLUE, &recording.frames, value);
+        let open = panels
+            .iter_mut()
+            .rev()
+            .find(|(unit, _)| *unit == output.unit);
+        let open = open.filter(|(_, curves)| {
+            curves.len() < COLOURS.len() && legend_width(curves) + entry_width(&curve) < WIDTH
+        });
+        match open {
+            Some((_, curves)) => curves.push(curve),
+            None => panels.push((output.unit, vec![curve])),
+        }
+    }
+    for (_, curves) in &mut panels {
+        for (curve, colour) in curves.iter_mut().zip(COLOURS) {
+            curve.colour = colour;
+        }
+    }
+    panels
+}
+
 /// Position and velocity errors of the constraint rows.
 ///
 /// # Errors
@@ -114,8 +168,12 @@ pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
 }
 
 fn picture(draw: impl FnOnce(&Area) -> Drawn) -> Result<String, String> {
+    picture_of(SIZE.1, draw)
+}
+
+fn picture_of(height: u32, draw: impl FnOnce(&Area) -> Drawn) -> Result<String, String> {
     let mut svg = String::new();
-    let root = SVGBackend::with_string(&mut svg, SIZE).into_drawing_area();
+    let root = SVGBackend::with_string(&mut svg, (SIZE.0, height)).into_drawing_area();
     root.fill(&WHITE)
         .map_err(|e| e.to_string())
         .and_then(|()| draw(&root).map_err(|e| e.to_string()))
@@ -218,7 +276,7 @@ fn heading(area: &Area, caption: &str, curves: &[Curve], drop: i32) -> Drawn {
     let title = (FONT, 21, &TEXT).into_text_style(area);
     area.draw_text(caption, &title, (LEFT as i32, 14))?;
     let style = (FONT, 18, &TEXT).into_text_style(area);
-    let mut x = (LEFT + WIDTH - legend_width(curves)) as i32;
+    let mut x = (LEFT + WIDTH).saturating_sub(legend_width(curves)) as i32;
     for curve in curves {
         let line = vec![(x, 23 + drop), (x + 24, 23 + drop)];
         area.draw(&PathElement::new(line, curve.colour.stroke_width(3)))?;
