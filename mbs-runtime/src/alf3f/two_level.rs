@@ -3,7 +3,7 @@
 use super::extrapolation::Extrapolation;
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::kick_flow_kick::kick_flow_kick;
-use super::large::SparseStep;
+use super::large::{LargeStep, SparseStep};
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, StepContext};
 use super::{StagePlacement, StepMonitor, composition};
@@ -52,7 +52,7 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
     /// The second is for steps near singular poses.
     Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
     /// The implicit step of large mechanisms.
-    Large(Box<SparseStep<Q, N, R>>),
+    Large(LargeStep<Q, N, R>),
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>

@@ -6,7 +6,7 @@ mod redundant;
 mod singular;
 mod snake;
 
-use mbs_runtime::{Mechanism, Settings, Simulation, System};
+use mbs_runtime::{Flow, Mechanism, Settings, Simulation, System};
 
 /// The end of a run, with what may not depend on the factors.
 struct End {
@@ -40,4 +40,22 @@ where
 fn apart(a: &End, b: &End) -> f64 {
     let pairs = a.positions.iter().zip(&b.positions);
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+fn settings(step: f64, flow: Option<Flow>) -> Settings {
+    Settings {
+        step,
+        flow,
+        ..Settings::default()
+    }
+}
+
+/// Compares the implicit flow, which has sparse factors, with a dense one: both are of second order, with different errors.
+fn have_the_same_limit(steps: [f64; 2], dense: Flow, run: impl Fn(f64, Option<Flow>) -> End) {
+    let ends = steps.map(|step| {
+        let [sparse, dense] = [Flow::Implicit, dense].map(|flow| run(step, Some(flow)));
+        assert!(sparse.rows < 1e-11, "{}", sparse.rows);
+        apart(&sparse, &dense)
+    });
+    assert!(ends[0] < 1e-3 && ends[1] < 0.3 * ends[0], "{ends:?}");
 }

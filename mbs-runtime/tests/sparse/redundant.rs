@@ -1,8 +1,8 @@
 //! Twenty equal cranks that carry one beam: eighteen rows follow from the others for ever, and each is damped.
 
 use super::crank::Crank;
-use super::run;
-use mbs_runtime::{Settings, mechanism};
+use super::{run, settings};
+use mbs_runtime::mechanism;
 
 mechanism!(Swing {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Reference),
@@ -37,11 +37,7 @@ fn redundant_rows_move_like_one_crank() {
     };
     let angle = crank.angle([-60f64.to_radians(), 0.0], 0.4);
     let errors = [8e-3, 4e-3].map(|step| {
-        let settings = Settings {
-            step,
-            ..Settings::default()
-        };
-        let end = run(Swing {}, settings, 0.4);
+        let end = run(Swing {}, settings(step, None), 0.4);
         assert!(end.rows < 1e-10, "{}", end.rows);
         (end.positions[2] - angle).abs()
     });

@@ -1,7 +1,8 @@
 //! Fifteen parallelograms in a row, damped: all their bars are in line twice in a turn, and all loops are singular there.
 
 use super::crank::Crank;
-use mbs_runtime::{Settings, Simulation, mechanism};
+use super::settings;
+use mbs_runtime::{Simulation, mechanism};
 
 mechanism!(Row {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -38,11 +39,8 @@ fn singular_poses_are_passed_on_the_branch() {
     let angle = crank.angle([90f64.to_radians(), -1.0], 4.0);
     // The steps end before the poses, in them, and behind them.
     for step in [2e-2, 1.7e-2, 1.3e-2, 1e-2] {
-        let settings = Settings {
-            step,
-            ..Settings::default()
-        };
-        let mut simulation = Simulation::with_settings(Row { damping: 0.01 }, settings).unwrap();
+        let mut simulation =
+            Simulation::with_settings(Row { damping: 0.01 }, settings(step, None)).unwrap();
         simulation.run_until(4.0).unwrap();
         let tip = simulation.outputs().tip;
         let error = f64::hypot(tip[0] - angle.cos(), tip[1] - angle.sin());

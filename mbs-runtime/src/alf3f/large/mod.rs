@@ -14,3 +14,10 @@ mod without;
 pub(super) use step::SparseStep;
 #[cfg(not(feature = "sparse"))]
 pub(super) use without::SparseStep;
+
+/// A step in the list of flows: without the feature a type without values, so that the list has one flow less.
+#[cfg(feature = "sparse")]
+pub(super) type LargeStep<const Q: usize, const N: usize, const R: usize> =
+    crate::memory::Box<SparseStep<Q, N, R>>;
+#[cfg(not(feature = "sparse"))]
+pub(super) type LargeStep<const Q: usize, const N: usize, const R: usize> = SparseStep<Q, N, R>;

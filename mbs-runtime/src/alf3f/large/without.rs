@@ -2,23 +2,20 @@
 
 use crate::alf3f::step_context::StepContext;
 use crate::fault::Fault;
-use crate::memory::Box;
 use crate::{State, System};
+use core::convert::Infallible;
 use core::marker::PhantomData;
 use nalgebra::SVector;
 
 /// There is none.
 #[derive(Clone)]
 pub(crate) struct SparseStep<const Q: usize, const N: usize, const R: usize> {
-    never: Never,
+    never: Infallible,
     sizes: PhantomData<(SVector<f64, N>, SVector<f64, R>)>,
 }
 
-#[derive(Clone)]
-enum Never {}
-
 impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
-    pub(crate) fn new<S: System<Q, N, R>>(_: &S, _: &State<Q, N, R>) -> Option<Box<Self>> {
+    pub(crate) fn new<S: System<Q, N, R>>(_: &S, _: &State<Q, N, R>) -> Option<Self> {
         None
     }
 
