@@ -234,6 +234,19 @@ fn sums_that_grow_name_by_name_are_answered_soon() {
 }
 
 #[test]
+fn names_that_double_are_answered_in_wrong_declarations() {
+    // A look at both factors of each name, again for each name that uses it, would not end.
+    let lets: String = (0..60)
+        .map(|i| format!("a{}: Let(a{i} * sin(a{i})),", i + 1))
+        .collect();
+    let messages = rejected(&format!(
+        "Wrong {{ world: Planar(), bar: Bar(mass = 1.0_kg, length = 1.0_m, free = true), \
+         a0: Let(bar.angle), {lets} out: Output(a60), wrong: Output(nothing) }}"
+    ));
+    assert_eq!(messages.len(), 1, "{messages:?}");
+}
+
+#[test]
 fn many_unknown_names_are_answered_soon() {
     let outputs: String = (0..2000)
         .map(|i| format!("name_{i}: Output(nome_{i}),"))

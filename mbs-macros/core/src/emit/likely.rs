@@ -4,6 +4,7 @@
 use crate::names::base;
 use crate::schema::World;
 use crate::syntax::{Declaration, Entry, MAX_DEPTH, inner};
+use std::collections::BTreeSet;
 use syn::{BinOp, Expr, Member};
 
 /// Parts, whose `x`, `y` and `z` are axes.
@@ -30,18 +31,24 @@ pub(super) fn components(declaration: &Declaration, entry: &Entry) -> Option<usi
         World::Planar => 2,
         World::Spatial => 3,
     };
-    let tree = Tree { declaration, world };
+    let mut tree = Tree {
+        declaration,
+        world,
+        seen: BTreeSet::new(),
+    };
     tree.is_vector(value, MAX_DEPTH).then_some(size)
 }
 
 struct Tree<'d> {
     declaration: &'d Declaration,
     world: World,
+    /// The entries that were looked at: what one of them says is the answer, unless it is no vector.
+    seen: BTreeSet<usize>,
 }
 
-impl Tree<'_> {
-    /// `depth` bounds the way through names, which a wrong declaration may close to a circle.
-    fn is_vector(&self, expr: &Expr, depth: usize) -> bool {
+impl<'d> Tree<'d> {
+    /// `depth` bounds the way through names and nested expressions.
+    fn is_vector(&mut self, expr: &Expr, depth: usize) -> bool {
         let Some(depth) = depth.checked_sub(1) else {
             return false;
         };
@@ -66,17 +73,21 @@ impl Tree<'_> {
                 }),
                 _ => false,
             },
-            Expr::Path(_) | Expr::Index(_) => self.entry(expr).is_some_and(|entry| {
+            Expr::Path(_) | Expr::Index(_) => {
+                let Some((index, entry)) = self.entry(expr) else {
+                    return false;
+                };
                 let named = entry.kind == "Let" || entry.kind == "Output";
-                let value = entry.positional.first().filter(|_| named);
+                let value = entry.positional.first();
+                let value = value.filter(|_| named && self.seen.insert(index));
                 entry.kind == "Point" || value.is_some_and(|value| self.is_vector(value, depth))
-            }),
+            }
             _ => false,
         }
     }
 
     /// Whether a function of this name gives a vector.
-    fn gives_vector(&self, word: &str, argument: Option<&Expr>, depth: usize) -> bool {
+    fn gives_vector(&mut self, word: &str, argument: Option<&Expr>, depth: usize) -> bool {
         match word {
             "reject" => true,
             "cross" => self.world == World::Spatial,
@@ -88,17 +99,17 @@ impl Tree<'_> {
     fn is_part(&self, expr: &Expr) -> bool {
         let is_ground = matches!(inner(expr), Expr::Path(path) if path.path.is_ident("ground"));
         let entry = self.entry(expr);
-        is_ground || entry.is_some_and(|entry| PARTS.iter().any(|part| entry.kind == part))
+        is_ground || entry.is_some_and(|(_, entry)| PARTS.iter().any(|part| entry.kind == part))
     }
 
-    /// The entry, or a member of the family, that an expression names.
-    fn entry(&self, expr: &Expr) -> Option<&Entry> {
+    /// The entry, or a member of the family, that an expression names, with its index.
+    fn entry(&self, expr: &Expr) -> Option<(usize, &'d Entry)> {
         match inner(expr) {
             Expr::Index(index) => self.entry(&index.expr),
             Expr::Path(path) => {
                 let word = path.path.get_ident()?.to_string();
-                let mut entries = self.declaration.entries.iter();
-                entries.find(|entry| base(entry.name.as_str()) == word)
+                let mut entries = self.declaration.entries.iter().enumerate();
+                entries.find(|(_, entry)| base(entry.name.as_str()) == word)
             }
             _ => None,
         }
