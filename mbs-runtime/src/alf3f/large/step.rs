@@ -6,8 +6,9 @@
 //! v₁ = v_b + (M₁ − h/2 ∂F/∂v)⁻¹ A₁ᵀ κ₂,      A₁ v₁ + b₁ = 0 → κ₂
 //! ```
 //!
-//! Velocities and multipliers are corrected together, by one factor of the [saddle matrix](crate::linear::sparse::Saddle). Its regularisation takes the place
-//! of the dense step's look for rows that have lost their direction.
+//! Velocities and multipliers are corrected together, by one factor of the
+//! [saddle matrix](crate::linear::sparse::Saddle). Its regularisation takes the place of the dense step's look for rows
+//! that have lost their direction.
 
 use super::matrices::StepMatrices;
 use super::tangents::Tangents;
