@@ -1,5 +1,6 @@
 //! A mechanism in motion by steps of one length, for control loops and for targets without an operating system.
 
+use crate::acceleration_level::outputs;
 use crate::alf3f::StepMonitor;
 use crate::assembly::{check, closed};
 use crate::fault::Fault;
@@ -140,9 +141,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     /// The `Output`s at the current instant as fields, each with its unit in its documentation.
     pub fn outputs(&self) -> S::Outputs {
-        let state = self.state();
-        let (q, v) = (&state.positions, &state.velocities);
-        S::Outputs::from_values(|outputs| self.system().outputs(state.time, q, v, outputs))
+        S::Outputs::from_values(|values| outputs(self.system(), self.state(), values))
     }
 
     /// The current values of the `Input`s as fields.

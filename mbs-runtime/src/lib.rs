@@ -78,6 +78,7 @@
 // Without `std` some items have no user left: those that `Simulation` alone uses.
 #![cfg_attr(not(feature = "std"), allow(dead_code, unused_imports))]
 
+mod acceleration_level;
 mod affinities;
 pub mod alf3f;
 #[cfg(feature = "std")]

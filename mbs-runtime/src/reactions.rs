@@ -1,5 +1,6 @@
 //! Joint reactions at an instant, from the equations at acceleration level.
 
+use crate::acceleration_level;
 use crate::assembly::{independent_rows, vanishes};
 use crate::dynamics::Dynamics;
 use crate::fault::Fault;
@@ -22,6 +23,29 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
         values,
         multipliers: lambda.as_slice().to_vec(),
     })
+}
+
+/// The most components of a mechanism whose reactions are evaluated on the stack.
+const FEW: usize = 256;
+
+/// One component of [`reactions`].
+pub(crate) fn reaction<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<Q, N, R>,
+    index: usize,
+) -> Result<f64, Fault> {
+    let (acceleration, lambda) = acceleration_level::solve(system, state)?;
+    let (t, q, v) = (state.time, &state.positions, &state.velocities);
+    let read = |values: &mut [f64]| {
+        system.reactions(t, q, v, &acceleration, &lambda, values);
+        // As many values as the model names.
+        values.get(index).copied().unwrap_or(f64::NAN)
+    };
+    let count = const { S::MODEL.reactions.len() };
+    match count > FEW {
+        true => Ok(read(&mut vec![0.0; count])),
+        false => Ok(read(&mut [0.0; FEW][..count])),
+    }
 }
 
 /// Whether the rows are independent, so that there is one solution for λ.

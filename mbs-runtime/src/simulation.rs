@@ -407,16 +407,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// One component of a joint's reaction, as [`Model::reactions`](crate::Model::reactions) names them: the force or
-    /// torque on the child, in world axes. It solves the equations at acceleration level, in memory that it allocates;
-    /// [`Simulation::update`] with [`Dynamics::reaction`] does the same without allocation.
+    /// torque on the child, in world axes. It solves the equations at acceleration level: without allocation if there are
+    /// at most 16 velocities and 16 rows, which are clearly independent, and at most 256 components;
+    /// [`Simulation::update`] with [`Dynamics::reaction`] never allocates.
     ///
     /// # Errors
     /// An unknown joint, or one without this component; otherwise as [`Simulation::reactions`].
     pub fn reaction(&self, joint: &str, component: &str) -> Result<f64, SimulationError> {
         let index = S::MODEL.reaction_index(joint, component)?;
-        // As many values as the model names.
-        self.reactions()
-            .map(|reactions| reactions.values.get(index).copied().unwrap_or(f64::NAN))
+        crate::reactions::reaction(self.system(), self.state(), index)
+            .map_err(|fault| self.fault(fault))
     }
 
     /// The current instant as a row of results.

@@ -7,6 +7,7 @@ mod common;
 #[path = "../../mbs-examples/examples/compile_times/declarations.rs"]
 mod sizes;
 
+mod acceleration_outputs;
 mod allocations;
 mod assemblies;
 mod baselines;

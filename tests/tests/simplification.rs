@@ -378,6 +378,7 @@ mod program {
             reduction: Substitution::default(),
             reactions: Vec::new(),
             outputs: outputs.to_vec(),
+            unknown_readings: Vec::new(),
             events: Vec::new(),
             points: Vec::new(),
             kinetic: None,

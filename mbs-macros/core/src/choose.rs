@@ -193,6 +193,16 @@ impl<'d> Search<'d> {
         Some(mobility)
     }
 
+    /// After the derivation: whether the outputs find the reactions that they read.
+    pub(crate) fn reads(&mut self, system: &System) -> bool {
+        if self.is_first() {
+            for unknown in &system.unknown_readings {
+                refusals::refuse_reading(unknown, &mut self.errors);
+            }
+        }
+        system.unknown_readings.is_empty()
+    }
+
     /// After the check of positions that are held: whether the description is continued.
     pub(crate) fn holds(&mut self, found: Result<(), Open>) -> bool {
         match found {

@@ -91,6 +91,9 @@ fn analyse_cheapest(declaration: &Declaration) -> Result<Analysis, Failure> {
             continue;
         };
         let (outline, mut system) = equations::derive(model); // 3
+        if !search.reads(&system) {
+            continue;
+        }
         let mobility = mobility::analyse(&outline, &system);
         let Some(mobility) = search.settle(&outline, &system, mobility) else {
             continue;

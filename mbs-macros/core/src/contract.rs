@@ -243,6 +243,7 @@ pub const METHODS: &[Method] = &[
     method(Loads, "nonconservative_power", &[T, Q, V], Returns::Number, Generated),
 
     method(Observables, "outputs", &[T, Q, V, write("outputs", Shape::Values)], Nothing, Generated),
+    method(Observables, "outputs_at_acceleration_level", &[T, Q, V, read("acceleration", Velocities), read("lambda", Rows), write("outputs", Shape::Values)], Nothing, Generated),
     method(Observables, "events", &[T, Q, V, write("events", Shape::Values)], Nothing, Generated),
     method(Observables, "held", &[Q, V, write("held", Shape::Values)], Nothing, Generated),
     method(Observables, "points", &[T, Q, write("points", Shape::Points)], Nothing, Generated),

@@ -62,6 +62,10 @@ Points have components and `velocity`; a coordinate has `rate`. Joints have what
 partner against the first: `angle`, `rate`, `stroke`, `speed`. In the plane the angle is between the x axes of the
 partners, in space it is 0 in the home pose. Angles of bars, bodies and joints are counted over full turns.
 
+An `Output` can also read what follows from the equations of motion: `acceleration` of parts and points, in space
+`angular_acceleration` of parts, `rate(…)` of expressions of velocities, and components of reactions, as in
+`pin.reaction.fx` or `motor.reaction.torque`, with the names of `MODEL.reactions`.
+
 `name: Each(0..5, |i| Kind(…))` is a *family*: one entry for each index of the range `0..5` or `0..=4`, with the names
 `name[0]` to `name[4]`. An expression names a member by `name[…]` with whole numbers, indices and `+ − * / %`, as in
 `crank[i - 1].b`; elsewhere an index is an ordinary number. `Each([x, y], |x| …)` and `Each([x, y], |i, x| …)` go over a list,

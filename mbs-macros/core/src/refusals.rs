@@ -2,7 +2,7 @@
 //! `deny: Redundant()`.
 
 use crate::diagnostics::Errors;
-use crate::equations::Row;
+use crate::equations::{Row, UnknownReading};
 use crate::mobility::{self, Mobility, Open};
 use crate::syntax::{Declaration, Entry};
 use proc_macro2::Span;
@@ -31,6 +31,20 @@ pub(crate) fn refuse_held(declaration: &Declaration, open: &Open, errors: &mut E
         place_of(declaration, &open.entry),
         format!("the initial values in `Exactly(…)` do not fit the joints, or each other: with the defaults of all parameters, where everything comes closest to fitting, these are still off: {gaps}; hold as many as there are degrees of freedom, and leave the others as guesses"),
     );
+}
+
+/// An output reads a component of a reaction that its joint does not have.
+pub(crate) fn refuse_reading(unknown: &UnknownReading, errors: &mut Errors) {
+    let (reading, known) = (&unknown.reading, &unknown.known);
+    let (joint, component) = (&reading.joint, &reading.component);
+    let message = match known.as_slice() {
+        [] => format!("`{joint}` has no reaction: other joints of the same parts hold all of it"),
+        known => format!(
+            "the reaction of `{joint}` has no `{component}` (it has: {})",
+            known.join(", ")
+        ),
+    };
+    errors.about(joint, reading.place, message);
 }
 
 /// `deny: Redundant()`.

@@ -107,7 +107,9 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             false => condition(Quantity::Coordinate(i), Level::Position, unit),
         });
     }
-    let output = model.outputs.iter().position(|own| own.name == name);
+    let startable = |&i: &usize| !output(system, i, q, &zeros()).is_nan();
+    let declared = model.outputs.iter().position(|own| own.name == name);
+    let output = declared.filter(startable);
     let moving = |i: &usize| depends_on_velocities(system, *i, q);
     match output.map(|i| (i, moving(&i))) {
         Some((i, false)) if wanted.rate => {
@@ -123,12 +125,13 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             Ok(condition(Quantity::Output(i), level, unit))
         }
         _ => {
-            let what = match wanted.rate {
-                true => "coordinate, velocity or output of positions",
-                false => "coordinate, velocity or output",
+            let what = match (wanted.rate, declared) {
+                (true, _) => "coordinate, velocity or output of positions",
+                (false, Some(_)) => "coordinate, velocity or output without accelerations",
+                (false, None) => "coordinate, velocity or output",
             };
             let outputs = model.outputs.iter().enumerate();
-            let outputs = outputs.filter(|(i, _)| !wanted.rate || !moving(i));
+            let outputs = outputs.filter(|(i, _)| startable(i) && (!wanted.rate || !moving(i)));
             let stored = model.coordinates.iter().chain(model.velocities);
             let known = stored.map(|own| own.name);
             let known = known.chain(outputs.map(|(_, own)| own.name));
@@ -153,13 +156,14 @@ fn depends_on_velocities<S: System<Q, N, R>, const Q: usize, const N: usize, con
     })
 }
 
+/// NaN if it reads accelerations.
 fn output<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     index: usize,
     q: &SVector<f64, Q>,
     v: &SVector<f64, N>,
 ) -> f64 {
-    let mut outputs = vec![0.0; index + 1];
+    let mut outputs = vec![f64::NAN; index + 1];
     system.outputs(0.0, q, v, &mut outputs);
     outputs[index]
 }

@@ -10,9 +10,25 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     type Outputs: NamedValues;
     /// The initial values that assembly holds, in declaration order.
     const HELD: &'static [Held] = &[];
+    /// Whether an `Output` reads accelerations or reactions.
+    const HAS_OUTPUTS_AT_ACCELERATION_LEVEL: bool = false;
 
     /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
+    /// Those that read accelerations or reactions are not written.
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
+    /// All `Output`s, from accelerations v̇ and multipliers λ as those of [`Self::reactions`].
+    fn outputs_at_acceleration_level(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        acceleration: &SVector<f64, N>,
+        lambda: &SVector<f64, R>,
+        outputs: &mut [f64],
+    ) {
+        let _ = (acceleration, lambda);
+        self.outputs(t, q, v, outputs);
+    }
     /// `Event` expressions, in the order of [`Model::events`](crate::Model::events).
     fn events(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, events: &mut [f64]);
     /// Two numbers for each of [`Self::HELD`]: by how much it exceeds its declared value, and its rate (a velocity itself).

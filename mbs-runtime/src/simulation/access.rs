@@ -1,16 +1,16 @@
 //! Inputs and outputs: as fields, and by name for tools.
 
 use super::Simulation;
+use crate::acceleration_level::outputs;
 use crate::{NamedValues, SimulationError, System, UnknownName};
 use std::ops::{Deref, DerefMut};
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// The `Output`s at the current instant as fields, each with its unit in its documentation. Allocates nothing.
+    /// The `Output`s at the current instant as fields, each with its unit in its documentation. Allocates nothing, but
+    /// for outputs that read accelerations or reactions if there are more than 16 velocities or rows, or a singular pose
+    /// is near.
     pub fn outputs(&self) -> S::Outputs {
-        let state = self.state();
-        let (q, v) = (&state.positions, &state.velocities);
-        let fill = |outputs: &mut [f64]| self.system().outputs(state.time, q, v, outputs);
-        S::Outputs::from_values(fill)
+        S::Outputs::from_values(|values| outputs(self.system(), self.state(), values))
     }
 
     /// The current values of the `Input`s as fields.
@@ -98,7 +98,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// The value of an `Output`, in the unit that [`Model::outputs`](crate::Model::outputs) tells. Allocates nothing.
+    /// The value of an `Output`, in the unit that [`Model::outputs`](crate::Model::outputs) tells. Allocates as
+    /// [`Self::outputs`].
     ///
     /// # Errors
     /// No output has this name.
@@ -114,15 +115,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// All `Output`s, in the order and units of [`Model::outputs`](crate::Model::outputs).
     pub fn output_values(&self) -> Vec<f64> {
-        let state = self.state();
-        let mut outputs = vec![0.0; S::MODEL.outputs.len()];
-        self.system().outputs(
-            state.time,
-            &state.positions,
-            &state.velocities,
-            &mut outputs,
-        );
-        outputs
+        let mut values = vec![0.0; S::MODEL.outputs.len()];
+        outputs(self.system(), self.state(), &mut values);
+        values
     }
 }
 

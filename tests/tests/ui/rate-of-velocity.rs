@@ -5,7 +5,7 @@ mechanism!(Wrong {
 
     bar: Bar(mass = 1.0_kg, length = 1.0_m),
     pivot: Revolute(ground.origin, bar.a),
-    acceleration: Output(rate(bar.b.velocity)),
+    still: Event(rate(bar.b.velocity).x),
 });
 
 fn main() {}

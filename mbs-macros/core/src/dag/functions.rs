@@ -108,7 +108,19 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         make("nonconservative_power", &mut |f| {
             f.output("", Place::Value, system.power)
         });
-        make("outputs", &mut |f| vector(f, "outputs", &system.outputs));
+        make("outputs", &mut |f| {
+            for (i, &output) in system.outputs.iter().enumerate() {
+                if !system.is_at_acceleration_level(output) {
+                    f.output("outputs", Place::Element(i), output);
+                }
+            }
+        });
+        let mut outputs = system.outputs.iter();
+        if outputs.any(|&output| system.is_at_acceleration_level(output)) {
+            make("outputs_at_acceleration_level", &mut |f| {
+                vector(f, "outputs", &system.outputs)
+            });
+        }
         make("events", &mut |f| vector(f, "events", &system.events));
         if !system.held.is_empty() {
             let held = system.held.iter().flat_map(|held| [held.gap, held.rate]);

@@ -232,6 +232,14 @@ fn quantity_text(quantity: &Quantity) -> String {
     )
 }
 
+/// The constant that says that outputs read accelerations or reactions; nothing where none does.
+pub(super) fn acceleration_level(program: &Program) -> &'static str {
+    match program.function("outputs_at_acceleration_level") {
+        Some(_) => "const HAS_OUTPUTS_AT_ACCELERATION_LEVEL: bool = true;\n",
+        None => "",
+    }
+}
+
 /// The constant `HELD`; nothing where no initial value is held.
 pub(super) fn held(held: &[Held]) -> String {
     if held.is_empty() {

@@ -222,7 +222,10 @@ pub(super) fn stubs(program: &Program, capability: Capability) -> String {
     let methods = METHODS
         .iter()
         .filter(|method| method.capability == capability)
-        .filter(|method| method.name != "held" || program.function(method.name).is_some());
+        .filter(|method| {
+            let has_default = matches!(method.name, "held" | "outputs_at_acceleration_level");
+            !has_default || program.function(method.name).is_some()
+        });
     methods.fold(String::new(), |text, method| {
         text + &format!(
             "fn {}{} {{ loop {{}} }}\n",

@@ -81,7 +81,11 @@ pub(super) fn emit(
         (Capability::Loads, format!("type Inputs = {inputs_type};\n")),
         (
             Capability::Observables,
-            format!("type Outputs = {outputs_type};\n{}", metadata::held(held)),
+            format!(
+                "type Outputs = {outputs_type};\n{}{}",
+                metadata::held(held),
+                metadata::acceleration_level(program)
+            ),
         ),
         (
             Capability::System,

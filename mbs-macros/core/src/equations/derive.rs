@@ -6,7 +6,7 @@ use super::forces::{Action, Potential};
 use super::generalized_forces::{Elements, ForceParts};
 use super::kinetic::{self, Kinetic};
 use super::system::System;
-use super::{forces, generalized_forces, inertia, reactions, rows, start, vacuous};
+use super::{forces, generalized_forces, inertia, reactions, readings, rows, start, vacuous};
 use crate::model::elements::force::Load;
 use crate::model::{Held, Model, Outline};
 use crate::symbolic::{Expr, Graph};
@@ -39,6 +39,8 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         model: &model,
     };
     let reactions = reactions::derive(&mut graph, &mut reduction, &balance);
+    readings::give_units(&graph, &mut model, &reactions);
+    let unknown_readings = readings::resolve(&model.readings, &reactions, &mut reduction);
 
     let mut global = |graph: &mut Graph, expr: Expr| graph.substitute(expr, &mut reduction);
     let elements = Elements {
@@ -67,11 +69,8 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     let potential = elements.potential(&mut graph, gravity, |potential| potential.energy);
     let generator = elements.potential(&mut graph, gravity, |potential| potential.generator);
     let size = model.layout.velocities.len();
-    let outputs = model
-        .outputs
-        .iter()
-        .map(|&expr| global(&mut graph, expr))
-        .collect();
+    let outputs = model.outputs.iter();
+    let outputs = outputs.map(|&expr| global(&mut graph, expr)).collect();
     let events = model
         .events
         .iter()
@@ -130,6 +129,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         vacuous,
         reactions,
         outputs,
+        unknown_readings,
         events,
         held,
         requirements: model.requirements,

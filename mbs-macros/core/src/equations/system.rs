@@ -2,8 +2,9 @@
 
 use super::generalized_forces::ForceParts;
 use super::kinetic::Kinetic;
+use super::readings::UnknownReading;
 use crate::model::{Held, Layout, Requirement, Vector};
-use crate::symbolic::{Expr, Graph, Substitution};
+use crate::symbolic::{Expr, Graph, Substitution, Symbol};
 use std::collections::BTreeMap;
 
 /// The equations of a mechanism.
@@ -33,6 +34,8 @@ pub struct System {
     pub reactions: Vec<Reaction>,
     /// Output expressions.
     pub outputs: Vec<Expr>,
+    /// Components of reactions that outputs read and that no joint has.
+    pub unknown_readings: Vec<UnknownReading>,
     /// Event expressions.
     pub events: Vec<Expr>,
     /// Initial values that assembly holds.
@@ -125,6 +128,13 @@ pub struct Reaction {
 }
 
 impl System {
+    /// Whether an expression has accelerations or multipliers.
+    pub fn is_at_acceleration_level(&self, expr: Expr) -> bool {
+        self.graph.depends_on(expr, |symbol| {
+            matches!(symbol, Symbol::Acceleration(_) | Symbol::Multiplier(_))
+        })
+    }
+
     /// The number of holonomic rows.
     pub fn holonomic_rows(&self) -> usize {
         self.rows

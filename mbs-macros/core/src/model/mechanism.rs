@@ -6,6 +6,7 @@ use super::geometry::Vector;
 use super::held::Held;
 use super::layout::Layout;
 use super::outline::Outline;
+use super::readings::Reading;
 use super::reduction::MergedJoint;
 use super::requirements::Requirement;
 use super::solved::Solved;
@@ -23,6 +24,8 @@ pub struct Model {
     pub outline: Outline,
     /// The expressions of the outputs.
     pub outputs: Vec<Expr>,
+    /// The components of reactions that outputs read.
+    pub readings: Vec<Reading>,
     /// The expressions of the events.
     pub events: Vec<Expr>,
     /// Initial values that assembly holds.

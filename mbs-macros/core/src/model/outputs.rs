@@ -22,7 +22,9 @@ impl Resolver<'_> {
             let before = self.errors.enter(entry.name.as_str());
             match entry.kind.to_string().as_str() {
                 "Output" => {
+                    self.at_acceleration_level = true;
                     let found = self.components(syntax).unwrap_or_default();
+                    self.at_acceleration_level = false;
                     let width = *widths.entry(entry.name.base()).or_insert(found.len());
                     if width != found.len() && self.errors.is_empty() {
                         self.fail::<()>(
@@ -62,6 +64,10 @@ impl Resolver<'_> {
             Value::Scalar(x, dimension) => Some(vec![("", x, dimension)]),
             Value::Vector(v, dimension) => Some(vector(v, dimension)),
             Value::Point(point) => Some(vector(point.position, Some(Dimension::LENGTH))),
+            Value::Reaction(joint) => self.fail(
+                Place::of(syntax),
+                format!("an output is a number, vector or point: read one component of the reaction, as in `{joint}.reaction.fx`"),
+            ),
             other => {
                 let what = other.describe();
                 self.fail(

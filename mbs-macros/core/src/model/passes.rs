@@ -125,6 +125,7 @@ pub fn resolve(
         graph: state.graph,
         outline,
         outputs: output_exprs,
+        readings: state.readings,
         events: event_exprs,
         held,
         requirements: state.requirements,

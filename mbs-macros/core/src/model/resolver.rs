@@ -6,6 +6,7 @@ use super::joint_variables::{AskedVariable, UnwrappedAngle};
 use super::needs_angle::needs_angle;
 use super::parts::Part;
 use super::quantities::{Law, Local, Quantity};
+use super::readings::Reading;
 use super::requirements::Requirement;
 use super::value::Value;
 use crate::diagnostics::{Errors, Place};
@@ -45,6 +46,10 @@ pub struct Resolver<'d> {
     pub(super) unwrapped_angles: Vec<UnwrappedAngle>,
     /// Variables of joints that an expression uses.
     pub(super) joint_variables: Vec<AskedVariable>,
+    /// Components of reactions that outputs read.
+    pub(super) readings: Vec<Reading>,
+    /// Whether accelerations and reactions can be read: in outputs.
+    pub(super) at_acceleration_level: bool,
     /// Names that an expression uses.
     pub(super) used: HashSet<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
@@ -86,6 +91,8 @@ impl<'d> Resolver<'d> {
             requirements: Vec::new(),
             unwrapped_angles: Vec::new(),
             joint_variables: Vec::new(),
+            readings: Vec::new(),
+            at_acceleration_level: false,
             used: HashSet::new(),
             misplaced: HashSet::new(),
             needs_angle: needs_angle(declaration, kinds),

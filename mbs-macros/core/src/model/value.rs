@@ -16,6 +16,8 @@ pub(super) enum Value {
     Frame(Owner),
     Attachment(Box<Attachment>),
     Joint(Box<JointFrames>),
+    /// The reaction of the joint of this name.
+    Reaction(String),
     List(Vec<Value>),
     Table(Arc<Table>, TableDimensions),
 }
@@ -33,6 +35,7 @@ impl Value {
             Value::Tensor(..) => "a tensor".to_owned(),
             Value::Attachment(frame) => format!("a frame at `{}`", frame.point.label),
             Value::Joint(joint) => format!("the joint `{}`", joint.name),
+            Value::Reaction(joint) => format!("the reaction of `{joint}`"),
             Value::Point(point) => format!("the point `{}`", point.label),
             Value::Frame(Owner::Ground) => "the ground".to_owned(),
             Value::Frame(Owner::Part(_)) => "a part".to_owned(),
@@ -62,7 +65,7 @@ impl Value {
             Value::Point(point) => point.position.to_vec(),
             Value::Tensor(tensor, _) => tensor.as_flattened().to_vec(),
             Value::Attachment(frame) => frame.point.position.to_vec(),
-            Value::Frame(_) | Value::Joint(_) | Value::Table(..) => Vec::new(),
+            Value::Frame(_) | Value::Joint(_) | Value::Reaction(_) | Value::Table(..) => Vec::new(),
             Value::List(items) => items.iter().flat_map(Value::expressions).collect(),
         }
     }

@@ -75,6 +75,8 @@ pub enum Symbol {
     Acceleration(u32),
     /// Lagrange multiplier λ of a row.
     Multiplier(u32),
+    /// Component of a joint's reaction that an output reads, by its index in [`Model::readings`](crate::model::Model::readings).
+    Reaction(u32),
     /// Entry of the constant inverse M⁻¹: known once the parameters are.
     InverseMass(u32, u32),
     /// Entry of a matrix argument of a generated kernel (A of the rows to be weighted).
@@ -281,6 +283,7 @@ impl Graph {
                 Symbol::VectorEntry(i) => format!("x[{i}]"),
                 Symbol::FactorEntry(i) => format!("mass[{i}]"),
                 Symbol::Correction(i) => format!("correction[{i}]"),
+                Symbol::Reaction(i) => format!("reaction[{i}]"),
                 Symbol::Multiplier(i) => format!("lambda[{i}]"),
                 other => format!("{other:?}"),
             })

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Place, did_you_mean};
 use crate::dimension::Dimension;
+use crate::model::readings::is_at_acceleration_level;
 use crate::model::resolver::Resolver;
 use crate::model::value::{Value, unify};
 use crate::schema::World;
@@ -188,8 +189,17 @@ impl Resolver<'_> {
 
     fn rate(&mut self, a: &Syntax) -> Option<Value> {
         let value = self.evaluate(a)?;
+        if is_at_acceleration_level(&value, &self.graph) {
+            return self.fail(
+                Place::of(a),
+                "this has accelerations or reactions, whose rates are not known",
+            );
+        }
         if value.depends_on(&self.graph, Symbol::is_velocity) {
-            return self.fail(Place::of(a), "rate(…) of an expression that has velocities would be an acceleration; accelerations cannot appear in a declaration");
+            self.check_acceleration_level(
+                Place::of(a),
+                "rate(…) of an expression that has velocities is an acceleration",
+            )?;
         }
         match value {
             Value::Scalar(x, d) => Some(Value::Scalar(

@@ -22,8 +22,16 @@ impl Resolver<'_> {
                 self.graph.vector_rate(point.position),
                 Some(Dimension::VELOCITY),
             )),
+            (Value::Point(point), None) if member == "acceleration" => {
+                let velocity = self.graph.vector_rate(point.position);
+                self.acceleration(velocity, Some(Dimension::VELOCITY), span)
+            }
             (Value::Point(_), None) => {
-                let known: Vec<&str> = axes.iter().copied().chain(["velocity"]).collect();
+                let known: Vec<&str> = axes
+                    .iter()
+                    .copied()
+                    .chain(["velocity", "acceleration"])
+                    .collect();
                 self.no_such_member(value, member, &known, "", span)
             }
             (Value::Vector(v, dimension), Some(axis)) => Some(Value::Scalar(v[axis], *dimension)),
@@ -43,6 +51,7 @@ impl Resolver<'_> {
             },
             (Value::Frame(owner), _) => self.frame_member(*owner, member, span),
             (Value::Joint(joint), _) => self.joint_member(joint, member, span),
+            (Value::Reaction(joint), _) => Some(self.reaction_component(joint, member, span)),
             (other, _) => self.fail(span, format!("{} has no `{member}`", other.describe())),
         }
     }
@@ -69,6 +78,13 @@ impl Resolver<'_> {
                 self.graph.vector_rate(frame.origin),
                 Some(Dimension::VELOCITY),
             )),
+            (_, "acceleration") => {
+                let velocity = self.graph.vector_rate(frame.origin);
+                self.acceleration(velocity, Some(Dimension::VELOCITY), span)
+            }
+            (World::Spatial, "angular_acceleration") => {
+                self.acceleration(frame.spin, Some(Dimension::RATE), span)
+            }
             (World::Planar, "angle") => {
                 let angle = self.part_angle(owner);
                 Some(Value::Scalar(angle, Some(Dimension::NONE)))
@@ -80,9 +96,16 @@ impl Resolver<'_> {
                 let mut known: Vec<&str> = self.point_names(owner).to_vec();
                 let slender = frame.axes[2].iter().all(|&x| self.graph.is_zero(x));
                 known.extend(match self.world {
-                    World::Planar => &["angle", "rate", "velocity", "x", "y"][..],
-                    World::Spatial if slender => &["angular_velocity", "velocity", "x"],
-                    World::Spatial => &["angular_velocity", "velocity", "x", "y", "z"],
+                    World::Planar => &["angle", "rate", "velocity", "acceleration", "x", "y"][..],
+                    World::Spatial => &[
+                        "angular_velocity",
+                        "velocity",
+                        "angular_acceleration",
+                        "acceleration",
+                        "x",
+                        "y",
+                        "z",
+                    ][..if slender { 5 } else { 7 }],
                 });
                 let advice = match (self.world, member) {
                     (World::Spatial, "y" | "z") => {

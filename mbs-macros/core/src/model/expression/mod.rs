@@ -128,6 +128,11 @@ impl Resolver<'_> {
                 self.call(&name, call.method.span(), arguments)
             }
             Syntax::Field(field) => {
+                if matches!(&field.member, Member::Named(name) if name == "reaction")
+                    && let Some(reaction) = self.reaction_of(&field.base, Place::of(syntax))
+                {
+                    return reaction;
+                }
                 let value = self.evaluate(&field.base)?;
                 match &field.member {
                     Member::Named(name) => self.member(&value, &name.to_string(), name.span()),

@@ -1,0 +1,10 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, rod.a),
+    push: Torque(rod, value = rod.b.acceleration.x * 1.0_N_m),
+});
+
+fn main() {}
