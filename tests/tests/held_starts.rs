@@ -221,7 +221,7 @@ fn program_holds<
     assert!((free.output("crank_angle")? - 60_f64.to_radians()).abs() > 1e-3);
 
     let end = std::f64::consts::PI - 1e-6;
-    let angles = (0..100).map(|k| end * (f64::from(k) / 49.5 - 1.0));
+    let angles = (0..31).map(|k| end * (f64::from(k) / 15.0 - 1.0));
     for angle in angles {
         let held = Simulation::start(M::default())
             .hold("crank_angle", angle)
