@@ -16,6 +16,7 @@ mod data;
 mod derivatives;
 mod descriptions;
 mod drives;
+mod editor;
 mod elimination;
 mod families;
 mod flipped_signs;

@@ -41,6 +41,16 @@ fn compile_checked(tokens: TokenStream, home: &Home) -> TokenStream {
         Gathered::Asked(tokens) => return tokens,
         Gathered::All(tokens) => home.strip(tokens),
     };
+    if emit::is_editor() {
+        // First, so that the place of a token in it does not depend on what else is emitted.
+        let mut items = emit::sketch(&tokens, model::kinds());
+        items.extend(compile_gathered(tokens));
+        return items;
+    }
+    compile_gathered(tokens)
+}
+
+fn compile_gathered(tokens: TokenStream) -> TokenStream {
     // An assembly that is wrong says so where it is declared.
     if syntax::is_broken(&tokens) {
         let declaration = syntax::parse(tokens, model::kinds(), &mut Errors::new());

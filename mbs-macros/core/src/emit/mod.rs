@@ -8,6 +8,7 @@ mod blocks;
 mod body;
 mod checks;
 mod copies;
+mod editor;
 mod fallback;
 mod fields;
 mod items;
@@ -31,6 +32,7 @@ use crate::syntax::{Declaration, Port};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+pub use editor::{is_editor, sketch};
 pub use fallback::fallback;
 pub use size::{Size, statements};
 
