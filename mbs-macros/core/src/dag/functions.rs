@@ -7,6 +7,7 @@ use super::lower::{Hoisted, Lowering};
 use super::tangents::{all_tangents, turning};
 use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
 use crate::derivatives::{Derived, Matrix};
+use crate::equations::InverseMass;
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
@@ -29,6 +30,8 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let mut hoisted = Hoisted::new(system.layout.clone());
     let structure = structure(derived);
     let sparse = Sparse::of(derived);
+    let forces_vary = sparse.as_ref().is_some_and(|sparse| sparse.forces_vary);
+    let acceleration = (!forces_vary).then(|| acceleration(&mut graph, derived));
     let mut functions = Vec::new();
     {
         let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
@@ -85,13 +88,9 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
                 matrix(f, "p_q", &derived.momentum_by_position);
             });
         }
-        if !sparse.as_ref().is_some_and(|sparse| sparse.forces_vary) {
+        if let Some(acceleration) = &acceleration {
             make("acceleration", &mut |f| {
-                vector(
-                    f,
-                    "acceleration",
-                    derived.acceleration.as_deref().unwrap_or(&[]),
-                )
+                vector(f, "acceleration", acceleration)
             });
         }
         if !system.unwrapped_angles.is_empty() {
@@ -183,6 +182,18 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
         structure,
         sparse,
         labels: super::Labels::new(system),
+    }
+}
+
+/// M⁻¹ f; nothing where an explicit step does not exist.
+fn acceleration(graph: &mut Graph, derived: &Derived) -> Vec<Expr> {
+    let system = &derived.system;
+    match &derived.acceleration {
+        Some(known) => known.clone(),
+        None if derived.is_explicit() => {
+            InverseMass::new(system.size, &system.mass).apply(graph, &system.forces)
+        }
+        None => Vec::new(),
     }
 }
 

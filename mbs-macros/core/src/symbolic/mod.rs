@@ -5,6 +5,7 @@
 //! form (flat, sorted by index, coefficients collected), but **never expanded**: a product of sums stays one.
 
 mod affine;
+mod along;
 mod build;
 mod derivative;
 mod evaluate;
@@ -33,6 +34,7 @@ pub use rotation::rotation_entry;
 pub use substitute::Substitution;
 pub use table::{Beyond, INTEGRAL, Interpolation, Table};
 
+use along::TermsAlong;
 use std::sync::Arc;
 
 /// A node of a [`Graph`].
@@ -220,6 +222,8 @@ pub struct Graph {
     levels: Vec<u32>,
     index: Map<Node, Expr>,
     derivatives: Map<(Expr, Symbol), Expr>,
+    /// See [`Graph::terms_along`].
+    along: Map<Expr, TermsAlong>,
     names: Map<Symbol, String>,
     hints: Map<Expr, String>,
     /// See [`Graph::of_many`].
