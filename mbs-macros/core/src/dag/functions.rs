@@ -5,23 +5,29 @@ use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
 use super::tangents::{all_tangents, turning};
-use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
+use super::{
+    Constant, Function, Labels, Operand, Place, Program, RotationBlock, Sparse, Structure,
+};
 use crate::derivatives::{Derived, Matrix};
 use crate::equations::InverseMass;
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
+/// The guesses of more coordinates are computed when they are asked for.
+const MOST_KEPT_GUESSES: usize = 200;
+
 /// Lowers everything that a mechanism computes. In large mechanisms what is alike gets the same operations.
 pub fn lower(derived: &Derived) -> Program {
-    let program = lower_with(derived, None);
-    if program.functions.iter().any(Function::is_long) {
-        lower_with(
-            derived,
-            Some(&Likeness::of(&derived.system.graph, &program.labels)),
-        )
-    } else {
-        program
+    let system = &derived.system;
+    // Where it is known beforehand that a function is long, the mechanism is lowered once.
+    if !Function::is_long_by(system.reactions.len().max(3 * system.points.len())) {
+        let program = lower_with(derived, None);
+        if !program.functions.iter().any(Function::is_long) {
+            return program;
+        }
     }
+    let likeness = Likeness::of(&system.graph, &Labels::new(system));
+    lower_with(derived, Some(&likeness))
 }
 
 fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
@@ -137,8 +143,12 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let all_tangents = likeness
         .and_then(|likeness| all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions));
     let turning = turning(&mut graph, &mut hoisted, derived, &functions);
-    let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
+    // The guess is asked for once: many values of it are no constants.
+    let mut guesses = match layout.coordinates.len() > MOST_KEPT_GUESSES {
+        true => Lowering::of_constants(&mut graph, &mut hoisted, &[]),
+        false => Lowering::new(&mut graph, &mut hoisted),
+    };
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
         for (i, stored) in list.iter().enumerate() {
             guesses.output(sink, Place::Element(i), stored.guess);
@@ -181,7 +191,7 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
             .collect(),
         structure,
         sparse,
-        labels: super::Labels::new(system),
+        labels: Labels::new(system),
     }
 }
 

@@ -5,7 +5,7 @@
 //! assembled again. So the poses stay on the branch of the guess, and a singular guess does not decide. Rows are
 //! orthogonalised in their order: one that adds nothing to those before it is redundant, and the coefficients say on
 //! which of them it depends. (A parameter that tilts an axis can change the rank; assembly at run time repeats the
-//! check.)
+//! check.) Many rows are orthogonalised only if their normal equations find one that may be dependent: see `normal`.
 //!
 //! A guess that cannot be assembled is examined further: see `closing`.
 

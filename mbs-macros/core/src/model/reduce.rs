@@ -59,7 +59,7 @@ pub(super) fn reduce(
         twists: Vec::new(),
         solved: Solved::default(),
         unwrapped_angles: Vec::new(),
-        carried: tree
+        dissolved: tree
             .joints
             .iter()
             .map(|joint| joint.joint.clone())
@@ -81,6 +81,7 @@ pub(super) fn reduce(
         }
         describe(resolver, cluster, leader, joints, &mut reduction.sentences);
         for &joint in &cluster.joints {
+            reduction.dissolved.insert(joints[joint].name.clone());
             reduction.merged.push(sides(cluster, joint, joints));
         }
     }

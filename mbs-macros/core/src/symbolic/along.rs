@@ -9,9 +9,6 @@ use std::sync::Arc;
 /// The terms of a shorter sum are all looked at.
 const LONG: usize = 32;
 
-/// For each symbol the terms of a sum that change along it, by index.
-pub(super) type TermsAlong = Arc<Map<Symbol, Vec<u32>>>;
-
 impl Graph {
     /// The terms of a sum that may change along a symbol, in order.
     pub(super) fn terms_along(&mut self, sum: Expr, symbol: Symbol) -> Vec<(Expr, Number)> {
