@@ -38,8 +38,10 @@ struct Repetition {
 }
 
 /// The statements one after the other, with loops for what repeats.
-pub(super) fn folded(statements: Vec<String>) -> String {
+pub(super) fn folded(mut statements: Vec<String>) -> String {
     let mut out = String::new();
+    // A zero need not be written everywhere: then its statement is empty.
+    statements.retain(|statement| !statement.trim().is_empty());
     if statements.len() < FEWEST {
         for statement in statements {
             out.push_str(&statement);
