@@ -31,6 +31,7 @@ mod integrability;
 mod large;
 mod layers;
 mod left_out;
+mod long_family;
 mod mobility;
 mod new_joint;
 mod newton_euler;

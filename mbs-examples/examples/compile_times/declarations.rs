@@ -26,7 +26,7 @@ pub fn declarations() -> Vec<Declaration> {
     list.extend(of("platform", &[6, 12], platform));
     list.extend(of("frame", &[2, 3, 4], frame));
     list.extend(of("loops", &[10, 40], loops));
-    list.extend(of("families", &[40, 300, 1000], families));
+    list.extend(of("families", &[2, 10, 40, 100, 300, 1000], families));
     list
 }
 

@@ -11,11 +11,29 @@ use crate::equations::System;
 use crate::mobility::{Mobility, Open};
 use crate::model::{self, Description, Formulation, Model, Outline, Part, Representation, Stored};
 use crate::refusals;
+use crate::schema::World;
 use crate::syntax::Declaration;
 use std::collections::VecDeque;
 
 /// Mechanisms with more velocities are derived with one cut only.
 const MOST_FOR_OTHER_CUTS: usize = 12;
+
+/// In mechanisms of more velocities other descriptions are not derived if they are known to cost more.
+const MANY: usize = 200;
+/// Kinds of entries that fix no angle.
+const LEAVES_ANGLES: [&str; 11] = [
+    "Bar",
+    "Body",
+    "Particle",
+    "Revolute",
+    "SpringDamper",
+    "Force",
+    "Torque",
+    "Param",
+    "Input",
+    "Output",
+    "Event",
+];
 
 /// A description to be tried, and why.
 #[derive(Debug, Clone)]
@@ -219,8 +237,9 @@ impl<'d> Search<'d> {
         let own = candidate(&analysis);
         // With equal costs the first one is taken.
         if self.is_first() {
+            let others = self.requested.is_none() && !self.is_far_cheaper(&analysis, &own);
             self.best = Some(analysis);
-            if self.requested.is_none() {
+            if others {
                 for formulation in [Formulation::Reference, Formulation::Joint] {
                     self.queue(Description::from(formulation), Purpose::Candidate);
                 }
@@ -230,6 +249,32 @@ impl<'d> Search<'d> {
             self.taken = self.candidates.len();
         }
         self.candidates.push(own);
+    }
+
+    /// Whether others cannot be as cheap as the first, which is known without deriving them where many parts of the plane
+    /// are on revolutes alone: by bodies and by joints each part has an angle, which no row of a revolute eliminates.
+    fn is_far_cheaper(&self, first: &Analysis, own: &Candidate) -> bool {
+        let (Some(mobility), Some(operations)) = (&first.mobility, own.operations) else {
+            return false;
+        };
+        let mut entries = self.declaration.entries.iter();
+        let outline = &first.outline;
+        if own.velocities <= MANY
+            || outline.world != World::Planar
+            || !entries.all(|entry| LEAVES_ANGLES.contains(&entry.kind.to_string().as_str()))
+        {
+            return false;
+        }
+        let parts = outline.parts.iter();
+        let turns = |part: &&Part| {
+            let representation = part.representation;
+            matches!(
+                representation,
+                Representation::Natural | Representation::Reference
+            )
+        };
+        let angles = parts.filter(turns).count();
+        least(angles, angles.saturating_sub(mobility.mobility)) > operations
     }
 
     /// The cheapest.

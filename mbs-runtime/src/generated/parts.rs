@@ -51,3 +51,27 @@ pub const fn words_of_u32<const COUNT: usize>(bytes: &[u8]) -> [u32; COUNT] {
     }
     words
 }
+
+/// The pairs of a table of indices.
+pub const fn pairs_of<const COUNT: usize>(words: &[u32]) -> [(usize, usize); COUNT] {
+    let mut pairs = [(0, 0); COUNT];
+    let (mut at, (groups, _)) = (0, words.as_chunks::<2>());
+    while at < COUNT && at < groups.len() {
+        let [a, b] = groups[at];
+        pairs[at] = (a as usize, b as usize);
+        at += 1;
+    }
+    pairs
+}
+
+/// The triples of a table of indices.
+pub const fn triples_of<const COUNT: usize>(words: &[u32]) -> [(usize, usize, usize); COUNT] {
+    let mut triples = [(0, 0, 0); COUNT];
+    let (mut at, (groups, _)) = (0, words.as_chunks::<3>());
+    while at < COUNT && at < groups.len() {
+        let [a, b, c] = groups[at];
+        triples[at] = (a as usize, b as usize, c as usize);
+        at += 1;
+    }
+    triples
+}

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
+use super::members::abridged;
 use super::table::{Align, table};
 use crate::{Coordinate, Model, Quantity, RowKind};
 
@@ -84,7 +85,8 @@ fn explain(model: &Model) -> String {
     });
     if !model.reductions.is_empty() {
         let _ = writeln!(out, "\nReductions");
-        for reduction in model.reductions {
+        let reductions = model.reductions.iter();
+        for [reduction] in abridged(reductions.map(|text| [(*text).to_owned()]).collect()) {
             let _ = writeln!(out, "  {reduction}");
         }
     }
@@ -313,7 +315,7 @@ fn section<const COLUMNS: usize, Cell: Into<String>>(
 ) {
     let rows: Vec<[String; COLUMNS]> = rows.map(|row| row.map(Into::into)).collect();
     if !rows.is_empty() {
-        *out += &format!("\n{title}\n{}", table(heading, &rows));
+        *out += &format!("\n{title}\n{}", table(heading, &abridged(rows)));
     }
 }
 

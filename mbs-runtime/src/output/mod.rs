@@ -6,6 +6,7 @@ mod explain;
 mod json;
 #[cfg(feature = "latex")]
 mod latex;
+mod members;
 pub mod motion;
 #[cfg(feature = "plot")]
 pub mod plot;

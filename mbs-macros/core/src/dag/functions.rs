@@ -5,22 +5,29 @@ use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
 use super::tangents::{all_tangents, turning};
-use super::{Constant, Function, Operand, Place, Program, RotationBlock, Sparse, Structure};
+use super::{
+    Constant, Function, Labels, Operand, Place, Program, RotationBlock, Sparse, Structure,
+};
 use crate::derivatives::{Derived, Matrix};
+use crate::equations::InverseMass;
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
+/// The guesses of more coordinates are computed when they are asked for.
+const MOST_KEPT_GUESSES: usize = 200;
+
 /// Lowers everything that a mechanism computes. In large mechanisms what is alike gets the same operations.
 pub fn lower(derived: &Derived) -> Program {
-    let program = lower_with(derived, None);
-    if program.functions.iter().any(Function::is_long) {
-        lower_with(
-            derived,
-            Some(&Likeness::of(&derived.system.graph, &program.labels)),
-        )
-    } else {
-        program
+    let system = &derived.system;
+    // Where it is known beforehand that a function is long, the mechanism is lowered once.
+    if !Function::is_long_by(system.reactions.len().max(3 * system.points.len())) {
+        let program = lower_with(derived, None);
+        if !program.functions.iter().any(Function::is_long) {
+            return program;
+        }
     }
+    let likeness = Likeness::of(&system.graph, &Labels::new(system));
+    lower_with(derived, Some(&likeness))
 }
 
 fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
@@ -29,6 +36,8 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let mut hoisted = Hoisted::new(system.layout.clone());
     let structure = structure(derived);
     let sparse = Sparse::of(derived);
+    let forces_vary = sparse.as_ref().is_some_and(|sparse| sparse.forces_vary);
+    let acceleration = (!forces_vary).then(|| acceleration(&mut graph, derived));
     let mut functions = Vec::new();
     {
         let mut make = |name: &'static str, outputs: &mut dyn FnMut(&mut Lowering)| {
@@ -85,13 +94,9 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
                 matrix(f, "p_q", &derived.momentum_by_position);
             });
         }
-        if !sparse.as_ref().is_some_and(|sparse| sparse.forces_vary) {
+        if let Some(acceleration) = &acceleration {
             make("acceleration", &mut |f| {
-                vector(
-                    f,
-                    "acceleration",
-                    derived.acceleration.as_deref().unwrap_or(&[]),
-                )
+                vector(f, "acceleration", acceleration)
             });
         }
         if !system.unwrapped_angles.is_empty() {
@@ -150,8 +155,12 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let all_tangents = likeness
         .and_then(|likeness| all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions));
     let turning = turning(&mut graph, &mut hoisted, derived, &functions);
-    let mut guesses = Lowering::new(&mut graph, &mut hoisted);
     let layout = &system.layout;
+    // The guess is asked for once: many values of it are no constants.
+    let mut guesses = match layout.coordinates.len() > MOST_KEPT_GUESSES {
+        true => Lowering::of_constants(&mut graph, &mut hoisted, &[]),
+        false => Lowering::new(&mut graph, &mut hoisted),
+    };
     for (sink, list) in [("q", &layout.coordinates), ("v", &layout.velocities)] {
         for (i, stored) in list.iter().enumerate() {
             guesses.output(sink, Place::Element(i), stored.guess);
@@ -194,7 +203,19 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
             .collect(),
         structure,
         sparse,
-        labels: super::Labels::new(system),
+        labels: Labels::new(system),
+    }
+}
+
+/// M⁻¹ f; nothing where an explicit step does not exist.
+fn acceleration(graph: &mut Graph, derived: &Derived) -> Vec<Expr> {
+    let system = &derived.system;
+    match &derived.acceleration {
+        Some(known) => known.clone(),
+        None if derived.is_explicit() => {
+            InverseMass::new(system.size, &system.mass).apply(graph, &system.forces)
+        }
+        None => Vec::new(),
     }
 }
 

@@ -6,6 +6,7 @@ use super::{Function, Place};
 use crate::derivatives::Derived;
 use crate::equations::InverseMass;
 use crate::symbolic::{Expr, Graph, Symbol};
+use std::collections::BTreeSet;
 
 /// Kernels longer than this are left to loops: straight-line code of such length costs more to compile than it gains.
 pub(super) const LONGEST: usize = 2500;
@@ -69,19 +70,14 @@ impl Maker<'_> {
     /// x ← M⁻¹ x; `None` if that is too long.
     fn solve_mass(&mut self, inverse: &InverseMass) -> Option<Function> {
         let size = self.derived.system.size;
-        let coupled = |i: usize| (0..size).filter(move |&j| inverse.couples(i, j)).count();
         // At least one operation for each entry of M⁻¹ but the first of a row.
-        if (0..size)
-            .map(|i| coupled(i).saturating_sub(1))
-            .sum::<usize>()
-            > LONGEST
-        {
+        if inverse.entries() - size > LONGEST {
             return None;
         }
         let mut lowering = self.start();
         for i in 0..size {
-            let coupled = (0..size).filter(|&j| inverse.couples(i, j));
-            let terms = coupled.map(|j| (j, Symbol::VectorEntry(j as u32)));
+            let coupled = inverse.coupled(i).iter();
+            let terms = coupled.map(|&j| (j, Symbol::VectorEntry(j as u32)));
             let value = inverse_product(lowering.graph(), inverse, i, terms);
             lowering.output("x", Place::Element(i), value);
         }
@@ -93,10 +89,13 @@ impl Maker<'_> {
         let (size, rows) = (self.derived.system.size, self.rows());
         let mut operations = 0;
         for row in &rows {
-            let coupled = |i: usize| row.iter().filter(|&&(j, _)| inverse.couples(i, j)).count();
-            operations += (0..size)
-                .map(|i| coupled(i).saturating_sub(1))
-                .sum::<usize>();
+            // The k-th entry of a row that meets a block adds one operation to each entry of w there but the first.
+            let mut met = BTreeSet::new();
+            for &(j, _) in row {
+                if !met.insert(inverse.block(j)) {
+                    operations += inverse.coupled(j).len();
+                }
+            }
             if operations > LONGEST {
                 return None;
             }

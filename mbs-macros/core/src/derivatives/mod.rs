@@ -58,11 +58,22 @@ pub struct Derived {
     pub total: Tangents,
     /// ∂p/∂q.
     pub momentum_by_position: Matrix,
-    /// M⁻¹ f, where M is constant and forces do not depend on velocities.
+    /// M⁻¹ f, where M is constant and forces do not depend on velocities; `None`, too, where M⁻¹ has many entries: if
+    /// they are needed at all, the functions that need them derive them.
     pub acceleration: Option<Vec<Expr>>,
     /// Rows that follow from others at generic poses: mobility finds them.
     pub redundant: Vec<usize>,
 }
+
+impl Derived {
+    /// Whether M is constant and forces do not depend on velocities.
+    pub fn is_explicit(&self) -> bool {
+        self.constant_mass && self.applied.by_velocity.is_empty()
+    }
+}
+
+/// With more entries of M⁻¹, M⁻¹ f is not derived: a chain of a thousand bars has a million, and is solved without M⁻¹.
+const MOST_ENTRIES: usize = 10_000;
 
 /// Derives everything, once. `redundant` are rows that follow from others.
 pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
@@ -103,8 +114,9 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
     let total = applied.with_inertial(graph, &inertial, rotations);
     let total = total.or_direct(graph, &total_forces, &momentum_by_position);
     let explicit = system.constant_mass && applied.by_velocity.is_empty();
-    let acceleration =
-        explicit.then(|| InverseMass::new(size, &system.mass).apply(graph, &system.forces));
+    let inverse = explicit.then(|| InverseMass::new(size, &system.mass));
+    let inverse = inverse.filter(|inverse| inverse.entries() <= MOST_ENTRIES);
+    let acceleration = inverse.map(|inverse| inverse.apply(graph, &system.forces));
     Derived {
         constant_mass: system.constant_mass,
         momentum,

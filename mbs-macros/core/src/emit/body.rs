@@ -3,12 +3,15 @@
 //! A value used once is written where it is used; one used more often gets a name. Grouping is kept exactly as in the
 //! program, so that the compiled function and the interpreter agree to the last bit (up to the elementary functions).
 
-use super::names::Names;
+use super::names::{self, Names};
 use crate::dag::{Function, Operand, Operation, Output};
 use crate::symbolic::{Function as Elementary, Graph, INTEGRAL, Symbol};
 
 /// Expressions nested deeper than this get a temporary, for the reader's sake.
 const DEEPEST: usize = 5;
+
+/// More arguments are written where they are used, without a name of their own.
+const MOST_BINDINGS: usize = 600;
 
 /// How an operand is written in an inner place.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
@@ -69,7 +72,11 @@ impl<'a> Body<'a> {
         function: &'a Function,
         [constants, parameters, tables]: [&'a str; 3],
     ) -> Self {
-        let names = Names::new(graph, function);
+        let mut names = Names::new(graph, function);
+        if names.bound.len() > MOST_BINDINGS {
+            let bound = names.bound.values_mut();
+            bound.for_each(|(name, source)| name.clone_from(source));
+        }
         let mut body = Body {
             graph,
             function,
@@ -121,6 +128,7 @@ impl<'a> Body<'a> {
     pub(super) fn bindings(&self) -> Vec<(&str, &str)> {
         let bound = self.names.bound.values();
         bound
+            .filter(|(name, source)| name != source)
             .map(|(name, source)| (name.as_str(), source.as_str()))
             .collect()
     }
@@ -166,26 +174,11 @@ impl<'a> Body<'a> {
         }
     }
 
-    /// An argument or constant where it stands, without a binding.
-    pub(super) fn source(&self, operand: Operand) -> String {
-        match operand {
-            Operand::Symbol(symbol) => match self.names.bound.get(&symbol) {
-                Some((_, source)) => source.clone(),
-                None => self.symbol(symbol),
-            },
-            other => self.operand(other, Precedence::Sum),
-        }
-    }
-
     fn symbol(&self, symbol: Symbol) -> String {
         if let Some((name, _)) = self.names.bound.get(&symbol) {
             return name.clone();
         }
-        match symbol {
-            Symbol::Parameter(_) => format!("{}{}", self.parameters, self.graph.name(symbol)),
-            Symbol::InverseMass(i, j) => format!("{}inverse_mass[({i}, {j})]", self.constants),
-            other => self.graph.name(other),
-        }
+        symbol_text(self.graph, symbol, [self.constants, self.parameters])
     }
 
     fn operation(&self, slot: usize, outer: Precedence) -> String {
@@ -319,6 +312,26 @@ impl<'a> Body<'a> {
                 format!("{receiver}.{}()", function.name())
             }
         }
+    }
+}
+
+/// An argument or constant of a method, where it stands.
+pub(super) fn source(graph: &Graph, operand: Operand) -> String {
+    match operand {
+        Operand::Number(value) => number(value.value()),
+        Operand::Constant(slot) => format!("self.k{slot}"),
+        Operand::Symbol(symbol) => names::source(symbol)
+            .unwrap_or_else(|| symbol_text(graph, symbol, ["self.", "self.parameters."])),
+        // The inputs of parts are not computed.
+        Operand::Value(slot) => format!("values[{slot}]"),
+    }
+}
+
+fn symbol_text(graph: &Graph, symbol: Symbol, [constants, parameters]: [&str; 2]) -> String {
+    match symbol {
+        Symbol::Parameter(_) => format!("{parameters}{}", graph.name(symbol)),
+        Symbol::InverseMass(i, j) => format!("{constants}inverse_mass[({i}, {j})]"),
+        other => graph.name(other),
     }
 }
 

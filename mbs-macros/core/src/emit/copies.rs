@@ -1,5 +1,6 @@
 //! Arguments of a long function, copied to the array of its values.
 
+use super::progressions::looped;
 use std::fmt::Write;
 
 /// Fewer elements that follow each other are copied one by one.
@@ -32,15 +33,22 @@ pub(super) fn copies(to: &str, sources: &[String]) -> String {
 
 /// Copies the sources before a place.
 fn one_by_one(out: &mut String, to: &str, end: usize, sources: &mut Vec<&str>) {
-    if !sources.is_empty() {
+    if sources.is_empty() {
+        return;
+    }
+    let first = end - sources.len();
+    let places = sources.iter().zip(first..);
+    let single = places.map(|(source, place)| format!("{to}[{place}] = {source};"));
+    if let Some(loops) = looped(single.collect()) {
+        out.push_str(&loops);
+    } else {
         let _ = writeln!(
             out,
-            "for (value, input) in {to}[{}..{end}].iter_mut().zip([{}]) {{ *value = input; }}",
-            end - sources.len(),
+            "for (value, input) in {to}[{first}..{end}].iter_mut().zip([{}]) {{ *value = input; }}",
             sources.join(", ")
         );
-        sources.clear();
     }
+    sources.clear();
 }
 
 /// How many of the first sources follow each other in one array; at least one.

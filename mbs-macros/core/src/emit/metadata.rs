@@ -4,11 +4,14 @@ use super::body::number;
 use crate::analysis::{Analysis, Candidate};
 use crate::contract;
 use crate::dag::Program;
-use crate::equations::RowKind;
+use crate::equations::{Row, RowKind};
 use crate::mobility::{self, Mobility};
-use crate::model::{Held, Quantity, Representation, Stored};
+use crate::model::{Held, Part, Quantity, Representation, Stored};
 use crate::schema::World;
 use std::fmt::Write;
+
+/// Longer lists of records are written as one text.
+const MOST_RECORDS: usize = 250;
 
 /// The initialiser of `MODEL`, as text.
 pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
@@ -16,64 +19,91 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     let layout = &analysis.derived.system.layout;
     let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
     let stored = |items: &[Stored]| {
-        let texts = items.iter().map(|item| {
-            format!(
-                "::mbs_runtime::Coordinate {{ name: {:?}, unit: {:?} }}",
-                item.name, item.unit
-            )
-        });
-        list(texts.collect())
+        let columns = |item: &Stored| [&item.name, &item.unit].map(ToString::to_string);
+        records(
+            ["::mbs_runtime::Coordinate", "coordinates"],
+            items,
+            columns,
+            |[name, unit]| {
+                format!("::mbs_runtime::Coordinate {{ name: {name:?}, unit: {unit:?} }}")
+            },
+        )
     };
-    let rows = program
-        .rows
-        .iter()
-        .map(|row| {
-            let kind = match row.kind {
-                RowKind::Holonomic => "Holonomic",
-                RowKind::Rheonomic => "Rheonomic",
-                RowKind::Nonholonomic => "Nonholonomic",
-            };
+    let of_row = |row: &Row| {
+        [
+            row.name.clone(),
+            row.entry.clone(),
+            row.unit.clone(),
+            kind(row),
+        ]
+    };
+    let rows = records(
+        ["::mbs_runtime::Row", "rows"],
+        &program.rows,
+        of_row,
+        |[name, entry, unit, kind]| {
             format!(
-                "::mbs_runtime::Row {{ name: {:?}, entry: {:?}, kind: ::mbs_runtime::RowKind::{kind}, unit: {:?} }}",
-                row.name, row.entry, row.unit
+                "::mbs_runtime::Row {{ name: {name:?}, entry: {entry:?}, kind: ::mbs_runtime::RowKind::{kind}, unit: {unit:?} }}"
             )
-        })
-        .collect();
-    let parts = outline
-        .parts
-        .iter()
-        .enumerate()
-        .filter(|(_, part)| part.representation != Representation::Coordinate)
-        .map(|(index, part)| {
-            let modelled_as = match outline.tree.carrier(index) {
-                Some(joint) => joint.describe(part.representation),
-                None => part.representation.describe().to_owned(),
-            };
+        },
+    );
+    let parts = outline.parts.iter().enumerate();
+    let parts = parts.filter(|(_, part)| part.representation != Representation::Coordinate);
+    let parts: Vec<(usize, &Part)> = parts.collect();
+    let of_part = |&(index, part): &(usize, &Part)| {
+        let modelled_as = match outline.tree.carrier(index) {
+            Some(joint) => joint.describe(part.representation),
+            None => part.representation.describe().to_owned(),
+        };
+        [part.name.clone(), part.kind.to_owned(), modelled_as]
+    };
+    let parts = records(
+        ["::mbs_runtime::Part", "parts"],
+        &parts,
+        of_part,
+        |[name, kind, modelled_as]| {
             format!(
-                "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {modelled_as:?} }}",
-                part.name, part.kind,
+                "::mbs_runtime::Part {{ name: {name:?}, kind: {kind:?}, modelled_as: {modelled_as:?} }}"
             )
-        })
-        .collect();
-    let segments = outline
-        .drawing
-        .segments
-        .iter()
-        .map(|(part, from, to)| {
+        },
+    );
+    let of_segment = |(part, from, to): &(String, usize, usize)| {
+        [part.clone(), from.to_string(), to.to_string()]
+    };
+    let segments = &outline.drawing.segments;
+    let segments = records(
+        ["::mbs_runtime::Segment", "segments"],
+        segments,
+        of_segment,
+        |[part, from, to]| {
             format!("::mbs_runtime::Segment {{ part: {part:?}, from: {from}, to: {to} }}")
-        })
-        .collect();
-    let reactions = program
-        .reactions
-        .iter()
-        .map(|(joint, component, unit)| {
-            let site = match outline.drawing.site(joint) {
-                Some(point) => format!("::core::option::Option::Some({point})"),
-                None => "::core::option::Option::None".to_owned(),
+        },
+    );
+    let sites = outline.drawing.sites();
+    let of_reaction = |(joint, component, unit): &(String, String, String)| {
+        let site = sites.get(joint.as_str()).map(usize::to_string);
+        [
+            joint.clone(),
+            component.clone(),
+            unit.clone(),
+            site.unwrap_or_default(),
+        ]
+    };
+    let reactions = &program.reactions;
+    let reactions = records(
+        ["::mbs_runtime::Reaction", "reactions"],
+        reactions,
+        of_reaction,
+        |[joint, component, unit, site]| {
+            let site = match site.as_str() {
+                "" => "::core::option::Option::None".to_owned(),
+                point => format!("::core::option::Option::Some({point})"),
             };
-            format!("::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {site} }}")
-        })
-        .collect();
+            format!(
+                "::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {site} }}"
+            )
+        },
+    );
     let functions = program.functions.iter();
     let operations = functions
         .map(|function| (function.name, function.cost()))
@@ -101,8 +131,8 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     field("up", format!("[{}]", outline.up.map(number).join(", ")));
     field("coordinates", stored(&layout.coordinates));
     field("velocities", stored(&layout.velocities));
-    field("rows", list(rows));
-    field("parts", list(parts));
+    field("rows", rows);
+    field("parts", parts);
     field(
         "parameters",
         list(outline.parameters.iter().map(quantity_text).collect()),
@@ -122,28 +152,17 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
                 .collect(),
         ),
     );
+    let points = outline.drawing.points.iter();
     field(
         "points",
-        list(
-            outline
-                .drawing
-                .points
-                .iter()
-                .map(|(name, _)| format!("{name:?}"))
-                .collect(),
-        ),
+        lines(points.map(|(name, _)| name.as_str()).collect()),
     );
-    field("segments", list(segments));
-    field("reactions", list(reactions));
+    field("segments", segments);
+    field("reactions", reactions);
+    let reductions = outline.reductions.iter();
     field(
         "reductions",
-        list(
-            outline
-                .reductions
-                .iter()
-                .map(|sentence| format!("{sentence:?}"))
-                .collect(),
-        ),
+        lines(reductions.map(String::as_str).collect()),
     );
     field("operations", list(operations));
     field("structure", structure(program));
@@ -154,6 +173,46 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     field("candidates", list(candidates.map(candidate_text).collect()));
     out.push('}');
     out
+}
+
+/// A list, each item with its columns, which `text` makes an expression. A long list is one text: with its type, and the
+/// name of the function that reads it.
+fn records<T, const WIDTH: usize>(
+    [item, reader]: [&str; 2],
+    items: &[T],
+    columns: impl Fn(&T) -> [String; WIDTH],
+    text: impl Fn([String; WIDTH]) -> String,
+) -> String {
+    let separates = |c: char| c == '\t' || c == '\n';
+    let items: Vec<[String; WIDTH]> = items.iter().map(columns).collect();
+    if items.len() <= MOST_RECORDS || items.iter().flatten().any(|item| item.contains(separates)) {
+        let texts: Vec<String> = items.into_iter().map(text).collect();
+        return format!("&[{}]", texts.join(", "));
+    }
+    let count = items.len();
+    let lines: Vec<String> = items.iter().map(|item| item.join("\t")).collect();
+    // A constant of its own, because rustc remarks on long evaluations.
+    format!(
+        "{{ const LIST: [{item}; {count}] = ::mbs_runtime::generated::records::{reader}({:?}); &LIST }}",
+        lines.join("\n")
+    )
+}
+
+/// A list of names or sentences.
+pub(super) fn lines(items: Vec<&str>) -> String {
+    let line = |item: &&str| [(*item).to_owned()];
+    records(["&'static str", "lines"], &items, line, |[line]| {
+        format!("{line:?}")
+    })
+}
+
+fn kind(row: &Row) -> String {
+    let kind = match row.kind {
+        RowKind::Holonomic => "Holonomic",
+        RowKind::Rheonomic => "Rheonomic",
+        RowKind::Nonholonomic => "Nonholonomic",
+    };
+    kind.to_owned()
 }
 
 /// The initialiser of the `Structure`.

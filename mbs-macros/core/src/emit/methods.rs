@@ -2,6 +2,7 @@
 
 use super::body::Body;
 use super::parts::LongFunctions;
+use super::progressions::looped;
 use super::size::Size;
 use super::{motion, sparse};
 use crate::contract::{Capability, METHODS, Method, Origin, Returns, Shape};
@@ -150,21 +151,31 @@ fn straight_line(graph: &Graph, method: &Method, function: &Function) -> String 
     let statements = body.statements();
     let last = method.arguments.last();
     let values = || body.values();
-    let copy = |to: &str, values: String| {
-        format!("for (place, value) in {to}.iter_mut().zip([{values}]) {{ *place = value; }}")
+    let copy = |to: &str, values: &str| {
+        format!("for (place, value) in {to}.iter_mut().zip({values}) {{ *place = value; }}")
     };
     let end = match (last.map(|last| (last.name, last.shape)), method.returns) {
         (_, Returns::Available) => body.writes() + "true",
         (Some((_, Shape::Values | Shape::Points)), _) if function.outputs.is_empty() => {
             String::new()
         }
-        (Some((name, Shape::Values)), _) => copy(name, values().join(", ")),
+        (Some((name, Shape::Values)), _) => copy(name, &format!("[{}]", values().join(", "))),
         (Some((name, Shape::Points)), _) => {
-            let points: Vec<String> = values()
+            let values = values();
+            let points = values
                 .chunks(3)
-                .map(|point| format!("[{}]", point.join(", ")))
-                .collect();
-            copy(name, points.join(", "))
+                .map(|point| format!("[{}]", point.join(", ")));
+            let points: Vec<String> = points.collect();
+            let single = points.iter().enumerate();
+            let single = single.map(|(i, point)| format!("values[{i}] = {point};"));
+            match looped(single.collect()) {
+                Some(loops) => format!(
+                    "let mut values = [[0.0; 3]; {}];\n{loops}{}",
+                    points.len(),
+                    copy(name, "values")
+                ),
+                None => copy(name, &format!("[{}]", points.join(", "))),
+            }
         }
         _ => body.writes(),
     };

@@ -3,6 +3,7 @@
 //! Two types: the declared one with the parameters as public fields, and the hidden system in which everything that
 //! depends on parameters has been computed; inputs and outputs as fields, and a name for the simulation. One file for each emitted item; nothing outside this folder writes Rust.
 
+mod abridged;
 mod access;
 mod blocks;
 mod body;
@@ -19,6 +20,7 @@ mod motion;
 mod names;
 mod parameters;
 mod parts;
+mod progressions;
 mod size;
 mod sparse;
 mod system;

@@ -69,15 +69,8 @@ impl Names {
         let mut taken: HashSet<String> = taken.map(str::to_owned).collect();
         let mut bound = BTreeMap::new();
         for symbol in symbols(function) {
-            let source = match symbol {
-                Symbol::Stored(i) => format!("q[{i}]"),
-                Symbol::Velocity(i) => format!("v[{i}]"),
-                Symbol::Acceleration(i) => format!("acceleration[{i}]"),
-                Symbol::Input(i) => format!("self.inputs[{i}]"),
-                // The kernel overwrites its argument: read all of it first.
-                Symbol::VectorEntry(i) => format!("x[{i}]"),
-                Symbol::Place(i) => format!("place {i}"),
-                _ => continue,
+            let Some(source) = source(symbol) else {
+                continue;
             };
             let name = match symbol {
                 Symbol::VectorEntry(i) => format!("x{i}"),
@@ -151,6 +144,20 @@ fn identifier(name: &str) -> String {
         .chars()
         .map(|c| if c.is_alphanumeric() { c } else { '_' })
         .collect()
+}
+
+/// Where a body finds what a symbol stands for; `None` for what is not among its arguments.
+pub(super) fn source(symbol: Symbol) -> Option<String> {
+    Some(match symbol {
+        Symbol::Stored(i) => format!("q[{i}]"),
+        Symbol::Velocity(i) => format!("v[{i}]"),
+        Symbol::Acceleration(i) => format!("acceleration[{i}]"),
+        Symbol::Input(i) => format!("self.inputs[{i}]"),
+        // The kernel overwrites its argument: read all of it first.
+        Symbol::VectorEntry(i) => format!("x[{i}]"),
+        Symbol::Place(i) => format!("place {i}"),
+        _ => return None,
+    })
 }
 
 fn claim(wanted: &str, taken: &mut HashSet<String>) -> String {

@@ -1,10 +1,13 @@
 //! The declared type: parameters as public fields.
 
+use super::abridged::abridged;
 use super::body::{Body, number};
 use super::checks;
 use super::fields::{Field, fields, places, quantities};
 use super::items::{self, visibility};
+use super::metadata::lines;
 use super::motion;
+use super::progressions::looped;
 use super::size::Size;
 use super::text::{doc, tokens};
 use crate::analysis::Analysis;
@@ -147,11 +150,10 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
     if !outline.doc.is_empty() {
         let _ = writeln!(out, "{}\n", outline.doc);
     }
-    let coordinates = layout
-        .coordinates
-        .iter()
-        .map(|coordinate| format!("`{}`", coordinate.name))
-        .collect::<Vec<_>>();
+    let coordinates = layout.coordinates.iter();
+    let coordinates: Vec<String> = coordinates
+        .map(|stored| format!("`{}`", stored.name))
+        .collect();
     let noun = match coordinates.len() {
         1 => "coordinate",
         _ => "coordinates",
@@ -160,7 +162,7 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
         out,
         "A mechanism with {} generalized {noun}: {}.",
         coordinates.len(),
-        coordinates.join(", ")
+        abridged(coordinates).join(", ")
     );
     if let Some(mobility) = &analysis.mobility {
         let _ = writeln!(
@@ -169,7 +171,7 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
             mobility::summary(mobility, &program.rows, program.size)
         );
     }
-    for sentence in &outline.reductions {
+    for sentence in abridged(outline.reductions.clone()) {
         let _ = writeln!(out, "* {sentence}");
     }
     out + &names(outline, &program.reactions)
@@ -217,7 +219,7 @@ fn names(outline: &Outline, reactions: &[(String, String, String)]) -> String {
     let mut out = String::new();
     for (title, list, separator) in lists as [(&str, Vec<String>, &str); 4] {
         if !list.is_empty() {
-            let _ = writeln!(out, "\n{title}: {}.", list.join(separator));
+            let _ = writeln!(out, "\n{title}: {}.", abridged(list).join(separator));
         }
     }
     out
@@ -301,23 +303,22 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
             "let mut mass = ::mbs_runtime::generated::clear_mass::<{size}>();"
         );
         write_mass(&mut out, entries, operand);
-        let coordinates: Vec<String> = layout
+        let coordinates = layout
             .slots
             .iter()
             .zip(&layout.velocities)
             .map(|(&slot, velocity)| {
                 let coordinate = &layout.coordinates[slot].name;
                 match velocity.name.strip_suffix('\'') {
-                    Some(_) => format!("{coordinate:?}"),
-                    None => format!("{:?}", velocity.name),
+                    Some(_) => coordinate.as_str(),
+                    None => velocity.name.as_str(),
                 }
-            })
-            .collect();
+            });
         let _ = writeln!(
             out,
-            "let inverse_mass = {}::mbs_runtime::generated::inverse_mass(&mut mass, &[{}])?;",
+            "let inverse_mass = {}::mbs_runtime::generated::inverse_mass(&mut mass, {})?;",
             if items::boxes_inverse(size) { "" } else { "*" },
-            coordinates.join(", ")
+            lines(coordinates.collect())
         );
     }
     write(&mut out, after);
@@ -362,12 +363,21 @@ fn write_mass(
         }
         return;
     }
-    let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut places: BTreeMap<String, Vec<(usize, usize)>> = BTreeMap::new();
     for &(i, j, value) in entries {
         let places = places.entry(source(value)).or_default();
-        places.push(format!("({i}, {j})"));
+        places.push((i, j));
     }
     for (value, places) in places {
+        let both = |(i, j): &(usize, usize)| {
+            format!("mass[({i}, {j})] = {value}; mass[({j}, {i})] = {value};")
+        };
+        if let Some(loops) = looped(places.iter().map(both).collect()) {
+            out.push_str(&loops);
+            continue;
+        }
+        let places = places.iter().map(|(i, j)| format!("({i}, {j})"));
+        let places: Vec<String> = places.collect();
         let _ = writeln!(
             out,
             "for &(i, j) in &[{}] {{ mass[(i, j)] = {value}; mass[(j, i)] = {value}; }}",

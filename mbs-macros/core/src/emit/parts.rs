@@ -5,7 +5,7 @@
 //! and the rows, which are the places of values. It is written as a string of bytes, because rustc reads that as one
 //! token.
 
-use super::body::Body;
+use super::body::{Body, source};
 use super::copies::copies;
 use super::size::Size;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
@@ -103,8 +103,7 @@ impl LongFunctions {
         let at = functions.position(|(name, _)| *name == function.name)?;
         let parts = &self.functions[at].1;
         let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
-        let body = Body::of_method(graph, function);
-        let sources = parts.inputs.iter().map(|&input| body.source(input));
+        let sources = parts.inputs.iter().map(|&input| source(graph, input));
         out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
             out,
@@ -316,6 +315,15 @@ impl Word {
         let name = self.name();
         format!("&::mbs_runtime::generated::words_of_{name}::<{count}>({bytes})")
     }
+}
+
+/// Words of four bytes as an expression.
+pub(super) fn words_of_u32(numbers: &[usize]) -> String {
+    let (word, mut table) = (Word { bytes: 4 }, Vec::new());
+    numbers
+        .iter()
+        .for_each(|&number| word.put(&mut table, number));
+    word.list(&table)
 }
 
 /// A string of bytes.

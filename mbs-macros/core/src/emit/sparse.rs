@@ -11,11 +11,15 @@ use self::columns::{
 };
 use self::windows::{Column, stretches};
 use super::body::Body;
-use super::parts::LongFunctions;
+use super::parts::{LongFunctions, words_of_u32};
+use super::progressions::folded;
 use crate::contract::Method;
 use crate::dag::{Elimination, Function, Output, Place, Program, Sparse};
 use crate::symbolic::Graph;
 use std::fmt::Write;
+
+/// Longer lists of places are written as one text.
+const MOST_PLACES: usize = 250;
 
 /// A function of stage 5 that writes A into the array of K.
 pub(super) fn constraints(sparse: &Sparse, function: &Function) -> Function {
@@ -49,19 +53,15 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     let (rows, mass) = (&sparse.rows, &sparse.mass);
     let (n, r) = (sparse.size, sparse.row_count);
     let entries = |elimination: &Elimination| {
-        let slots = sparse.mass_entries.iter().map(|&(i, j)| {
-            let slot = elimination.slot_of(i, j);
-            format!("({i}, {j}, {slot})")
-        });
-        slots.collect::<Vec<_>>().join(", ")
+        let slot = |&(i, j): &(usize, usize)| [i, j, elimination.slot_of(i, j)];
+        places("triples_of", sparse.mass_entries.iter().map(slot).collect())
     };
-    let pivots: Vec<String> = rows.positions[n..]
-        .iter()
-        .map(|&position| format!("({position}, {})", rows.columns[position].pivot))
-        .collect();
+    let pivots = rows.positions[n..].iter();
+    let pivots = pivots.map(|&position| [position, rows.columns[position].pivot]);
+    let pivots = places("pairs_of", pivots.collect());
     let constant = format!(
         "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{
-            unknowns: {}, slots: {}, mass_slots: {}, mass: &[{}], mass_alone: &[{}], pivots: &[{}], forces_vary: {},
+            unknowns: {}, slots: {}, mass_slots: {}, mass: {}, mass_alone: {}, pivots: {pivots}, forces_vary: {},
             rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve,
             factor_pair: Self::sparse_factor_pair, solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
         rows.columns.len(),
@@ -69,7 +69,6 @@ pub(super) fn emit(program: &Program) -> (String, String) {
         room(mass),
         entries(rows),
         entries(mass),
-        pivots.join(", "),
         sparse.forces_vary
     );
     let mut out = String::new();
@@ -105,12 +104,12 @@ pub(super) fn emit(program: &Program) -> (String, String) {
         rows.columns.len(),
         pair_passes(rows)
     );
-    let mut into = String::new();
-    let mut back = String::new();
-    for (i, position) in mass.positions.iter().enumerate() {
-        let _ = writeln!(into, "x[{position}] = v[{i}];");
-        let _ = writeln!(back, "v[{i}] = x[{position}];");
-    }
+    let positions = mass.positions.iter().enumerate();
+    let into = positions
+        .clone()
+        .map(|(i, position)| format!("x[{position}] = v[{i}];"));
+    let back = positions.map(|(i, position)| format!("v[{i}] = x[{position}];"));
+    let [into, back] = [folded(into.collect()), folded(back.collect())];
     let _ = writeln!(
         out,
         "fn sparse_solve_mass(f: &[f64], x: &mut [f64], v: &mut SVector<f64, {n}>) {{
@@ -126,16 +125,11 @@ pub(super) fn emit(program: &Program) -> (String, String) {
 /// A v.
 fn rates(out: &mut String, sparse: &Sparse) {
     let (n, r, slots) = (sparse.size, sparse.row_count, sparse.rows.slots);
-    let mut body = String::new();
-    for row in 0..r {
-        let terms = sparse.jacobian.iter().filter(|entry| entry.0 == row);
-        let terms: Vec<String> = terms
-            .map(|&(_, j)| format!("k[{}] * v[{j}]", sparse.rows.slot_of(n + row, j)))
-            .collect();
-        if !terms.is_empty() {
-            let _ = writeln!(body, "rates[{row}] = {};", terms.join(" + "));
-        }
+    let mut sums: Vec<Vec<String>> = vec![Vec::new(); r];
+    for &(row, j) in &sparse.jacobian {
+        sums[row].push(format!("k[{}] * v[{j}]", sparse.rows.slot_of(n + row, j)));
     }
+    let body = assigned("rates", sums);
     let _ = writeln!(
         out,
         "fn sparse_rates(k: &[f64], v: &SVector<f64, {n}>, rates: &mut SVector<f64, {r}>) {{
@@ -147,16 +141,12 @@ fn rates(out: &mut String, sparse: &Sparse) {
 /// Aᵀκ.
 fn impulse(out: &mut String, sparse: &Sparse) {
     let (n, r, slots) = (sparse.size, sparse.row_count, sparse.rows.slots);
-    let mut body = String::new();
-    for column in 0..n {
-        let terms = sparse.jacobian.iter().filter(|entry| entry.1 == column);
-        let terms: Vec<String> = terms
-            .map(|&(i, _)| format!("k[{}] * kappa[{i}]", sparse.rows.slot_of(n + i, column)))
-            .collect();
-        if !terms.is_empty() {
-            let _ = writeln!(body, "p[{column}] = {};", terms.join(" + "));
-        }
+    let mut sums: Vec<Vec<String>> = vec![Vec::new(); n];
+    for &(i, column) in &sparse.jacobian {
+        let slot = sparse.rows.slot_of(n + i, column);
+        sums[column].push(format!("k[{slot}] * kappa[{i}]"));
     }
+    let body = assigned("p", sums);
     let _ = writeln!(
         out,
         "fn sparse_impulse(k: &[f64], kappa: &SVector<f64, {r}>, p: &mut SVector<f64, {n}>) {{
@@ -165,28 +155,40 @@ fn impulse(out: &mut String, sparse: &Sparse) {
     );
 }
 
+/// Each element of a vector as its sum.
+fn assigned(vector: &str, sums: Vec<Vec<String>>) -> String {
+    let sums = sums.into_iter().enumerate();
+    let sums = sums.filter(|(_, terms)| !terms.is_empty());
+    let lines = sums.map(|(i, terms)| format!("{vector}[{i}] = {};", terms.join(" + ")));
+    folded(lines.collect())
+}
+
 /// A vector in the order of elimination: zero for the velocities, and the right-hand sides of the rows.
 fn spread(e: &Elimination, n: usize, row: impl Fn(usize) -> String, r: usize) -> String {
-    let mut out = String::new();
-    for i in 0..n {
-        let _ = writeln!(out, "x[{}] = 0.0;", e.positions[i]);
-    }
-    for i in 0..r {
-        let _ = writeln!(out, "x[{}] = {};", e.positions[n + i], row(i));
-    }
-    out
+    let velocities = (0..n).map(|i| format!("x[{}] = 0.0;", e.positions[i]));
+    let rows = (0..r).map(|i| format!("x[{}] = {};", e.positions[n + i], row(i)));
+    folded(velocities.chain(rows).collect())
 }
 
 /// Adds the solution.
 fn collect(e: &Elimination, n: usize, r: usize) -> String {
-    let mut out = String::new();
-    for i in 0..n {
-        let _ = writeln!(out, "v[{i}] += x[{}];", e.positions[i]);
+    let velocities = (0..n).map(|i| format!("v[{i}] += x[{}];", e.positions[i]));
+    let rows = (0..r).map(|i| format!("kappa[{i}] -= x[{}];", e.positions[n + i]));
+    folded(velocities.chain(rows).collect())
+}
+
+/// A list of places as an expression.
+fn places<const WIDTH: usize>(reader: &str, list: Vec<[usize; WIDTH]>) -> String {
+    if list.len() > MOST_PLACES {
+        let words: Vec<usize> = list.iter().flatten().copied().collect();
+        let (count, words) = (list.len(), words_of_u32(&words));
+        return format!("&::mbs_runtime::generated::{reader}::<{count}>({words})");
     }
-    for i in 0..r {
-        let _ = writeln!(out, "kappa[{i}] -= x[{}];", e.positions[n + i]);
-    }
-    out
+    let places = list.iter().map(|place| {
+        let numbers: Vec<String> = place.iter().map(usize::to_string).collect();
+        format!("({})", numbers.join(", "))
+    });
+    format!("&[{}]", places.collect::<Vec<_>>().join(", "))
 }
 
 /// The length of an array: with room for a spread column where a table needs it.

@@ -77,7 +77,6 @@ pub(super) fn emit(
     let associated = [
         (Capability::Configuration, rotations),
         (Capability::Inertia, mass_type(program)),
-        (Capability::Constraints, elimination),
         (Capability::Loads, format!("type Inputs = {inputs_type};\n")),
         (
             Capability::Observables,
@@ -90,7 +89,7 @@ pub(super) fn emit(
         (
             Capability::System,
             format!(
-                "const MODEL: &'static ::mbs_runtime::Model = {metadata};\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n"
+                "const MODEL: &'static ::mbs_runtime::Model = MODEL;\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n"
             ),
         ),
     ];
@@ -112,7 +111,11 @@ pub(super) fn emit(
     let full = implementations(&|capability| {
         let mut all = Capability::ALL.iter().zip(&bodies);
         let own = all.find(|(of, _)| **of == capability);
-        own.map_or_else(String::new, |(_, text)| text.clone())
+        let own = own.map_or("", |(_, text)| text);
+        match capability {
+            Capability::Constraints => elimination.clone() + own,
+            _ => own.to_owned(),
+        }
     });
     let stubs = implementations(&|capability| methods::stubs(program, capability));
     written.add("elimination", &eliminating);
@@ -126,6 +129,7 @@ pub(super) fn emit(
             }
         }
     });
+    let model = tokens(metadata);
     quote! {
         #doc
         #[doc(hidden)]
@@ -152,6 +156,9 @@ pub(super) fn emit(
             use ::mbs_runtime::generated::{Elementary as _, entries, entries_mut, rows, rows_mut};
             #[allow(unused_imports)]
             use ::mbs_runtime::nalgebra::{SMatrix, SVector};
+
+            #[allow(long_running_const_eval)]
+            const MODEL: &'static ::mbs_runtime::Model = #model;
 
             #[cfg(not(rust_analyzer))]
             const _: () = {

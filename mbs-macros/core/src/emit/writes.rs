@@ -5,6 +5,7 @@
 
 use super::blocks::let_all;
 use super::body::Body;
+use super::progressions::{folded, looped};
 use crate::dag::{Operand, Output, Place};
 use crate::symbolic::{Map, Symbol};
 use std::fmt::Write;
@@ -29,15 +30,18 @@ impl Body<'_> {
         }
         let mut out = String::new();
         let_all(&mut out, &self.constants());
+        let mut singles = Vec::new();
         for output in outputs {
             match alike.get_mut(&kind(output)) {
                 Some(list) if list.is_empty() => {}
                 Some(list) if list.len() >= FEWEST => {
+                    put(&mut out, &mut singles, outputs.len());
                     out.push_str(&self.repeated(&std::mem::take(list)));
                 }
-                _ => out.push_str(&self.single(output)),
+                _ => singles.push(self.single(output)),
             }
         }
+        put(&mut out, &mut singles, outputs.len());
         out
     }
 
@@ -70,7 +74,12 @@ impl Body<'_> {
         };
         let names: Vec<String> = ["i", "j", "k"].map(str::to_owned).into();
         let names = &names[..indices(first.place).len()];
-        let statement = statement(first, names, &self.value(first));
+        let value = self.value(first);
+        let single = |output: &&Output| statement(output, &indices(output.place), &value);
+        if let Some(loops) = looped(outputs.iter().map(single).collect()) {
+            return loops;
+        }
+        let statement = statement(first, names, &value);
         let mut out = String::new();
         if !statement.is_empty() {
             let places = outputs.iter().map(|output| indices(output.place));
@@ -85,6 +94,15 @@ impl Body<'_> {
             );
         }
         out
+    }
+}
+
+/// Writes statements, as loops where there are many.
+fn put(out: &mut String, statements: &mut Vec<String>, outputs: usize) {
+    let statements = std::mem::take(statements);
+    match outputs > MOST {
+        true => out.push_str(&folded(statements)),
+        false => out.extend(statements.iter().map(|statement| statement.as_str())),
     }
 }
 

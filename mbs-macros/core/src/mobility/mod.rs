@@ -5,13 +5,14 @@
 //! assembled again. So the poses stay on the branch of the guess, and a singular guess does not decide. Rows are
 //! orthogonalised in their order: one that adds nothing to those before it is redundant, and the coefficients say on
 //! which of them it depends. (A parameter that tilts an axis can change the rank; assembly at run time repeats the
-//! check.)
+//! check.) Many rows are orthogonalised only if their normal equations find one that may be dependent: see `normal`.
 //!
 //! A guess that cannot be assembled is examined further: see `closing`.
 
 mod closing;
 mod held;
 mod integrability;
+mod normal;
 mod numbers;
 mod rows;
 mod shared;
@@ -21,7 +22,6 @@ use crate::derivatives::{self, RowDerivatives};
 use crate::equations::{Row, System, VacuousRow};
 use crate::model::Outline;
 use numbers::Numbers;
-use rows::DEPENDENT;
 
 pub use closing::Open;
 pub use held::held;
@@ -99,13 +99,11 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
     // On a branch the rank is lower only at single poses: the pose with the highest rank is generic. (A mechanism that
     // cannot move has no other pose than its home.)
     poses.push(home);
-    let rows = poses
-        .iter()
-        .map(|pose| (pose, numbers.independent_rows(pose, DEPENDENT)));
-    let Some((pose, rows)) = rows.max_by_key(|(_, rows)| rows.basis.len()) else {
+    let rows = poses.iter().map(|pose| (pose, numbers.dependencies(pose)));
+    let Some((pose, rows)) = rows.max_by_key(|(_, rows)| rows.independent.len()) else {
         return Ok(None);
     };
-    let rank = rows.basis.len();
+    let rank = rows.independent.len();
     let mut cancelling = Vec::new();
     for (row, coefficients) in &rows.dependent {
         let involved = combined(*row, &rows.independent, coefficients);

@@ -1,10 +1,12 @@
 //! The equations as numbers, and poses that fulfil them.
 
-use super::rows::{Rows, norm};
+use super::normal::{Normal, SparseRow};
+use super::rows::{DEPENDENT, Rows, norm};
 use crate::derivatives::{Matrix, RowDerivatives};
 use crate::equations::System;
 use crate::model::Outline;
 use crate::symbolic::{Evaluator, Expr, Graph, Symbol};
+use std::collections::HashSet;
 
 /// Distances by which poses are moved, in units of the largest coordinate, in decreasing order: the first that can be
 /// assembled counts.
@@ -20,6 +22,9 @@ pub(super) const ASSEMBLED: f64 = 1e-11;
 /// The unit of rows that are half the difference of two squares of lengths.
 pub(super) const AREA: &str = "m^2";
 const ITERATIONS: usize = 40;
+/// More rows are taken by their normal equations where these serve: to orthogonalise rows of a chain takes the cube of
+/// their number.
+const MANY_ROWS: usize = 100;
 
 /// The equations as numbers, with default parameters and inputs.
 #[derive(Clone, Copy)]
@@ -124,17 +129,79 @@ impl<'a> Numbers<'a> {
     /// The rows of A at q, orthogonalised: those of parts first (a bar keeps its length by itself), then those of joints
     /// and conditions as declared, so that the later of two that say the same is the one called redundant.
     pub fn independent_rows(&self, q: &[f64], dependent: f64) -> Rows {
-        let list = &self.system.rows;
         let matrix = self.matrix(&self.rows.jacobian, q, &[]);
-        let is_part = |row: &usize| {
-            self.outline
-                .parts
-                .iter()
-                .any(|part| part.name == list[*row].entry)
-        };
+        let order = self.order().into_iter();
+        Rows::new(order.map(|row| (row, &matrix[row])), dependent)
+    }
+
+    fn order(&self) -> Vec<usize> {
+        let parts = self.outline.parts.iter().map(|part| part.name.as_str());
+        let parts: HashSet<&str> = parts.collect();
+        let list = &self.system.rows;
+        let is_part = |row: &usize| parts.contains(list[*row].entry.as_str());
         let (mut order, joints): (Vec<usize>, Vec<usize>) = (0..list.len()).partition(is_part);
         order.extend(joints);
-        Rows::new(order.into_iter().map(|row| (row, &matrix[row])), dependent)
+        order
+    }
+
+    /// The normal equations of the first rows of A, in the same order; `None` where rows are few or not sparse.
+    fn normal(&self, q: &[f64], count: usize) -> Option<Normal> {
+        if count <= MANY_ROWS {
+            return None;
+        }
+        let mut rows: Vec<SparseRow> = vec![Vec::new(); count];
+        let entries = self.rows.jacobian.iter();
+        let entries = entries.filter(|((row, _), _)| *row < count);
+        let (places, entries): (Vec<_>, Vec<_>) = entries.unzip();
+        let values = self.values(q, entries.into_iter().copied());
+        for (&(row, column), value) in places.into_iter().zip(values) {
+            rows[row].push((column, value));
+        }
+        let order = self.order().into_iter().filter(|&row| row < count);
+        let rows = order.map(|row| (row, std::mem::take(&mut rows[row])));
+        Normal::new(rows.collect(), NEARLY_DEPENDENT)
+    }
+
+    /// Which rows are independent at q.
+    pub fn dependencies(&self, q: &[f64]) -> Dependencies {
+        let count = self.system.rows.len();
+        if self
+            .normal(q, count)
+            .is_some_and(|normal| normal.is_regular())
+        {
+            return Dependencies {
+                independent: (0..count).collect(),
+                dependent: Vec::new(),
+            };
+        }
+        let rows = self.independent_rows(q, DEPENDENT);
+        Dependencies {
+            independent: rows.independent,
+            dependent: rows.dependent,
+        }
+    }
+
+    /// Takes what the rows forbid out of velocities.
+    fn free(&self, q: &[f64], direction: &mut [f64]) {
+        match self.normal(q, self.system.rows.len()) {
+            Some(normal) => normal.remove_from(direction),
+            None => {
+                let rows = self.independent_rows(q, NEARLY_DEPENDENT);
+                rows.remove_from(direction);
+            }
+        }
+    }
+
+    /// The least change of q, in velocities, that takes a residual away.
+    fn correction(&self, q: &[f64], phi: &[f64]) -> Vec<f64> {
+        let size = self.system.size;
+        match self.normal(q, phi.len()) {
+            Some(normal) => normal.correction(size, phi),
+            None => {
+                let rows = self.independent_rows(q, NEARLY_DEPENDENT);
+                rows.correction(size, phi)
+            }
+        }
     }
 
     /// A matrix of as many rows as A.
@@ -176,8 +243,7 @@ impl<'a> Numbers<'a> {
         let mut random = Random(seed + 1);
         let count = self.system.size;
         let mut direction: Vec<f64> = (0..count).map(|_| random.next()).collect();
-        self.independent_rows(home, NEARLY_DEPENDENT)
-            .remove_from(&mut direction);
+        self.free(home, &mut direction);
         let length = norm(&direction);
         if length < 1e-6 {
             return None;
@@ -215,9 +281,7 @@ impl<'a> Numbers<'a> {
             if self.assembled(&phi) {
                 return Some(q);
             }
-            let change = self
-                .independent_rows(&q, NEARLY_DEPENDENT)
-                .correction(system.size, &phi);
+            let change = self.correction(&q, &phi);
             q = system.layout.moved(&q, &change, 1.0);
         }
         None
@@ -227,6 +291,14 @@ impl<'a> Numbers<'a> {
     pub fn is_far(&self, q: &[f64]) -> bool {
         q.iter().any(|q| q.abs() > 1e3 * self.size)
     }
+}
+
+/// Which rows depend on those before them.
+pub(super) struct Dependencies {
+    /// The others, in the order in which they were looked at.
+    pub independent: Vec<usize>,
+    /// Rows that depend, with their coefficients over the independent rows before them.
+    pub dependent: Vec<(usize, Vec<f64>)>,
 }
 
 /// max |x|; NaN if one of them is.

@@ -17,6 +17,9 @@ pub(super) fn with_rows_left_out(system: &System) -> Vec<String> {
         let with = |row: &VacuousRow| row.entry == *joint || row.follows_from.contains(joint);
         system.vacuous.iter().any(with)
     };
+    if system.vacuous.is_empty() {
+        return Vec::new();
+    }
     let joints = system.reactions.iter().map(|reaction| &reaction.joint);
     let shared: Vec<String> = joints.filter(|&joint| shares(joint)).cloned().collect();
     in_order(system, &shared)
@@ -31,6 +34,9 @@ pub(super) fn undetermined(
 ) -> Vec<String> {
     let system = numbers.system;
     let mut joints = with_rows_left_out(system);
+    if cancelling.is_empty() {
+        return joints;
+    }
     let reactions = || system.reactions.iter().map(|reaction| reaction.expr);
     let lengths: Vec<f64> = numbers
         .matrix(&numbers.rows.jacobian, pose, &[])

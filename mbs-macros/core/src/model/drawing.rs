@@ -4,6 +4,7 @@ use super::elements::{ForceEntry, JointEntry};
 use super::geometry::{Owner, Point, Vector};
 use super::parts::Representation;
 use super::resolver::Resolver;
+use std::collections::HashMap;
 
 /// Points and lines, and where reactions act.
 #[derive(Debug, Clone, Default)]
@@ -14,27 +15,37 @@ pub struct Drawing {
     pub segments: Vec<(String, usize, usize)>,
     /// Joints with the point that their reaction acts on.
     pub sites: Vec<(String, usize)>,
+    /// The first point at each place.
+    first_at: HashMap<Vector, usize>,
 }
 
 impl Drawing {
     /// The point at this place among those from `first` on; it is added if there is none.
     fn point(&mut self, first: usize, point: &Point) -> usize {
-        let known = self.points[first..]
-            .iter()
-            .position(|(_, position)| *position == point.position);
-        known.map_or_else(
-            || {
-                self.points.push((point.label.clone(), point.position));
-                self.points.len() - 1
-            },
-            |index| first + index,
-        )
+        let known = match first {
+            0 => self.first_at.get(&point.position).copied(),
+            _ => {
+                let mut own = self.points[first..].iter().zip(first..);
+                let own = own.find(|((_, position), _)| *position == point.position);
+                own.map(|(_, index)| index)
+            }
+        };
+        known.unwrap_or_else(|| {
+            self.push(point.label.clone(), point.position);
+            self.points.len() - 1
+        })
     }
 
-    /// Where the reaction of a joint acts.
-    pub fn site(&self, joint: &str) -> Option<usize> {
-        let site = self.sites.iter().find(|(name, _)| name == joint);
-        site.map(|&(_, point)| point)
+    fn push(&mut self, name: String, position: Vector) {
+        self.first_at.entry(position).or_insert(self.points.len());
+        self.points.push((name, position));
+    }
+
+    /// Where the reaction of each joint acts.
+    pub fn sites(&self) -> HashMap<&str, usize> {
+        // Of several the first counts.
+        let sites = self.sites.iter().rev();
+        sites.map(|(name, point)| (name.as_str(), *point)).collect()
     }
 }
 
@@ -56,7 +67,7 @@ impl Resolver<'_> {
                 vec!["origin"]
             } {
                 if let Some(point) = self.named_point(owner, end) {
-                    drawing.points.push((point.label, point.position));
+                    drawing.push(point.label, point.position);
                 }
             }
             if kind == "Bar" {
@@ -118,7 +129,7 @@ impl Resolver<'_> {
         for corner in corners {
             let local = self.graph.vector_add(center, corner);
             let position = self.graph.place(&frame, local);
-            drawing.points.push((format!("{name}.outline"), position));
+            drawing.push(format!("{name}.outline"), position);
         }
         let edges = edges.into_iter();
         drawing

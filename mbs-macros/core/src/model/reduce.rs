@@ -11,7 +11,7 @@ use super::solve::{self, Conditions};
 use super::solved::Solved;
 use super::tree::Tree;
 use crate::symbolic::Substitution;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// A set of joined points: ends of parts, and at most one place of the ground.
 #[derive(Default)]
@@ -59,7 +59,7 @@ pub(super) fn reduce(
         twists: Vec::new(),
         solved: Solved::default(),
         unwrapped_angles: Vec::new(),
-        carried: tree
+        dissolved: tree
             .joints
             .iter()
             .map(|joint| joint.joint.clone())
@@ -81,6 +81,7 @@ pub(super) fn reduce(
         }
         describe(resolver, cluster, leader, joints, &mut reduction.sentences);
         for &joint in &cluster.joints {
+            reduction.dissolved.insert(joints[joint].name.clone());
             reduction.merged.push(sides(cluster, joint, joints));
         }
     }
@@ -108,29 +109,28 @@ pub(super) fn reduce(
 #[derive(Default)]
 struct Clusters {
     list: Vec<Cluster>,
+    /// The cluster of each end.
+    of_end: HashMap<u32, usize>,
+    /// The cluster of each place of the ground.
+    of_place: HashMap<Vector, usize>,
 }
 
 impl Clusters {
     fn find(&mut self, point: &Point) -> usize {
-        let found = match point.free {
-            Some(end) => self
-                .list
-                .iter()
-                .position(|cluster| cluster.ends.contains(&end)),
-            None => self
-                .list
-                .iter()
-                .position(|cluster| cluster.ground == Some(point.position)),
+        let next = self.list.len();
+        let index = match point.free {
+            Some(end) => *self.of_end.entry(end).or_insert(next),
+            None => *self.of_place.entry(point.position).or_insert(next),
         };
-        found.unwrap_or_else(|| {
+        if index == next {
             let mut cluster = Cluster::default();
             match point.free {
                 Some(end) => cluster.ends.push(end),
                 None => cluster.ground = Some(point.position),
             }
             self.list.push(cluster);
-            self.list.len() - 1
-        })
+        }
+        index
     }
 
     fn join(
@@ -161,6 +161,8 @@ impl Clusters {
             ));
         }
         let moved = std::mem::take(&mut self.list[b]);
+        self.of_end.extend(moved.ends.iter().map(|&end| (end, a)));
+        self.of_place.extend(moved.ground.map(|place| (place, a)));
         let cluster = &mut self.list[a];
         cluster.ends.extend(moved.ends);
         cluster.joints.extend(moved.joints);

@@ -4,6 +4,7 @@ use super::parts::Part;
 use super::solved::Solved;
 use super::tree::BodyTwist;
 use crate::symbolic::{Graph, Substitution, Symbol};
+use std::collections::HashSet;
 
 /// A joint that left no row: its points were merged.
 #[derive(Debug, Clone)]
@@ -28,8 +29,8 @@ pub(super) struct Reduction {
     pub solved: Solved,
     /// Counted joint angles that need a memory.
     pub unwrapped_angles: Vec<usize>,
-    /// Joints of the tree: they left no rows.
-    pub carried: Vec<String>,
+    /// Joints that left no rows: those of the tree, and those whose points were merged.
+    pub dissolved: HashSet<String>,
     /// Local coordinates that stay, in order: (local, name).
     pub kept: Vec<(u32, String)>,
 }
@@ -37,8 +38,7 @@ pub(super) struct Reduction {
 impl Reduction {
     /// Whether a joint left no row.
     pub(super) fn dissolved(&self, joint: &str) -> bool {
-        self.merged.iter().any(|merged| merged.joint == joint)
-            || self.carried.iter().any(|carried| carried == joint)
+        self.dissolved.contains(joint)
     }
 
     /// The generalized coordinate with which a local one moves; `None` if it is held, or moves with several.

@@ -7,16 +7,17 @@ const LONG_SUM: usize = 512;
 
 impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Expr {
-        if let Some(&expr) = self.index.get(&node) {
-            return expr;
+        let hash = node.hashed();
+        if let Some(known) = self.known(&node, hash) {
+            return known;
         }
         let expr = Expr(self.nodes.len() as u32);
-        self.nodes.push(node.clone());
-        self.index.insert(node, expr);
-        let mut reach = match *self.node(expr) {
+        let mut reach = match node {
             Node::Symbol(symbol) => reach_of(symbol),
             _ => 0,
         };
+        self.nodes.push(node);
+        self.index.insert(expr.0, hash);
         let mut levels = 0;
         self.for_each_operand(expr, |operand| {
             reach |= self.reach[operand.0 as usize];
@@ -25,6 +26,12 @@ impl Graph {
         self.reach.push(reach);
         self.levels.push(levels);
         expr
+    }
+
+    /// The expression of a node with this hash, if it was made already.
+    fn known(&self, node: &Node, hash: u32) -> Option<Expr> {
+        let is_it = |number: u32| self.nodes[number as usize] == *node;
+        self.index.find(hash, is_it).map(Expr)
     }
 
     /// A number.
@@ -126,10 +133,13 @@ impl Graph {
         let minus = signs.iter().filter(|&&is_negative| is_negative).count();
         let negative = match signs.first() {
             Some(&first) => 2 * minus > signs.len() || (2 * minus == signs.len() && first),
-            None => self.index.contains_key(&Node::Sum {
-                constant: Number::new(-constant),
-                terms: scaled(terms, -1.0),
-            }),
+            None => {
+                let opposite = Node::Sum {
+                    constant: Number::new(-constant),
+                    terms: scaled(terms, -1.0),
+                };
+                self.known(&opposite, opposite.hashed()).is_some()
+            }
         };
         if negative { -1.0 } else { 1.0 }
     }

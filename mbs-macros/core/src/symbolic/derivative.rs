@@ -14,21 +14,31 @@ impl Graph {
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }
-        let result = match self.node(expr).clone() {
+        let result = match self.node(expr) {
+            // Its terms are many where it is an energy.
+            Node::Sum { .. } => self.sum_rule(expr, symbol),
+            node => {
+                let node = node.clone();
+                self.rule(expr, node, symbol)
+            }
+        };
+        self.derivatives.insert((expr, symbol), result);
+        result
+    }
+
+    fn sum_rule(&mut self, sum: Expr, symbol: Symbol) -> Expr {
+        let terms = self.terms_along(sum, symbol).into_iter();
+        let terms: Vec<_> = terms
+            .map(|(term, coefficient)| (self.derivative(term, symbol), coefficient.value()))
+            .collect();
+        self.linear(0.0, &terms)
+    }
+
+    fn rule(&mut self, expr: Expr, node: Node, symbol: Symbol) -> Expr {
+        match node {
             Node::Constant(_) => self.zero(),
             Node::Symbol(own) => self.symbol_derivative(own, symbol),
-            Node::Sum { terms, .. } => {
-                let terms: Vec<_> = terms
-                    .iter()
-                    .filter(|(term, _)| self.may_depend_on(*term, symbol))
-                    .copied()
-                    .collect();
-                let terms: Vec<_> = terms
-                    .into_iter()
-                    .map(|(term, coefficient)| (self.derivative(term, symbol), coefficient.value()))
-                    .collect();
-                self.linear(0.0, &terms)
-            }
+            Node::Sum { .. } => self.sum_rule(expr, symbol),
             Node::Product(factors) => self.product_rule(&factors, symbol),
             Node::Function(function, x) => {
                 let inner = self.derivative(x, symbol);
@@ -81,9 +91,7 @@ impl Graph {
                 let outer = self.table(&table, order + 1, x);
                 self.mul(outer, inner)
             }
-        };
-        self.derivatives.insert((expr, symbol), result);
-        result
+        }
     }
 
     fn symbol_derivative(&mut self, own: Symbol, by: Symbol) -> Expr {

@@ -15,6 +15,23 @@ pub(crate) fn hash(key: impl std::hash::Hash) -> u64 {
     BuildHasherDefault::<Mixer>::default().hash_one(key)
 }
 
+/// A hash of what had the hash `all`, and a text, many bytes at a time.
+pub(crate) fn mixed_text(all: u64, text: &str) -> u64 {
+    let (words, rest) = text.as_bytes().as_chunks::<8>();
+    let mut all = mixed(all, text.len() as u64);
+    for &word in words {
+        all = mixed(all, u64::from_le_bytes(word));
+    }
+    rest.iter()
+        .fold(all, |all, &byte| mixed(all, u64::from(byte)))
+}
+
+/// A hash of what had the hash `all`, and one more word.
+pub(crate) fn mixed(all: u64, word: u64) -> u64 {
+    // An odd number without a pattern: the hexadecimal digits of π after the point.
+    (all.rotate_left(5) ^ word).wrapping_mul(0x243f_6a88_85a3_08d3)
+}
+
 #[derive(Default)]
 pub(crate) struct Mixer(u64);
 
@@ -34,8 +51,7 @@ impl Hasher for Mixer {
     }
 
     fn write_u64(&mut self, word: u64) {
-        // An odd number without a pattern: the hexadecimal digits of π after the point.
-        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x243f_6a88_85a3_08d3);
+        self.0 = mixed(self.0, word);
     }
 
     fn finish(&self) -> u64 {

@@ -5,10 +5,13 @@
 //! form (flat, sorted by index, coefficients collected), but **never expanded**: a product of sums stays one.
 
 mod affine;
+mod along;
 mod build;
 mod derivative;
 mod evaluate;
 mod gradient;
+mod hashing;
+mod index;
 mod latex;
 mod length;
 mod map;
@@ -22,7 +25,7 @@ mod table;
 
 pub(crate) use build::is_simple;
 pub(crate) use map::Set;
-pub(crate) use map::{Map, hash};
+pub(crate) use map::{Map, hash, mixed, mixed_text};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
@@ -33,6 +36,7 @@ pub use rotation::rotation_entry;
 pub use substitute::Substitution;
 pub use table::{Beyond, INTEGRAL, Interpolation, Table};
 
+use index::Index;
 use std::sync::Arc;
 
 /// A node of a [`Graph`].
@@ -220,8 +224,10 @@ pub struct Graph {
     reach: Vec<u128>,
     /// For each node, the number of operations from it down to its lowest symbol.
     levels: Vec<u32>,
-    index: Map<Node, Expr>,
+    index: Index,
     derivatives: Map<(Expr, Symbol), Expr>,
+    /// See [`Graph::terms_along`].
+    along: Map<Expr, Arc<Map<Symbol, Vec<u32>>>>,
     names: Map<Symbol, String>,
     hints: Map<Expr, String>,
     /// See [`Graph::of_many`].
@@ -364,7 +370,7 @@ impl Graph {
         roots: impl IntoIterator<Item = Expr>,
         mut predicate: impl FnMut(&Node) -> bool,
     ) -> bool {
-        let mut seen = Set::default();
+        let mut seen = Seen::default();
         let mut stack: Vec<Expr> = roots.into_iter().collect();
         while let Some(expr) = stack.pop() {
             if seen.insert(expr) {
@@ -406,6 +412,32 @@ impl Graph {
     /// Whether a user's law occurs in the expression.
     pub fn contains_law(&self, expr: Expr) -> bool {
         self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
+    }
+}
+
+/// Expressions that a walk has met. Most walks are short, and the first few are in a list.
+#[derive(Default)]
+struct Seen {
+    few: Vec<Expr>,
+    many: Set<Expr>,
+}
+
+impl Seen {
+    /// Whether the expression is new.
+    fn insert(&mut self, expr: Expr) -> bool {
+        const FEW: usize = 16;
+        let mut at = 0;
+        while at < self.few.len() {
+            if self.few[at].0 == expr.0 {
+                return false;
+            }
+            at += 1;
+        }
+        if at < FEW {
+            self.few.push(expr);
+            return true;
+        }
+        self.many.insert(expr)
     }
 }
 

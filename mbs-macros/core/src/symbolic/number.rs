@@ -16,6 +16,11 @@ impl Number {
         Number((value + 0.0).to_bits())
     }
 
+    /// What numbers are compared by.
+    pub(super) fn bits(self) -> u64 {
+        self.0
+    }
+
     /// Its value.
     pub fn value(self) -> f64 {
         f64::from_bits(self.0)

@@ -33,6 +33,11 @@ impl Function {
         };
         self.operations.len() + self.outputs.len() > longest
     }
+
+    /// Whether a function that is evaluated at most once in a step is long by its outputs alone.
+    pub(in crate::dag) fn is_long_by(outputs: usize) -> bool {
+        outputs > LONGEST_COLD_BODY
+    }
 }
 
 /// Whether parts are shorter than one body, or that would be too long for any function.

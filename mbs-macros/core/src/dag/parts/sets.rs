@@ -11,6 +11,8 @@ pub(in crate::dag) struct Sets {
     /// The labels as bits.
     list: Vec<Vec<u64>>,
     index: Map<Vec<u64>, u32>,
+    /// The set of each label alone.
+    single: Map<u32, u32>,
     unions: Map<(u32, u32), u32>,
 }
 
@@ -30,9 +32,14 @@ impl Sets {
     }
 
     pub(in crate::dag) fn of_label(&mut self, label: u32) -> u32 {
+        if let Some(&known) = self.single.get(&label) {
+            return known;
+        }
         let mut bits = vec![0; label as usize / 64 + 1];
         bits[label as usize / 64] = 1 << (label % 64);
-        self.number(bits)
+        let number = self.number(bits);
+        self.single.insert(label, number);
+        number
     }
 
     /// The labels of a set.

@@ -20,23 +20,29 @@ pub(super) fn minimum_degree(
             false => coupled[unknown].len(),
         })
         .collect();
-    let mut left: BTreeSet<usize> = (0..count).collect();
+    // Those that can be next, by the number of their couplings.
+    let mut ready: BTreeSet<(usize, usize)> = (0..count)
+        .filter(|&unknown| waits_for[unknown] == 0)
+        .map(|unknown| (neighbours[unknown].len(), unknown))
+        .collect();
     let mut order = Vec::with_capacity(count);
-    while let Some(&next) = left
-        .iter()
-        .filter(|&&unknown| waits_for[unknown] == 0)
-        .min_by_key(|&&unknown| neighbours[unknown].len())
-    {
-        left.remove(&next);
+    while let Some((_, next)) = ready.pop_first() {
         order.push(next);
         for &row in coupled[next].iter().filter(|&&other| other >= velocities) {
             waits_for[row] -= 1;
+            if waits_for[row] == 0 {
+                ready.insert((neighbours[row].len(), row));
+            }
         }
         let around = std::mem::take(&mut neighbours[next]);
         for &unknown in &around {
+            let before = neighbours[unknown].len();
             neighbours[unknown].remove(&next);
             let others = around.iter().copied().filter(|&other| other != unknown);
             neighbours[unknown].extend(others);
+            if ready.remove(&(before, unknown)) {
+                ready.insert((neighbours[unknown].len(), unknown));
+            }
         }
     }
     order

@@ -36,6 +36,16 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
         .iter()
         .filter_map(|element| element.joint.coincident.as_ref())
         .collect();
+    let mut pairs_of: Vec<Vec<&[Point; 2]>> = vec![Vec::new(); parts.len()];
+    for pair in pairs {
+        let mut owners = pair.each_ref().map(|point| point.owner).to_vec();
+        owners.dedup();
+        for owner in owners {
+            if let Owner::Part(part) = owner {
+                pairs_of[part].push(pair);
+            }
+        }
+    }
     let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
     let mut desperate = false;
     loop {
@@ -49,7 +59,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             {
                 continue;
             }
-            let known = known_points(&mut resolver.graph, index, &pairs, &poses);
+            let known = known_points(&mut resolver.graph, index, &pairs_of[index], &poses);
             if let Some(pose) = pose(&mut resolver.graph, part, &known, desperate) {
                 poses[index] = Some(pose);
                 progress = true;

@@ -1,0 +1,62 @@
+//! Where each node is in the arena.
+//!
+//! Every expression that is made is looked up, and compilers run unoptimised: a table of numbers and loops over arrays
+//! take a fraction of the time of a map whose keys are nodes, and a node is stored once.
+
+/// A slot that is free.
+const FREE: u32 = u32::MAX;
+/// Slots at the beginning.
+const FIRST: usize = 256;
+
+/// Hashes of nodes with their numbers in the arena, by open addressing; less than half of the slots are taken.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Index {
+    /// Their number is a power of two.
+    slots: Vec<(u32, u32)>,
+    taken: usize,
+}
+
+impl Index {
+    /// The number of the node with this hash that `is_it` tells from others.
+    pub(super) fn find(&self, hash: u32, is_it: impl Fn(u32) -> bool) -> Option<u32> {
+        if self.slots.is_empty() {
+            return None;
+        }
+        let mask = self.slots.len() - 1;
+        let mut at = hash as usize & mask;
+        loop {
+            let (own, number) = self.slots[at];
+            if number == FREE {
+                return None;
+            }
+            if own == hash && is_it(number) {
+                return Some(number);
+            }
+            at = (at + 1) & mask;
+        }
+    }
+
+    /// Adds a node that is not there.
+    pub(super) fn insert(&mut self, number: u32, hash: u32) {
+        if 2 * self.taken >= self.slots.len() {
+            let length = FIRST.max(2 * self.slots.len());
+            let slots = std::mem::replace(&mut self.slots, vec![(0, FREE); length]);
+            for (hash, number) in slots {
+                if number != FREE {
+                    self.put(hash, number);
+                }
+            }
+        }
+        self.put(hash, number);
+        self.taken += 1;
+    }
+
+    fn put(&mut self, hash: u32, number: u32) {
+        let mask = self.slots.len() - 1;
+        let mut at = hash as usize & mask;
+        while self.slots[at].1 != FREE {
+            at = (at + 1) & mask;
+        }
+        self.slots[at] = (hash, number);
+    }
+}
