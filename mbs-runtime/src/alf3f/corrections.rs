@@ -22,12 +22,22 @@ pub(super) struct Verdict {
     /// The factor should be renewed.
     pub(super) slow: bool,
     /// The size of this one, as a multiple of round-off …
+    #[cfg(feature = "sparse")]
     above: f64,
     /// … and as a multiple of the last one.
+    #[cfg(feature = "sparse")]
     rate: f64,
 }
 
 impl Verdict {
+    /// Whether the next correction would be round-off also if it is a hundredth of this one: the first corrections with
+    /// the factors of an earlier step leave parts that decrease more slowly than the whole.
+    #[cfg(feature = "sparse")]
+    pub(super) fn is_certain(&self) -> bool {
+        const SLOW: f64 = 0.01;
+        self.converged && (self.rate > SLOW || self.above * SLOW <= 1.0)
+    }
+
     /// Whether this number of further corrections would not be enough, where a new factor costs as much as they do.
     #[cfg(feature = "sparse")]
     pub(super) fn is_slow_for(&self, corrections: i32) -> bool {
@@ -65,7 +75,9 @@ impl Corrections {
         Verdict {
             converged: next <= round_off || stalled,
             slow: size > 0.1 * last || !size.is_finite(),
+            #[cfg(feature = "sparse")]
             above: size / round_off,
+            #[cfg(feature = "sparse")]
             rate,
         }
     }

@@ -1,6 +1,7 @@
 //! The momentum balance and the rows of a step, corrected until both hold.
 
 use super::step::{SparseStep, rates};
+use crate::System;
 use crate::alf3f::closing::{Closing, not_converged, residual_of};
 use crate::alf3f::corrections::Corrections;
 use crate::alf3f::step_context::StepContext;
@@ -8,7 +9,6 @@ use crate::fault::Fault;
 use crate::flow::trapezoid;
 use crate::linear::{entries_mut, vector, zeros};
 use crate::state::COST;
-use crate::System;
 use nalgebra::SVector;
 
 /// The momentum balance of a step with its rows, as functions of v_b and κ.
@@ -33,12 +33,13 @@ pub(super) struct Balance<'a, S: System<Q, N, R>, const Q: usize, const N: usize
 impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     Balance<'a, S, Q, N, R>
 {
-    /// For the step of h that ends at t₁, with v_b = v₀ to begin with. `step` has p and F at the beginning.
+    /// For the step of h that ends at t₁, from a guess of v_b. `step` has p and F at the beginning.
     pub(super) fn new(
         step: &'a mut SparseStep<Q, N, R>,
         context: &'a mut StepContext<S, Q, N, R>,
         weights: SVector<f64, R>,
         (t1, h): (f64, f64),
+        guess: SVector<f64, N>,
     ) -> Self {
         let (momentum, force) = (&step.momentum, &step.force);
         let state = &context.state;
@@ -46,7 +47,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             known: vector(|i| momentum[i] + 0.5 * h * force[i]),
             kappa: state.expected_impulse(h),
             q: state.positions,
-            vb: state.velocities,
+            vb: guess,
             step,
             context,
             weights,
@@ -69,6 +70,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
 {
     const PATIENCE: i32 = COST as i32;
     const VELOCITIES: bool = true;
+    /// The first correction is much larger than the others: what it leaves of the rows is not linear in it.
+    const TELLING: usize = 2;
 
     fn residual(&mut self) -> Result<f64, Fault> {
         let StepContext {
@@ -146,7 +149,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         let yardstick = &self.context.yardstick;
         let verdict = self.corrections.add(&change, end, self.h, yardstick);
         *current &= !verdict.is_slow_for(Self::PATIENCE);
-        verdict.converged
+        verdict.is_certain()
     }
 
     fn is_settled(&self) -> bool {

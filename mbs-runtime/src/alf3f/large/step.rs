@@ -100,16 +100,22 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         context: &mut StepContext<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
+        let before = context.state.velocities;
         let kept = self.take_up(context, h)?;
-        let taken = match self.attempt(context, h) {
-            Err(_) if kept => {
+        let change = context.state.factors.as_ref().map_or(zeros(), |f| f.change);
+        let taken = match self.attempt(context, h, before + change * h) {
+            // As the first step of a run.
+            Err(_) => {
                 self.begin_anew(context, h)?;
-                self.attempt(context, h).map(|count| (count, false))
+                self.attempt(context, h, before).map(|count| (count, false))
             }
             taken => taken.map(|count| (count, kept)),
         };
         let (corrections, kept) = taken?;
         self.keep(&mut context.state, corrections, kept);
+        if let Some(factors) = &mut context.state.factors {
+            factors.change = (context.state.velocities - before) / h;
+        }
         let Tangents { start, end, .. } = &mut self.tangents;
         std::mem::swap(start, end);
         Ok(())
@@ -175,11 +181,12 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         Ok(())
     }
 
-    /// A step with the factors at hand; returns the number of corrections.
+    /// A step with the factors at hand, from a guess of v_b; returns the number of corrections.
     fn attempt<S: System<Q, N, R>>(
         &mut self,
         context: &mut StepContext<S, Q, N, R>,
         h: f64,
+        guess: SVector<f64, N>,
     ) -> Result<u64, Fault> {
         let StepContext {
             system,
@@ -209,7 +216,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         };
         system.balance(*time, q0, v0, &mut self.momentum, &mut self.force);
         self.current = true;
-        let mut rows = Balance::new(self, context, weights, (t1, h));
+        let mut rows = Balance::new(self, context, weights, (t1, h), guess);
         let closed = closing::close(&mut rows, limits, true)?;
         let (q, mut vb, kappa) = rows.end();
         let Some(closed) = closed else {
