@@ -30,14 +30,6 @@ pub(super) struct Verdict {
 }
 
 impl Verdict {
-    /// Whether the next correction would be round-off also if it is a hundredth of this one: the first corrections with
-    /// the factors of an earlier step leave parts that decrease more slowly than the whole.
-    #[cfg(feature = "sparse")]
-    pub(super) fn is_certain(&self) -> bool {
-        const SLOW: f64 = 0.01;
-        self.converged && (self.rate > SLOW || self.above * SLOW <= 1.0)
-    }
-
     /// Whether this number of further corrections would not be enough, where a new factor costs as much as they do.
     #[cfg(feature = "sparse")]
     pub(super) fn is_slow_for(&self, corrections: i32) -> bool {

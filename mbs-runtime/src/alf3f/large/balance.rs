@@ -149,7 +149,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         let yardstick = &self.context.yardstick;
         let verdict = self.corrections.add(&change, end, self.h, yardstick);
         *current &= !verdict.is_slow_for(Self::PATIENCE);
-        verdict.is_certain()
+        verdict.converged
     }
 
     fn is_settled(&self) -> bool {

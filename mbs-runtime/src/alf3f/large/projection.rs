@@ -76,7 +76,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             *v += change;
             total += SVector::<f64, R>::from_column_slice(&self.x[N..]);
             let verdict = corrections.add(&change, (q, v), h, &context.yardstick);
-            if verdict.is_certain() {
+            if verdict.converged {
                 context.work.impulse[1] = total;
                 return Some(count);
             }
