@@ -169,6 +169,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             current.zip(values).for_each(|(old, &new)| *old = new);
             Ok(())
         })?;
+        self.stepper.context.state.forget_factors();
         let refreshed = self.stepper.refresh();
         refreshed.map_err(|fault| self.error(fault))?;
         self.take_stock();

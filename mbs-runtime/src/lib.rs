@@ -157,6 +157,8 @@ pub use settings::{
 };
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
+#[cfg(feature = "sparse")]
+pub use state::{FactorOrigin, Renewal};
 pub use state::{Ledger, State, StepController, ThreeFields};
 #[cfg(feature = "std")]
 pub use {

@@ -1,9 +1,20 @@
 //! The state of a simulation: all data to continue it bit for bit.
 
+#[cfg(feature = "sparse")]
+mod factor_origin;
+
+#[cfg(feature = "sparse")]
+use crate::large::is_large;
 use crate::linear::{entries, entries_mut, vector};
+#[cfg(feature = "sparse")]
+use crate::memory::Box;
 use crate::memory::StageList;
 use crate::row_scale::RowScale;
 use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
+#[cfg(feature = "sparse")]
+pub(crate) use factor_origin::COST;
+#[cfg(feature = "sparse")]
+pub use factor_origin::{FactorOrigin, Renewal};
 use nalgebra::SVector;
 
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
@@ -30,6 +41,10 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub step_controller: StepController,
     /// The fields that only Algorithm 1 carries from step to step.
     pub fields: ThreeFields<N, R>,
+    /// Where the factors in use were made, of a large mechanism; otherwise `None`.
+    #[cfg(feature = "sparse")]
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub factors: Option<Box<FactorOrigin<Q, N>>>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
@@ -95,6 +110,18 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         if stages > 1 {
             self.stage_multipliers.reserve(stages);
         }
+        #[cfg(feature = "sparse")]
+        if const { is_large::<N, R>() } && self.factors.is_none() {
+            self.factors = Some(Box::new(FactorOrigin::none()));
+        }
+    }
+
+    /// The next step of a large mechanism makes new factors: an input has changed, which the state does not have.
+    pub(crate) fn forget_factors(&mut self) {
+        #[cfg(feature = "sparse")]
+        if let Some(factors) = &mut self.factors {
+            factors.step = 0.0;
+        }
     }
 
     /// A copy with room for the same stages.
@@ -126,6 +153,10 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             self.stage_multipliers.clone_from(&other.stage_multipliers);
         }
         self.ledger = other.ledger;
+        #[cfg(feature = "sparse")]
+        if const { is_large::<N, R>() } {
+            self.factors.clone_from(&other.factors);
+        }
     }
 
     /// The multipliers that a stage begins with: its own of the last step, in the first step those of the stage before.
@@ -164,6 +195,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             ledger: Ledger::default(),
             step_controller: StepController::default(),
             fields: ThreeFields::default(),
+            #[cfg(feature = "sparse")]
+            factors: None,
         }
     }
 }

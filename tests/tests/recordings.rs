@@ -1,7 +1,8 @@
 //! Recorded runs of a mechanism that is no scene: instants, files, and the model in words.
 
 use crate::data::Pendulum;
-use mbs_runtime::{Mechanism, Settings, Simulation};
+use mbs_runtime::output::SaveError;
+use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError};
 use std::path::Path;
 use std::{env, fs};
 
@@ -90,4 +91,147 @@ fn an_own_mechanism_explains_itself() {
     // The text of a declaration has no assemblies.
     let refused = crate::home::Pendulum::MODEL.latex().unwrap_err();
     assert!(refused.contains("has no assemblies"), "{refused}");
+}
+
+/// The files of a run that is written while it lasts are those of a recorded run.
+#[test]
+fn a_run_is_written_while_it_lasts() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stream");
+    let _ = fs::remove_dir_all(&folder);
+    let new = || Simulation::new(Pendulum {}).unwrap();
+    let (mut streamed, mut recorded) = (new(), new());
+    let saved = (streamed.record(0.5).every(0.1).title("Swing").npz())
+        .save(folder.join("streamed"))
+        .unwrap();
+    assert_eq!((saved.instants, saved.shown), (6, 6));
+    let mut recording = recorded.record(0.5).every(0.1).run().unwrap();
+    recording.title = "Swing".to_owned();
+    recording.save(folder.join("recorded")).unwrap();
+    recording
+        .write_npz(folder.join("recorded/trajectory.npz"))
+        .unwrap();
+    let names = ["trajectory.csv", "trajectory.npz", "motion.html"];
+    for name in names.into_iter().chain(["outputs.svg", "energy.svg"]) {
+        let [a, b] = ["streamed", "recorded"].map(|run| fs::read(folder.join(run).join(name)));
+        assert!(a.unwrap() == b.unwrap(), "{name}");
+    }
+    assert!(!folder.join("streamed/trajectory.npz.part").exists());
+}
+
+/// Of a long run the table has all instants, the animation as many as it can show, and says so.
+#[test]
+fn animations_of_long_runs_are_thinned() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("long");
+    let mut simulation = Simulation::new(Pendulum {}).unwrap();
+    let saved = simulation.record(6.0).every(1e-3).save(&folder).unwrap();
+    assert_eq!(saved.instants, 6001);
+    assert!((1000..=2001).contains(&saved.shown), "{saved}");
+    let words = format!("6001 instants; motion.html shows {} of them", saved.shown);
+    assert_eq!(saved.to_string(), words);
+    let table = fs::read_to_string(folder.join("trajectory.csv")).unwrap();
+    assert_eq!(table.lines().count(), 6002);
+    let page = fs::read_to_string(folder.join("motion.html")).unwrap();
+    assert!(page.contains("\"recorded\":6001,"));
+}
+
+#[test]
+fn a_run_that_stops_leaves_its_files() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stopped");
+    let mut simulation = Simulation::new(Pendulum {}).unwrap();
+    simulation.run_until(0.5).unwrap();
+    let error = simulation.record(0.1).npz().save(&folder).unwrap_err();
+    assert!(
+        matches!(&error, SaveError::Simulation(SimulationError::Time { .. })),
+        "{error}"
+    );
+    let table = fs::read_to_string(folder.join("trajectory.csv")).unwrap();
+    assert_eq!(table.lines().count(), 3);
+    assert!(
+        table
+            .lines()
+            .last()
+            .unwrap()
+            .starts_with("# stopped at t = 0.5 s")
+    );
+    assert!(folder.join("motion.html").exists() && folder.join("trajectory.npz").exists());
+    // A folder that is a file is named in the error.
+    let file = folder.join("motion.html");
+    let error = simulation.record(0.6).save(&file).unwrap_err();
+    assert!(error.to_string().contains("motion.html"), "{error}");
+}
+
+/// Read by the specification of ZIP and NPY, not by the writer's code.
+#[test]
+fn binary_columns_have_the_bits_of_the_table() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("binary");
+    let mut simulation = Simulation::new(Pendulum {}).unwrap();
+    simulation
+        .record(0.5)
+        .every(0.02)
+        .npz()
+        .save(&folder)
+        .unwrap();
+    let columns = unpack(&fs::read(folder.join("trajectory.npz")).unwrap());
+    let table = fs::read_to_string(folder.join("trajectory.csv")).unwrap();
+    let mut lines = table.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| line.split(',').map(|x| x.parse().unwrap()).collect())
+        .collect();
+    assert_eq!((columns.len(), rows.len()), (names.len(), 26));
+    for (index, (name, values)) in columns.iter().enumerate() {
+        assert_eq!(*name, format!("{}.npy", names[index]));
+        let expected: Vec<u64> = rows.iter().map(|row| row[index].to_bits()).collect();
+        let values: Vec<u64> = values.iter().map(|value| value.to_bits()).collect();
+        assert_eq!(values, expected, "{name}");
+    }
+}
+
+/// Names and values of the arrays of an archive, by its list of files.
+fn unpack(archive: &[u8]) -> Vec<(String, Vec<f64>)> {
+    let number = |at: usize, bytes: usize| {
+        let bytes = archive[at..at + bytes].iter().rev();
+        bytes.fold(0, |number, &byte| number << 8 | usize::from(byte))
+    };
+    let end = archive.len() - 22;
+    assert_eq!(&archive[end..end + 4], b"PK\x05\x06");
+    let (count, mut at) = (number(end + 10, 2), number(end + 16, 4));
+    let arrays = (0..count).map(|_| {
+        assert_eq!(&archive[at..at + 4], b"PK\x01\x02");
+        let (crc, size, length) = (number(at + 16, 4), number(at + 24, 4), number(at + 28, 2));
+        let name = String::from_utf8(archive[at + 46..at + 46 + length].to_vec()).unwrap();
+        let start = number(at + 42, 4);
+        assert_eq!(&archive[start..start + 4], b"PK\x03\x04");
+        let file = start + 30 + number(start + 26, 2) + number(start + 28, 2);
+        let file = &archive[file..file + size];
+        assert_eq!(checksum(file), crc as u32, "{name}");
+        assert_eq!(number(start + 14, 4), crc, "{name}");
+        assert_eq!(&file[..8], b"\x93NUMPY\x01\x00");
+        let header = 10 + usize::from(file[8]) + 256 * usize::from(file[9]);
+        assert!(header.is_multiple_of(64) && file[header - 1] == b'\n');
+        let values: Vec<f64> = file[header..]
+            .chunks_exact(8)
+            .map(|bytes| f64::from_le_bytes(bytes.try_into().unwrap()))
+            .collect();
+        let text = String::from_utf8(file[10..header].to_vec()).unwrap();
+        let shape = format!(
+            "{{'descr': '<f8', 'fortran_order': False, 'shape': ({},), }}",
+            values.len()
+        );
+        assert_eq!(text.trim_end(), shape);
+        at += 46 + length;
+        (name, values)
+    });
+    arrays.collect()
+}
+
+/// CRC-32, bit by bit.
+fn checksum(bytes: &[u8]) -> u32 {
+    let bits = bytes
+        .iter()
+        .flat_map(|&byte| (0..8).map(move |bit| u32::from(byte >> bit & 1)));
+    !bits.fold(u32::MAX, |crc, bit| match (crc ^ bit) & 1 {
+        1 => crc >> 1 ^ 0xedb8_8320,
+        _ => crc >> 1,
+    })
 }

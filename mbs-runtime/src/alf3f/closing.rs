@@ -17,6 +17,8 @@ pub(crate) trait Closing {
     /// Whether velocities are unknowns besides the multipliers: then [`Self::solve`] decides on the end of the
     /// iteration.
     const VELOCITIES: bool = false;
+    /// The number of corrections from which on the residuals tell how fast they decrease.
+    const TELLING: usize = 1;
 
     /// Evaluates the rows at the present unknowns: Σ (φ_i/tolerance_i)².
     fn residual(&mut self) -> Result<f64, Fault>;
@@ -94,7 +96,8 @@ pub(crate) fn close<C: Closing>(
         }
         // A new factor is needed if the corrections that cost as much as it would not be enough at the present rate.
         let slow = !(residual.powi(C::PATIENCE + 1) <= last.powi(C::PATIENCE) || residual <= 1.0);
-        let slow = slow && iterations > 0 && (limits.fixed.is_none() || !residual.is_finite());
+        let slow =
+            slow && iterations >= C::TELLING && (limits.fixed.is_none() || !residual.is_finite());
         // Powers of a residual that diverges overflow, and tell no rate.
         let spent = iterations >= limits.most && limits.fixed.is_none();
         if !factored || slow || spent || rows.is_stale() {

@@ -21,6 +21,20 @@ pub(super) struct Verdict {
     pub(super) converged: bool,
     /// The factor should be renewed.
     pub(super) slow: bool,
+    /// The size of this one, as a multiple of round-off …
+    #[cfg(feature = "sparse")]
+    above: f64,
+    /// … and as a multiple of the last one.
+    #[cfg(feature = "sparse")]
+    rate: f64,
+}
+
+impl Verdict {
+    /// Whether this number of further corrections would not be enough, where a new factor costs as much as they do.
+    #[cfg(feature = "sparse")]
+    pub(super) fn is_slow_for(&self, corrections: i32) -> bool {
+        self.slow && !(self.above * self.rate.powi(corrections) <= 1.0)
+    }
 }
 
 impl Corrections {
@@ -44,7 +58,8 @@ impl Corrections {
         let speed = yardstick.measure(vb);
         let last = core::mem::replace(&mut self.size, size);
         // At the rate of this correction.
-        let next = size * (size / last).min(1.0);
+        let rate = (size / last).min(1.0);
+        let next = size * rate;
         let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(q, h));
         let noise = (STILL * speed).max(AMPLIFIED * round_off);
         let stalled = has_stalled(size, last) && size <= noise;
@@ -52,6 +67,10 @@ impl Corrections {
         Verdict {
             converged: next <= round_off || stalled,
             slow: size > 0.1 * last || !size.is_finite(),
+            #[cfg(feature = "sparse")]
+            above: size / round_off,
+            #[cfg(feature = "sparse")]
+            rate,
         }
     }
 }

@@ -3,8 +3,10 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use super::Frame;
+use super::{Frame, columns};
 use crate::Model;
+
+pub use super::columns::column;
 
 /// Writes frames as they come, so that a run that stops leaves all rows up to there.
 #[derive(Debug)]
@@ -18,7 +20,7 @@ impl<W: Write> CsvWriter<W> {
     /// # Errors
     /// `out` cannot be written.
     pub fn new(mut out: W, model: &Model) -> io::Result<Self> {
-        out.write_all((header(model).join(",") + "\n").as_bytes())?;
+        out.write_all((columns::names(model).join(",") + "\n").as_bytes())?;
         Ok(CsvWriter { out })
     }
 
@@ -27,20 +29,11 @@ impl<W: Write> CsvWriter<W> {
     /// # Errors
     /// `out` cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
-        let mut row = format!("{:?}", frame.time);
-        let energy = &frame.energy;
-        let balance = [energy.kinetic, energy.potential, energy.error];
-        let errors = [frame.holonomic_error, frame.velocity_error];
-        let columns = frame
-            .outputs
-            .iter()
-            .chain(&frame.coordinates)
-            .chain(&frame.velocities)
-            .chain(&balance)
-            .chain(&errors);
-        for value in columns {
+        let mut row = String::new();
+        for (index, value) in columns::values(frame).enumerate() {
+            let separator = if index > 0 { "," } else { "" };
             // Writing to a string cannot fail.
-            let _ = write!(row, ",{value:?}");
+            let _ = write!(row, "{separator}{value:?}");
         }
         row.push('\n');
         self.out.write_all(row.as_bytes())
@@ -74,56 +67,5 @@ impl<W: Write> CsvWriter<W> {
     pub fn finish(mut self) -> io::Result<W> {
         self.out.flush()?;
         Ok(self.out)
-    }
-}
-
-/// The names of the columns.
-fn header(model: &Model) -> Vec<String> {
-    let outputs = model.outputs.iter().map(|q| column(q.name, q.unit));
-    let coordinates = model.coordinates.iter().map(|q| column(q.name, q.unit));
-    let velocities = model
-        .velocities
-        .iter()
-        .map(|v| column(&v.name.replace('\'', "_dot"), v.unit));
-    let fixed = [
-        "kinetic_J",
-        "potential_J",
-        "energy_error_J",
-        "holonomic_error",
-        "velocity_error",
-    ];
-    std::iter::once("time_s".to_owned())
-        .chain(outputs)
-        .chain(coordinates)
-        .chain(velocities)
-        .chain(fixed.map(str::to_owned))
-        .collect()
-}
-
-/// `("x_dot", "m/s^2")` → `x_dot_m_per_s2`: a name that needs no quoting in any program that reads tables.
-pub fn column(name: &str, unit: &str) -> String {
-    let unit = unit
-        .strip_prefix("1/")
-        .map_or_else(|| unit.to_owned(), |rest| format!("per_{rest}"));
-    let mut unit = unit.replace('/', "_per_").replace('²', "2");
-    unit.retain(|c| c.is_alphanumeric() || c == '_');
-    if unit.is_empty() {
-        name.to_owned()
-    } else {
-        format!("{name}_{unit}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::column;
-
-    #[test]
-    fn units_become_part_of_the_name() {
-        assert_eq!(column("x", "m"), "x_m");
-        assert_eq!(column("a", "m/s^2"), "a_m_per_s2");
-        assert_eq!(column("s_dot", "1/s"), "s_dot_per_s");
-        assert_eq!(column("torque", "N m"), "torque_Nm");
-        assert_eq!(column("ratio", ""), "ratio");
     }
 }

@@ -1,6 +1,7 @@
-//! The output of a run: a table ([`csv`]), an animation ([`motion`]) and, with the feature `plot`, diagrams, all from the
-//! same recorded [`Frame`]s; [`Record`] makes them. And the model in words.
+//! The output of a run: a table ([`csv`], [`npz`]), an animation ([`motion`]) and, with the feature `plot`, diagrams, all
+//! from the same recorded [`Frame`]s; [`Record`] makes them. And the model in words.
 
+mod columns;
 pub mod csv;
 mod explain;
 mod json;
@@ -8,16 +9,22 @@ mod json;
 mod latex;
 mod members;
 pub mod motion;
+pub mod npz;
+mod path_error;
 #[cfg(feature = "plot")]
 pub mod plot;
 mod progress;
 mod record;
 mod save;
+mod stream;
 pub mod table;
+mod thinned;
 
 pub use explain::Explanation;
 pub use progress::ProgressBar;
 pub use record::{Interrupted, Progress, Record, Recording};
+pub use save::Saved;
+pub use stream::SaveError;
 
 use crate::{AnySimulation, Energy};
 

@@ -30,9 +30,11 @@ const LOOKS: f64 = 500.0;
 /// # Ok(())
 /// # }
 /// ```
-#[must_use = "nothing runs before `run`"]
+#[must_use = "nothing runs before `run` or `save`"]
 pub struct Record<'a> {
-    simulation: &'a mut dyn AnySimulation,
+    pub(super) simulation: &'a mut dyn AnySimulation,
+    pub(super) title: Option<String>,
+    pub(super) with_npz: bool,
     until: f64,
     interval: Option<f64>,
     progress: Option<Box<dyn FnMut(Progress) + 'a>>,
@@ -118,10 +120,18 @@ impl<'a> Record<'a> {
     pub fn new(simulation: &'a mut dyn AnySimulation, until: f64) -> Self {
         Record {
             simulation,
+            title: None,
+            with_npz: false,
             until,
             interval: None,
             progress: None,
         }
+    }
+
+    /// The heading of diagrams and of the animation; without it the name of the mechanism.
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = Some(title.into());
+        self
     }
 
     /// An instant every `interval` seconds, and one at the end. Without it, at most 2000 intervals of whole steps; with a
@@ -149,44 +159,62 @@ impl<'a> Record<'a> {
     /// An interval that is not positive and finite; otherwise as [`Simulation::run_until`](crate::Simulation::run_until).
     /// The error has all instants until then, and as the last one the state after the last good step.
     pub fn run(mut self) -> Result<Recording, Interrupted> {
-        let model = self.simulation.model();
-        let mut recording = Recording {
-            model,
-            title: model.name.to_owned(),
-            frames: Vec::new(),
-            stopped: None,
-        };
-        match self.advance(&mut recording.frames) {
-            Ok(()) => Ok(recording),
+        let mut frames = Vec::new();
+        let ended = self.advance(&mut |frame| {
+            frames.push(frame);
+            Ok::<(), SimulationError>(())
+        });
+        match ended {
+            Ok(()) => Ok(self.recording(frames, None)),
             Err(error) => {
                 let now = self.simulation.time();
-                if recording.frames.last().is_none_or(|last| last.time < now) {
-                    recording.frames.push(Frame::record(self.simulation));
+                if frames.last().is_none_or(|last| last.time < now) {
+                    frames.push(Frame::record(self.simulation));
                 }
-                recording.stopped = Some(error.clone());
                 Err(Interrupted {
+                    recording: Box::new(self.recording(frames, Some(&error))),
                     error,
-                    recording: Box::new(recording),
                 })
             }
         }
     }
 
-    fn advance(&mut self, frames: &mut Vec<Frame>) -> Result<(), SimulationError> {
+    /// The instants of this run.
+    pub(super) fn recording(
+        &mut self,
+        frames: Vec<Frame>,
+        stopped: Option<&SimulationError>,
+    ) -> Recording {
+        let model = self.simulation.model();
+        let title = self.title.take();
+        Recording {
+            model,
+            title: title.unwrap_or_else(|| model.name.to_owned()),
+            frames,
+            stopped: stopped.cloned(),
+        }
+    }
+
+    /// Runs to the end, and hands on each instant.
+    pub(super) fn advance<E: From<SimulationError>>(
+        &mut self,
+        keep: &mut dyn FnMut(Frame) -> Result<(), E>,
+    ) -> Result<(), E> {
         let (start, until) = (self.simulation.time(), self.until);
         let interval = self.interval.unwrap_or_else(|| self.usual(until - start));
         let at = |time| Progress { start, time, until };
-        frames.push(Frame::record(self.simulation));
+        keep(Frame::record(self.simulation))?;
         // Refuses what cannot be run to.
         if !(until.is_finite() && until > start) {
-            return self.simulation.run_until(until);
+            return Ok(self.simulation.run_until(until)?);
         }
         if !(interval > 0.0 && interval.is_finite()) {
-            return Err(SimulationError::Setting {
+            let error = SimulationError::Setting {
                 name: "recording interval",
                 value: interval,
                 wanted: "a positive finite value",
-            });
+            };
+            return Err(error.into());
         }
         let between = self.simulation.settings().tolerance.is_some();
         // Multiples of the interval, not a running sum: the instants do not drift.
@@ -199,13 +227,15 @@ impl<'a> Record<'a> {
             };
             if between && !is_last {
                 self.simulation.run_past(time, until)?;
+                let mut kept = Ok(());
                 let mut look = |simulation: &dyn AnySimulation| {
-                    frames.push(Frame::record(simulation));
+                    kept = keep(Frame::record(simulation));
                 };
                 self.simulation.look_at(time, &mut look)?;
+                kept?;
             } else {
                 self.simulation.run_until(time)?;
-                frames.push(Frame::record(self.simulation));
+                keep(Frame::record(self.simulation))?;
             }
             if let Some(progress) = &mut self.progress {
                 progress(at(time));

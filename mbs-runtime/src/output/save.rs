@@ -1,12 +1,43 @@
 //! The files of a recorded run.
 
+use std::fmt;
 use std::fs;
 use std::io::{self, BufWriter};
 use std::path::Path;
 
-use super::Recording;
 use super::csv::CsvWriter;
-use super::motion::write_motion;
+use super::motion::write_motion_of;
+use super::npz::NpzWriter;
+use super::path_error::about;
+use super::{Frame, Recording};
+use crate::Model;
+
+/// The name of the table, …
+pub(super) const TABLE: &str = "trajectory.csv";
+/// … and of the same in binary form.
+pub(super) const BINARY: &str = "trajectory.npz";
+
+/// What was saved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Saved {
+    /// The number of instants in the table.
+    pub instants: usize,
+    /// The number of instants that `motion.html` shows.
+    pub shown: usize,
+}
+
+/// In words: `20001 instants; motion.html shows 1251 of them`.
+impl fmt::Display for Saved {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Saved { instants, shown } = self;
+        write!(out, "{instants} instants; motion.html shows ")?;
+        match shown < instants {
+            true => write!(out, "{shown} of them"),
+            false => write!(out, "all of them"),
+        }
+    }
+}
 
 impl Recording {
     /// Writes the instants as a table.
@@ -24,21 +55,34 @@ impl Recording {
         table.finish().map(|_| ())
     }
 
-    /// Writes the animation, one file for any browser.
+    /// Writes the columns of the same table to a binary file for NumPy and Julia ([`npz`](super::npz)).
+    ///
+    /// # Errors
+    /// A file that cannot be written, by its path.
+    pub fn write_npz(&self, path: impl AsRef<Path>) -> io::Result<()> {
+        let mut columns = NpzWriter::create(path, self.model)?;
+        for frame in &self.frames {
+            columns.write(frame)?;
+        }
+        columns.finish()
+    }
+
+    /// Writes the animation, one file for any browser; returns the number of instants that it shows.
     ///
     /// # Errors
     /// `out` cannot be written.
-    pub fn write_motion(&self, out: impl io::Write) -> io::Result<()> {
+    pub fn write_motion(&self, out: impl io::Write) -> io::Result<usize> {
+        self.write_motion_of(self.frames.len(), out)
+    }
+
+    fn write_motion_of(&self, recorded: usize, out: impl io::Write) -> io::Result<usize> {
         let stopped = self.stopped.as_ref().map(ToString::to_string);
+        let (model, frames): (&Model, &[Frame]) = (self.model, &self.frames);
         let mut out = BufWriter::new(out);
-        write_motion(
-            &mut out,
-            self.model,
-            &self.frames,
-            &self.title,
-            stopped.as_deref(),
-        )?;
-        io::Write::flush(&mut out)
+        let (title, stopped) = (&self.title, stopped.as_deref());
+        let shown = write_motion_of(recorded, &mut out, model, frames, title, stopped)?;
+        io::Write::flush(&mut out)?;
+        Ok(shown)
     }
 
     /// Writes `trajectory.csv` and `motion.html` into a folder, which is made if there is none; with the feature `plot`
@@ -46,16 +90,17 @@ impl Recording {
     ///
     /// # Errors
     /// A file that cannot be written, by its path.
-    pub fn save(&self, folder: impl AsRef<Path>) -> io::Result<()> {
+    pub fn save(&self, folder: impl AsRef<Path>) -> io::Result<Saved> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
-        let place = |name: &str, write: &dyn Fn(fs::File) -> io::Result<()>| {
-            let path = folder.join(name);
-            let written = fs::File::create(&path).and_then(write);
-            written.map_err(|error| about(&path, &error))
-        };
-        place("trajectory.csv", &|file| self.write_csv(file))?;
-        place("motion.html", &|file| self.write_motion(file))?;
+        place(folder, TABLE, |file| self.write_csv(file))?;
+        self.save_pictures(folder, self.frames.len())
+    }
+
+    /// Writes the animation and the diagrams of a run of which this number of instants was recorded.
+    pub(super) fn save_pictures(&self, folder: &Path, instants: usize) -> io::Result<Saved> {
+        let motion = |file| self.write_motion_of(instants, file);
+        let shown = place(folder, "motion.html", motion)?;
         #[cfg(feature = "plot")]
         for (name, picture) in [
             ("outputs.svg", super::plot::outputs(self)),
@@ -66,14 +111,21 @@ impl Recording {
             ),
         ] {
             let picture = picture.map_err(io::Error::other)?;
-            place(name, &|mut file| {
+            place(folder, name, |mut file| {
                 io::Write::write_all(&mut file, picture.as_bytes())
             })?;
         }
-        Ok(())
+        Ok(Saved { instants, shown })
     }
 }
 
-fn about(path: &Path, error: &io::Error) -> io::Error {
-    io::Error::new(error.kind(), format!("{}: {error}", path.display()))
+/// Makes a file of a folder.
+fn place<T>(
+    folder: &Path,
+    name: &str,
+    write: impl FnOnce(fs::File) -> io::Result<T>,
+) -> io::Result<T> {
+    let path = folder.join(name);
+    let written = fs::File::create(&path).and_then(write);
+    written.map_err(|error| about(&path, &error))
 }

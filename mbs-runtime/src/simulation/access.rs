@@ -86,6 +86,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     fn inputs_changed(&mut self, before: &[f64]) -> Result<(), SimulationError> {
+        self.integrator.state_mut().forget_factors();
         if let Err(error) = self.follow_inputs(before) {
             copy(before, self.integrator.system_mut().inputs_mut());
             self.integrator.refresh(&self.settings)?;

@@ -5,7 +5,8 @@
 //! [ A₁T   ε D         ]        [ A₁              ε D ]
 //! ```
 //!
-//! J = M₁ + h/2 (B − F_v), B = (p_q − h/2 F_q) T. Of the nonholonomic rows A₁ itself stands in the first matrix.
+//! J = M₁ + h/2 (B − F_v), B = (p_q − h/2 F_q) T. Of the nonholonomic rows A₁ itself stands in the first matrix. The
+//! second is that of the projection; without rows there is none.
 
 use super::tangents::{Tangents, Turned};
 use crate::System;
@@ -15,7 +16,8 @@ use nalgebra::SVector;
 /// The matrices; they have one pattern.
 #[derive(Clone)]
 pub(super) struct StepMatrices {
-    pub(super) saddle: Saddle,
+    pub(super) positions: Saddle,
+    pub(super) velocities: Option<Saddle>,
     turned: Turned,
     /// Where B and A₁T stand, and F_v.
     of_turned: Vec<usize>,
@@ -37,7 +39,8 @@ impl StepMatrices {
         Some(StepMatrices {
             of_turned: of_turned.collect(),
             f_v: columns.slots(f_v),
-            saddle,
+            velocities: (R > 0).then(|| saddle.clone()),
+            positions: saddle,
             turned,
         })
     }
@@ -52,9 +55,9 @@ impl StepMatrices {
     where
         S: System<Q, N, R>,
     {
-        self.begin(tangents, h);
         self.turned.fill::<S, Q, N, R>(tangents, turn, h);
-        let (turned, saddle) = (&self.turned, &mut self.saddle);
+        let (turned, saddle) = (&self.turned, &mut self.positions);
+        begin(saddle, &self.f_v, tangents, h);
         let values = saddle.lu.values();
         let entries = turned.values.iter().zip(&turned.columns.rows);
         for (&slot, (&value, &row)) in self.of_turned.iter().zip(entries) {
@@ -70,23 +73,26 @@ impl StepMatrices {
         saddle.lu.factor()
     }
 
-    /// Factors the matrix of the projection.
+    /// Factors the matrix of the projection, if there is one.
     pub(super) fn factor_velocities<const R: usize>(
         &mut self,
         tangents: &Tangents,
         h: f64,
     ) -> bool {
-        self.begin(tangents, h);
-        self.saddle.add_rows(&tangents.end, 0..R);
-        self.saddle.lu.factor()
+        let Some(saddle) = &mut self.velocities else {
+            return true;
+        };
+        begin(saddle, &self.f_v, tangents, h);
+        saddle.add_rows(&tangents.end, 0..R);
+        saddle.lu.factor()
     }
+}
 
-    /// M₁ − h/2 F_v and ε D.
-    fn begin(&mut self, tangents: &Tangents, h: f64) {
-        self.saddle.begin(&tangents.mass, &tangents.end);
-        let values = self.saddle.lu.values();
-        for (&slot, value) in self.f_v.iter().zip(&tangents.f_v.values) {
-            values[slot] -= 0.5 * h * value;
-        }
+/// M₁ − h/2 F_v and ε D.
+fn begin(saddle: &mut Saddle, f_v: &[usize], tangents: &Tangents, h: f64) {
+    saddle.begin(&tangents.mass, &tangents.end);
+    let values = saddle.lu.values();
+    for (&slot, value) in f_v.iter().zip(&tangents.f_v.values) {
+        values[slot] -= 0.5 * h * value;
     }
 }

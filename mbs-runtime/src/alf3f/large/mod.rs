@@ -1,8 +1,13 @@
 //! Large mechanisms of every structure: varying M, forces that depend on velocities, rotations, nonholonomic and
-//! redundant rows. The step is the [implicit one](super::implicit_step); its matrices are sparse.
+//! redundant rows. The step is the [implicit one](super::implicit_step); its matrices are sparse, and factors are kept
+//! over many steps.
 
 #[cfg(feature = "sparse")]
+mod balance;
+#[cfg(feature = "sparse")]
 mod matrices;
+#[cfg(feature = "sparse")]
+mod projection;
 #[cfg(feature = "sparse")]
 mod step;
 #[cfg(feature = "sparse")]

@@ -38,6 +38,25 @@ impl Tangents {
             end: a,
         }
     }
+
+    /// Evaluates M and the tangents at an instant.
+    pub(super) fn evaluate<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        &mut self,
+        system: &S,
+        t: f64,
+        (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+    ) {
+        let Tangents {
+            mass,
+            f_q,
+            f_v,
+            p_q,
+            ..
+        } = self;
+        let (mass, f_q) = (&mut mass.sink(), &mut f_q.sink());
+        let (f_v, p_q) = (&mut f_v.sink(), &mut p_q.sink());
+        system.balance_tangents(t, q, v, mass, f_q, f_v, p_q);
+    }
 }
 
 /// B, and below it A₁T of the holonomic rows.

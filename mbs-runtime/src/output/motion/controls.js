@@ -209,6 +209,8 @@ function begins() {
   byId("doc").textContent = data.doc;
   byId("stopped").hidden = !data.stopped;
   byId("stopped").textContent = `The run stopped early: ${data.stopped}`;
+  byId("thinned").hidden = last + 1 >= data.recorded;
+  byId("thinned").textContent = `Shown: ${last + 1} of ${data.recorded} recorded instants; the table has all of them.`;
   applyTheme();
   byId("theme").onclick = nextTheme;
   play(false);

@@ -8,7 +8,7 @@ use super::{Frame, json};
 use crate::{Model, World};
 
 /// Frames beyond this number are thinned out: a screen shows no more, and the file stays small.
-const MOST_FRAMES: usize = 2001;
+pub(in crate::output) const MOST_FRAMES: usize = 2001;
 
 /// If there are more numbers than this, frames are thinned out further, as long as the motion stays smooth.
 const MOST_NUMBERS: usize = 400_000;
@@ -26,7 +26,8 @@ pub(super) fn write(
     frames: &[Frame],
     title: &str,
     stopped: Option<&str>,
-) -> io::Result<()> {
+    recorded: usize,
+) -> io::Result<usize> {
     let (tracks, track) = tracks(model, frames);
     let columns = 3 * tracks.len() + model.outputs.len() + model.reactions.len() + 6;
     let frames = thin(
@@ -39,6 +40,7 @@ pub(super) fn write(
     writeln!(out, "{{\"title\":{},", json::string(title))?;
     writeln!(out, "\"doc\":{},", json::string(model.doc))?;
     writeln!(out, "\"stopped\":{stopped},")?;
+    writeln!(out, "\"recorded\":{recorded},")?;
     writeln!(out, "\"spatial\":{spatial},")?;
     let up = model.up.iter().map(|x| json::number(*x, 6));
     writeln!(out, "\"up\":{},", json::array(up))?;
@@ -94,7 +96,8 @@ pub(super) fn write(
     series("velocityError", |f| f.velocity_error)?;
     let digits = json::digits_for(extent(frames.iter().map(|f| &f.time)));
     let times = frames.iter().map(|f| json::number(f.time, digits));
-    write!(out, "\"time\":{}}}", json::array(times))
+    write!(out, "\"time\":{}}}", json::array(times))?;
+    Ok(frames.len())
 }
 
 /// Elements that are long: one a line.

@@ -1,6 +1,6 @@
 //! A self-contained animation: `motion.html` with the recorded instants inside, no network.
 
-mod data;
+pub(super) mod data;
 
 use std::io::{self, Write};
 
@@ -22,7 +22,8 @@ const PROGRAM: [&str; 5] = [
 
 /// Writes the animation of `frames`.
 ///
-/// `title` is the heading of the page; `stopped` is the reason if the run ended early.
+/// `title` is the heading of the page; `stopped` is the reason if the run ended early. Returns the number of instants
+/// that the page shows: it thins them out to 2001 at most, and says so.
 ///
 /// # Errors
 /// `out` cannot be written.
@@ -32,7 +33,19 @@ pub fn write_motion(
     frames: &[Frame],
     title: &str,
     stopped: Option<&str>,
-) -> io::Result<()> {
+) -> io::Result<usize> {
+    write_motion_of(frames.len(), out, model, frames, title, stopped)
+}
+
+/// The same of a run of which more instants were recorded than `frames` has.
+pub(super) fn write_motion_of(
+    recorded: usize,
+    out: &mut impl Write,
+    model: &Model,
+    frames: &[Frame],
+    title: &str,
+    stopped: Option<&str>,
+) -> io::Result<usize> {
     let mut rest = PAGE;
     let mut up_to = |out: &mut dyn Write, marker: &str| {
         let (head, tail) = rest.split_once(marker).unwrap_or((rest, ""));
@@ -42,12 +55,13 @@ pub fn write_motion(
     up_to(out, "/*STYLE*/")?;
     out.write_all(STYLE.as_bytes())?;
     up_to(out, "/*DATA*/")?;
-    data::write(out, model, frames, title, stopped)?;
+    let shown = data::write(out, model, frames, title, stopped, recorded)?;
     up_to(out, "/*PROGRAM*/")?;
     for file in PROGRAM {
         out.write_all(file.as_bytes())?;
     }
-    out.write_all(rest.as_bytes())
+    out.write_all(rest.as_bytes())?;
+    Ok(shown)
 }
 
 #[cfg(test)]
