@@ -1,7 +1,7 @@
 //! Outputs, events, points and reactions.
 
 use super::NamedValues;
-use crate::Held;
+use crate::{Held, ScalarState};
 use nalgebra::SVector;
 
 /// Outputs, events, points and reactions of a mechanism with Q coordinates, N velocities and R constraint rows.
@@ -10,6 +10,8 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     type Outputs: NamedValues;
     /// The initial values that assembly holds, in declaration order.
     const HELD: &'static [Held] = &[];
+    /// The `State`s, in declaration order.
+    const STATES: &'static [ScalarState] = &[];
 
     /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);

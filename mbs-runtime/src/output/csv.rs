@@ -4,12 +4,14 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 
 use super::Frame;
-use crate::Model;
+use crate::{Coordinate, Model};
 
 /// Writes frames as they come, so that a run that stops leaves all rows up to there.
 #[derive(Debug)]
 pub struct CsvWriter<W: Write> {
     out: W,
+    /// The coordinates and velocities in columns.
+    columns: [Vec<usize>; 2],
 }
 
 impl<W: Write> CsvWriter<W> {
@@ -19,7 +21,11 @@ impl<W: Write> CsvWriter<W> {
     /// `out` cannot be written.
     pub fn new(mut out: W, model: &Model) -> io::Result<Self> {
         out.write_all((header(model).join(",") + "\n").as_bytes())?;
-        Ok(CsvWriter { out })
+        let columns = [
+            coordinates(model).map(|(i, _)| i).collect(),
+            velocities(model).map(|(i, _)| i).collect(),
+        ];
+        Ok(CsvWriter { out, columns })
     }
 
     /// Writes one row, at once: behind a buffer, too, an interrupted run leaves whole rows. Every number reads back to the same bits.
@@ -31,11 +37,12 @@ impl<W: Write> CsvWriter<W> {
         let energy = &frame.energy;
         let balance = [energy.kinetic, energy.potential, energy.error];
         let errors = [frame.holonomic_error, frame.velocity_error];
+        let [q, v] = &self.columns;
         let columns = frame
             .outputs
             .iter()
-            .chain(&frame.coordinates)
-            .chain(&frame.velocities)
+            .chain(q.iter().filter_map(|&i| frame.coordinates.get(i)))
+            .chain(v.iter().filter_map(|&i| frame.velocities.get(i)))
             .chain(&balance)
             .chain(&errors);
         for value in columns {
@@ -77,14 +84,23 @@ impl<W: Write> CsvWriter<W> {
     }
 }
 
+/// The coordinates in columns, with their indices. States are columns among the outputs.
+fn coordinates(model: &Model) -> impl Iterator<Item = (usize, &'static Coordinate)> {
+    let own = model.coordinates.iter().enumerate();
+    own.filter(|(_, q)| !model.is_integral(q.name))
+}
+
+/// The velocities in columns.
+fn velocities(model: &Model) -> impl Iterator<Item = (usize, &'static Coordinate)> {
+    let own = model.velocities.iter().enumerate();
+    own.filter(|(_, v)| !model.is_state(v.name))
+}
+
 /// The names of the columns.
 fn header(model: &Model) -> Vec<String> {
     let outputs = model.outputs.iter().map(|q| column(q.name, q.unit));
-    let coordinates = model.coordinates.iter().map(|q| column(q.name, q.unit));
-    let velocities = model
-        .velocities
-        .iter()
-        .map(|v| column(&v.name.replace('\'', "_dot"), v.unit));
+    let coordinates = coordinates(model).map(|(_, q)| column(q.name, q.unit));
+    let velocities = velocities(model).map(|(_, v)| column(&v.name.replace('\'', "_dot"), v.unit));
     let fixed = [
         "kinetic_J",
         "potential_J",

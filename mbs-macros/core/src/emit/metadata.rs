@@ -4,9 +4,9 @@ use super::body::number;
 use crate::analysis::{Analysis, Candidate};
 use crate::contract;
 use crate::dag::Program;
-use crate::equations::RowKind;
+use crate::equations::{RowKind, System};
 use crate::mobility::{self, Mobility};
-use crate::model::{Held, Quantity, Representation, Stored};
+use crate::model::{Held, Outline, Quantity, Stored};
 use crate::schema::World;
 use std::fmt::Write;
 
@@ -43,7 +43,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
         .parts
         .iter()
         .enumerate()
-        .filter(|(_, part)| part.representation != Representation::Coordinate)
+        .filter(|(_, part)| !part.representation.is_number())
         .map(|(index, part)| {
             let modelled_as = match outline.tree.carrier(index) {
                 Some(joint) => joint.describe(part.representation),
@@ -147,7 +147,8 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     );
     field("operations", list(operations));
     field("structure", structure(program));
-    field("mobility", mobility_text(mobility, program));
+    let moving = program.size - layout.states.len();
+    field("mobility", mobility_text(mobility, program, moving));
     let candidates = analysis.candidates.iter();
     let chosen = outline.formulation;
     field("formulation", format!("{:?}", chosen.name()));
@@ -170,7 +171,8 @@ pub(super) fn structure(program: &Program) -> String {
     )
 }
 
-fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
+/// `moving` velocities are no states.
+fn mobility_text(mobility: Option<&Mobility>, program: &Program, moving: usize) -> String {
     let Some(mobility) = mobility else {
         return "::core::option::Option::None".to_owned();
     };
@@ -195,7 +197,7 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         mobility.mobility,
         redundant.join(", "),
         mobility.undetermined,
-        mobility::summary(mobility, &program.rows, program.size)
+        mobility::summary(mobility, &program.rows, moving)
     )
 }
 
@@ -247,6 +249,27 @@ pub(super) fn held(held: &[Held]) -> String {
     let texts: Vec<String> = texts.collect();
     format!(
         "const HELD: &'static [::mbs_runtime::Held] = &[{}];\n",
+        texts.join(", ")
+    )
+}
+
+/// The constant `STATES`; nothing where there is no state.
+pub(super) fn states(outline: &Outline, system: &System) -> String {
+    if outline.states.is_empty() {
+        return String::new();
+    }
+    let places = system.layout.states.iter();
+    let texts = outline.states.iter().zip(places).map(|(state, &velocity)| {
+        format!(
+            "::mbs_runtime::ScalarState {{ quantity: {}, scale: {}, coordinate: {}, velocity: {velocity} }}",
+            quantity_text(&state.quantity),
+            number(state.scale),
+            system.layout.slots[velocity],
+        )
+    });
+    let texts: Vec<String> = texts.collect();
+    format!(
+        "const STATES: &'static [::mbs_runtime::ScalarState] = &[{}];\n",
         texts.join(", ")
     )
 }

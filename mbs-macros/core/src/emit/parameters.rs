@@ -147,10 +147,14 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
     if !outline.doc.is_empty() {
         let _ = writeln!(out, "{}\n", outline.doc);
     }
+    let states = &layout.states;
+    let is_state = |slot: usize| states.iter().any(|&state| layout.slots[state] == slot);
     let coordinates = layout
         .coordinates
         .iter()
-        .map(|coordinate| format!("`{}`", coordinate.name))
+        .enumerate()
+        .filter(|(slot, _)| !is_state(*slot))
+        .map(|(_, coordinate)| format!("`{}`", coordinate.name))
         .collect::<Vec<_>>();
     let noun = match coordinates.len() {
         1 => "coordinate",
@@ -166,7 +170,7 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
         let _ = writeln!(
             out,
             "\n{}.",
-            mobility::summary(mobility, &program.rows, program.size)
+            mobility::summary(mobility, &program.rows, program.size - states.len())
         );
     }
     for sentence in &outline.reductions {

@@ -15,6 +15,7 @@ mod kinetic;
 mod reactions;
 mod rows;
 mod start;
+mod states;
 mod system;
 mod vacuous;
 
