@@ -32,6 +32,10 @@ macro_rules! methods_of_any_simulation {
             fn input(&, name: &str) -> Result<f64, UnknownName>;
             /// Sets an `Input`.
             fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
+            /// The value of a `State`.
+            fn state_value(&, name: &str) -> Result<f64, UnknownName>;
+            /// Sets a `State`.
+            fn set_state_value(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
             /// The value of an `Output`.
             fn output(&, name: &str) -> Result<f64, UnknownName>;
             /// All `Output`s.

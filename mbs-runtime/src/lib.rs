@@ -123,6 +123,7 @@ mod report;
 mod row_scale;
 #[cfg(feature = "std")]
 mod samples;
+mod scalar_state;
 mod settings;
 #[cfg(feature = "std")]
 mod simulation;
@@ -147,7 +148,7 @@ pub use mbs_macros::{assembly, mechanism};
 pub use mechanism::Mechanism;
 pub use model::{
     Candidate, Coordinate, FunctionCost, Held, Level, Mobility, Model, Part, Quantity, Reaction,
-    Redundancy, Row, RowKind, Segment, Structure, World,
+    Redundancy, Row, RowKind, ScalarState, Segment, Structure, World,
 };
 pub use nalgebra;
 pub use report::{Energy, RankLoss, Report};

@@ -16,7 +16,7 @@ pub struct Model {
     /// Generalized coordinates q, in the order of every array of length Q.
     pub coordinates: &'static [Coordinate],
     /// Generalized velocities v, in the order of every array of length N: rates of the coordinates, and for a body with
-    /// a unit quaternion its angular velocity in body axes.
+    /// a unit quaternion its angular velocity in body axes; states by their own names.
     pub velocities: &'static [Coordinate],
     /// Constraint rows, in the order of every array of length R: holonomic rows first.
     pub rows: &'static [Row],
@@ -26,7 +26,7 @@ pub struct Model {
     pub parameters: &'static [Quantity],
     /// `Input`s, in declaration order.
     pub inputs: &'static [Quantity],
-    /// `Output`s, in declaration order.
+    /// `Output`s and `State`s, in declaration order; the default of a state is its initial value.
     pub outputs: &'static [Quantity],
     /// `Event`s, in declaration order.
     pub events: &'static [&'static str],
@@ -109,7 +109,7 @@ pub struct Candidate {
 pub struct Mobility {
     /// Rank of A.
     pub rank: usize,
-    /// Velocities less rank.
+    /// Velocities that are no states, less rank.
     pub degrees_of_freedom: usize,
     /// Rows that follow from others; they are harmless, but their reactions are not unique. Those that are left out come
     /// first.
@@ -206,10 +206,24 @@ pub struct Quantity {
     pub name: &'static str,
     /// SI unit, empty where dimensionless or not stated.
     pub unit: &'static str,
-    /// Default value (zero for outputs).
+    /// Default value (zero for outputs, the initial value for states).
     pub default: f64,
     /// Its documentation comment.
     pub doc: &'static str,
+}
+
+/// A `State`: a value with a rate of its own, in [`Observables::STATES`](crate::Observables::STATES). It is an output of
+/// its name, and integrated as a velocity of its name.
+#[derive(Debug, Clone, Copy)]
+pub struct ScalarState {
+    /// Its name, its unit and its initial value, with the defaults of all parameters.
+    pub quantity: Quantity,
+    /// A usual size, in its unit: errors are relative to the value, or to this where it is less.
+    pub scale: f64,
+    /// Index into [`Model::coordinates`] of its integral over time, on which nothing depends.
+    pub coordinate: usize,
+    /// Index into [`Model::velocities`].
+    pub velocity: usize,
 }
 
 /// A line to draw between two points.

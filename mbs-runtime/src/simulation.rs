@@ -19,6 +19,8 @@ mod pose;
 mod run;
 mod singularity_detector;
 mod start;
+mod state_errors;
+mod state_values;
 mod tolerance;
 
 use self::books::Books;
@@ -228,7 +230,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let integrator = Integrator::new(system, state, &settings, other)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
-        let known_poses = KnownPoses::new(by_position && assembly.rank + 1 == N);
+        let known_poses = KnownPoses::new(by_position && assembly.rank + 1 + S::STATES.len() == N);
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_same_room()),
             pair: Box::new(integrator.state().with_same_room()),

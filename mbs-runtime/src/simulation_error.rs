@@ -187,9 +187,9 @@ pub enum SimulationError {
         /// The velocity, as the model names it, whose coordinate is worst.
         velocity: &'static str,
     },
-    /// A value that an input cannot take.
+    /// A value that an input or a state cannot take.
     Input {
-        /// The input.
+        /// The input or state.
         name: &'static str,
         /// The value.
         value: f64,
@@ -393,10 +393,7 @@ impl fmt::Display for SimulationError {
                 clock(*time)
             ),
             Input { name, value } => {
-                write!(
-                    out,
-                    "input `{name}` cannot be {value}; give it a finite value"
-                )
+                write!(out, "`{name}` cannot be {value}; give it a finite value")
             }
             Guess { what, value } => write!(
                 out,

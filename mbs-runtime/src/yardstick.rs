@@ -7,8 +7,9 @@
 use crate::elementary::Elementary as _;
 use crate::linear::{dot, largest, largest_of, products, vector};
 use crate::memory::{MOST_POINTS, with_points};
+use crate::scalar_state;
 use crate::sink::Diagonal;
-use crate::{Coordinate, Model, System};
+use crate::{Coordinate, Model, ScalarState, System};
 use nalgebra::SVector;
 
 /// Round-off of positions: that of a few operations on numbers of their size.
@@ -47,7 +48,9 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
             .into_iter()
             .find(|&length| is_length(length))
             .unwrap_or_else(|| without_points(system, step));
-        Self::of(S::MODEL.coordinates, S::MODEL.velocities, length, reach)
+        let mut yardstick = Self::of(S::MODEL.coordinates, S::MODEL.velocities, length, reach);
+        yardstick.leave_out(S::STATES);
+        yardstick
     }
 
     /// The same, with a length of at least the round-off of positions divided by `tolerance`.
@@ -67,6 +70,45 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
             positions: vector(|i| weight(coordinates.get(i))),
             velocities: vector(|i| weight(velocities.get(i))),
         }
+    }
+
+    /// States are no motion.
+    fn leave_out(&mut self, states: &[ScalarState]) {
+        for state in states {
+            self.positions[state.coordinate] = 0.0;
+            self.velocities[state.velocity] = 0.0;
+        }
+    }
+
+    /// Whether a velocity is that of a motion, and no state.
+    pub(crate) fn is_motion(&self, velocity: usize) -> bool {
+        self.velocities[velocity] > 0.0
+    }
+
+    /// x in the unit of a velocity as a displacement; of a state in its own unit.
+    fn scaled(&self, velocity: usize, x: f64) -> f64 {
+        match self.is_motion(velocity) {
+            true => x / self.velocities[velocity],
+            false => x,
+        }
+    }
+
+    /// The size of a correction of the velocities v. That of a state is relative to it, and counts as this part of
+    /// `whole`.
+    #[inline(always)]
+    pub(crate) fn correction(
+        &self,
+        states: &[ScalarState],
+        (change, v): (&SVector<f64, N>, &SVector<f64, N>),
+        whole: impl FnOnce() -> f64,
+    ) -> f64 {
+        let size = self.measure(change);
+        if states.is_empty() {
+            return size;
+        }
+        let own = scalar_state::relative(states, change, v) * whole();
+        // A size that is not a number stays one.
+        if own > size { own } else { size }
     }
 
     /// max |x| in lengths of the mechanism and radians; NaN if any is not a number.
@@ -93,15 +135,15 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         products(&self.velocities, x)
     }
 
-    /// x whose entries are these numbers of lengths of the mechanism, or of radians.
+    /// x whose entries are these numbers of lengths of the mechanism, of radians, or of units of a state.
     pub(crate) fn displacement(&self, parts: SVector<f64, N>) -> SVector<f64, N> {
-        vector(|i| parts[i] / self.velocities[i])
+        vector(|i| self.scaled(i, parts[i]))
     }
 
     /// |a|² of a row in these units.
     #[inline]
     pub(crate) fn row_length_squared(&self, a: &SVector<f64, N>) -> f64 {
-        let moved: SVector<f64, N> = vector(|i| a[i] / self.velocities[i]);
+        let moved: SVector<f64, N> = vector(|i| self.scaled(i, a[i]));
         dot(&moved, &moved)
     }
 
@@ -138,7 +180,8 @@ fn without_points<S: System<Q, N, R>, const Q: usize, const N: usize, const R: u
     system.mass_matrix(&q, &mut mass);
     let unit = |i: usize| S::MODEL.velocities.get(i).map_or("", |v| v.unit);
     let most = |wanted: &str, of: &dyn Fn(usize) -> f64| {
-        let among = (0..N).filter(|&i| unit(i) == wanted);
+        let is_state = |i: usize| S::STATES.iter().any(|state| state.velocity == i);
+        let among = (0..N).filter(|&i| unit(i) == wanted && !is_state(i));
         among.map(of).fold(0.0, f64::max)
     };
     let inertia = |i: usize| mass.0[i];

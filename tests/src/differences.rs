@@ -193,7 +193,8 @@ fn forces<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let (t, q, v) = (at.time, &at.q, &at.v);
     let f = dense.applied(t, q, v);
     let power = system.nonconservative_power(t, q, v);
-    findings.derivative("f·v − power", &[f.dot(v) - power], &|s| {
+    let motion = without_states::<S, Q, N, R>(v);
+    findings.derivative("f·v − power", &[f.dot(&motion) - power], &|s| {
         vec![-system.potential_energy(&system.advance(q, v, s))]
     });
     if !S::STRUCTURE.velocity_forces && power == 0.0 {
@@ -267,7 +268,8 @@ fn inertia<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     );
     let p = dense.momentum(q, v);
     findings.identity("p", p.as_slice(), (*mass * v).as_slice());
-    findings.identity("T", &[system.kinetic_energy(q, v)], &[0.5 * v.dot(&p)]);
+    let motion = without_states::<S, Q, N, R>(v);
+    findings.identity("T", &[system.kinetic_energy(q, v)], &[0.5 * motion.dot(&p)]);
 
     let mut gamma = vec![[[0.0; N]; N]; N];
     let mut sink = Affinities(&mut gamma);
@@ -436,4 +438,15 @@ fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     let (met, wanted) = (*a * acceleration, -gamma - correction);
     let [met, wanted] = [met, wanted].map(|x| rows.iter().map(|&r| x[r]).collect::<Vec<_>>());
     findings.compare("A v̇ + γ", &met, &wanted, 1e-9 * size(&wanted));
+}
+
+/// The velocities without states, which have no energy.
+fn without_states<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    v: &SVector<f64, N>,
+) -> SVector<f64, N> {
+    let mut motion = *v;
+    for state in S::STATES {
+        motion[state.velocity] = 0.0;
+    }
+    motion
 }

@@ -2,8 +2,8 @@
 
 use mbs_runtime::nalgebra::{SMatrix, SVector};
 use mbs_runtime::{
-    Configuration, Constraints, Inertia, Loads, MatrixSink, Model, Observables, Structure, System,
-    TensorSink,
+    Configuration, Constraints, Inertia, Loads, MatrixSink, Model, Observables, ScalarState,
+    Structure, System, TensorSink,
 };
 
 /// The functions that can be made wrong, by the argument or value that they give.
@@ -350,6 +350,7 @@ impl<S: Observables<Q, N, R>, const Q: usize, const N: usize, const R: usize> Ob
     for Tampered<S>
 {
     type Outputs = S::Outputs;
+    const STATES: &'static [ScalarState] = S::STATES;
 
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]) {
         self.inner.outputs(t, q, v, outputs);

@@ -25,6 +25,8 @@ both!(presses: Press in Planar,
     guide: PointOnLine(rod.b, ground.origin, axis = X),
     drag: SpringDamper(rod.b, ground.point(2.0_m, 0.0), stiffness = 3.0_N_per_m, length = 1.0_m, damping = 0.4_N_s_per_m),
     seconds: Param(1.0_s),
+    wound: State(initial = 1.0, rate = 0.5 * bearing.rate),
+    winding: Output(rate(wound)),
     load: Output(hypot(pin.reaction.fx, pin.reaction.fy)),
     side: Output(guide.reaction.fy),
     velocity: Output(rod.b.velocity),
@@ -61,6 +63,7 @@ where
         assert!((now("load") - load).abs() < 1e-13 * load);
         assert!((now("side") - reaction("guide", "fy")).abs() < 1e-13 * load);
         assert!(now("center").abs() < 1e-9);
+        assert!((now("winding") - 0.5 * now("turning")).abs() < 1e-12);
         let before = count();
         let fields = simulation.outputs();
         let _ = (simulation.output("side"), simulation.reaction("pin", "fy"));

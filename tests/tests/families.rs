@@ -154,6 +154,8 @@ fn arrays_are_there_beside_errors() {
     assert!(output.contains("publength:[f64;6usize]"), "{output}");
     assert!(output.contains("publeg:[[f64;3usize];2usize]"), "{output}");
     assert!(fallback("length: Each(0..6, |i| Parm(1.0_m))").contains("publength:[f64;6usize]"));
+    let states = fallback("charge: Each(0..2, |i| State(rate = wrong))");
+    assert!(states.contains("pubcharge:[f64;2usize]"), "{states}");
     assert!(fallback("length: Each(0.., |i| Param(1.0_m))").contains("publength:[f64;0usize]"));
 }
 

@@ -57,6 +57,7 @@ mod solved_rows;
 mod spans;
 mod spatial_scenes;
 mod starts;
+mod states;
 mod stops;
 mod tables;
 mod tolerances;

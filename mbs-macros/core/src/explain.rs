@@ -33,7 +33,10 @@ fn write(analysis: &Analysis) -> String {
     let mut line = |text: String| {
         let _ = writeln!(out, "{text}");
     };
+    let states = &system.layout.states;
+    let moves = |i: usize| !states.contains(&i);
     let coordinates: Vec<String> = (0..system.size as u32)
+        .filter(|&i| moves(i as usize))
         .map(|i| symbol(graph, crate::symbolic::Symbol::Coordinate(i)))
         .collect();
     line(format!("% {}", analysis.outline.name));
@@ -42,7 +45,8 @@ fn write(analysis: &Analysis) -> String {
         "q &= \\left({}\\right)^T, \\qquad \\dot q = v \\\\",
         coordinates.join(",\\; ")
     ));
-    for (&(i, j), &entry) in &system.mass {
+    let mass = system.mass.iter();
+    for (&(i, j), &entry) in mass.filter(|((i, _), _)| moves(*i)) {
         let mirror = if i == j {
             String::new()
         } else {
@@ -60,9 +64,14 @@ fn write(analysis: &Analysis) -> String {
         .forces
         .iter()
         .enumerate()
-        .filter(|(_, force)| !graph.is_zero(**force))
+        .filter(|(i, force)| moves(*i) && !graph.is_zero(**force))
     {
         line(format!("f_{{{}}} &= {} \\\\", i + 1, graph.latex(force)));
+    }
+    for &state in states {
+        let name = symbol(graph, crate::symbolic::Symbol::Velocity(state as u32));
+        let rate = graph.latex(system.forces[state]);
+        line(format!("\\dot{{{name}}} &= {rate} \\\\"));
     }
     for (i, row) in system.rows.iter().enumerate() {
         let name = row.name.replace('_', "\\_");

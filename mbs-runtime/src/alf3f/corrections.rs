@@ -1,5 +1,7 @@
 //! The corrections of velocities in Newton's method for an implicit step: when they are small enough.
 
+use crate::ScalarState;
+use crate::scalar_state;
 use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
@@ -53,8 +55,11 @@ impl Corrections {
         (q, vb): (&SVector<f64, Q>, &SVector<f64, N>),
         h: f64,
         yardstick: &Yardstick<Q, N>,
+        states: &[ScalarState],
     ) -> Verdict {
-        let size = yardstick.measure(change);
+        let least = || yardstick.imperceptible(q, h) / ROUND_OFF;
+        let whole = || yardstick.measure(vb).max(least());
+        let size = yardstick.correction(states, (change, vb), whole);
         let speed = yardstick.measure(vb);
         let last = core::mem::replace(&mut self.size, size);
         // At the rate of this correction.
@@ -66,7 +71,9 @@ impl Corrections {
         self.settled = size <= round_off || stalled;
         Verdict {
             converged: next <= round_off || stalled,
-            slow: size > 0.1 * last || !size.is_finite(),
+            slow: size > 0.1 * last
+                || !size.is_finite()
+                || scalar_state::changes_much(states, change, vb),
             #[cfg(feature = "sparse")]
             above: size / round_off,
             #[cfg(feature = "sparse")]

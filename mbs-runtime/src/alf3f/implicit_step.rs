@@ -355,7 +355,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.kappa += multiplier;
 
         let end = (&self.q, &self.vb);
-        let verdict = self.corrections.add(&change, end, self.h, yardstick);
+        let verdict = self
+            .corrections
+            .add(&change, end, self.h, yardstick, S::STATES);
         if verdict.slow {
             self.step.solver.invalidate();
         }

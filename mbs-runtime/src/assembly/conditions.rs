@@ -90,7 +90,12 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         wanted: wanted.value,
     };
     let rate = format!("{name}'");
-    let velocity = |name: &str| model.velocities.iter().position(|own| own.name == name);
+    // A start gives a state its value; its rate follows.
+    let is_free = |own: &str| !(wanted.rate && model.is_state(own) || model.is_integral(own));
+    let velocity = |name: &str| {
+        let mut velocities = model.velocities.iter();
+        velocities.position(|own| own.name == name && is_free(name))
+    };
     let velocity = match wanted.rate {
         true => velocity(&rate).or_else(|| velocity(name)),
         false => velocity(name),
@@ -99,7 +104,8 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         let unit = model.velocities[i].unit;
         return Ok(condition(Quantity::Velocity(i), Level::Velocity, unit));
     }
-    let coordinate = model.coordinates.iter().position(|own| own.name == name);
+    let mut coordinates = model.coordinates.iter();
+    let coordinate = coordinates.position(|own| own.name == name && is_free(name));
     if let Some(i) = coordinate {
         let unit = model.coordinates[i].unit;
         return Ok(match wanted.rate {
@@ -133,7 +139,7 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             let outputs = model.outputs.iter().enumerate();
             let outputs = outputs.filter(|(i, _)| startable(i) && (!wanted.rate || !moving(i)));
             let stored = model.coordinates.iter().chain(model.velocities);
-            let known = stored.map(|own| own.name);
+            let known = stored.map(|own| own.name).filter(|own| is_free(own));
             let known = known.chain(outputs.map(|(_, own)| own.name));
             Err(UnknownName::new(what, name, known.collect::<Vec<_>>()))
         }

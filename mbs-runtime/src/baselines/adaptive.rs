@@ -10,6 +10,7 @@ use super::rule::{AnyRule, Rule};
 use super::runge_kutta::RungeKutta;
 use super::tableau::DORMAND_PRINCE5;
 use crate::fault::Fault;
+use crate::scalar_state;
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
@@ -67,7 +68,8 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
             true => yardstick.square(x) / (scale * scale),
             false => 0.0,
         };
-        let sum = square(&turn, scales[0]) + square(&change, scales[1]);
+        let states = scalar_state::square(S::STATES, &change, &v);
+        let sum = square(&turn, scales[0]) + square(&change, scales[1]) + states;
         let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
         if error <= 1.0 {
             bench.commit(bench.state.time + h, end.q, end.v, false)?;

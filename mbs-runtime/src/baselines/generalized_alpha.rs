@@ -172,8 +172,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                     step[i] += moved[i] / h;
                 }
             }
-            let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
-            let floor = bench.yardstick.imperceptible(&q, h);
+            let (sizes, floor) = Progress::sizes(bench, &step, (&q, &v), h);
             if progress.settles(sizes, floor, bench.max_iterations)? {
                 break (q, v);
             }

@@ -147,8 +147,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                 after[i] += change[i];
             }
             let step = scaled(0.5 * h, &change);
-            let sizes = [bench.yardstick.measure(&step), bench.yardstick.measure(&v)];
-            let floor = bench.yardstick.imperceptible(&q, h);
+            let (sizes, floor) = Progress::sizes(bench, &step, (&q, &v), h);
             if progress.settles(sizes, floor, bench.max_iterations)? {
                 break (q, v);
             }

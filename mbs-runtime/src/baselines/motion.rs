@@ -146,6 +146,21 @@ impl Progress {
         }
     }
 
+    /// The size of a correction of the velocities v at q, their speed, and the floor.
+    pub(crate) fn sizes<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        bench: &Bench<S, Q, N, R>,
+        change: &SVector<f64, N>,
+        (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+        h: f64,
+    ) -> ([f64; 2], f64) {
+        let yardstick = &bench.yardstick;
+        let floor = yardstick.imperceptible(q, h);
+        let speed = yardstick.measure(v);
+        let whole = || speed.max(floor / CONVERGED);
+        let sizes = [yardstick.correction(S::STATES, (change, v), whole), speed];
+        (sizes, floor)
+    }
+
     /// Whether corrections of this size end the iteration, with velocities of `speed`; below `floor` they are round-off.
     /// All in lengths of the mechanism and radians a second.
     pub(crate) fn settles(

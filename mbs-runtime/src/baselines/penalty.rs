@@ -133,11 +133,7 @@ impl<const N: usize, const R: usize> Penalty<N, R> {
             for i in 0..N {
                 v[i] += change[i];
             }
-            let sizes = [
-                bench.yardstick.measure(&change),
-                bench.yardstick.measure(&v),
-            ];
-            let floor = bench.yardstick.imperceptible(&q, h);
+            let (sizes, floor) = Progress::sizes(bench, &change, (&q, &v), h);
             if progress.settles(sizes, floor, bench.max_iterations)? {
                 break q;
             }

@@ -54,7 +54,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let method = settings.method.name();
-        if let Some(because) = refusal(&settings.method, &S::STRUCTURE, R) {
+        if let Some(because) = refusal(&settings.method, &S::STRUCTURE, R, !S::STATES.is_empty()) {
             return Err(SimulationError::Method { method, because });
         }
         let time = state.time;
@@ -164,11 +164,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 }
 
 /// Why a method cannot integrate such a mechanism; `None` if it can.
-fn refusal(method: &Method, structure: &Structure, rows: usize) -> Option<&'static str> {
+fn refusal(
+    method: &Method,
+    structure: &Structure,
+    rows: usize,
+    states: bool,
+) -> Option<&'static str> {
     let nonholonomic = rows > structure.holonomic_rows;
     match method {
         Method::Rattle if structure.velocity_forces => {
             Some("forces depend on velocities, and its kicks know forces of position alone")
+        }
+        Method::Bdf(_) if states => {
+            Some("it has states, and BDF chooses its steps by the errors of positions alone")
         }
         Method::Rattle if nonholonomic => {
             Some("it has nonholonomic rows, and RATTLE satisfies positions")

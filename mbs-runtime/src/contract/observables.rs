@@ -1,7 +1,7 @@
 //! Outputs, events, points and reactions.
 
 use super::NamedValues;
-use crate::Held;
+use crate::{Held, ScalarState};
 use nalgebra::SVector;
 
 /// Outputs, events, points and reactions of a mechanism with Q coordinates, N velocities and R constraint rows.
@@ -12,6 +12,8 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     const HELD: &'static [Held] = &[];
     /// Whether an `Output` reads accelerations or reactions.
     const HAS_OUTPUTS_AT_ACCELERATION_LEVEL: bool = false;
+    /// The `State`s, in declaration order.
+    const STATES: &'static [ScalarState] = &[];
 
     /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
     /// Those that read accelerations or reactions are not written.

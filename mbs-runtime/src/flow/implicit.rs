@@ -4,6 +4,7 @@ use super::group::pull_back;
 use crate::System;
 use crate::fault::Fault;
 use crate::linear::{Pivoted, RowMatrix, add, added, entries, vector};
+use crate::scalar_state::changes_much;
 use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::sink::Discard;
 use crate::yardstick::Yardstick;
@@ -190,7 +191,9 @@ impl<const N: usize> Implicit<N> {
             }
             self.jacobian.solve(&mut change);
             add(vb, &change);
-            let size = yardstick.measure(&change);
+            let least = || yardstick.imperceptible(&q1, self.h) / self.negligible;
+            let whole = || yardstick.measure(vb).max(least());
+            let size = yardstick.correction(S::STATES, (&change, vb), whole);
             let speed = yardstick.measure(vb);
             let stagnated = fresh
                 && has_stalled(size, last)
@@ -209,7 +212,7 @@ impl<const N: usize> Implicit<N> {
                 return Err(Fault::NonFinite("velocities"));
             }
             // A chord that converges slowly is renewed.
-            self.current = size < 0.1 * last;
+            self.current = size < 0.1 * last && !changes_much(S::STATES, &change, vb);
             last = size;
         }
         Err(Fault::Flow {

@@ -3,44 +3,69 @@
 use super::Frame;
 use crate::Model;
 
-/// The names of the columns.
-pub(super) fn names(model: &Model) -> Vec<String> {
-    let outputs = model.outputs.iter().map(|q| column(q.name, q.unit));
-    let coordinates = model.coordinates.iter().map(|q| column(q.name, q.unit));
-    let velocities = model
-        .velocities
-        .iter()
-        .map(|v| column(&v.name.replace('\'', "_dot"), v.unit));
-    let fixed = [
-        "kinetic_J",
-        "potential_J",
-        "energy_error_J",
-        "holonomic_error",
-        "velocity_error",
-    ];
-    std::iter::once("time_s".to_owned())
-        .chain(outputs)
-        .chain(coordinates)
-        .chain(velocities)
-        .chain(fixed.map(str::to_owned))
-        .collect()
+/// Which coordinates and velocities are columns: states are among the outputs.
+#[derive(Debug)]
+pub(super) struct Columns {
+    /// The names of all columns.
+    pub(super) names: Vec<String>,
+    coordinates: Vec<usize>,
+    velocities: Vec<usize>,
 }
 
-/// Their values at an instant.
-pub(super) fn values(frame: &Frame) -> impl Iterator<Item = f64> + '_ {
-    let energy = &frame.energy;
-    let fixed = [
-        energy.kinetic,
-        energy.potential,
-        energy.error,
-        frame.holonomic_error,
-        frame.velocity_error,
-    ];
-    std::iter::once(frame.time)
-        .chain(frame.outputs.iter().copied())
-        .chain(frame.coordinates.iter().copied())
-        .chain(frame.velocities.iter().copied())
-        .chain(fixed)
+impl Columns {
+    pub(super) fn of(model: &Model) -> Columns {
+        let coordinates = model.coordinates.iter().enumerate();
+        let velocities = model.velocities.iter().enumerate();
+        let coordinates = coordinates.filter(|(_, q)| !model.is_integral(q.name));
+        let velocities = velocities.filter(|(_, v)| !model.is_state(v.name));
+        let mut columns = Columns {
+            names: Vec::new(),
+            coordinates: coordinates.map(|(i, _)| i).collect(),
+            velocities: velocities.map(|(i, _)| i).collect(),
+        };
+        columns.names = columns.named(model);
+        columns
+    }
+
+    fn named(&self, model: &Model) -> Vec<String> {
+        let outputs = model.outputs.iter().map(|q| column(q.name, q.unit));
+        let coordinates = self.coordinates.iter().map(|&i| &model.coordinates[i]);
+        let coordinates = coordinates.map(|q| column(q.name, q.unit));
+        let velocities = self.velocities.iter().map(|&i| &model.velocities[i]);
+        let velocities = velocities.map(|v| column(&v.name.replace('\'', "_dot"), v.unit));
+        let fixed = [
+            "kinetic_J",
+            "potential_J",
+            "energy_error_J",
+            "holonomic_error",
+            "velocity_error",
+        ];
+        std::iter::once("time_s".to_owned())
+            .chain(outputs)
+            .chain(coordinates)
+            .chain(velocities)
+            .chain(fixed.map(str::to_owned))
+            .collect()
+    }
+
+    /// Their values at an instant.
+    pub(super) fn values<'a>(&'a self, frame: &'a Frame) -> impl Iterator<Item = f64> + 'a {
+        let energy = &frame.energy;
+        let fixed = [
+            energy.kinetic,
+            energy.potential,
+            energy.error,
+            frame.holonomic_error,
+            frame.velocity_error,
+        ];
+        let coordinates = self.coordinates.iter();
+        let velocities = self.velocities.iter();
+        std::iter::once(frame.time)
+            .chain(frame.outputs.iter().copied())
+            .chain(coordinates.filter_map(|&i| frame.coordinates.get(i).copied()))
+            .chain(velocities.filter_map(|&i| frame.velocities.get(i).copied()))
+            .chain(fixed)
+    }
 }
 
 /// `("x_dot", "m/s^2")` → `x_dot_m_per_s2`: a name that needs no quoting in any program that reads tables.

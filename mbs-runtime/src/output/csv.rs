@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-use super::{Frame, columns};
+use super::Frame;
+use super::columns::Columns;
 use crate::Model;
 
 pub use super::columns::column;
@@ -12,6 +13,7 @@ pub use super::columns::column;
 #[derive(Debug)]
 pub struct CsvWriter<W: Write> {
     out: W,
+    columns: Columns,
 }
 
 impl<W: Write> CsvWriter<W> {
@@ -20,8 +22,9 @@ impl<W: Write> CsvWriter<W> {
     /// # Errors
     /// `out` cannot be written.
     pub fn new(mut out: W, model: &Model) -> io::Result<Self> {
-        out.write_all((columns::names(model).join(",") + "\n").as_bytes())?;
-        Ok(CsvWriter { out })
+        let columns = Columns::of(model);
+        out.write_all((columns.names.join(",") + "\n").as_bytes())?;
+        Ok(CsvWriter { out, columns })
     }
 
     /// Writes one row, at once: behind a buffer, too, an interrupted run leaves whole rows. Every number reads back to the same bits.
@@ -30,7 +33,7 @@ impl<W: Write> CsvWriter<W> {
     /// `out` cannot be written.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
         let mut row = String::new();
-        for (index, value) in columns::values(frame).enumerate() {
+        for (index, value) in self.columns.values(frame).enumerate() {
             let separator = if index > 0 { "," } else { "" };
             // Writing to a string cannot fail.
             let _ = write!(row, "{separator}{value:?}");

@@ -14,7 +14,7 @@ pub struct Explanation<'a>(&'a Model);
 
 impl Model {
     /// The model as tables: descriptions that were compared, parts, coordinates, rows, structure and mobility, reactions,
-    /// operations, parameters, inputs, outputs and events.
+    /// operations, parameters, inputs, states, outputs and events.
     ///
     /// ```
     /// use mbs_runtime::{Mechanism, mechanism};
@@ -95,11 +95,21 @@ fn explain(model: &Model) -> String {
     operations(out, model);
     quantities(out, "Parameters", model.parameters);
     quantities(out, "Inputs", model.inputs);
+    let states: Vec<Quantity> = model.states().copied().collect();
+    let heading = [
+        ("name", Left),
+        ("initial", Right),
+        ("unit", Left),
+        ("", Left),
+    ];
+    listed(out, "States", heading, &states);
+    let outputs = model.outputs.iter();
+    let outputs = outputs.filter(|output| !model.is_state(output.name));
     section(
         out,
         "Outputs",
         [("output", Left), ("unit", Left), ("", Left)],
-        model.outputs.iter().map(|q| [q.name, q.unit, q.doc]),
+        outputs.map(|q| [q.name, q.unit, q.doc]),
     );
     if !model.events.is_empty() {
         let _ = writeln!(out, "\nEvents\n  {}", model.events.join(", "));
@@ -192,7 +202,11 @@ fn cut(joints: &[&str]) -> String {
 
 /// Coordinates, each with its velocity; the components of a point or rotation are on one line.
 fn state(model: &Model) -> Vec<[String; 4]> {
-    let (coordinates, velocities) = (grouped(model.coordinates), grouped(model.velocities));
+    let coordinates = model.coordinates.iter();
+    let coordinates = coordinates.filter(|q| !model.is_integral(q.name));
+    let velocities = model.velocities.iter();
+    let velocities = velocities.filter(|v| !model.is_state(v.name));
+    let (coordinates, velocities) = (grouped(coordinates), grouped(velocities));
     let lines = coordinates.len().max(velocities.len());
     let cell = |groups: &[[String; 2]], line: usize| match groups.get(line) {
         Some(group) => group.clone(),
@@ -206,7 +220,7 @@ fn state(model: &Model) -> Vec<[String; 4]> {
 }
 
 /// `crank.b.x, y` with its unit.
-fn grouped(list: &[Coordinate]) -> Vec<[String; 2]> {
+fn grouped<'a>(list: impl Iterator<Item = &'a Coordinate>) -> Vec<[String; 2]> {
     let mut groups: Vec<([String; 2], &str)> = Vec::new();
     for item in list {
         let (stem, component) = item.name.rsplit_once('.').unwrap_or(("", item.name));
@@ -295,6 +309,10 @@ fn quantities(out: &mut String, title: &str, quantities: &[Quantity]) {
         ("unit", Left),
         ("", Left),
     ];
+    listed(out, title, heading, quantities);
+}
+
+fn listed(out: &mut String, title: &str, heading: [(&str, Align); 4], quantities: &[Quantity]) {
     let rows = quantities.iter().map(|q| {
         [
             q.name.to_owned(),

@@ -65,7 +65,12 @@ impl EnergyGuard {
         system.applied_forces(state.time, q, v, &mut force);
         let mut f_q = Diagonal::<N>::zeros();
         system.applied_force_tangents(state.time, q, v, &mut f_q, &mut Discard);
+        // A state has no energy.
         let unit = yardstick.displacement(vector(|_| 1.0));
+        let unit: SVector<f64, N> = vector(|i| match yardstick.is_motion(i) {
+            true => unit[i],
+            false => 0.0,
+        });
         let speed = NOISE / settings.step;
         let along = |i: usize| {
             let way = (0.5 * force[i] / f_q.0[i]).abs();

@@ -200,7 +200,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
         // Steps about a singular pose have errors of their own, which no embedded method sees.
-        let regular = found.even && found.passage.pose().is_none();
+        // Nor do they see states.
+        let seen = S::STATES.is_empty();
+        let regular = seen && found.even && found.passage.pose().is_none();
         let estimate = estimate.filter(|_| regular);
         if let Some(estimate) = estimate
             && controller.gauge > 0.0
@@ -228,11 +230,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             };
             converged = true;
-            let (apart, worst) = self.apart(h);
-            let excess = match apart > (UNLIKE * way).max(still) {
+            let (apart, mut worst) = self.apart(h);
+            let mut excess = match apart > (UNLIKE * way).max(still) {
                 true => LEAP.exp2(),
                 false => apart / (ratio * allowed),
             };
+            if let Some((own, state)) = self.state_excess((SHARE * tolerance, way), noise)
+                && own / ratio > excess
+            {
+                (excess, worst) = (own / ratio, state);
+            }
             if excess <= 1.0 || last || !(clearance < self.clear()) {
                 (found.excess, found.worst) = (excess, worst);
                 let gauge = estimate.map(|estimate| apart / (ratio * estimate));

@@ -12,6 +12,7 @@ mechanism!(Wrong {
     height: Output(bar.b.y),
     middle: Output(half - ground.origin),
     along: Output(bar.x),
+    charge: State(rate = bar.rate),
 });
 
 /// Of a declaration that is wrong, its structs are there all the same: nothing is said about their use.
@@ -22,7 +23,7 @@ fn main() {
     };
     println!("{}", wrong.lever);
     let simulation: WrongSimulation = Simulation::new(wrong).unwrap();
-    let WrongOutputs { tip, height, middle, along } = simulation.outputs();
+    let WrongOutputs { tip, height, middle, along, charge } = simulation.outputs();
     let mean: Vector2<f64> = 0.5 * (tip + middle);
-    println!("{} {}", mean.x + height, along.norm());
+    println!("{} {}", mean.x + height + charge, along.norm());
 }

@@ -35,7 +35,7 @@ pub struct Derived {
     pub constant_mass: bool,
     /// p = M v.
     pub momentum: Vec<Expr>,
-    /// T = ½ v·M v.
+    /// T = ½ v·M v, without states.
     pub kinetic: Expr,
     /// Affinities of the first kind, (i, j, k). `None` if they are long: no integrator needs them, because ∂T/∂q and
     /// ∂p/∂q are equivalent; the runtime computes them from ∂p/∂q.
@@ -83,7 +83,10 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
         Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),
         None => {
             let momentum = affinities::momentum(graph, size, &system.mass);
-            let kinetic = affinities::kinetic(graph, size, &system.mass);
+            let moving = system.mass.iter();
+            let moving = moving.filter(|((i, _), _)| !system.layout.states.contains(i));
+            let moving: Matrix = moving.map(|(&place, &entry)| (place, entry)).collect();
+            let kinetic = affinities::kinetic(graph, size, &moving);
             (momentum, kinetic)
         }
     };

@@ -74,7 +74,7 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
 fn zeros(declaration: &Declaration, name: &Ident, kind: &str, assembly: &str) -> TokenStream {
     let visibility = visibility(declaration);
     let own = declaration.entries.iter();
-    let own = own.filter(|entry| entry.kind == kind && entry.name.assembly() == assembly);
+    let own = own.filter(|entry| gives(entry, kind) && entry.name.assembly() == assembly);
     let lost = declaration.lost.iter();
     let lost = lost.filter(|_| kind == "Param" && assembly.is_empty());
     let own = own.map(|entry| (entry.name.word(), type_of(declaration, entry)));
@@ -150,6 +150,11 @@ fn inside<'d>(
         let within = format!("{}.", instance.name);
         let mut entries = declaration.entries.iter();
         instance.name.assembly() == assembly
-            && entries.any(|entry| entry.kind == kind && entry.name.as_str().starts_with(&within))
+            && entries.any(|entry| gives(entry, kind) && entry.name.as_str().starts_with(&within))
     })
+}
+
+/// Whether an entry is a value of this kind: a state is an output, too.
+fn gives(entry: &Entry, kind: &str) -> bool {
+    entry.kind == kind || kind == "Output" && entry.kind == "State"
 }

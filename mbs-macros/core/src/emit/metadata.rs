@@ -4,9 +4,9 @@ use super::body::number;
 use crate::analysis::{Analysis, Candidate};
 use crate::contract;
 use crate::dag::Program;
-use crate::equations::{Row, RowKind};
+use crate::equations::{Row, RowKind, System};
 use crate::mobility::{self, Mobility};
-use crate::model::{Held, Part, Quantity, Representation, Stored};
+use crate::model::{Held, Outline, Part, Quantity, Stored};
 use crate::schema::World;
 use std::fmt::Write;
 
@@ -48,7 +48,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
         },
     );
     let parts = outline.parts.iter().enumerate();
-    let parts = parts.filter(|(_, part)| part.representation != Representation::Coordinate);
+    let parts = parts.filter(|(_, part)| !part.representation.is_number());
     let parts: Vec<(usize, &Part)> = parts.collect();
     let of_part = |&(index, part): &(usize, &Part)| {
         let modelled_as = match outline.tree.carrier(index) {
@@ -166,7 +166,8 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     );
     field("operations", list(operations));
     field("structure", structure(program));
-    field("mobility", mobility_text(mobility, program));
+    let moving = program.size - layout.states.len();
+    field("mobility", mobility_text(mobility, program, moving));
     let candidates = analysis.candidates.iter();
     let chosen = outline.formulation;
     field("formulation", format!("{:?}", chosen.name()));
@@ -229,7 +230,8 @@ pub(super) fn structure(program: &Program) -> String {
     )
 }
 
-fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
+/// `moving` velocities are no states.
+fn mobility_text(mobility: Option<&Mobility>, program: &Program, moving: usize) -> String {
     let Some(mobility) = mobility else {
         return "::core::option::Option::None".to_owned();
     };
@@ -254,7 +256,7 @@ fn mobility_text(mobility: Option<&Mobility>, program: &Program) -> String {
         mobility.mobility,
         redundant.join(", "),
         mobility.undetermined,
-        mobility::summary(mobility, &program.rows, program.size)
+        mobility::summary(mobility, &program.rows, moving)
     )
 }
 
@@ -314,6 +316,27 @@ pub(super) fn held(held: &[Held]) -> String {
     let texts: Vec<String> = texts.collect();
     format!(
         "const HELD: &'static [::mbs_runtime::Held] = &[{}];\n",
+        texts.join(", ")
+    )
+}
+
+/// The constant `STATES`; nothing where there is no state.
+pub(super) fn states(outline: &Outline, system: &System) -> String {
+    if outline.states.is_empty() {
+        return String::new();
+    }
+    let places = system.layout.states.iter();
+    let texts = outline.states.iter().zip(places).map(|(state, &velocity)| {
+        format!(
+            "::mbs_runtime::ScalarState {{ quantity: {}, scale: {}, coordinate: {}, velocity: {velocity} }}",
+            quantity_text(&state.quantity),
+            number(state.scale),
+            system.layout.slots[velocity],
+        )
+    });
+    let texts: Vec<String> = texts.collect();
+    format!(
+        "const STATES: &'static [::mbs_runtime::ScalarState] = &[{}];\n",
         texts.join(", ")
     )
 }

@@ -63,7 +63,7 @@ pub fn written(
     let system = system::emit(
         declaration,
         model,
-        &analysis.derived.system.held,
+        &analysis.derived.system,
         &metadata,
         &mut size,
     );

@@ -150,9 +150,12 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
     if !outline.doc.is_empty() {
         let _ = writeln!(out, "{}\n", outline.doc);
     }
-    let coordinates = layout.coordinates.iter();
+    let states = &layout.states;
+    let is_state = |slot: usize| states.iter().any(|&state| layout.slots[state] == slot);
+    let coordinates = layout.coordinates.iter().enumerate();
+    let coordinates = coordinates.filter(|(slot, _)| !is_state(*slot));
     let coordinates: Vec<String> = coordinates
-        .map(|stored| format!("`{}`", stored.name))
+        .map(|(_, stored)| format!("`{}`", stored.name))
         .collect();
     let noun = match coordinates.len() {
         1 => "coordinate",
@@ -168,7 +171,7 @@ fn documentation(analysis: &Analysis, program: &Program) -> String {
         let _ = writeln!(
             out,
             "\n{}.",
-            mobility::summary(mobility, &program.rows, program.size)
+            mobility::summary(mobility, &program.rows, program.size - states.len())
         );
     }
     for sentence in abridged(outline.reductions.clone()) {

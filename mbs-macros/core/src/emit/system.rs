@@ -7,7 +7,8 @@ use super::text::{doc, tokens};
 use super::{metadata, methods, sparse};
 use crate::contract::Capability;
 use crate::dag::Program;
-use crate::model::{Held, Outline};
+use crate::equations::System;
+use crate::model::Outline;
 use crate::symbolic::Graph;
 use crate::syntax::Declaration;
 use proc_macro2::TokenStream;
@@ -17,7 +18,7 @@ use quote::{format_ident, quote};
 pub(super) fn emit(
     declaration: &Declaration,
     (outline, graph, program): (&Outline, &Graph, &Program),
-    held: &[Held],
+    equations: &System,
     metadata: &str,
     written: &mut Size,
 ) -> TokenStream {
@@ -82,8 +83,8 @@ pub(super) fn emit(
             Capability::Observables,
             format!(
                 "type Outputs = {outputs_type};\n{}{}",
-                metadata::held(held),
-                metadata::acceleration_level(program)
+                metadata::held(&equations.held),
+                metadata::states(outline, equations) + metadata::acceleration_level(program)
             ),
         ),
         (

@@ -5,6 +5,7 @@ use super::constant_mass::constant_mass;
 use super::forces::{Action, Potential};
 use super::generalized_forces::{Elements, ForceParts};
 use super::kinetic::{self, Kinetic};
+use super::states::States;
 use super::system::System;
 use super::{forces, generalized_forces, inertia, reactions, readings, rows, start, vacuous};
 use crate::model::elements::force::Load;
@@ -99,16 +100,18 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
     let pull = start::pull(&mut graph, &mut reduction, &model, &inertia);
-    let kinetic = kinetic::energy(&mut graph, &mut reduction, &model, &inertia)
+    let mut kinetic = kinetic::energy(&mut graph, &mut reduction, &model, &inertia)
         .map(|energy| Kinetic::new(&mut graph, size, energy));
-    let mass = match &kinetic {
+    let mut mass = match &kinetic {
         Some(kinetic) => kinetic.mass(&mut graph),
         None => inertia::global_mass(&mut graph, &mut reduction, &inertia),
     };
-    let force_parts = match &kinetic {
+    let mut force_parts = match &kinetic {
         Some(_) => ForceParts::by_gradients(&mut graph, size, generator, &elements),
         None => ForceParts::new(&mut graph, size, generator, &elements),
     };
+    let states = States::new(&mut graph, &mut reduction, &model);
+    states.join(&mut graph, &mut force_parts, &mut mass, kinetic.as_mut());
     let forces = force_parts.total(&mut graph);
     let power = generalized_forces::power(&mut graph, &elements);
     let constant_mass = constant_mass(&graph, &model.layout, &mass);

@@ -75,7 +75,7 @@ pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
                 }
             }
             Representation::Prescribed => prescribed(graph, part, &mut mass),
-            Representation::Coordinate => {}
+            Representation::Coordinate | Representation::State => {}
         }
     }
     mass

@@ -16,6 +16,7 @@ mod reactions;
 mod readings;
 mod rows;
 mod start;
+mod states;
 mod system;
 mod vacuous;
 

@@ -37,7 +37,7 @@ const INVOLVED: f64 = 1e-7;
 pub struct Mobility {
     /// Rank of A at generic poses.
     pub rank: usize,
-    /// Degrees of freedom: velocities less rank.
+    /// Degrees of freedom: velocities without states, less rank.
     pub mobility: usize,
     /// Rows that follow from others.
     pub redundant: Vec<Redundancy>,
@@ -76,7 +76,7 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
     if system.rows.is_empty() {
         return Ok(Some(Mobility {
             rank: 0,
-            mobility: system.size,
+            mobility: system.size - system.layout.states.len(),
             redundant,
             dependent: Vec::new(),
             undetermined: shared::with_rows_left_out(system),
@@ -123,7 +123,7 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
     }
     Ok(Some(Mobility {
         rank,
-        mobility: system.size.saturating_sub(rank),
+        mobility: (system.size - system.layout.states.len()).saturating_sub(rank),
         redundant,
         dependent: rows.dependent.iter().map(|(row, _)| *row).collect(),
         undetermined: shared::undetermined(&numbers, pose, &cancelling),

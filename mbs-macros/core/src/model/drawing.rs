@@ -2,7 +2,6 @@
 
 use super::elements::{ForceEntry, JointEntry};
 use super::geometry::{Owner, Point, Vector};
-use super::parts::Representation;
 use super::resolver::Resolver;
 use std::collections::HashMap;
 
@@ -57,7 +56,7 @@ impl Resolver<'_> {
             let owner = Owner::Part(index);
             let part = &self.parts[index];
             let (name, kind) = (part.name.clone(), part.kind);
-            if part.representation == Representation::Coordinate {
+            if part.representation.is_number() {
                 continue;
             }
             let first = drawing.points.len();

@@ -300,6 +300,7 @@ impl<'d> Resolver<'d> {
                 | "Table"
                 | "Point"
                 | "Coordinate"
+                | "State"
                 | "Bar"
                 | "Body"
                 | "Particle"
@@ -348,6 +349,7 @@ impl<'d> Resolver<'d> {
             "Table" => self.table(entry),
             "Point" => self.ground_point(entry),
             "Coordinate" => self.coordinate(entry),
+            "State" => self.state(entry),
             "Bar" if self.world == World::Planar => self.planar_bar(entry),
             "Bar" => self.spatial_bar(entry),
             "Body" if self.world == World::Planar => self.planar_body(entry),

@@ -5,7 +5,7 @@ use super::geometry::Tensor;
 use super::initial_pose::Guesses;
 use super::reduction::Reduction;
 use super::resolver::Resolver;
-use crate::symbolic::{Expr, Symbol, rotation_entry};
+use crate::symbolic::{Expr, Graph, Symbol, rotation_entry};
 
 /// Coordinates q and velocities v, with their guesses.
 #[derive(Debug, Default, Clone)]
@@ -14,6 +14,8 @@ pub struct Layout {
     pub coordinates: Vec<Stored>,
     /// v, in order.
     pub velocities: Vec<Stored>,
+    /// The velocities that are states, in the order of their declarations.
+    pub states: Vec<usize>,
     /// For each velocity the coordinate that it is the rate of; for one of a rotation, the first of its quaternion.
     pub slots: Vec<usize>,
     /// Rotations, in order.
@@ -106,7 +108,10 @@ impl Layout {
 
 /// Lays out what the reduction has kept.
 pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &Guesses) -> Layout {
-    let mut layout = Layout::default();
+    let mut layout = Layout {
+        states: vec![0; resolver.scalar_states.len()],
+        ..Layout::default()
+    };
     let mut kept = reduction.kept().iter();
     while let Some((local, name)) = kept.next() {
         let slot = layout.coordinates.len();
@@ -143,9 +148,20 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
             continue;
         }
         let unit = resolver.locals[*local as usize].unit.clone();
+        let mut states = resolver.scalar_states.iter();
+        let (rate, unit_of_rate) = match states.position(|state| state.local == *local) {
+            Some(place) => {
+                let index = layout.velocities.len();
+                layout.states[place] = index;
+                let own = resolver.scalar_states[place].quantity.clone();
+                name_state(&mut resolver.graph, index as u32, &own.name);
+                (own.name, own.unit)
+            }
+            None => (format!("{name}'"), rate_unit(&unit)),
+        };
         layout.velocities.push(Stored {
-            name: format!("{name}'"),
-            unit: rate_unit(&unit),
+            name: rate,
+            unit: unit_of_rate,
             guess: guesses.velocity(*local, &mut resolver.graph),
         });
         layout.coordinates.push(Stored {
@@ -175,6 +191,12 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
         resolver.graph.set_name(symbol, stored.name.clone());
     }
     layout
+}
+
+/// A velocity that is a state has the name of the state.
+fn name_state(graph: &mut Graph, index: u32, name: &str) {
+    graph.set_name(Symbol::Velocity(index), name);
+    graph.set_name(Symbol::Acceleration(index), format!("{name}'"));
 }
 
 /// The unit of a rate.

@@ -68,7 +68,7 @@ pub use mobilizer::{Freedom, Mobilizer};
 pub use outline::Outline;
 pub use parts::{Part, Representation, Shape};
 pub use passes::{parameters, resolve};
-pub use quantities::{Law, Local, Quantity};
+pub use quantities::{Law, Local, Quantity, ScalarState};
 pub use readings::Reading;
 pub use reduction::MergedJoint;
 pub use requirements::{Requirement, Wanted};

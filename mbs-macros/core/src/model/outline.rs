@@ -3,7 +3,7 @@
 use super::drawing::Drawing;
 use super::formulation::Formulation;
 use super::parts::Part;
-use super::quantities::{Law, Local, Quantity};
+use super::quantities::{Law, Local, Quantity, ScalarState};
 use super::tree::Tree;
 use crate::schema::World;
 use crate::symbolic::Table;
@@ -34,6 +34,8 @@ pub struct Outline {
     pub locals: Vec<Local>,
     /// Bars, bodies, particles.
     pub parts: Vec<Part>,
+    /// States, in declaration order.
+    pub states: Vec<ScalarState>,
     /// Joints and constraints that leave rows.
     pub joints: Vec<String>,
     /// Joints of which rows were solved.

@@ -7,15 +7,19 @@ use super::value::Value;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::symbolic::Expr;
+use crate::syntax::Entry;
 use std::collections::HashMap;
 use syn::Expr as Syntax;
 
 impl Resolver<'_> {
-    /// Outputs and events, each with its expression.
+    /// Outputs, states among them, and events, each with its expression.
     pub(super) fn outputs(&mut self) -> (Vec<(Quantity, Expr)>, Vec<(String, Expr)>) {
         let (mut outputs, mut events) = (Vec::new(), Vec::new());
         let mut widths: HashMap<&str, usize> = HashMap::new();
         for entry in &self.declaration.entries {
+            if entry.kind == "State" {
+                outputs.extend(self.state_output(entry));
+            }
             let Some(syntax) = entry.positional.first() else {
                 continue;
             };
@@ -48,6 +52,16 @@ impl Resolver<'_> {
             self.errors.leave(before);
         }
         (outputs, events)
+    }
+
+    /// A state is an output of its own.
+    fn state_output(&mut self, entry: &Entry) -> Option<(Quantity, Expr)> {
+        let Some(Value::Scalar(value, _)) = self.value_of(entry) else {
+            return None;
+        };
+        let mut states = self.scalar_states.iter();
+        let state = states.find(|state| entry.name == state.quantity.name.as_str())?;
+        Some((state.quantity.clone(), value))
     }
 
     /// The numbers of an output, each with the end of its name.

@@ -49,6 +49,7 @@ pub fn resolve(
     let (outputs, events) = resolver.outputs();
     let held = resolver.held();
     let (joints, forces) = resolver.elements();
+    resolver.state_rates();
     if !resolver.errors.is_empty() {
         return None;
     }
@@ -111,6 +112,7 @@ pub fn resolve(
         up,
         locals: state.locals,
         parts: state.parts,
+        states: state.scalar_states,
         joints: joints.iter().map(|entry| entry.name.clone()).collect(),
         solved: reduction.solved.joints(),
         forces: forces.iter().map(|entry| entry.name.clone()).collect(),

@@ -1,6 +1,7 @@
 //! Parameters, inputs, outputs, local coordinates and laws.
 
 use crate::dimension::Dimension;
+use crate::symbolic::Expr;
 use crate::syntax::Entry;
 
 /// A parameter, input or output.
@@ -25,6 +26,19 @@ pub struct Local {
     pub name: String,
     /// SI unit.
     pub unit: String,
+}
+
+/// A state: the velocity of a coordinate that nothing depends on.
+#[derive(Debug, Clone)]
+pub struct ScalarState {
+    /// Its name, its unit, and its initial value with the defaults of all parameters.
+    pub quantity: Quantity,
+    /// The coordinate whose velocity it is.
+    pub local: u32,
+    /// A usual size.
+    pub scale: f64,
+    /// Its rate.
+    pub rate: Expr,
 }
 
 /// A user's law.

@@ -5,7 +5,7 @@ use super::geometry::Owner;
 use super::joint_variables::{AskedVariable, UnwrappedAngle};
 use super::needs_angle::needs_angle;
 use super::parts::Part;
-use super::quantities::{Law, Local, Quantity};
+use super::quantities::{Law, Local, Quantity, ScalarState};
 use super::readings::Reading;
 use super::requirements::Requirement;
 use super::value::Value;
@@ -38,6 +38,7 @@ pub struct Resolver<'d> {
     pub(super) inputs: Vec<Quantity>,
     pub(super) locals: Vec<Local>,
     pub(super) parts: Vec<Part>,
+    pub(super) scalar_states: Vec<ScalarState>,
     pub(super) laws: Vec<Law>,
     pub(super) tables: Vec<Arc<Table>>,
     /// What the program has to check.
@@ -86,6 +87,7 @@ impl<'d> Resolver<'d> {
             inputs: Vec::new(),
             locals: Vec::new(),
             parts: Vec::new(),
+            scalar_states: Vec::new(),
             laws: Vec::new(),
             tables: Vec::new(),
             requirements: Vec::new(),

@@ -92,8 +92,7 @@ impl Spanning {
         let parts = resolver.parts.iter().enumerate().map(|(index, part)| {
             let joint = part.formulation.unwrap_or(resolver.formulation) == Formulation::Joint;
             Carried {
-                settled: merged.contains(&Owner::Part(index))
-                    || part.representation == Representation::Coordinate,
+                settled: merged.contains(&Owner::Part(index)) || part.representation.is_number(),
                 has_frame: has_frame(part),
                 by_any: joint && has_frame(part),
                 by_points: joint && part.representation == Representation::FreePoint,

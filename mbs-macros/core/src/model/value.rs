@@ -51,7 +51,11 @@ impl Value {
     }
 
     /// Whether it depends on a symbol for which `predicate` holds.
-    pub(super) fn depends_on(&self, graph: &Graph, predicate: impl Fn(Symbol) -> bool) -> bool {
+    pub(in crate::model) fn depends_on(
+        &self,
+        graph: &Graph,
+        predicate: impl Fn(Symbol) -> bool,
+    ) -> bool {
         self.expressions()
             .into_iter()
             .any(|x| graph.depends_on(x, &predicate))

@@ -142,6 +142,38 @@ pub const KINDS: &[Kind] = &[
         joint: None,
     },
     Kind {
+        name: "State",
+        group: Group::Value,
+        fields: &[
+            field(
+                "rate",
+                MovingAny,
+                Required,
+                "how fast it changes: an expression of what moves, of `t`, inputs, tables and states, itself among them",
+            ),
+            field(
+                "initial",
+                KnownAny,
+                Assumed("0"),
+                "its value at the start; its unit fixes the dimension",
+            ),
+            field(
+                "unit",
+                Unit,
+                Assumed("the unit of the initial value"),
+                "unit of an initial value written as a bare number",
+            ),
+            field(
+                "scale",
+                KnownAny,
+                Assumed("the initial value or, where that is 0, 1 in SI units"),
+                "a usual size: errors of the state are relative to its value, or to this where it is less",
+            ),
+        ],
+        doc: "A value with a rate of its own, such as the integral of a controller; it has no mass and no energy, and is sampled with the outputs.",
+        joint: None,
+    },
+    Kind {
         name: "Event",
         group: Group::Value,
         fields: &[positional(

@@ -10,7 +10,7 @@ use crate::schema::{self, Kinds};
 use syn::{ExprCall, Ident};
 
 /// Kinds whose families are arrays in the user's program.
-const ARRAYS: &[&str] = &["Param", "Input", "Output", ASSEMBLY];
+const ARRAYS: &[&str] = &["Param", "Input", "Output", "State", ASSEMBLY];
 
 /// `name: Each(…)` as read.
 #[derive(Debug, Clone)]

@@ -147,7 +147,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         self.kappa += SVector::<f64, R>::from_column_slice(&x[N..]);
         let end = (&self.q, &self.vb);
         let yardstick = &self.context.yardstick;
-        let verdict = self.corrections.add(&change, end, self.h, yardstick);
+        let verdict = self
+            .corrections
+            .add(&change, end, self.h, yardstick, S::STATES);
         *current &= !verdict.is_slow_for(Self::PATIENCE);
         verdict.converged
     }

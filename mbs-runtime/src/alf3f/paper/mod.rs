@@ -351,9 +351,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
                 x.v[n] += change[n];
             }
             self.counters.iterations += 1;
-            size = self.yardstick.measure(&change);
-            let enough = self.settings.newton_tolerance * self.yardstick.measure(&x.v);
-            if size <= enough.max(self.yardstick.imperceptible(&x.q, h)) {
+            let tolerance = self.settings.newton_tolerance;
+            let floor = self.yardstick.imperceptible(&x.q, h);
+            let speed = self.yardstick.measure(&x.v);
+            let whole = || speed.max(floor / tolerance);
+            size = (self.yardstick).correction(S::STATES, (&change, &x.v), whole);
+            if size <= (tolerance * speed).max(floor) {
                 return Ok(());
             }
             if !size.is_finite() {

@@ -11,8 +11,9 @@ use std::fs::File;
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
+use super::Frame;
+use super::columns::Columns;
 use super::path_error::about;
-use super::{Frame, columns};
 use crate::Model;
 use archive::Archive;
 use spill::Spill;
@@ -22,7 +23,7 @@ use spill::Spill;
 #[derive(Debug)]
 pub struct NpzWriter {
     path: PathBuf,
-    names: Vec<String>,
+    columns: Columns,
     spill: Spill,
 }
 
@@ -33,11 +34,15 @@ impl NpzWriter {
     /// A file that cannot be made, by its path.
     pub fn create(path: impl AsRef<Path>, model: &Model) -> io::Result<Self> {
         let path = path.as_ref().to_owned();
-        let names = columns::names(model);
+        let columns = Columns::of(model);
         let mut part = path.clone().into_os_string();
         part.push(".part");
-        let spill = Spill::create(part.into(), names.len())?;
-        Ok(NpzWriter { path, names, spill })
+        let spill = Spill::create(part.into(), columns.names.len())?;
+        Ok(NpzWriter {
+            path,
+            columns,
+            spill,
+        })
     }
 
     /// Adds an instant.
@@ -46,11 +51,11 @@ impl NpzWriter {
     /// A file that cannot be written, by its path; more numbers than an archive holds, 4 GiB.
     pub fn write(&mut self, frame: &Frame) -> io::Result<()> {
         let rows = self.spill.rows() as u64 + 1;
-        if !archive::holds(&self.names, 8 * rows) {
+        if !archive::holds(&self.columns.names, 8 * rows) {
             let text = "more than 4 GiB; record fewer instants, or read the table";
             return Err(about(&self.path, &io::Error::other(text)));
         }
-        self.spill.push(columns::values(frame))
+        self.spill.push(self.columns.values(frame))
     }
 
     /// Writes the file.
@@ -66,7 +71,7 @@ impl NpzWriter {
         self.spill.finish()?;
         let mut archive = Archive::new(BufWriter::new(File::create(&self.path)?));
         let header = npy_header(self.spill.rows());
-        for (index, name) in self.names.iter().enumerate() {
+        for (index, name) in self.columns.names.iter().enumerate() {
             archive.begin(&format!("{name}.npy"))?;
             archive.write(&header)?;
             self.spill.read(index, |bytes| archive.write(bytes))?;

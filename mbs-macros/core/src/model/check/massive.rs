@@ -60,6 +60,8 @@ fn heavy_locals(graph: &Graph, part: &Part) -> Vec<u32> {
     );
     match part.representation {
         Representation::Coordinate => Vec::new(),
+        // The 1 on the diagonal of M.
+        Representation::State => part.locals.clone(),
         Representation::Natural | Representation::FreePoint if mass => part.locals.clone(),
         Representation::Natural | Representation::FreePoint => Vec::new(),
         Representation::Reference => {

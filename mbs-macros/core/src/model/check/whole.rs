@@ -31,10 +31,8 @@ pub(in crate::model) fn connected(
         .iter()
         .enumerate()
         .filter(|(index, part)| {
-            let follows = matches!(
-                part.representation,
-                Representation::Prescribed | Representation::Coordinate
-            );
+            let follows = part.representation == Representation::Prescribed
+                || part.representation.is_number();
             let named = resolver.used.contains(&part.name);
             !follows && !part.free && !named && !connected.contains(&Owner::Part(*index))
         })

@@ -6,6 +6,9 @@ use crate::model::arguments::Arguments;
 use crate::model::parts::Representation;
 use crate::model::resolver::Resolver;
 use crate::schema::Group;
+use crate::symbolic::Symbol;
+use crate::syntax::Entry;
+use syn::Expr as Syntax;
 
 impl Resolver<'_> {
     /// All joints, conditions and force elements, in the order of the declaration, and then the lengths of bars.
@@ -26,6 +29,8 @@ impl Resolver<'_> {
                 found_joints.len() + found_forces.len(),
             );
             match kind.group {
+                Group::Joint | Group::Constraint if self.has_state_in_row(entry) => {}
+                Group::Force if kind.name == "Friction" && self.has_state_in_speed(entry) => {}
                 Group::Joint | Group::Constraint => {
                     if let Some(joint) = joints::read(kind.name, &mut Arguments::new(self, entry)) {
                         found_joints.push(JointEntry {
@@ -63,5 +68,46 @@ impl Resolver<'_> {
             }
         }
         (found_joints, found_forces)
+    }
+
+    /// Refuses a state in a joint or condition: a row holds accelerations, and its force would push the state.
+    fn has_state_in_row(&mut self, entry: &Entry) -> bool {
+        let named = entry.named.iter().map(|argument| &argument.value);
+        let given: Vec<&Syntax> = entry.positional.iter().chain(named).collect();
+        given.into_iter().any(|syntax| {
+            self.has_state(syntax, "no row may depend on a state: the force of the row would act on the state, too; let a force or torque follow it")
+        })
+    }
+
+    /// Refuses a state in the speed of a friction, which would brake it.
+    fn has_state_in_speed(&mut self, entry: &Entry) -> bool {
+        let named = entry.named("speed").map(|argument| &argument.value);
+        let speed = named.or(entry.positional.first());
+        speed.is_some_and(|syntax| {
+            self.has_state(
+                syntax,
+                "friction brakes what moves: name the speed of a part or joint",
+            )
+        })
+    }
+
+    fn has_state(&mut self, syntax: &Syntax, why: &str) -> bool {
+        if self.scalar_states.is_empty() {
+            return false;
+        }
+        if let Syntax::Array(array) = syntax {
+            return array.elems.iter().any(|item| self.has_state(item, why));
+        }
+        let value = self.silently(|resolver| resolver.evaluate(syntax));
+        let Some(state) = value.and_then(|value| self.state_in(&value)) else {
+            return false;
+        };
+        let (name, own) = (
+            state.quantity.name.clone(),
+            Symbol::LocalVelocity(state.local),
+        );
+        let place = self.blame(syntax, &|symbol| symbol == own);
+        self.fail::<()>(place, format!("`{name}` is a state, and {why}"));
+        true
     }
 }

@@ -52,10 +52,8 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
         let mut progress = false;
         for (index, part) in parts.iter().enumerate() {
             if poses[index].is_some()
-                || matches!(
-                    part.representation,
-                    Representation::Prescribed | Representation::Coordinate
-                )
+                || part.representation == Representation::Prescribed
+                || part.representation.is_number()
             {
                 continue;
             }
@@ -76,7 +74,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
     }
     let mut guesses = Guesses::default();
     for (index, (part, pose)) in parts.iter().zip(poses).enumerate() {
-        if part.representation == Representation::Coordinate {
+        if part.representation.is_number() {
             let zero = resolver.graph.zero();
             let value = (
                 part.guess.angle.unwrap_or(zero),
@@ -247,9 +245,10 @@ fn store(graph: &mut Graph, part: &Part, pose: &Pose, guesses: &mut Guesses) {
         Representation::Natural => vec![[zero; 3], [part.length.unwrap_or(zero), zero, zero]],
         Representation::FreePoint => vec![[zero; 3]],
         Representation::Reference => vec![part.center],
-        Representation::Prescribed | Representation::Coordinate | Representation::Rigid => {
-            Vec::new()
-        }
+        Representation::Prescribed
+        | Representation::Coordinate
+        | Representation::State
+        | Representation::Rigid => Vec::new(),
     };
     for (slot, local) in points.into_iter().enumerate() {
         let place = point_of(graph, pose, local);

@@ -25,7 +25,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry], tree: &Tre
                 part.guess.angle.unwrap_or(zero),
                 part.guess.rate.unwrap_or(zero),
             );
-            if part.representation == Representation::Coordinate {
+            if part.representation.is_number() {
                 guesses.set(part.locals[0], value, rate);
             }
             continue;

@@ -1,4 +1,4 @@
-//! Bars, bodies and particles: which coordinates each takes on its own.
+//! Bars, bodies, particles and states: which coordinates each takes on its own.
 //!
 //! | part | coordinates | mass matrix | rows |
 //! |---|---|---|---|
@@ -7,6 +7,7 @@
 //! | planar body | centre of mass and angle (*reference*) | constant | none |
 //! | body in space, bar in space with a radius or inertia | centre of mass and unit quaternion, with the angular velocity in body axes as quasi-velocity (*rigid*) | constant | none |
 //! | particle | its point | constant | none |
+//! | state | its integral over time | 1, which is not in T | none |
 //! | any, with `frame =` or `position =` | none: it follows `Coordinate`s (*prescribed*) | depends on q | none |
 
 mod inertia;
@@ -16,6 +17,7 @@ mod point;
 mod shape;
 mod shape_arguments;
 mod spatial;
+mod state;
 mod wish;
 
 pub use part::{Home, Part, Representation};

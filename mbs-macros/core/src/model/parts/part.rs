@@ -21,6 +21,8 @@ pub enum Representation {
     Prescribed,
     /// A declared coordinate; parts follow it.
     Coordinate,
+    /// The integral of a state over time.
+    State,
 }
 
 impl Representation {
@@ -35,7 +37,13 @@ impl Representation {
             Representation::FreePoint => "its point",
             Representation::Prescribed => "follows declared coordinates",
             Representation::Coordinate => "a declared coordinate",
+            Representation::State => "a state",
         }
+    }
+
+    /// Whether it is a number, without a place or a frame.
+    pub fn is_number(self) -> bool {
+        matches!(self, Representation::Coordinate | Representation::State)
     }
 
     /// Whether its coordinates are components of points, which joints may merge.

@@ -1,0 +1,14 @@
+use mbs_runtime::{Simulation, mechanism};
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+
+    crank: Bar(mass = 1.0_kg, length = 0.5_m),
+    bearing: Revolute(ground.origin, crank.a),
+    charge: Each(1..3, |i| State(rate = crank.rate)),
+    motor: Torque(crank, value = 2.0_Nm * charge[1]),
+});
+
+fn main() {
+    let _ = Simulation::new(Wrong::default());
+}
