@@ -116,7 +116,7 @@ fn it_moves_like_one_crank() {
 fn its_code_does_not_grow_with_the_count() {
     let statements = |count: usize| {
         let (tree, analysis) = analyse(sizes::families(count).parse().expect("tokens"));
-        let analysis = analysis.ok().expect("a mechanism");
+        let analysis = analysis.expect("a mechanism");
         let (code, size) =
             emit::written(&tree.expect("a declaration"), &analysis, &analysis.program);
         let tokens = code.to_string().split_whitespace().count();
@@ -135,7 +135,6 @@ fn a_redundant_row_among_many_is_named() {
     );
     let (_, analysis) = analyse(text.parse().expect("tokens"));
     let mobility = analysis
-        .ok()
         .expect("a mechanism")
         .mobility
         .expect("it assembles");

@@ -158,7 +158,7 @@ pub(super) fn emit(
             #[allow(unused_imports)]
             use ::mbs_runtime::nalgebra::{SMatrix, SVector};
 
-            #[allow(long_running_const_eval)]
+            #[allow(clippy::all, long_running_const_eval)]
             const MODEL: &'static ::mbs_runtime::Model = #model;
 
             #[cfg(not(rust_analyzer))]
