@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, HashSet};
 /// collide with.
 const TAKEN: &[&str] = &[
     "factor",
+    "turn",
     "at",
     "entries",
     "entries_mut",
