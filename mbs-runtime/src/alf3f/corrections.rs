@@ -29,6 +29,9 @@ pub(super) struct Verdict {
     /// … and as a multiple of the last one.
     #[cfg(feature = "sparse")]
     rate: f64,
+    /// It is no smaller than half the last one.
+    #[cfg(feature = "sparse")]
+    stalled: bool,
 }
 
 impl Verdict {
@@ -36,6 +39,13 @@ impl Verdict {
     #[cfg(feature = "sparse")]
     pub(super) fn is_slow_for(&self, corrections: i32) -> bool {
         self.slow && !(self.above * self.rate.powi(corrections) <= 1.0)
+    }
+
+    /// Whether the corrections of this number of unknowns have ended. The round-off of their rows adds up, as from link to
+    /// link of a chain: corrections that stall below the sum are round-off.
+    #[cfg(feature = "sparse")]
+    pub(super) fn is_end(&self, unknowns: usize) -> bool {
+        self.converged || (self.stalled && self.above <= AMPLIFIED * unknowns as f64)
     }
 }
 
@@ -78,6 +88,8 @@ impl Corrections {
             above: size / round_off,
             #[cfg(feature = "sparse")]
             rate,
+            #[cfg(feature = "sparse")]
+            stalled: has_stalled(size, last),
         }
     }
 }

@@ -151,7 +151,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             .corrections
             .add(&change, end, self.h, yardstick, S::STATES);
         *current &= !verdict.is_slow_for(Self::PATIENCE);
-        verdict.converged
+        verdict.is_end(N + R)
     }
 
     fn is_settled(&self) -> bool {

@@ -76,7 +76,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             *v += change;
             total += SVector::<f64, R>::from_column_slice(&self.x[N..]);
             let verdict = corrections.add(&change, (q, v), h, &context.yardstick, S::STATES);
-            if verdict.converged {
+            if verdict.is_end(N + R) {
                 context.work.impulse[1] = total;
                 return Some(count);
             }
