@@ -21,6 +21,7 @@ mod singularity_detector;
 mod start;
 mod state_errors;
 mod state_values;
+mod step_controller;
 mod tolerance;
 
 use self::books::Books;
@@ -84,6 +85,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// The pose that is near, in runs of fixed steps.
     foreseen: Option<Foreseen>,
     yardstick: Box<Yardstick<Q, N>>,
+    /// Whether the method estimates the errors of its steps. No embedded method sees states.
+    is_estimated: bool,
     /// The error of the last inputs, until a step has returned it.
     refused: Option<SimulationError>,
     /// Values of the `Event`s; stored, so that the search for an event does not allocate.
@@ -230,6 +233,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let integrator = Integrator::new(system, state, &settings, other)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
+        let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();
         let known_poses = KnownPoses::new(by_position && assembly.rank + 1 + S::STATES.len() == N);
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_same_room()),
@@ -257,6 +261,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             last_step: LastStep::NONE,
             foreseen: None,
             known_poses,
+            is_estimated,
             singularities: SingularityDetector::new(),
             refused: None,
             events: vec![0.0; S::MODEL.events.len()],

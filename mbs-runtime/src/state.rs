@@ -235,6 +235,9 @@ pub struct StepController {
     pub gauge: f64,
     /// Pairs since the last comparison.
     pub unseen: u32,
+    /// log₂ of what the excess of the last pair by an embedded method would be with steps of a second.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub difficulty: Option<f64>,
 }
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.

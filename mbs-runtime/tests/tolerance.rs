@@ -94,8 +94,8 @@ fn errors_follow_the_tolerance_with_dampers() {
     proportional(DampedSliderCrank, 2, &[1e-3, 1e-4, 1e-5], &exact, 0.3);
 }
 
-/// With an embedded estimate some pairs are kept without a comparison, which would be half of the work of the pair. With
-/// all comparisons the factor is 1.70, and the error 1.6e-8.
+/// With an embedded estimate most pairs are kept without a comparison, and their length follows the motion. With a length
+/// that does not, this run has 9492 calls of the accelerations and an error of 5.7e-8.
 #[test]
 fn estimates_take_the_place_of_comparisons() {
     let exact = fine(SliderCrank, 8, 1e-3, 10.0);
@@ -107,10 +107,44 @@ fn estimates_take_the_place_of_comparisons() {
         Simulation::with_methods(Parameters(SliderCrank), settings, methods::Projected).unwrap();
     simulation.run_until(10.0).unwrap();
     let report = simulation.report();
-    let work = report.stages as f64 / (12 * report.steps) as f64;
     let error = distance(simulation.positions(), &exact);
-    println!("{work:.2} times the stages of the steps, error {error:.1e}");
-    assert!(work < 1.4 && error < 1e-7);
+    println!("{} calls, error {error:.1e}", report.stages);
+    assert!(report.stages < 7000 && error < 1e-7);
+}
+
+mechanism!(PendulumAtRest {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    bar: Bar(length = 1.0_m, angle = 180.0_deg),
+    bob: Particle(mass = 1.0_kg),
+    pivot: Revolute(ground.origin, bar.a),
+    joint: Revolute(bar.b, bob.origin),
+});
+
+/// A start at rest: there the error is a millionth of the estimate, a few steps later a tenth.
+#[test]
+fn errors_follow_the_tolerance_from_a_start_at_rest() {
+    let run = |settings: Settings| {
+        let mut simulation =
+            Simulation::with_methods(PendulumAtRest {}, settings, methods::Projected).unwrap();
+        simulation.run_until(10.0).unwrap();
+        *simulation.positions()
+    };
+    let exact = run(Settings {
+        step: 1e-3,
+        order: 8,
+        ..Settings::default()
+    });
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+        let error = distance(
+            &run(Settings {
+                method: Method::Projected,
+                ..settings(8, tolerance)
+            }),
+            &exact,
+        );
+        println!("tolerance {tolerance:e}: {error:.1e}");
+        assert!(error < 10.0 * tolerance);
+    }
 }
 
 /// A thousand seconds: the energy error does not grow, as the steps hardly change.

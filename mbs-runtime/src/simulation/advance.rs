@@ -28,7 +28,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let known = self.rank_margin;
         let rank_margin = known.or_else(|| self.integrator.rank_margin());
         let mut monitor = StepMonitor::new(self.books.power, rank_margin);
-        if let Err(error) = self.halving(h, HALVINGS, &mut monitor) {
+        let halvings = if self.is_paced_by_estimates() {
+            0
+        } else {
+            HALVINGS
+        };
+        if let Err(error) = self.halving(h, halvings, &mut monitor) {
             self.rank_margin = None;
             return Err(error);
         }

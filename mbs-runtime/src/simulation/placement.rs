@@ -90,7 +90,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match first {
             Ok(clearance) if !(clearance < wanted) => Ok(h),
             // Without a clearance nothing is known of singular poses.
-            Err(error) if !error.asks_for_less() => Err(error),
+            Err(error) if !error.asks_for_less() || self.is_paced_by_estimates() => Err(error),
             _ => self.choose(h, left, first),
         }
     }

@@ -13,7 +13,8 @@
 //! powers of 2^¼ times the first one.
 //!
 //! A method with an embedded estimate is not compared in every pair: a comparison tells by which factor the estimate
-//! differs from the error, and the pairs that follow use this factor.
+//! differs from the error, and the pairs that follow use this factor. Such a method is not symmetric, and gains nothing by
+//! constant steps: h follows the motion (`step_controller.rs`).
 //!
 //! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
 //! unequal steps, and after these with a shorter pair.
@@ -22,6 +23,7 @@
 
 use super::Simulation;
 use super::pose::Passage;
+use super::step_controller::{TOO_LONG, notches};
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{SimulationError, StepController, System};
@@ -29,15 +31,6 @@ use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
 const SHARE: f64 = 0.02;
-/// Comparisons in a row that allow a longer step before one is taken, at first and at most: twice as many after each
-/// longer step that had to be shortened again, so that the step becomes constant for periodic motion.
-const PATIENCE: [u32; 2] = [8, 4096];
-/// log₂ of the ratio of neighbouring lengths is one over this.
-const NOTCHES: f64 = 4.0;
-/// Notches by which a step is lengthened or shortened at once, at most.
-const LEAP: f64 = 8.0;
-/// The least growth, in notches, for which the step is lengthened, so that it is not shortened again soon.
-const PROMISE: f64 = 2.0;
 /// A difference above this fraction of the motion is too large for an error estimate by the order.
 const UNLIKE: f64 = 0.3;
 /// The steps with which a pair is compared: one of its whole length, otherwise two unequal ones, divided at these
@@ -51,9 +44,11 @@ const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 const WEAKEST: f64 = 1e-5;
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
-const UNSEEN: u32 = 7;
-/// The excess of an estimate, times the last factor, up to which a pair is kept without a comparison.
-const CLEARLY: f64 = 0.2;
+const UNSEEN: u32 = 15;
+/// The excess of an estimate, times the last factor, up to which a pair is kept without a comparison, …
+const CLEARLY: f64 = 0.5;
+/// … and from which on it is not kept.
+const TOO_MUCH: f64 = 1.0;
 /// Steps shorter than this part of the first one are not tried.
 const SHORTEST: f64 = 1e-9;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -71,6 +66,8 @@ struct Found {
     even: bool,
     /// The factor of the embedded estimate, if the pair was compared.
     gauge: Option<f64>,
+    /// Whether an embedded method estimates the error of this pair.
+    is_embedded: bool,
     passage: Passage,
 }
 
@@ -100,22 +97,28 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let books = self.books;
         self.pair.copy_from(self.integrator.state());
         let margin = self.margin();
-        let mut sidestep = 0;
+        let (mut sidestep, mut again) = (0, false);
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
             let found = self.compare(tolerance, h, left, (&step_controller, margin), last);
-            let (excess, error) = match found {
+            let order = self.settings.true_order();
+            let (excess, is_embedded, error) = match found {
                 Ok(mut found) => {
                     if found.excess <= 1.0 && self.leaps(&found.passage)? {
-                        found.excess = LEAP.exp2();
+                        found.excess = TOO_LONG;
                     }
-                    let notches = notches(self.settings.true_order(), found.excess);
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
                         step_controller.note(found.gauge);
-                        if h == step_controller.step && found.even {
-                            step_controller.lengthen(notches);
+                        match h == step_controller.step && found.even {
+                            true if found.is_embedded => {
+                                step_controller.follow(order, h, found.excess);
+                            }
+                            true if !self.is_estimated => {
+                                step_controller.lengthen(notches(order, found.excess));
+                            }
+                            _ => {}
                         }
                         self.integrator.state_mut().step_controller = step_controller;
                         return Ok(());
@@ -128,7 +131,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         times: found.excess,
                         velocity: velocity.map_or("", |velocity| velocity.name),
                     };
-                    (found.excess, error)
+                    (found.excess, found.is_embedded, error)
                 }
                 Err(
                     error @ (SimulationError::NotConverged { .. }
@@ -137,7 +140,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     | SimulationError::NonFinite { .. }
                     | SimulationError::EnergyGain { .. }
                     | SimulationError::EnergyLoss { .. }),
-                ) => (LEAP.exp2(), error),
+                ) => (TOO_LONG, false, error),
                 Err(error) => return Err(error),
             };
             self.rejected += 1;
@@ -149,8 +152,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             }
             sidestep = 0;
-            let excess = if excess.is_nan() { LEAP.exp2() } else { excess };
-            step_controller.shorten(h, notches(self.settings.true_order(), excess));
+            let excess = if excess.is_nan() { TOO_LONG } else { excess };
+            match is_embedded {
+                true => step_controller.retreat(order, h, excess, again),
+                false => step_controller.shorten(h, notches(order, excess)),
+            }
+            again = true;
             let clock = 1e-13 * self.pair.time.abs();
             if !(step_controller.step > SHORTEST * self.settings.step
                 && step_controller.step > clock)
@@ -172,46 +179,54 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let first = self.place(h, left)?;
         let mut estimate = self.integrator.estimate();
         let middle = self.margin();
+        let mut found = Found {
+            excess: f64::NAN,
+            worst: 0,
+            speed: self.speed(first),
+            even: first == h,
+            gauge: None,
+            is_embedded: false,
+            passage: Passage {
+                steps: [first, first],
+                margins: [start, middle, middle],
+            },
+        };
+        if found.even && self.is_estimated {
+            let way = first * found.speed.max(controller.speed);
+            let allowed = (SHARE * tolerance * way).max(self.noise(start, middle));
+            found.excess = controller.foresees(estimate, allowed);
+            found.is_embedded = true;
+            // The second step would not make it better.
+            if found.excess > TOO_MUCH {
+                return Ok(found);
+            }
+        }
         let second = self.place(h.min(left - first), left - first)?;
         let later = self.integrator.estimate();
         estimate = estimate.zip(later).map(|(first, second)| first + second);
         let end = self.margin();
-        let exact = (self.yardstick).round_off_of_positions(self.positions());
-        let noise =
-            self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST);
+        let noise = self.noise(start, end);
         self.before.copy_from(self.integrator.state());
         let kept = self.keep();
 
         let length = first + second;
-        let moved = self
-            .system()
-            .difference(&self.pair.positions, self.positions());
-        let mut found = Found {
-            excess: f64::NAN,
-            worst: 0,
-            speed: self.size(&moved) / length,
-            even: first == h && second == h,
-            gauge: None,
-            passage: Passage {
-                steps: [first, second],
-                margins: [start, middle, end],
-            },
+        found.speed = self.speed(length);
+        found.even = first == h && second == h;
+        found.passage = Passage {
+            steps: [first, second],
+            margins: [start, middle, end],
         };
         let way = length * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
         // Steps about a singular pose have errors of their own, which no embedded method sees.
-        // Nor do they see states.
-        let seen = S::STATES.is_empty();
-        let regular = seen && found.even && found.passage.pose().is_none();
-        let estimate = estimate.filter(|_| regular);
-        if let Some(estimate) = estimate
-            && controller.gauge > 0.0
-            && controller.unseen < UNSEEN
-            && controller.gauge * estimate <= CLEARLY * allowed
-        {
-            found.excess = controller.gauge * estimate / allowed;
+        found.is_embedded = self.is_estimated && found.even && found.passage.pose().is_none();
+        let estimate = estimate.filter(|_| found.is_embedded);
+        found.excess = controller.foresees(estimate, allowed);
+        let is_clear = found.excess <= CLEARLY && controller.unseen < UNSEEN;
+        if is_clear || found.excess > TOO_MUCH {
             return Ok(found);
         }
+        found.excess = f64::NAN;
         let order = i32::from(self.settings.true_order());
         // Relative to the length: powers of a short step vanish.
         let power = |h: f64| (h / length).powi(order + 1);
@@ -232,7 +247,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             converged = true;
             let (apart, mut worst) = self.apart(h);
             let mut excess = match apart > (UNLIKE * way).max(still) {
-                true => LEAP.exp2(),
+                true => TOO_LONG,
                 false => apart / (ratio * allowed),
             };
             if let Some((own, state)) = self.state_excess((SHARE * tolerance, way), noise)
@@ -248,11 +263,31 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
         }
         if !converged {
-            found.excess = LEAP.exp2();
+            found.excess = TOO_LONG;
         }
         self.integrator.state_mut().copy_from(&self.before);
         self.restore(kept)?;
         Ok(found)
+    }
+
+    /// Whether steps are controlled by the estimates of an embedded method. A step that fails is then as one whose estimate is
+    /// too large: no other lengths are tried, and no halves.
+    pub(super) fn is_paced_by_estimates(&self) -> bool {
+        self.is_estimated && self.settings.tolerance.is_some()
+    }
+
+    /// The mean speed from the beginning of the pair, `length` seconds ago, in sizes and radians a second.
+    fn speed(&self, length: f64) -> f64 {
+        let moved = self
+            .system()
+            .difference(&self.pair.positions, self.positions());
+        self.size(&moved) / length
+    }
+
+    /// Round-off between instants with these rank margins, in sizes and radians.
+    fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
+        let exact = (self.yardstick).round_off_of_positions(self.positions());
+        self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST)
     }
 
     /// How far the rows are from losing their independence, 1 at most.
@@ -300,66 +335,5 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             true => (moved, self.yardstick.worst(&q)),
             false => (carried, self.yardstick.worst(&v)),
         }
-    }
-}
-
-/// How much longer a step could be with this error, as a power of 2^¼.
-fn notches(order: u8, excess: f64) -> f64 {
-    (NOTCHES / f64::from(order) * -excess.log2()).floor()
-}
-
-impl StepController {
-    /// Before the first comparison.
-    fn starting(step: f64) -> Self {
-        StepController {
-            step,
-            eager: true,
-            allowed: LEAP,
-            patience: PATIENCE[0],
-            ..StepController::default()
-        }
-    }
-
-    /// Takes note of the factor of the estimate, or of a pair that was not compared.
-    fn note(&mut self, gauge: Option<f64>) {
-        match gauge {
-            Some(gauge) => (self.gauge, self.unseen) = (gauge.max(0.5 * self.gauge), 0),
-            None => self.unseen = self.unseen.saturating_add(1),
-        }
-    }
-
-    /// Shortens the step after h was too long, by this (negative) number of notches.
-    fn shorten(&mut self, h: f64, notches: f64) {
-        self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
-        self.gauge = 0.0;
-        if std::mem::take(&mut self.raised) {
-            self.patience = (2 * self.patience).min(PATIENCE[1]);
-        }
-        self.settle();
-    }
-
-    /// Takes note of a comparison that would allow a step longer by some notches.
-    fn lengthen(&mut self, notches: f64) {
-        if notches < PROMISE {
-            return self.settle();
-        }
-        self.quiet += 1;
-        self.allowed = self.allowed.min(notches - 1.0);
-        if self.eager || self.quiet >= self.patience {
-            self.step *= (self.allowed / NOTCHES).exp2();
-            self.gauge = 0.0;
-            if std::mem::replace(&mut self.raised, !self.eager) {
-                self.patience = (self.patience / 2).max(PATIENCE[0]);
-            }
-            self.quiet = 0;
-            self.allowed = LEAP;
-        }
-    }
-
-    /// The step is right, for now.
-    fn settle(&mut self) {
-        self.quiet = 0;
-        self.allowed = LEAP;
-        self.eager = false;
     }
 }

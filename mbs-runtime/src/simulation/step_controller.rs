@@ -1,0 +1,191 @@
+//! The length of the next pair of steps.
+//!
+//! | error by | length |
+//! |---|---|
+//! | comparison | the same until one comparison requires a shorter one, or several in a row allow a longer one |
+//! | an embedded method | follows the motion: such that the next error is [`AIM`] |
+//!
+//! A symmetric method keeps its long-time behaviour as long as its step length does not follow the motion (E. Hairer,
+//! C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Explicit methods have no such behaviour to keep. With
+//! constant steps the slider-crank at accuracy 1e-6 uses a hundred-millionth of the allowed error in half of its motion.
+
+use crate::StepController;
+
+/// Comparisons in a row that allow a longer step before one is taken, at first and at most: twice as many after each
+/// longer step that had to be shortened again, so that the step becomes constant for periodic motion.
+const PATIENCE: [u32; 2] = [8, 4096];
+/// log₂ of the ratio of neighbouring lengths is one over this.
+const NOTCHES: f64 = 4.0;
+/// Notches by which a step is lengthened or shortened at once, at most.
+const LEAP: f64 = 8.0;
+/// The excess of a pair of which nothing is known but that it is too long.
+pub(super) const TOO_LONG: f64 = 256.0;
+/// The least growth, in notches, for which the step is lengthened, so that it is not shortened again soon.
+const PROMISE: f64 = 2.0;
+/// The excess for which a length that follows the motion is chosen.
+const AIM: f64 = 0.1;
+/// The parts of the last change of the difficulty that the next one is expected to have, where it grew and where it fell.
+const TREND: [f64; 2] = [0.5, 0.3];
+/// The change of the difficulty that is taken as one, at most, in powers of 2: from a larger one nothing follows.
+const STEEP: f64 = 20.0;
+/// Factors from one length to the next, at least and at most, where it follows the motion, and after a pair was too long.
+const FACTORS: [f64; 2] = [0.3, 2.0];
+const RETREATS: [f64; 2] = [0.2, 0.9];
+/// The least factor of an embedded estimate that is believed: where the error is far below what is allowed, as in a start
+/// from rest, factors of a millionth were found, and one of a tenth a few steps later.
+const LEAST_GAUGE: f64 = 0.02;
+/// An excess below this is round-off.
+const ROUND_OFF: f64 = 1e-12;
+
+/// How much longer a step could be with this error, as a power of 2^¼.
+pub(super) fn notches(order: u8, excess: f64) -> f64 {
+    (NOTCHES / f64::from(order) * -excess.log2()).floor()
+}
+
+impl StepController {
+    /// Before the first comparison.
+    pub(super) fn starting(step: f64) -> Self {
+        StepController {
+            step,
+            eager: true,
+            allowed: LEAP,
+            patience: PATIENCE[0],
+            ..StepController::default()
+        }
+    }
+
+    /// Takes note of the factor of the estimate, or of a pair that was not compared.
+    pub(super) fn note(&mut self, gauge: Option<f64>) {
+        match gauge {
+            Some(gauge) => {
+                self.gauge = gauge.max(0.5 * self.gauge).max(LEAST_GAUGE);
+                self.unseen = 0;
+            }
+            None => self.unseen = self.unseen.saturating_add(1),
+        }
+    }
+
+    /// The ratio of the error to the allowed one by an embedded estimate; NaN if its factor is not known for this length of
+    /// steps.
+    pub(super) fn foresees(&self, estimate: Option<f64>, allowed: f64) -> f64 {
+        match estimate {
+            Some(estimate) if self.gauge > 0.0 && !self.eager => self.gauge * estimate / allowed,
+            _ => f64::NAN,
+        }
+    }
+
+    /// Shortens the step after h was too long, by this (negative) number of notches.
+    pub(super) fn shorten(&mut self, h: f64, notches: f64) {
+        self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
+        self.gauge = 0.0;
+        if std::mem::take(&mut self.raised) {
+            self.patience = (2 * self.patience).min(PATIENCE[1]);
+        }
+        self.settle();
+    }
+
+    /// Takes note of a comparison that would allow a step longer by some notches.
+    pub(super) fn lengthen(&mut self, notches: f64) {
+        if notches < PROMISE {
+            return self.settle();
+        }
+        self.quiet += 1;
+        self.allowed = self.allowed.min(notches - 1.0);
+        if self.eager || self.quiet >= self.patience {
+            self.step *= (self.allowed / NOTCHES).exp2();
+            self.gauge = 0.0;
+            if std::mem::replace(&mut self.raised, !self.eager) {
+                self.patience = (self.patience / 2).max(PATIENCE[0]);
+            }
+            self.quiet = 0;
+            self.allowed = LEAP;
+        }
+    }
+
+    /// The step is right, for now.
+    fn settle(&mut self) {
+        self.quiet = 0;
+        self.allowed = LEAP;
+        self.eager = false;
+    }
+
+    /// After steps of h with this excess: the length with which the next one comes to [`AIM`].
+    ///
+    /// With order p the excess is d hᵖ; the difficulty d of the motion goes on to change as it did.
+    pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64) {
+        let order = f64::from(order);
+        let difficulty = excess.max(ROUND_OFF).log2() - order * h.log2();
+        let change = match self.difficulty {
+            Some(last) => (difficulty - last).clamp(-STEEP, STEEP),
+            None => 0.0,
+        };
+        let trend = TREND[usize::from(change < 0.0)] * change;
+        let wanted = (AIM.log2() - difficulty - trend) / order;
+        let factor = (wanted.exp2() / h).clamp(FACTORS[0], FACTORS[1]);
+        self.difficulty = Some(difficulty);
+        self.step = h * factor;
+        self.eager &= factor == FACTORS[1];
+    }
+
+    /// After steps of h were too long by an embedded method. If they were before, too, `again`, the factor of its estimate
+    /// is no longer trusted.
+    pub(super) fn retreat(&mut self, order: u8, h: f64, excess: f64, again: bool) {
+        let factor = (AIM / excess).powf(1.0 / f64::from(order));
+        self.step = h * factor.clamp(RETREATS[0], RETREATS[1]);
+        self.difficulty = None;
+        self.eager = false;
+        if again {
+            self.gauge = 0.0;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Lengths of pairs and their excesses with the difficulty d(t) and order 8.
+    fn run(d: impl Fn(f64) -> f64, end: f64) -> Vec<(f64, f64)> {
+        let mut controller = StepController::starting(1e-3);
+        let (mut time, mut pairs) = (0.0, Vec::new());
+        while time < end {
+            let h = controller.step;
+            let excess = d(time + h) * h.powi(8);
+            match excess <= 1.0 {
+                true => {
+                    controller.follow(8, h, excess);
+                    time += 2.0 * h;
+                }
+                false => controller.retreat(8, h, excess, false),
+            }
+            pairs.push((h, excess));
+        }
+        pairs
+    }
+
+    #[test]
+    fn a_constant_difficulty_has_a_constant_length() {
+        let pairs = run(|_| 1e8, 10.0);
+        let wanted = (AIM / 1e8).powf(0.125);
+        assert!(
+            pairs
+                .iter()
+                .skip(10)
+                .all(|(h, _)| (h / wanted - 1.0).abs() < 1e-9)
+        );
+    }
+
+    #[test]
+    fn lengths_follow_a_difficulty_of_eight_decades() {
+        let difficulty = |time: f64| 10f64.powf(8.0 + 4.0 * time.sin());
+        let pairs = run(difficulty, 20.0);
+        let kept = pairs.iter().filter(|(_, excess)| *excess <= 1.0).count();
+        // The least constant length needs 20 / (2 · 0.0237) = 422 pairs.
+        assert!(kept < 211, "{kept}");
+        assert!(
+            10 * (pairs.len() - kept) < kept,
+            "{} of {kept}",
+            pairs.len()
+        );
+    }
+}
