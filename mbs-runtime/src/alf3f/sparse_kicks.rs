@@ -14,11 +14,13 @@
 use super::closing::residual_of;
 use super::closing::{self, Closed, Closing, Limits, Refining, refine};
 use super::kicks;
-use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
+use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass};
 use super::step_context::{PROMPT, REFINEMENTS, StepContext};
+use crate::contract::mass_rows;
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
+use crate::large::starts_sparse;
 use crate::linear::{negative, scaled, vector, zeros};
 use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
@@ -64,13 +66,24 @@ enum Outcome {
 }
 
 impl<const N: usize, const R: usize> SparseKicks<N, R> {
+    /// The smallest relative pivot at the declared guess, 1 at most, where the mechanism is so large that only steps near
+    /// singular poses have dense arrays; `None` where all have them.
+    pub(super) fn usual_pivot<S: System<Q, N, R>, const Q: usize>(system: &S) -> Option<f64> {
+        let plan = S::ELIMINATION.filter(|_| const { starts_sparse::<N, R>() })?;
+        let (q, _) = system.guess();
+        let mut matrix = Bordered::new(plan, &mass_rows(system, &q), Thresholds::SECOND_ORDER);
+        system.sparse_constraints(0.0, &q, &mut zeros(), &mut matrix.entries, &mut zeros());
+        matrix.factor(plan);
+        Some(matrix.least_pivot(plan))
+    }
+
     /// A workspace for the state in `core`; `None` where dense arrays are the faster.
     #[inline(never)]
     pub(super) fn new<S: System<Q, N, R>, const Q: usize>(
         context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
-        let mass = constant_mass(&context.system, &context.state.positions);
+        let mass = mass_rows(&context.system, &context.state.positions);
         let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,
@@ -153,7 +166,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         if self.attempt(context, h)? == Outcome::Done {
             return Ok(());
         }
-        context.refresh()?;
+        context.fill_dense()?;
         kicks::step(context, flow, h)?;
         self.refresh(context);
         Ok(())
