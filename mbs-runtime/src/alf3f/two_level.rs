@@ -112,11 +112,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
         let mut state = state;
         state.make_room(count);
-        let before = state.with_same_room();
         let large = match is_sparse::<S, Q, N, R>(settings) {
             true => SparseStep::new(&system, &state),
             false => None,
         };
+        #[cfg(feature = "sparse")]
+        state.keep_factors(large.is_some());
+        let before = state.with_same_room();
         if large.is_none() {
             check_dense(N, flow)?;
         }

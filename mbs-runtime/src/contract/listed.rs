@@ -1,8 +1,9 @@
-//! M and A as lists of their entries, for large mechanisms.
+//! M, A and ∂f/∂q as lists of their entries, for large mechanisms.
 
-use super::{Constraints, Inertia};
+use super::{Constraints, Inertia, Loads};
 use crate::linear::sparse::SparseRows;
-use crate::{MatrixSink, linear::zeros};
+use crate::linear::zeros;
+use crate::sink::{Discard, MatrixSink};
 use nalgebra::SVector;
 
 /// Row, column and value of each entry that a function writes.
@@ -39,4 +40,15 @@ pub(crate) fn constraint_rows<
     let mut a = Listed::default();
     system.constraints(t, q, &mut zeros(), &mut a, &mut zeros());
     SparseRows::new(R, a.0)
+}
+
+/// ∂f/∂q of the applied forces at (t, q, v).
+pub(crate) fn force_slopes<S: Loads<Q, N>, const Q: usize, const N: usize>(
+    system: &S,
+    t: f64,
+    (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+) -> SparseRows {
+    let mut slopes = Listed::default();
+    system.applied_force_tangents(t, q, v, &mut slopes, &mut Discard);
+    SparseRows::new(N, slopes.0)
 }

@@ -40,7 +40,7 @@ pub use constraints::Constraints;
 pub use elimination::{Elimination, Rates};
 pub use inertia::Inertia;
 #[cfg(feature = "std")]
-pub(crate) use listed::{constraint_rows, mass_rows};
+pub(crate) use listed::{constraint_rows, force_slopes, mass_rows};
 pub use loads::Loads;
 pub use named_values::NamedValues;
 pub use observables::Observables;

@@ -2,6 +2,7 @@
 
 use super::{Box, zeroed};
 use bytemuck::{Pod, Zeroable};
+use core::hint::unreachable_unchecked;
 use core::ops::{Deref, DerefMut};
 use std::sync::OnceLock;
 
@@ -18,11 +19,16 @@ pub struct OnDemand<T> {
     read: OnceLock<Box<T>>,
 }
 
+impl<T> OnDemand<T> {
+    /// A test of each access would be a twentieth of the instructions of a small step.
+    const AT_ONCE: bool = size_of::<T>() <= MOST_AT_ONCE;
+}
+
 impl<T: Zeroable> OnDemand<T> {
     /// Zeros.
     pub fn zeros() -> Self {
         OnDemand {
-            value: (size_of::<T>() <= MOST_AT_ONCE).then(zeroed),
+            value: Self::AT_ONCE.then(zeroed),
             read: OnceLock::new(),
         }
     }
@@ -40,6 +46,8 @@ impl<T: Zeroable> Deref for OnDemand<T> {
     fn deref(&self) -> &T {
         match &self.value {
             Some(value) => value,
+            // SAFETY: the value of such a type is there from the beginning, and nothing takes it away.
+            None if const { Self::AT_ONCE } => unsafe { unreachable_unchecked() },
             None => self.late(),
         }
     }
@@ -48,6 +56,13 @@ impl<T: Zeroable> Deref for OnDemand<T> {
 impl<T: Zeroable> DerefMut for OnDemand<T> {
     #[inline(always)]
     fn deref_mut(&mut self) -> &mut T {
+        if const { Self::AT_ONCE } {
+            match &mut self.value {
+                Some(value) => return value,
+                // SAFETY: as above.
+                None => unsafe { unreachable_unchecked() },
+            }
+        }
         let read = &mut self.read;
         self.value
             .get_or_insert_with(|| read.take().unwrap_or_else(zeroed))
