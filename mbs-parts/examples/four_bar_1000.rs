@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release -p mbs-parts --features large --example four_bar_1000 -- 0.2 1e-3`, with the time to simulate and
 //! the step. The declaration has as many lines for any number of loops, and so has the generated code but for its tables.
-//! Before the first step the start is assembled, which a thousand loops take long for: it has a column of its own.
+//! Before the first step the start is assembled: it has a column of its own.
 
 use mbs_runtime::{AnySimulation, Settings, Simulation, mechanism};
 use std::time::Instant;

@@ -18,7 +18,7 @@ mod differences;
 mod held;
 #[cfg(feature = "std")]
 mod jump;
-#[cfg(feature = "sparse")]
+#[cfg(feature = "std")]
 mod large;
 #[cfg(feature = "std")]
 mod verdict;

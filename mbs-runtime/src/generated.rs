@@ -14,6 +14,9 @@ pub use crate::singular::DEPENDENT;
 pub use crate::sink::Discard;
 pub use checks::{require_inertia, require_not_negative, require_positive};
 pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
+pub use constant_mass::{
+    ConstantMass, FactoredMass, LongMass, factored_mass, multiply, multiply_rows,
+};
 pub use parts::{compute_parts, pairs_of, rows_of, triples_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
@@ -22,6 +25,7 @@ pub use unfinished::{UNFINISHED, Unfinished};
 
 mod checks;
 mod cholesky;
+mod constant_mass;
 mod parts;
 pub mod pattern;
 mod principal;
@@ -87,33 +91,6 @@ pub fn displacement<const N: usize>(
 ) -> SVector<f64, N> {
     let (from, to) = (entries(from), entries(to));
     vector(|i| to[i] - from[i])
-}
-
-/// x ← M⁻¹ x.
-pub fn multiply<const N: usize>(inverse: &SMatrix<f64, N, N>, x: &mut SVector<f64, N>) {
-    let old = *x;
-    let ([x], [old]) = (&mut x.data.0, &old.data.0);
-    for (value, row) in x.iter_mut().zip(&inverse.data.0) {
-        *value = row.iter().zip(old).map(|(m, x)| m * x).sum();
-    }
-}
-
-/// W = M⁻¹Aᵀ from the rows of A, skipping their zeros.
-pub fn multiply_rows<const N: usize, const R: usize>(
-    inverse: &SMatrix<f64, N, N>,
-    a: &SMatrix<f64, N, R>,
-    w: &mut SMatrix<f64, N, R>,
-) {
-    for (w, a) in w.data.0.iter_mut().zip(&a.data.0) {
-        *w = [0.0; N];
-        for (&entry, column) in a.iter().zip(&inverse.data.0) {
-            if entry != 0.0 {
-                for (w, m) in w.iter_mut().zip(column) {
-                    *w += entry * m;
-                }
-            }
-        }
-    }
 }
 
 /// The rows of A W from those of A and the columns of W, skipping the zeros of A.

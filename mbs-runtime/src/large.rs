@@ -41,6 +41,12 @@ where
         }
 }
 
+/// Whether the start of a mechanism is computed without dense arrays, if there are factors for it: those of an elimination
+/// that was planned when the mechanism was compiled, or those of the sparse implicit flow.
+pub(crate) const fn starts_sparse<const N: usize, const R: usize>() -> bool {
+    cfg!(feature = "std") && N + R >= FEWEST_BESIDE_OTHERS
+}
+
 /// Refuses dense arrays that would not fit on a stack.
 pub(crate) fn check_dense(velocities: usize, flow: Flow) -> Result<(), SimulationError> {
     if flow == Flow::Leapfrog || velocities <= MOST_DENSE {

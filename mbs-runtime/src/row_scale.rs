@@ -1,5 +1,8 @@
 //! The size of a violation of a row, as a displacement.
 
+#[cfg(feature = "std")]
+mod large;
+
 use crate::constraint_geometry::ConstraintGeometry;
 #[cfg(not(feature = "std"))]
 use crate::elementary::Elementary as _;
@@ -37,28 +40,51 @@ impl<const R: usize> RowScale<R> {
     ) -> Result<Self, Fault> {
         let tolerance = settings.constraint_tolerance;
         let yardstick = yardstick.for_tolerance(S::MODEL, tolerance);
+        #[cfg(feature = "std")]
+        if let Some([lengths_squared, usual]) = large::lengths(system, &yardstick, settings) {
+            return Ok(Self::of::<S, Q, N>(
+                (&lengths_squared, usual),
+                &yardstick,
+                tolerance,
+            ));
+        }
         let geometry = match is_sparse::<S, Q, N, R>(settings) {
             true => ConstraintGeometry::rows_at_guess(system)?,
             false => ConstraintGeometry::at_guess(system)?,
         };
+        let lengths_squared = vector(|i| yardstick.row_length_squared(&geometry.a[i]));
+        let usual = vector(|i| match i < S::STRUCTURE.holonomic_rows {
+            true => geometry.delassus[i][i],
+            false => 0.0,
+        });
+        Ok(Self::of::<S, Q, N>(
+            (&lengths_squared, usual),
+            &yardstick,
+            tolerance,
+        ))
+    }
+
+    /// From |a_i|², which may vanish, and a M⁻¹aᵀ.
+    fn of<S: System<Q, N, R>, const Q: usize, const N: usize>(
+        (found, usual): (&SVector<f64, R>, SVector<f64, R>),
+        yardstick: &Yardstick<Q, N>,
+        tolerance: f64,
+    ) -> Self {
         let lengths_squared: SVector<f64, R> = vector(|i| {
-            let length_squared = yardstick.row_length_squared(&geometry.a[i]);
+            let length_squared = found[i];
             let expected = Self::expected::<S, Q, N>(i, yardstick.length);
             match length_squared > (NOTHING * expected).powi(2) {
                 true => length_squared,
                 false => expected * expected,
             }
         });
-        Ok(RowScale {
+        RowScale {
             weights: vector(|i| 1.0 / (tolerance * tolerance * lengths_squared[i])),
             lengths_squared,
-            usual: vector(|i| match i < S::STRUCTURE.holonomic_rows {
-                true => geometry.delassus[i][i],
-                false => 0.0,
-            }),
+            usual,
             lost: (LEFT_OPEN / tolerance).powi(2).max(STAGNATED),
             tolerance,
-        })
+        }
     }
 
     /// The expected length of a row with its unit in a mechanism of this length: length^k for a unit m^k.

@@ -110,8 +110,14 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         if stages > 1 {
             self.stage_multipliers.reserve(stages);
         }
-        #[cfg(feature = "sparse")]
-        if const { is_large::<N, R>() } && self.factors.is_none() {
+    }
+
+    /// Makes room for the origin of factors, where steps keep any.
+    #[cfg(feature = "sparse")]
+    pub(crate) fn keep_factors(&mut self, keep: bool) {
+        if !keep {
+            self.factors = None;
+        } else if self.factors.is_none() {
             self.factors = Some(Box::new(FactorOrigin::none()));
         }
     }

@@ -147,6 +147,13 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         dot(&moved, &moved)
     }
 
+    /// The same of a row with these entries.
+    #[cfg(feature = "std")]
+    pub(crate) fn length_squared(&self, entries: impl Iterator<Item = (usize, f64)>) -> f64 {
+        let moved = entries.map(|(column, value)| self.scaled(column, value).powi(2));
+        moved.sum()
+    }
+
     /// The largest coordinate in these units, at least 1.
     #[inline(always)]
     pub(crate) fn farthest(&self, q: &SVector<f64, Q>) -> f64 {

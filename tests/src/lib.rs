@@ -2,6 +2,7 @@
 //! compiled and run as documentation tests.
 
 pub mod compiled;
+pub mod dense;
 pub mod differences;
 pub mod fixtures;
 pub mod flips;

@@ -1,8 +1,12 @@
 //! A family of many members: its mobility, its code as loops over tables, and its motion.
 
+use crate::alloc::largest;
 use crate::sizes;
 use mbs_macros_core::{analyse, emit};
-use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+use mbs_runtime::{
+    AssemblyVerdict, Mechanism, Settings, Simulation, SimulationError, State, System, mechanism,
+};
+use mbs_tests::dense::Dense;
 
 const LOOPS: usize = 130;
 
@@ -144,4 +148,159 @@ fn a_redundant_row_among_many_is_named() {
     };
     assert_eq!(redundancy.row, "brace");
     assert_eq!(redundancy.follows_from, ["coupler[8]"]);
+}
+
+const BRACED: usize = 80;
+const BRACED_VELOCITIES: usize = 2 * (BRACED + 1);
+
+// Four-bars in a row with couplers that are there twice, and stays over two loops. The cranks lean more and more, so that
+// the guess is not assembled unless `lean` is zero.
+mechanism!(Braced {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    length: Param(1.0_m),
+    mass: Param(1.0_kg),
+    rate: Param(1.0_rad_per_s),
+    start: Param(90.0_deg),
+    lean: Param(0.0_rad),
+    crank: Each(0..=80, |i| Bar(
+        mass = mass,
+        length = length,
+        angle = start + i * lean,
+        rate = rate
+    )),
+    coupler: Each(1..=80, |i| Bar(mass = mass, length = length)),
+    twin: Each(50..=52, |i| Bar(mass = mass, length = length)),
+    foot: Each(0..=80, |i| Revolute(
+        ground.point(i * length, 0.0),
+        crank[i].a
+    )),
+    left: Each(1..=80, |i| Revolute(crank[i - 1].b, coupler[i].a)),
+    right: Each(1..=80, |i| Revolute(coupler[i].b, crank[i].b)),
+    twin_left: Each(50..=52, |i| Revolute(crank[i - 1].b, twin[i].a)),
+    twin_right: Each(50..=52, |i| Revolute(twin[i].b, crank[i].b)),
+    brace: Each(30..=33, |i| Distance(
+        crank[i - 1].b,
+        crank[i].b,
+        length = length
+    )),
+    stay: Each(10..=11, |i| Distance(
+        crank[i - 1].b,
+        crank[i + 1].b,
+        length = 2.0 * length
+    )),
+});
+
+// A brace that is too long, where a coupler is there already.
+mechanism!(Contradiction {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    length: Param(1.0_m),
+    long: Param(1.1_m),
+    mass: Param(1.0_kg),
+    crank: Each(0..=80, |i| Bar(
+        mass = mass,
+        length = length,
+        angle = 90.0_deg
+    )),
+    coupler: Each(1..=80, |i| Bar(mass = mass, length = length)),
+    foot: Each(0..=80, |i| Revolute(
+        ground.point(i * length, 0.0),
+        crank[i].a
+    )),
+    left: Each(1..=80, |i| Revolute(crank[i - 1].b, coupler[i].a)),
+    right: Each(1..=80, |i| Revolute(coupler[i].b, crank[i].b)),
+    brace: Distance(crank[40].b, crank[41].b, length = long),
+});
+
+fn start<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+) -> Result<(AssemblyVerdict, State<Q, N, R>), SimulationError>
+where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    let simulation = Simulation::new(mechanism)?;
+    Ok((simulation.assembly().clone(), simulation.state().clone()))
+}
+
+#[test]
+fn sparse_and_dense_starts_find_the_same_rows() {
+    // Upright; in one line, where a row for each loop is dependent; and beside that pose, up to where the parts in which
+    // rows differ are round-off.
+    for angle in [1.5, 0.3, 1e-4, 1e-6, 1e-7, 1e-9, 0.0] {
+        let braced = Braced {
+            start: angle,
+            ..Braced::default()
+        };
+        let (sparse, _) = start(braced).expect("assembled");
+        let (dense, _) = start(Dense(braced)).expect("assembled");
+        println!("{angle}: {} {:?}", sparse.rank, sparse.redundant_rows);
+        assert_eq!(sparse.rank, dense.rank, "{angle}");
+        assert_eq!(sparse.redundant_rows, dense.redundant_rows, "{angle}");
+        assert_eq!(sparse.worst_rows, dense.worst_rows);
+        let flat = if angle < 1e-8 { BRACED } else { 0 };
+        assert_eq!(sparse.rank, 2 * BRACED + 1 - flat);
+        assert_eq!(sparse.redundant_rows.len(), 9 + flat);
+        for name in [
+            "coupler[11].length",
+            "coupler[30].length",
+            "twin[51].length",
+        ] {
+            assert!(sparse.redundant_rows.contains(&name), "{name}");
+        }
+    }
+}
+
+#[test]
+fn sparse_and_dense_starts_move_a_guess_alike() {
+    for lean in [1e-4, 1e-3] {
+        let braced = Braced {
+            lean,
+            ..Braced::default()
+        };
+        let (sparse, at) = start(braced).expect("assembled");
+        let (dense, dense_at) = start(Dense(braced)).expect("assembled");
+        assert!(sparse.residual_before > 1e-4 * lean && sparse.residual < 1e-10);
+        assert_eq!(sparse.residual_before, dense.residual_before);
+        assert_eq!(sparse.redundant_rows, dense.redundant_rows);
+        assert!((sparse.moved - dense.moved).abs() < 1e-9 * dense.moved);
+        let apart = (at.positions - dense_at.positions).amax();
+        let velocities_apart = (at.velocities - dense_at.velocities).amax();
+        println!("{lean}: {apart:e} m, {velocities_apart:e} m/s");
+        assert!(apart < 1e-10 && velocities_apart < 1e-10);
+        let names = |verdict: &AssemblyVerdict| {
+            let changes = verdict.changes.iter();
+            changes
+                .map(|change| change.name)
+                .collect::<std::collections::BTreeSet<_>>()
+        };
+        assert!(names(&sparse).len() > BRACED);
+        assert_eq!(names(&sparse), names(&dense));
+    }
+}
+
+#[test]
+fn contradicting_rows_are_refused_alike() {
+    let message = |refused: Result<_, SimulationError>| match refused {
+        Err(error) => error.to_string(),
+        Ok(_) => panic!("it cannot be assembled"),
+    };
+    let contradiction = Contradiction::default();
+    let sparse = message(start(contradiction).map(|_| ()));
+    assert_eq!(sparse, message(start(Dense(contradiction)).map(|_| ())));
+    assert!(sparse.contains("brace"), "{sparse}");
+}
+
+#[test]
+fn no_dense_array_is_allocated() {
+    let dense_array = BRACED_VELOCITIES * BRACED_VELOCITIES * size_of::<f64>();
+    let starts_and_moves = || {
+        let mut simulation = Simulation::new(Braced::default()).expect("assembled");
+        simulation.run_until(0.01).expect("the end");
+    };
+    let sparse = largest(starts_and_moves);
+    let dense = largest(|| {
+        start(Dense(Braced::default())).expect("assembled");
+    });
+    println!("{sparse} {dense} {dense_array}");
+    assert!(sparse < dense_array && dense >= dense_array);
 }

@@ -2,7 +2,7 @@
 
 use crate::System;
 use crate::generated::Elimination;
-use crate::linear::RowMatrix;
+use crate::linear::sparse::SparseRows;
 use crate::singular::{RankMargin, Thresholds, WEAK_PIVOT};
 use nalgebra::SVector;
 
@@ -86,13 +86,10 @@ impl Bordered {
     /// K with M and no rows, not factored.
     pub(crate) fn new<const N: usize, const R: usize>(
         plan: &Elimination<N, R>,
-        mass: &RowMatrix<N, N>,
+        mass: &SparseRows,
         thresholds: Thresholds,
     ) -> Self {
-        let mut entries = zeros(plan.slots);
-        for &(i, j, slot) in plan.mass {
-            entries[slot] = mass[i][j];
-        }
+        let entries = plan.matrix(mass);
         Bordered {
             factor: entries.clone(),
             entries,
@@ -113,6 +110,15 @@ impl Bordered {
         plan: &'a Elimination<N, R>,
     ) -> impl Iterator<Item = f64> + 'a {
         relative(plan, &self.factor, &self.lengths)
+    }
+
+    /// The smallest relative pivot of the rows that are not left out, 1 at most.
+    pub(crate) fn least_pivot<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+    ) -> f64 {
+        let pivots = self.relative(plan).filter(|&pivot| pivot > 0.0);
+        pivots.fold(1.0, f64::min)
     }
 
     /// Whether rows are redundant here.
@@ -249,11 +255,11 @@ impl SparseMass {
     /// M factored.
     pub(crate) fn new<const N: usize, const R: usize>(
         plan: &Elimination<N, R>,
-        mass: &RowMatrix<N, N>,
+        mass: &SparseRows,
     ) -> Self {
         let mut factor = zeros(plan.mass_slots);
         for &(i, j, slot) in plan.mass_alone {
-            factor[slot] = mass[i][j];
+            factor[slot] = mass.get(i, j);
         }
         (plan.factor_mass)(&mut factor, &mut zeros(N));
         SparseMass { factor }
@@ -289,15 +295,4 @@ impl SparseMass {
             system.acceleration(t, q, acceleration);
         }
     }
-}
-
-/// M of a system whose mass matrix is constant.
-#[inline(never)]
-pub(crate) fn constant_mass<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    system: &S,
-    q: &SVector<f64, Q>,
-) -> RowMatrix<N, N> {
-    let mut mass = RowMatrix::zeros();
-    system.mass_matrix(q, &mut mass);
-    mass
 }

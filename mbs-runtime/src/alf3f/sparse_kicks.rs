@@ -14,12 +14,15 @@
 use super::closing::residual_of;
 use super::closing::{self, Closed, Closing, Limits, Refining, refine};
 use super::kicks;
-use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass, constant_mass};
+use super::sparse::{Bordered, Pair, Rows, Slots, SparseMass};
 use super::step_context::{PROMPT, REFINEMENTS, StepContext};
+use crate::contract::mass_rows;
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::linear::{negative, scaled, vector, zeros};
+use crate::large::starts_sparse;
+use crate::linear::{entries, entries_mut, vector, zeros};
+use crate::memory::zeroed;
 use crate::singular::{EXACT, RankMargin, Thresholds};
 use crate::{State, System};
 use nalgebra::SVector;
@@ -35,6 +38,8 @@ pub(crate) struct SparseKicks<const N: usize, const R: usize> {
     mass: SparseMass,
     /// A vector in the order of elimination.
     x: Slots,
+    /// Right-hand sides of the rows. (A long vector that a function returns is copied, and does not stay in the cache.)
+    right: Box<SVector<f64, R>>,
 }
 
 /// The matrix for the corrections of κ₁.
@@ -64,13 +69,24 @@ enum Outcome {
 }
 
 impl<const N: usize, const R: usize> SparseKicks<N, R> {
+    /// The smallest relative pivot at the declared guess, 1 at most, where the mechanism is so large that only steps near
+    /// singular poses have dense arrays; `None` where all have them.
+    pub(super) fn usual_pivot<S: System<Q, N, R>, const Q: usize>(system: &S) -> Option<f64> {
+        let plan = S::ELIMINATION.filter(|_| const { starts_sparse::<N, R>() })?;
+        let (q, _) = system.guess();
+        let mut matrix = Bordered::new(plan, &mass_rows(system, &q), Thresholds::SECOND_ORDER);
+        system.sparse_constraints(0.0, &q, &mut zeros(), &mut matrix.entries, &mut zeros());
+        matrix.factor(plan);
+        Some(matrix.least_pivot(plan))
+    }
+
     /// A workspace for the state in `core`; `None` where dense arrays are the faster.
     #[inline(never)]
     pub(super) fn new<S: System<Q, N, R>, const Q: usize>(
         context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
-        let mass = constant_mass(&context.system, &context.state.positions);
+        let mass = mass_rows(&context.system, &context.state.positions);
         let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,
@@ -79,6 +95,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             pair: Pair::new(plan),
             mass: SparseMass::new(plan, &mass),
             x: vec![0.0; plan.unknowns].into_boxed_slice(),
+            right: zeroed(),
         });
         kicks.refresh(context);
         if kicks.start.leaves_rows_out(plan) {
@@ -125,12 +142,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         &self,
         context: &StepContext<S, Q, N, R>,
     ) -> SVector<f64, R> {
-        rates(
-            self.plan,
-            &self.start,
-            &context.start.b,
-            &context.state.velocities,
-        )
+        let mut rates = zeros();
+        let (b, v) = (&context.start.b, &context.state.velocities);
+        write_rates(self.plan, &self.start, (b, v), &mut rates);
+        rates
     }
 
     /// How independent the rows are at the current instant.
@@ -153,7 +168,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         if self.attempt(context, h)? == Outcome::Done {
             return Ok(());
         }
-        context.refresh()?;
+        context.fill_dense()?;
         kicks::step(context, flow, h)?;
         self.refresh(context);
         Ok(())
@@ -190,16 +205,21 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         if rows == Rows::Lost {
             return Ok(Outcome::Lost);
         }
-        let Kick { q, va, .. } = kick;
+        let (q, va) = (&kick.q, &kick.va);
         let SparseKicks {
-            plan, end, mass, x, ..
+            plan,
+            end,
+            mass,
+            x,
+            right,
+            ..
         } = &mut *self;
         let t1 = context.state.time + h;
         let (a0, geometry) = (&context.start.acceleration, &mut context.end);
         mass.weigh_forces(
             plan,
             &context.system,
-            (t1, &q),
+            (t1, q),
             x,
             &mut geometry.acceleration,
         );
@@ -225,7 +245,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             x,
             v: &mut v,
             kappa,
-            rates: SVector::zeros(),
+            rates: right,
         };
         refine(&mut left, passes, enough);
         if many {
@@ -235,7 +255,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             let apart = vector(|i| 2.0 * va[i] - v0[i] - v[i] + 0.5 * h * (a0[i] + a1[i]));
             context.check_way(0.5 * h, &apart)?;
         }
-        context.commit(t1, h, q, v, weak_start || rows != Rows::Independent)?;
+        context.commit(t1, h, *q, v, weak_start || rows != Rows::Independent)?;
         core::mem::swap(&mut self.start, &mut self.end);
         Ok(Outcome::Done)
     }
@@ -366,14 +386,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             start,
             pair,
             x,
+            right,
             ..
         } = &mut *self.kicks;
         let rate = -1.0 / self.h;
-        let rates = scaled(rate, &self.context.work.phi);
+        let phi = entries(&self.context.work.phi);
+        for (right, phi) in entries_mut(right).iter_mut().zip(phi) {
+            *right = rate * phi;
+        }
         let to = (&mut self.kick.va, &mut self.kick.kappa);
         match self.kick.factor {
-            Factor::Start => start.solve(plan, &rates, x, to),
-            _ => pair.solve(plan, &rates, x, to),
+            Factor::Start => start.solve(plan, right, x, to),
+            _ => pair.solve(plan, right, x, to),
         }
         false
     }
@@ -399,32 +423,37 @@ struct Rates<'a, const N: usize, const R: usize> {
     x: &'a mut [f64],
     v: &'a mut SVector<f64, N>,
     kappa: &'a mut SVector<f64, R>,
-    rates: SVector<f64, R>,
+    rates: &'a mut SVector<f64, R>,
 }
 
 impl<const N: usize, const R: usize> Refining for Rates<'_, N, R> {
     #[inline(always)]
     fn residual(&mut self) -> f64 {
-        self.rates = rates(self.plan, self.matrix, self.b, self.v);
-        residual_of(&self.rates, self.weights)
+        write_rates(self.plan, self.matrix, (self.b, self.v), self.rates);
+        residual_of(self.rates, self.weights)
     }
 
     #[inline(always)]
     fn correct(&mut self) {
-        let rates = negative(&self.rates);
+        for rate in entries_mut(self.rates) {
+            *rate = -*rate;
+        }
         let to = (&mut *self.v, &mut *self.kappa);
-        self.matrix.solve(self.plan, &rates, self.x, to);
+        self.matrix.solve(self.plan, self.rates, self.x, to);
     }
 }
 
+/// A v + b.
 #[inline]
-fn rates<const N: usize, const R: usize>(
+fn write_rates<const N: usize, const R: usize>(
     plan: &Elimination<N, R>,
     matrix: &Bordered,
-    b: &SVector<f64, R>,
-    v: &SVector<f64, N>,
-) -> SVector<f64, R> {
-    let mut rates = zeros();
-    (plan.rates)(&matrix.entries, v, &mut rates);
-    vector(|i| rates[i] + b[i])
+    (b, v): (&SVector<f64, R>, &SVector<f64, N>),
+    rates: &mut SVector<f64, R>,
+) {
+    entries_mut(rates).fill(0.0);
+    (plan.rates)(&matrix.entries, v, rates);
+    for (rate, b) in entries_mut(rates).iter_mut().zip(entries(b)) {
+        *rate += b;
+    }
 }

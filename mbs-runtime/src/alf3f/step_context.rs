@@ -22,6 +22,15 @@ pub(super) const PROMPT: usize = 4;
 /// pose at its end has nothing to do with that at its beginning.
 const ASTRAY: f64 = 1.0;
 
+/// When the dense arrays of a step are filled.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Dense {
+    AtOnce,
+    /// Before the first step that needs them: the others are sparse. With the smallest relative pivot at the declared guess.
+    WhenNeeded(f64),
+    Never,
+}
+
 /// System, state, and the workspace of a step.
 #[derive(Clone)]
 pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -35,6 +44,9 @@ pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize
     pub(crate) scale: RowScale<R>,
     pub(crate) yardstick: Box<Yardstick<Q, N>>,
     pub(crate) counters: Counters,
+    /// Where the run began, until the dense arrays have been filled, if that is done when they are needed.
+    #[cfg(feature = "std")]
+    begun: Option<Box<(f64, SVector<f64, Q>)>>,
 }
 
 /// Factorisations and multipliers of a step.
@@ -78,7 +90,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         state: State<Q, N, R>,
         settings: &Settings,
         placed: bool,
-        dense: bool,
+        dense: Dense,
     ) -> Result<Self, Fault> {
         let geometry = ConstraintGeometry::new(&system, &state.positions)?;
         let yardstick = Box::new(Yardstick::new(&system, settings.step));
@@ -93,27 +105,61 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             start: geometry,
             work: Workspace::new(),
             counters: Counters::default(),
+            #[cfg(feature = "std")]
+            begun: None,
         };
-        if !dense {
-            return Ok(context);
-        }
-        let guess = ConstraintGeometry::at_guess(&context.system)?;
+        let guess = match dense {
+            Dense::Never => return Ok(context),
+            Dense::WhenNeeded(_) => None,
+            Dense::AtOnce => Some(ConstraintGeometry::at_guess(&context.system)?),
+        };
         let thresholds = match (settings.order, placed) {
             (2, false) => Thresholds::SECOND_ORDER,
             (2, true) => Thresholds::SECOND_ORDER_PLACED,
             _ => {
-                let usual = DelassusFactor::new().least_pivot(&guess.delassus);
+                let usual = match (&guess, dense) {
+                    (Some(guess), _) => DelassusFactor::new().least_pivot(&guess.delassus),
+                    (None, Dense::WhenNeeded(usual)) => usual,
+                    (None, _) => 1.0,
+                };
                 Thresholds::high_order(usual, placed)
             }
         };
         let work = &mut context.work;
         (work.delassus.thresholds, work.projection.thresholds) = (thresholds, thresholds);
         context.work.delassus.usual = context.scale.usual;
+        let Some(guess) = guess else {
+            #[cfg(feature = "std")]
+            {
+                let State {
+                    time, positions, ..
+                } = &context.state;
+                context.begun = Some(Box::new((*time, *positions)));
+            }
+            return Ok(context);
+        };
         context.refresh()?;
         (context.work.delassus).expect_redundancy(&context.start.delassus);
         (context.work.delassus).expect_pivots(&guess.delassus);
         context.refresh()?;
         Ok(context)
+    }
+
+    /// Fills the dense arrays for the current instant; for the first time after [`Dense::WhenNeeded`] it also learns which
+    /// rows are redundant, at the beginning of the run.
+    #[cfg(feature = "std")]
+    #[cold]
+    #[inline(never)]
+    pub(super) fn fill_dense(&mut self) -> Result<(), Fault> {
+        if let Some((time, positions)) = self.begun.as_deref() {
+            let guess = ConstraintGeometry::at_guess(&self.system)?;
+            let (start, work) = (&mut self.start, &mut self.work);
+            start.evaluate(&self.system, *time, positions, &mut work.phi)?;
+            work.delassus.expect_redundancy(&start.delassus);
+            work.delassus.expect_pivots(&guess.delassus);
+            self.begun = None;
+        }
+        self.refresh()
     }
 
     /// Recomputes what is known of the current instant, after the state or an input was changed from outside.

@@ -5,7 +5,7 @@ use super::implicit_step::{ImplicitStep, Outcome};
 use super::kick_flow_kick::kick_flow_kick;
 use super::large::{LargeStep, SparseStep};
 use super::sparse_kicks::SparseKicks;
-use super::step_context::{Counters, StepContext};
+use super::step_context::{Counters, Dense, StepContext};
 use super::{StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
@@ -112,15 +112,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
         let mut state = state;
         state.make_room(count);
-        let before = state.with_same_room();
         let large = match is_sparse::<S, Q, N, R>(settings) {
             true => SparseStep::new(&system, &state),
             false => None,
         };
+        #[cfg(feature = "sparse")]
+        state.keep_factors(large.is_some());
+        let before = state.with_same_room();
         if large.is_none() {
             check_dense(N, flow)?;
         }
-        let mut context = StepContext::new(system, state, settings, placed, large.is_none())
+        let kicks = flow == Flow::Leapfrog && settings.fixed_iterations.is_none();
+        let dense = match kicks.then(|| SparseKicks::<N, R>::usual_pivot(&system)) {
+            _ if large.is_some() => Dense::Never,
+            Some(Some(usual)) => Dense::WhenNeeded(usual),
+            _ => Dense::AtOnce,
+        };
+        let mut context = StepContext::new(system, state, settings, placed, dense)
             .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
         let yardstick = &*context.yardstick.clone();
         let flow = match flow {

@@ -1,93 +1,98 @@
-//! The start of a large mechanism with sparse factors: the same as that with dense arrays, where all rows are
-//! independent and nothing is held.
+//! The start of a large mechanism without dense arrays, where nothing is held: the same as that with them.
 
+mod factors;
+
+use self::factors::Factors;
 use super::newton::{ASSEMBLED, MAX_ITERATIONS};
 use super::verdict::{judge, moved};
 use crate::alf3f::residual_of;
-use crate::linear::sparse::{Entries, Recorder, Saddle};
-use crate::linear::{Dependence, largest, vector, zeros};
+use crate::contract::{constraint_rows, mass_rows};
+use crate::large::{is_sparse, starts_sparse};
+use crate::linear::sparse::{Entries, Recorder, dependence};
+use crate::linear::{Dependence, largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, State, System};
+use crate::{AssemblyVerdict, Settings, State, System};
 use nalgebra::SVector;
-
-/// A random right-hand side is answered by multipliers larger than this, relative to those of a row by itself, where
-/// rows depend on others.
-const DEPENDENT: f64 = 1e7;
 
 /// The state and the verdict; `None` where dense arrays are needed, and for what does not assemble, on which they have more
 /// to say.
 pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    guess: &SVector<f64, Q>,
-    declared: &SVector<f64, N>,
+    settings: &Settings,
+    (guess, declared): (&SVector<f64, Q>, &SVector<f64, N>),
     yardstick: &Yardstick<Q, N>,
     scale: &RowScale<R>,
 ) -> Option<(State<Q, N, R>, AssemblyVerdict)> {
-    let mut start = SparseStart::new(system, 0.0, guess)?;
+    let mut start = SparseStart::new(system, settings, guess)?;
     let (mut q, mut v) = (*guess, *declared);
     let before = largest(&start.phi);
-    if !(start.close(&mut q, scale)
-        && start.project(&mut v, scale, yardstick)
-        && start.is_independent())
-    {
+    if !(start.close(&mut q, scale) && start.project(&mut v, scale, yardstick)) {
         return None;
     }
-    let phi = (&start.phi, scale);
-    let mut verdict = judge(system, all_rows::<R>(), phi, before, [guess, &q]);
+    let rows = rows(system, 0.0, &q, yardstick)?;
+    let mut verdict = judge(system, rows, (&start.phi, scale), before, [guess, &q]);
     verdict.changes = moved::<S, Q, N, R>([guess, &q], [declared, &v], yardstick.length);
     Some((State::new(0.0, q, v), verdict))
 }
 
-/// The verdict that all rows are independent at a pose; `None` where they are not.
+/// The rows that depend on others at a pose; `None` if M is not positive definite.
 pub(super) fn rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     t: f64,
     q: &SVector<f64, Q>,
+    yardstick: &Yardstick<Q, N>,
 ) -> Option<Dependence> {
-    let mut start = SparseStart::new(system, t, q)?;
-    (start.factor(R) && start.is_independent()).then(all_rows::<R>)
+    let a = constraint_rows(system, t, q);
+    dependence(&a, &mass_rows(system, q), |i| {
+        RowScale::<R>::vanishes::<S, Q, N>(yardstick, i, a.row(i))
+    })
 }
 
-fn all_rows<const R: usize>() -> Dependence {
-    Dependence {
-        rank: R,
-        dependent: Vec::new(),
-    }
+/// Whether a mechanism has factors for such a start.
+pub(super) fn applies<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    settings: &Settings,
+) -> bool {
+    is_planned::<S, Q, N, R>() || is_sparse::<S, Q, N, R>(settings)
 }
 
-/// M and A at a pose, and the matrix [M −Aᵀ; A εD].
+fn is_planned<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>() -> bool {
+    const { starts_sparse::<N, R>() && S::ELIMINATION.is_some() }
+}
+
+/// M and A at a pose, and their factors.
 struct SparseStart<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     system: &'a S,
-    t: f64,
     mass: Entries,
     a: Entries,
     phi: SVector<f64, R>,
     b: SVector<f64, R>,
-    saddle: Saddle,
-    x: Vec<f64>,
+    factors: Factors<N, R>,
 }
 
 impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     SparseStart<'a, S, Q, N, R>
 {
-    /// At time t and the pose q; `None` if the pattern is singular.
-    fn new(system: &'a S, t: f64, q: &SVector<f64, Q>) -> Option<Self> {
+    /// At time 0 and the pose q; `None` if the pattern is singular.
+    fn new(system: &'a S, settings: &Settings, q: &SVector<f64, Q>) -> Option<Self> {
         let (mut mass, mut a) = (Recorder::default(), Recorder::default());
         let (mut phi, mut b) = (zeros(), zeros());
         system.mass_matrix(q, &mut mass);
-        system.constraints(t, q, &mut phi, &mut a, &mut b);
+        system.constraints(0.0, q, &mut phi, &mut a, &mut b);
         let (mass, a) = (Entries::of(mass), Entries::of(a));
-        let saddle = Saddle::new([N, R], &mass, &a, std::iter::empty())?;
+        let factors = match S::ELIMINATION {
+            Some(plan) if !is_sparse::<S, Q, N, R>(settings) => {
+                Factors::planned(plan, &mass_rows(system, q))
+            }
+            _ => Factors::new(&mass, &a)?,
+        };
         let mut start = SparseStart {
             system,
-            t,
             mass,
             a,
             phi,
             b,
-            saddle,
-            x: vec![0.0; N + R],
+            factors,
         };
         start.evaluate(q);
         Some(start)
@@ -96,33 +101,22 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     fn evaluate(&mut self, q: &SVector<f64, Q>) {
         let SparseStart {
             system,
-            t,
             mass,
             a,
             phi,
             b,
-            ..
+            factors,
         } = self;
         system.mass_matrix(q, &mut mass.sink());
-        system.constraints(*t, q, phi, &mut a.sink(), b);
-    }
-
-    /// Factors the matrix with the first `rows` rows; the multipliers of the others are zero.
-    fn factor(&mut self, rows: usize) -> bool {
-        self.saddle.begin(&self.mass, &self.a);
-        self.saddle.add_rows(&self.a, 0..rows);
-        self.saddle.lu.factor()
-    }
-
-    /// The change of least kinetic energy that changes the rows by these values; `None` if it is not finite.
-    fn way(&mut self, rows: impl Fn(usize) -> f64) -> Option<SVector<f64, N>> {
-        let (velocities, multipliers) = self.x.split_at_mut(N);
-        velocities.fill(0.0);
-        for (i, x) in multipliers.iter_mut().enumerate() {
-            *x = rows(i);
+        system.constraints(0.0, q, phi, &mut a.sink(), b);
+        if let Some(k) = factors.planned_entries() {
+            system.sparse_constraints(0.0, q, phi, k, b);
         }
-        let solved = self.saddle.lu.solve(&mut self.x);
-        solved.then(|| SVector::from_column_slice(&self.x[..N]))
+    }
+
+    /// Factors the matrix with the first `rows` rows; false where the solution needs dense arrays.
+    fn factor(&mut self, rows: usize) -> bool {
+        self.factors.factor((&self.mass, &self.a), rows)
     }
 
     /// Damped Newton in the metric of M, as with dense arrays; false if it does not close the rows.
@@ -135,13 +129,16 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             }
             let phi = self.phi;
             let change = |i: usize| if i < holonomic { -phi[i] } else { 0.0 };
-            let way = self.factor(holonomic).then(|| self.way(change)).flatten();
+            let way = match self.factor(holonomic) {
+                true => self.factors.way(change),
+                false => None,
+            };
             let Some(way) = way else { return false };
             let mut factor = 1.0;
             *q = loop {
                 let trial = self.system.advance(q, &way, factor);
                 let mut residual = zeros();
-                self.system.holonomic(self.t, &trial, &mut residual);
+                self.system.holonomic(0.0, &trial, &mut residual);
                 if residual_of(&residual, &scale.weights) < before {
                     break trial;
                 }
@@ -164,10 +161,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         yardstick: &Yardstick<Q, N>,
     ) -> bool {
         let speed = yardstick.measure(v);
-        if !self.factor(R) {
-            return false;
-        }
-        for _ in 0..3 {
+        for pass in 0..3 {
             let mut rates = self.b;
             for (row, column, value) in self.a.iter() {
                 rates[row] += value * v[column];
@@ -175,25 +169,14 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
                 return true;
             }
-            match self.way(|i| -rates[i]) {
+            if pass == 0 && !self.factor(R) {
+                return false;
+            }
+            match self.factors.way(|i| -rates[i]) {
                 Some(way) => *v += way,
                 None => return false,
             }
         }
         true
-    }
-
-    /// Whether all rows are independent; after [`Self::factor`] with all of them.
-    ///
-    /// Of (A M⁻¹Aᵀ + ε D) κ = D r the part along a combination of rows without force is r/ε, and a random r has a part along
-    /// each of them.
-    fn is_independent(&mut self) -> bool {
-        let right: SVector<f64, R> = vector(|i| 1.0 + 0.5 * ((i * i + 1) as f64).sin());
-        let lengths = self.saddle.lengths().to_vec();
-        if self.way(|i| right[i] * lengths[i]).is_none() {
-            return false;
-        }
-        let multipliers = &self.x[N..];
-        multipliers.iter().all(|x| x.abs() < DEPENDENT)
     }
 }

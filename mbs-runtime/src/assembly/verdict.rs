@@ -4,13 +4,10 @@ use super::changes;
 use super::conditions::{self, Wanted};
 use super::guess::{check_guess, check_rows, check_state, unit_rotations};
 use super::held::Start;
-#[cfg(feature = "sparse")]
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
-#[cfg(feature = "sparse")]
-use crate::large::is_sparse;
 use crate::linear::{Dependence, dependence, dot, largest, vector};
 use crate::report::HeldGap;
 use crate::row_scale::RowScale;
@@ -49,11 +46,11 @@ pub(crate) fn assemble<
 
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
-    #[cfg(feature = "sparse")]
     if S::HELD.is_empty()
         && wanted.is_empty()
-        && is_sparse::<S, Q, N, R>(settings)
-        && let Some(assembled) = large::assemble(system, &guess, &declared, &yardstick, &scale)
+        && large::applies::<S, Q, N, R>(settings)
+        && let Some(assembled) =
+            large::assemble(system, settings, (&guess, &declared), &yardstick, &scale)
     {
         return Ok(assembled);
     }
@@ -128,9 +125,8 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     system.holonomic(state.time, q, &mut phi);
     check_rows(S::MODEL, &phi, &scale)?;
     let residual = largest(&phi);
-    #[cfg(feature = "sparse")]
-    if is_sparse::<S, Q, N, R>(settings)
-        && let Some(rows) = large::rows(system, state.time, q)
+    if large::applies::<S, Q, N, R>(settings)
+        && let Some(rows) = large::rows(system, state.time, q, &yardstick)
     {
         return Ok(judge(system, rows, (&phi, &scale), residual, [q, q]));
     }

@@ -11,8 +11,9 @@
 use super::bench::Bench;
 use crate::System;
 use crate::alf3f::closing::{self, Closed, Closing, Limits};
-use crate::alf3f::sparse::{Bordered, Rows, Slots, SparseMass, constant_mass};
+use crate::alf3f::sparse::{Bordered, Rows, Slots, SparseMass};
 use crate::alf3f::{not_converged, residual_of};
+use crate::contract::mass_rows;
 use crate::fault::Fault;
 use crate::generated::Elimination;
 use crate::linear::{negative, vector};
@@ -41,7 +42,7 @@ impl<const N: usize, const R: usize> Planned<N, R> {
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
         let (system, state) = (&bench.system, &bench.state);
-        let mass = constant_mass(system, &state.positions);
+        let mass = mass_rows(system, &state.positions);
         let mut planned = Box::new(Planned {
             plan,
             matrix: Bordered::new(plan, &mass, thresholds),

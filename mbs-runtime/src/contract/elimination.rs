@@ -1,5 +1,7 @@
 //! Sparse elimination: the generated functions for large mechanisms.
 
+#[cfg(feature = "std")]
+use crate::linear::sparse::SparseRows;
 use nalgebra::SVector;
 
 /// The elimination of
@@ -53,6 +55,18 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub factor_mass: fn(&mut [f64], &mut [f64]) -> f64,
     /// x ← M⁻¹x by way of an array of N.
     pub solve_mass: fn(&[f64], &mut [f64], &mut SVector<f64, N>),
+}
+
+#[cfg(feature = "std")]
+impl<const N: usize, const R: usize> Elimination<N, R> {
+    /// The array of K with M and no rows.
+    pub(crate) fn matrix(&self, mass: &SparseRows) -> Box<[f64]> {
+        let mut entries = vec![0.0; self.slots].into_boxed_slice();
+        for &(i, j, slot) in self.mass {
+            entries[slot] = mass.get(i, j);
+        }
+        entries
+    }
 }
 
 /// A v, from K.

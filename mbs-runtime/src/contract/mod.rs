@@ -28,6 +28,8 @@ mod configuration;
 mod constraints;
 mod elimination;
 mod inertia;
+#[cfg(feature = "std")]
+mod listed;
 mod loads;
 mod named_values;
 mod observables;
@@ -37,6 +39,8 @@ pub use configuration::Configuration;
 pub use constraints::Constraints;
 pub use elimination::{Elimination, Rates};
 pub use inertia::Inertia;
+#[cfg(feature = "std")]
+pub(crate) use listed::{constraint_rows, force_slopes, mass_rows};
 pub use loads::Loads;
 pub use named_values::NamedValues;
 pub use observables::Observables;

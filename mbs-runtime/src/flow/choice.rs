@@ -7,6 +7,8 @@ use crate::large::is_sparse;
 use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
+#[cfg(feature = "std")]
+use crate::{contract::force_slopes, large::starts_sparse};
 use nalgebra::SVector;
 
 /// h²λ of M⁻¹(−∂f/∂q) above which the explicit flow is not used: its limit of stability is 4, but the energy error
@@ -95,11 +97,28 @@ fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     step: f64,
 ) -> Result<f64, Fault> {
     let yardstick = Yardstick::new(system, step);
+    let (q, v) = (&state.positions, &state.velocities);
+    let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
+    let solve = |x: &mut SVector<f64, N>| system.solve_mass(&mass, x);
+    #[cfg(feature = "std")]
+    if const { starts_sparse::<N, R>() } {
+        let f_q = force_slopes(system, state.time, (q, v));
+        let row = |i, x: &SVector<f64, N>| f_q.row(i).map(|(j, slope)| slope * x[j]).sum::<f64>();
+        return Ok(largest_eigenvalue(&yardstick, row, solve));
+    }
     let mut f_q = RowMatrix::<N, N>::zeros();
     let mut f_v = RowMatrix::<N, N>::zeros();
-    let (q, v) = (&state.positions, &state.velocities);
     system.applied_force_tangents(state.time, q, v, &mut f_q, &mut f_v);
-    let mass = system.factor_mass(q).ok_or(Fault::Mass)?;
+    let row = |i, x: &SVector<f64, N>| dot(&f_q[i], x);
+    Ok(largest_eigenvalue(&yardstick, row, solve))
+}
+
+/// The same from the products of the rows of ∂f/∂q, and x ← M⁻¹x.
+fn largest_eigenvalue<const Q: usize, const N: usize>(
+    yardstick: &Yardstick<Q, N>,
+    row: impl Fn(usize, &SVector<f64, N>) -> f64,
+    solve: impl Fn(&mut SVector<f64, N>),
+) -> f64 {
     // A start without symmetry, so that it has a part of every eigenvector.
     let parts = vector(|i| 1.0 + 0.3 * ((i * i) as f64).sin());
     let mut x = yardstick.displacement(parts);
@@ -110,10 +129,10 @@ fn stiffness<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             break;
         }
         x = vector(|i| x[i] / size);
-        let mut next: SVector<f64, N> = vector(|i| -dot(&f_q[i], &x));
-        system.solve_mass(&mass, &mut next);
+        let mut next: SVector<f64, N> = vector(|i| -row(i, &x));
+        solve(&mut next);
         eigenvalue = yardstick.measure(&next);
         x = next;
     }
-    Ok(eigenvalue)
+    eigenvalue
 }

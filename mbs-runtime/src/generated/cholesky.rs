@@ -20,6 +20,12 @@ pub fn positive<const N: usize>(factor: &[f64], pivot_loss: &[f64; N]) -> bool {
     })
 }
 
+/// Whether a pivot of M is more than the round-off of its diagonal entry. Written so that NaN is refused, too.
+#[inline(always)]
+pub(super) fn is_positive(pivot: f64, whole: f64) -> bool {
+    pivot * WEAKEST > whole && pivot.is_finite()
+}
+
 /// M = L Lᵀ, with the inverse diagonal kept.
 #[derive(Debug, Clone)]
 pub struct Cholesky<const N: usize> {
@@ -72,8 +78,7 @@ fn factor_in_place<const N: usize>(
         for j in start..k {
             pivot -= lower[k][j] * lower[k][j];
         }
-        // Written so that NaN is refused, too.
-        if !(pivot * WEAKEST > whole && pivot.is_finite()) {
+        if !is_positive(pivot, whole) {
             return Err(k);
         }
         let inverse = 1.0 / pivot.sqrt();

@@ -42,7 +42,7 @@ pub(crate) struct DelassusFactor<const K: usize> {
 impl<const K: usize> DelassusFactor<K> {
     pub(crate) fn new() -> Self {
         DelassusFactor {
-            upper: crate::memory::zeroed(),
+            upper: Square::zeros(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,

@@ -1,6 +1,6 @@
 //! Small dense kernels on matrices of fixed size, and elimination without zeros. None allocates; all accept size 0.
 
-use crate::memory::Box;
+use crate::memory::OnDemand;
 
 mod delassus_factor;
 mod kept_rows;
@@ -10,7 +10,7 @@ mod proximal;
 #[cfg(feature = "std")]
 mod rank;
 mod row_matrix;
-#[cfg(feature = "sparse")]
+#[cfg(feature = "std")]
 pub(crate) mod sparse;
 mod vector;
 
@@ -27,7 +27,7 @@ pub(crate) use vector::{
 pub use vector::{entries, entries_mut};
 
 /// The entries of a matrix inside a solver, row by row.
-type Square<const K: usize> = Box<[[f64; K]; K]>;
+type Square<const K: usize> = OnDemand<[[f64; K]; K]>;
 
 /// From this size on, a branch that skips a zero is cheaper than the row operation it saves.
 const SPARSE_FROM: usize = 16;

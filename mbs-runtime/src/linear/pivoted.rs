@@ -18,7 +18,7 @@ pub(crate) struct Pivoted<const K: usize> {
 impl<const K: usize> Pivoted<K> {
     pub(crate) fn new() -> Self {
         Pivoted {
-            lu: crate::memory::zeroed(),
+            lu: Square::zeros(),
             order: [0; K],
         }
     }

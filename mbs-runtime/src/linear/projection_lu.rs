@@ -22,7 +22,7 @@ pub(crate) struct ProjectionLu<const K: usize> {
 impl<const K: usize> ProjectionLu<K> {
     pub(crate) fn new() -> Self {
         ProjectionLu {
-            lu: crate::memory::zeroed(),
+            lu: Square::zeros(),
             inverse_pivot: [0.0; K],
             proximal: Proximal::new(),
             regularised: false,

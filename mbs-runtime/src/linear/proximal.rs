@@ -3,19 +3,18 @@
 //! It is one step of the augmented Lagrangian iteration with penalty 1/√ε, written for the multipliers: the
 //! multipliers of redundant rows are those of least norm, and that of a row without direction is zero.
 
-use super::dot_of as dot;
+use super::{Square, dot_of as dot};
 #[cfg(not(feature = "std"))]
 use crate::elementary::Elementary as _;
-use crate::memory::{Rows, zero_rows};
 use crate::singular::{PASSED, PASSES, PROXIMAL, SHRINKS};
 
 /// Kept by [`memory`](crate::memory), because it is seldom used and large systems are built on small stacks.
 #[derive(Clone)]
 pub(crate) struct Proximal<const K: usize> {
     /// B with rows and columns scaled.
-    scaled: Rows<K>,
+    scaled: Square<K>,
     /// Cholesky factor of BBᵀ + εI, lower.
-    factor: Rows<K>,
+    factor: Square<K>,
     /// 1/√(a M⁻¹ aᵀ), row by row.
     scale: [f64; K],
 }
@@ -23,8 +22,8 @@ pub(crate) struct Proximal<const K: usize> {
 impl<const K: usize> Proximal<K> {
     pub(super) fn new() -> Self {
         Proximal {
-            scaled: zero_rows(),
-            factor: zero_rows(),
+            scaled: Square::zeros(),
+            factor: Square::zeros(),
             scale: [0.0; K],
         }
     }

@@ -1,7 +1,7 @@
 //! A matrix that is worked on row by row.
 
 use crate::MatrixSink;
-use crate::memory::{Box, zeroed};
+use crate::memory::OnDemand;
 use core::ops::{Deref, DerefMut, Index, IndexMut};
 use nalgebra::{SMatrix, SVector};
 
@@ -9,13 +9,13 @@ use nalgebra::{SMatrix, SVector};
 ///
 /// The contract passes rows as the columns of `SMatrix<f64, N, R>`, so that a row is contiguous; `matrix[i]` is row i, and
 /// as a [`MatrixSink`] it takes entry (row, column).
-#[derive(Debug)]
-pub(crate) struct RowMatrix<const N: usize, const R: usize>(Box<SMatrix<f64, N, R>>);
+#[derive(Debug, Clone)]
+pub(crate) struct RowMatrix<const N: usize, const R: usize>(OnDemand<SMatrix<f64, N, R>>);
 
 impl<const N: usize, const R: usize> RowMatrix<N, R> {
     /// Rows of zeros, which never were on the stack.
     pub(crate) fn zeros() -> Self {
-        RowMatrix(zeroed())
+        RowMatrix(OnDemand::zeros())
     }
 
     /// Copies all entries of another matrix, of which an assignment could make a copy on the stack first.
@@ -49,15 +49,6 @@ pub(crate) fn rows<const N: usize, const R: usize>(
     matrix: &SMatrix<f64, N, R>,
 ) -> &[SVector<f64, N>; R] {
     bytemuck::cast_ref(matrix)
-}
-
-impl<const N: usize, const R: usize> Clone for RowMatrix<N, R> {
-    /// The copy of a box may be on the stack first; this one is not.
-    fn clone(&self) -> Self {
-        let mut copy = Self::zeros();
-        copy.overwrite(self);
-        copy
-    }
 }
 
 impl<const N: usize, const R: usize> Deref for RowMatrix<N, R> {

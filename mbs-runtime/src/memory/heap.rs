@@ -1,5 +1,9 @@
 //! Values on the heap.
 
+mod on_demand;
+
+pub use on_demand::OnDemand;
+
 use bytemuck::Zeroable;
 
 /// A value with an address of its own.
@@ -14,17 +18,9 @@ pub const MOST_POINTS: usize = 1 << 16;
 /// A list with an entry for each stage of a step.
 pub type StageList<T> = Vec<T>;
 
-/// The rows of a square matrix.
-pub type Rows<const K: usize> = Box<[[f64; K]]>;
-
 /// A value of zeros, which never was on the stack.
 pub fn zeroed<T: Zeroable>() -> Box<T> {
     bytemuck::zeroed_box()
-}
-
-/// Rows of zeros.
-pub fn zero_rows<const K: usize>() -> Rows<K> {
-    vec![[0.0; K]; K].into_boxed_slice()
 }
 
 /// What `read` makes of the points that `fill` writes over zeros.

@@ -36,17 +36,19 @@ impl<T: ?Sized> DerefMut for Box<T> {
     }
 }
 
-/// The rows of a square matrix.
-pub type Rows<const K: usize> = Box<[[f64; K]; K]>;
+/// A value of zeros.
+pub type OnDemand<T> = Box<T>;
+
+impl<T: Zeroable> Box<T> {
+    /// Zeros.
+    pub fn zeros() -> Self {
+        Box(T::zeroed())
+    }
+}
 
 /// A value of zeros.
 pub fn zeroed<T: Zeroable>() -> Box<T> {
     Box(T::zeroed())
-}
-
-/// Rows of zeros.
-pub fn zero_rows<const K: usize>() -> Rows<K> {
-    Box([[0.0; K]; K])
 }
 
 /// What `read` makes of the points that `fill` writes over zeros; there are at most [`MOST_POINTS`].

@@ -1,4 +1,4 @@
-//! An allocator that counts, per thread.
+//! An allocator that counts, per thread, and keeps the largest size.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -7,6 +7,7 @@ pub struct Counting;
 
 thread_local! {
     static COUNT: Cell<u64> = const { Cell::new(0) };
+    static LARGEST: Cell<usize> = const { Cell::new(0) };
 }
 
 /// Allocations of this thread so far.
@@ -14,10 +15,19 @@ pub fn count() -> u64 {
     COUNT.with(Cell::get)
 }
 
+/// The largest allocation of this thread during some work, in bytes.
+#[allow(dead_code)]
+pub fn largest(work: impl FnOnce()) -> usize {
+    LARGEST.set(0);
+    work();
+    LARGEST.get()
+}
+
 // SAFETY: forwards to the system allocator; the counter itself does not allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         let _ = COUNT.try_with(|count| count.set(count.get() + 1));
+        let _ = LARGEST.try_with(|largest| largest.set(largest.get().max(layout.size())));
         unsafe { System.alloc(layout) }
     }
     unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {

@@ -78,6 +78,23 @@ impl Program {
         functions.find(|function| function.name == name)
     }
 
+    /// Whether a function reads entries of a constant M⁻¹.
+    pub fn reads_inverse_mass(&self) -> bool {
+        let own = self.functions.iter().chain(&self.preparation);
+        let mut all = own.chain(&self.all_tangents).chain(&self.turning);
+        let of_inverse = |operand| matches!(operand, Operand::Symbol(Symbol::InverseMass(..)));
+        all.any(|function| {
+            let mut reads = function
+                .outputs
+                .iter()
+                .any(|output| of_inverse(output.value));
+            for operation in &function.operations {
+                operation.for_each_operand(|operand| reads |= of_inverse(operand));
+            }
+            reads
+        })
+    }
+
     /// The function that factors M, and the length of its factor, where M varies and that is straight-line code.
     pub fn factor_entries(&self) -> Option<(&Function, usize)> {
         let function = self.function("factor_mass")?;

@@ -1,5 +1,6 @@
 //! Names, visibility and documentation of emitted items.
 
+use crate::dag::Program;
 use crate::syntax::Declaration;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -25,6 +26,14 @@ const MOST_IN_PLACE: usize = 32;
 /// Whether M⁻¹ is a box.
 pub(super) fn boxes_inverse(size: usize) -> bool {
     size > MOST_IN_PLACE
+}
+
+/// From so many velocities and rows on M⁻¹ is not computed: the factor of a long M without its zeros is shorter.
+const FEWEST_OF_LONG: usize = 300;
+
+/// Whether a constant M is kept as its factor.
+pub(super) fn factors_mass(program: &Program) -> bool {
+    program.size + program.rows.len() >= FEWEST_OF_LONG && !program.reads_inverse_mass()
 }
 
 /// The name of the simulation.

@@ -301,10 +301,12 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     }
     if let Some(entries) = &program.constant_mass {
         let size = program.size;
-        let _ = writeln!(
-            out,
-            "let mut mass = ::mbs_runtime::generated::clear_mass::<{size}>();"
-        );
+        let (clear, invert) = match items::factors_mass(program) {
+            true => ("LongMass::<{size}>::zeros", "factored_mass"),
+            false => ("clear_mass::<{size}>", "inverse_mass"),
+        };
+        let clear = clear.replace("{size}", &size.to_string());
+        let _ = writeln!(out, "let mut mass = ::mbs_runtime::generated::{clear}();");
         write_mass(&mut out, entries, operand);
         let coordinates = layout
             .slots
@@ -319,7 +321,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
             });
         let _ = writeln!(
             out,
-            "let inverse_mass = {}::mbs_runtime::generated::inverse_mass(&mut mass, {})?;",
+            "let inverse_mass = {}::mbs_runtime::generated::{invert}(&mut mass, {})?;",
             if items::boxes_inverse(size) { "" } else { "*" },
             lines(coordinates.collect())
         );

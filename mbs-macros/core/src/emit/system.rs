@@ -32,6 +32,9 @@ pub(super) fn emit(
     let inverse = program.constant_mass.is_some().then(|| {
         let matrix = quote! { ::mbs_runtime::nalgebra::SMatrix<f64, #size, #size> };
         match items::boxes_inverse(size) {
+            _ if items::factors_mass(program) => {
+                quote! { inverse_mass: ::mbs_runtime::generated::FactoredMass<#size>, }
+            }
             true => quote! { inverse_mass: ::mbs_runtime::generated::Box<#matrix>, },
             false => quote! { inverse_mass: #matrix, },
         }

@@ -17,6 +17,11 @@ pub(crate) struct SparseKicks<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> SparseKicks<N, R> {
+    /// Dense arrays, whatever the mechanism.
+    pub(super) fn usual_pivot<S: System<Q, N, R>, const Q: usize>(_: &S) -> Option<f64> {
+        None
+    }
+
     /// None, whatever the mechanism.
     pub(super) fn new<S: System<Q, N, R>, const Q: usize>(
         _: &mut StepContext<S, Q, N, R>,

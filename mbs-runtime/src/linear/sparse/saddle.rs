@@ -94,11 +94,6 @@ impl Saddle {
         }
     }
 
-    /// D.
-    pub(crate) fn lengths(&self) -> &[f64] {
-        &self.lengths
-    }
-
     /// Adds A of these rows below, and −Aᵀ beside.
     pub(crate) fn add_rows(&mut self, a: &Entries, rows: std::ops::Range<usize>) {
         let values = self.lu.values();
