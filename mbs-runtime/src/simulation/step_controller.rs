@@ -34,6 +34,8 @@ const RETREATS: [f64; 2] = [0.2, 0.9];
 /// The least factor of an embedded estimate that is believed: where the error is far below what is allowed, as in a start
 /// from rest, factors of a millionth were found, and one of a tenth a few steps later.
 const LEAST_GAUGE: f64 = 0.02;
+/// With a smaller excess the error of a pair is mostly round-off, and the factor of its estimate tells nothing.
+const TELLING: f64 = 1e-3;
 /// An excess below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
 
@@ -54,14 +56,17 @@ impl StepController {
         }
     }
 
-    /// Takes note of the factor of the estimate, or of a pair that was not compared.
-    pub(super) fn note(&mut self, gauge: Option<f64>) {
-        match gauge {
-            Some(gauge) => {
-                self.gauge = gauge.max(0.5 * self.gauge).max(LEAST_GAUGE);
-                self.unseen = 0;
-            }
-            None => self.unseen = self.unseen.saturating_add(1),
+    /// Takes note of the factor of the estimate in a comparison with this excess, or of a pair that was not compared.
+    pub(super) fn note(&mut self, gauge: Option<f64>, excess: f64) {
+        let Some(gauge) = gauge else {
+            self.unseen = self.unseen.saturating_add(1);
+            return;
+        };
+        self.unseen = 0;
+        if excess > TELLING {
+            self.gauge = gauge.max(0.5 * self.gauge).max(LEAST_GAUGE);
+        } else if self.gauge == 0.0 && !self.eager {
+            self.gauge = 1.0;
         }
     }
 

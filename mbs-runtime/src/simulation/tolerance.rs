@@ -49,6 +49,10 @@ const UNSEEN: u32 = 15;
 const CLEARLY: f64 = 0.5;
 /// … and from which on it is not kept.
 const TOO_MUCH: f64 = 1.0;
+/// Where σ is below this, a velocity may have an error from the pose that no shorter step removes: after so many attempts from
+/// one instant the error of the first pair that was tried is allowed.
+const BESIDE: f64 = 0.02;
+const ATTEMPTS: u32 = 3;
 /// Steps shorter than this part of the first one are not tried.
 const SHORTEST: f64 = 1e-9;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -97,11 +101,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let books = self.books;
         self.pair.copy_from(self.integrator.state());
         let margin = self.margin();
-        let (mut sidestep, mut again) = (0, false);
+        let (mut sidestep, mut attempts, mut reach) = (0, 0, 0.0);
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
-            let found = self.compare(tolerance, h, left, (&step_controller, margin), last);
+            if attempts == 0 {
+                reach = 2.0 * h;
+            }
+            let persists = attempts >= ATTEMPTS && margin.least < BESIDE;
+            let reach = if persists { reach } else { 0.0 };
+            let controller = (&step_controller, margin);
+            let found = self.compare(tolerance, (h, left, reach), controller, last);
             let order = self.settings.true_order();
             let (excess, is_embedded, error) = match found {
                 Ok(mut found) => {
@@ -110,7 +120,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
-                        step_controller.note(found.gauge);
+                        step_controller.note(found.gauge, found.excess);
                         match h == step_controller.step && found.even {
                             true if found.is_embedded => {
                                 step_controller.follow(order, h, found.excess);
@@ -154,10 +164,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             sidestep = 0;
             let excess = if excess.is_nan() { TOO_LONG } else { excess };
             match is_embedded {
-                true => step_controller.retreat(order, h, excess, again),
+                true => step_controller.retreat(order, h, excess, attempts > 0),
                 false => step_controller.shorten(h, notches(order, excess)),
             }
-            again = true;
+            attempts += 1;
             let clock = 1e-13 * self.pair.time.abs();
             if !(step_controller.step > SHORTEST * self.settings.step
                 && step_controller.step > clock)
@@ -167,12 +177,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Two steps of h, which stay, and others over the same time to compare them with.
+    /// Two steps of h, which stay, and others over the same time to compare them with. Their error may be that of a pair of
+    /// `reach` seconds.
     fn compare(
         &mut self,
         tolerance: f64,
-        h: f64,
-        left: f64,
+        (h, left, reach): (f64, f64, f64),
         (controller, start): (&StepController, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
@@ -192,7 +202,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             },
         };
         if found.even && self.is_estimated {
-            let way = first * found.speed.max(controller.speed);
+            let way = first.max(reach) * found.speed.max(controller.speed);
             let allowed = (SHARE * tolerance * way).max(self.noise(start, middle));
             found.excess = controller.foresees(estimate, allowed);
             found.is_embedded = true;
@@ -216,10 +226,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             steps: [first, second],
             margins: [start, middle, end],
         };
-        let way = length * found.speed.max(controller.speed);
+        let way = length.max(reach) * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
         // Steps about a singular pose have errors of their own, which no embedded method sees.
-        found.is_embedded = self.is_estimated && found.even && found.passage.pose().is_none();
+        let same = start.dependent == middle.dependent && end.dependent == middle.dependent;
+        let is_regular = same && found.even && found.passage.pose().is_none();
+        found.is_embedded = self.is_estimated && is_regular;
         let estimate = estimate.filter(|_| found.is_embedded);
         found.excess = controller.foresees(estimate, allowed);
         let is_clear = found.excess <= CLEARLY && controller.unseen < UNSEEN;
