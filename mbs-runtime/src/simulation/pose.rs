@@ -76,9 +76,14 @@ impl Passage {
         };
         let early = falls(end.least, second, first);
         let late = falls(start.least, first, second);
-        // Of other rows σ cannot be compared.
-        let same = start.dependent == middle.dependent && end.dependent == middle.dependent;
-        (same && (early || late)).then(|| self.crossing(early, late))
+        (self.has_same_rows() && (early || late)).then(|| self.crossing(early, late))
+    }
+
+    /// Whether as many rows are dependent at all three instants: of other rows σ cannot be compared.
+    #[inline]
+    pub(super) fn has_same_rows(&self) -> bool {
+        let [start, middle, end] = self.margins.map(|margin| margin.dependent);
+        start == middle && end == middle
     }
 
     /// The same in the second step, or in one after the pair: what is likelier first.

@@ -98,7 +98,6 @@ impl StepController {
         self.allowed = self.allowed.min(notches - 1.0);
         if self.eager || self.quiet >= self.patience {
             self.step *= (self.allowed / NOTCHES).exp2();
-            self.gauge = 0.0;
             if std::mem::replace(&mut self.raised, !self.eager) {
                 self.patience = (self.patience / 2).max(PATIENCE[0]);
             }

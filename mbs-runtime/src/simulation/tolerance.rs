@@ -200,7 +200,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut found = Found {
             excess: f64::NAN,
             worst: 0,
-            speed: self.speed(first),
+            speed: 0.0,
             even: first == h,
             gauge: None,
             is_embedded: false,
@@ -210,7 +210,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             },
         };
         if found.even && self.is_estimated {
-            let way = first.max(reach) * found.speed.max(controller.speed);
+            let way = first.max(reach) * self.speed(first).max(controller.speed);
             let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
             found.excess = controller.foresees(estimate, allowed);
             found.is_embedded = true;
@@ -237,8 +237,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let way = length.max(reach) * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
         // Steps about a singular pose have errors of their own, which no embedded method sees.
-        let same = start.dependent == middle.dependent && end.dependent == middle.dependent;
-        let is_regular = same && found.even && found.passage.pose().is_none();
+        let passage = &found.passage;
+        let is_regular = passage.has_same_rows() && found.even && passage.pose().is_none();
         found.is_embedded = self.is_estimated && is_regular;
         let estimate = estimate.filter(|_| found.is_embedded);
         found.excess = controller.foresees(estimate, allowed);

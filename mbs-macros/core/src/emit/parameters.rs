@@ -302,10 +302,9 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     if let Some(entries) = &program.constant_mass {
         let size = program.size;
         let (clear, invert) = match items::factors_mass(program) {
-            true => ("LongMass::<{size}>::zeros", "factored_mass"),
-            false => ("clear_mass::<{size}>", "inverse_mass"),
+            true => (format!("LongMass::<{size}>::zeros"), "factored_mass"),
+            false => (format!("clear_mass::<{size}>"), "inverse_mass"),
         };
-        let clear = clear.replace("{size}", &size.to_string());
         let _ = writeln!(out, "let mut mass = ::mbs_runtime::generated::{clear}();");
         write_mass(&mut out, entries, operand);
         let coordinates = layout
