@@ -15,6 +15,7 @@ mod book;
 mod data;
 mod derivatives;
 mod descriptions;
+mod driven_poses;
 mod drives;
 mod editor;
 mod elimination;

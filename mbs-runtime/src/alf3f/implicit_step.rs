@@ -143,6 +143,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         }
         let weak = context.work.projection.regularised || self.end_projection.regularised;
         context.commit(t1, h, q, vb, weak)?;
+        context.share_impulse();
         Ok(Outcome::Done)
     }
 

@@ -206,6 +206,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         Ok(())
     }
 
+    /// Of a step whose multipliers κ act on both ends alike, by ½(A₀ + A₁)ᵀκ, half of them belongs to each end.
+    pub(super) fn share_impulse(&mut self) {
+        let [first, second] = &mut self.work.impulse;
+        let half = 0.5 * *first;
+        *first = half;
+        *second += half;
+    }
+
     /// Refuses the end of a kick, flow, kick of h seconds in another assembly of the mechanism, to which the rows do not
     /// object: axes of a hinge are parallel in either direction. There the two kicks, which are halves of one force, are
     /// large and cancel.

@@ -26,7 +26,7 @@ use super::pose::Passage;
 use super::step_controller::{TOO_LONG, notches};
 use crate::linear::vector;
 use crate::singular::RankMargin;
-use crate::{SimulationError, StepController, System};
+use crate::{Energy, SimulationError, StepController, System};
 use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
@@ -55,6 +55,11 @@ const TOO_MUCH: f64 = 1.0;
 const BESIDE: f64 = 0.02;
 const ATTEMPTS: u32 = 3;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
+/// Where rows depend on time they may determine the motion, so that all steps agree about it, however long they are. What
+/// tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, …
+const BALANCED: f64 = 0.02;
+/// … unless it moves less than this, in sizes and radians: where a drive jumps the balance is wrong in any step.
+const NEARBY: f64 = 0.2;
 /// Steps shorter than this part of the first one are not tried.
 const SHORTEST: f64 = 1e-9;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -100,7 +105,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
         }
-        let books = self.books;
+        let (books, balance) = (self.books, self.balance);
         self.pair.copy_from(self.integrator.state());
         let margin = self.margin();
         let (mut sidestep, mut attempts, mut reach) = (0, 0, 0.0);
@@ -124,6 +129,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Ok(mut found) => {
                     if found.excess <= 1.0 && self.leaps(&found.passage)? {
                         found.excess = TOO_LONG;
+                    }
+                    if found.excess <= 1.0 && const { Self::DRIVEN } {
+                        found.excess = found.excess.max(self.imbalance(&balance, &found));
                     }
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
@@ -288,6 +296,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.state_mut().copy_from(&self.before);
         self.restore(kept)?;
         Ok(found)
+    }
+
+    /// The ratio of the error of the energy balance in the pair to the allowed one.
+    fn imbalance(&self, before: &Energy, found: &Found) -> f64 {
+        let [first, second] = found.passage.steps;
+        if found.speed * (first + second) < NEARBY {
+            return 0.0;
+        }
+        let kinetic = before.kinetic.max(self.balance.kinetic);
+        let excess = (self.balance.error - before.error).abs() / (BALANCED * kinetic);
+        excess.min(TOO_LONG)
     }
 
     /// Whether steps are controlled by the estimates of an embedded method. A step that fails is then as one whose estimate is

@@ -233,6 +233,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             }
         }
         context.commit(t1, h, q, vb, false)?;
+        context.share_impulse();
         Ok(corrections)
     }
 
