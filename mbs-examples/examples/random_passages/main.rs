@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release -p mbs-examples --example random_passages -- [COUNT] [SEED] [NAME RUN] [--csv book/src/results/readme]`
 
+mod combined;
 mod mechanisms;
 #[allow(dead_code)] // For tests, too.
 #[path = "../../../tests/src/random.rs"]

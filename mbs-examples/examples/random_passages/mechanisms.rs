@@ -1,5 +1,6 @@
 //! Mechanisms that pass singular poses on every turn, with a number that is zero on the branch of the motion.
 
+use crate::combined::{Driven, FastRotor, Light, OnSleigh, Pushed, Shaken};
 use crate::spherical::spherical;
 use mbs_examples::scene::Build;
 use mbs_runtime::{Mechanism, Model, mechanism};
@@ -142,5 +143,11 @@ pub fn all() -> Vec<Passing> {
         passing!("the same by bodies", ParallelogramByBodies),
         passing!("spherical linkage", Spherical),
         passing!("spherical by bodies", SphericalByBodies),
+        passing!("driven slider-crank", Driven),
+        passing!("on a shaken base", Shaken),
+        passing!("on a knife edge", OnSleigh),
+        passing!("torque that jumps", Pushed),
+        passing!("couplers of 0.1 g", Light),
+        passing!("rotor of 1000 rad/s", FastRotor),
     ]
 }

@@ -8,6 +8,8 @@ use mbs_runtime::{AnySimulation, Settings, SimulationError};
 const DURATION: f64 = 5.0;
 /// A pose this far from the branch of the motion is on another one, m.
 const ASTRAY: f64 = 0.02;
+/// The largest torque of an input, N m.
+const PUSH: f64 = 5.0;
 /// An error of energy that is wrong, as a part of the greatest kinetic energy.
 const WRONG: f64 = 0.1;
 
@@ -96,6 +98,12 @@ impl Run {
         let mut count = 0.0;
         while simulation.time() < DURATION {
             count += 1.0;
+            if !mechanism.model.inputs.is_empty() && (self.piece.is_some() || count % 10.0 == 0.0) {
+                let push = PUSH * f64::sin(13.0 * count);
+                if let Err(error) = simulation.set_input("push", push) {
+                    return End::Stopped(error);
+                }
+            }
             let moved = match self.piece {
                 Some(piece) => simulation.run_until(count * piece),
                 None => simulation.step(),
