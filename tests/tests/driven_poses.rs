@@ -1,6 +1,7 @@
 //! Drives, and singular poses: the work of a drive, and steps for a tolerance where rows determine the whole motion.
 
 use mbs_runtime::{Settings, Simulation, SimulationError, mechanism, methods};
+use std::f64::consts::TAU;
 
 mechanism!(Shaken {
     doc: "A parallelogram on a base that a drive shakes; the brake needs the implicit step.",
@@ -78,9 +79,8 @@ fn a_tolerance_has_short_steps_where_rows_determine_the_motion() {
     for number in 0..24 {
         let part = f64::from(number) / 24.0;
         let folding = Folding {
-            phase: 6.28 * (part - 0.5),
+            phase: TAU * (part - 0.5),
             rate: [1.0, -1.0][number as usize % 2] * (1.2 + 2.0 * part),
-            ..Folding::default()
         };
         let tolerance = 10_f64.powf(-3.0 - 2.0 * part);
         for settings in [
@@ -88,7 +88,7 @@ fn a_tolerance_has_short_steps_where_rows_determine_the_motion() {
             Settings::accuracy(tolerance),
         ] {
             let mut simulation =
-                Simulation::with_methods(folding.clone(), settings, methods::Projected)
+                Simulation::with_methods(folding, settings, methods::Projected)
                     .expect("it assembles");
             let mut kinetic: f64 = 0.0;
             while simulation.time() < 10.0 {

@@ -132,9 +132,10 @@ where
             self.defect[i] = dot(&end.a[i], &v) + end.b[i];
         }
         if core::mem::take(&mut self.is_first) {
-            // Kicks that cancel leave their round-off.
+            // Kicks that cancel leave their round-off. A rate that moves no position is none.
             let speeds = vector(|i| self.va[i].abs() + v[i].abs());
-            let speed = yardstick.measure(&speeds).max(AT_REST);
+            let floor = yardstick.imperceptible(&self.q, self.h) / scale.tolerance;
+            let speed = yardstick.measure(&speeds).max(floor).max(AT_REST);
             for i in holonomic..R {
                 self.weights[i] /= speed * speed;
             }
