@@ -2,6 +2,7 @@
 
 #[cfg(feature = "std")]
 mod large;
+mod usual;
 
 use crate::constraint_geometry::ConstraintGeometry;
 #[cfg(not(feature = "std"))]
@@ -24,7 +25,7 @@ pub(crate) struct RowScale<const R: usize> {
     pub(crate) weights: SVector<f64, R>,
     /// |a_i|²: with it multipliers of rows in different units are comparable, as works.
     pub(crate) lengths_squared: SVector<f64, R>,
-    /// a M⁻¹aᵀ of the holonomic rows at the guess, 0 of the others: a row that has become much shorter is beside a
+    /// The same of a M⁻¹aᵀ of the holonomic rows, 0 of the others: a row that has become much shorter is beside a
     /// singular pose where it vanishes. (Not computed where factors are sparse, which do not use it.)
     pub(crate) usual: SVector<f64, R>,
     /// ([`LEFT_OPEN`] / tolerance)².
@@ -48,15 +49,8 @@ impl<const R: usize> RowScale<R> {
                 tolerance,
             ));
         }
-        let geometry = match is_sparse::<S, Q, N, R>(settings) {
-            true => ConstraintGeometry::rows_at_guess(system)?,
-            false => ConstraintGeometry::at_guess(system)?,
-        };
-        let lengths_squared = vector(|i| yardstick.row_length_squared(&geometry.a[i]));
-        let usual = vector(|i| match i < S::STRUCTURE.holonomic_rows {
-            true => geometry.delassus[i][i],
-            false => 0.0,
-        });
+        let weighed = !is_sparse::<S, Q, N, R>(settings);
+        let [lengths_squared, usual] = usual::lengths(system, &yardstick, weighed)?;
         Ok(Self::of::<S, Q, N>(
             (&lengths_squared, usual),
             &yardstick,

@@ -191,6 +191,14 @@ impl RankMargin {
         }
     }
 
+    /// σ of the rows that are not lost at `other`, an instant near to this one.
+    pub(crate) fn beside(&self, other: &Self) -> f64 {
+        match self.lost > other.lost {
+            true => self.weakest,
+            false => self.sigma,
+        }
+    }
+
     /// Whether the choice of the redundant rows that are left out differs from that with this [`Self::dependent`]: σ of
     /// the two cannot be compared.
     #[inline(always)]

@@ -12,6 +12,7 @@ mod allocations;
 mod assemblies;
 mod baselines;
 mod book;
+mod damped_poses;
 mod data;
 mod derivatives;
 mod descriptions;

@@ -37,8 +37,8 @@ const WEIGHTS: [&[f64]; 3] = [
     &[-1.0 / 360.0, 16.0 / 45.0, -729.0 / 280.0, 1024.0 / 315.0],
 ];
 
-/// Columns whose ends are further apart than this part of the way do not follow the same motion, or are far too coarse for
-/// it.
+/// Columns whose ends are further apart than this part of the way, or whose velocities there than this part of the speed, do
+/// not follow the same motion, or are far too coarse for it.
 const UNLIKE: f64 = 0.5;
 
 /// The weighted mean of the ends of a step taken in different numbers of parts.
@@ -53,6 +53,8 @@ pub(super) struct Taken<const R: usize> {
     pub(super) impulse: SVector<f64, R>,
     /// Whether its columns have gone the same way.
     pub(super) alike: bool,
+    /// The least σ where a part ends on the way.
+    pub(super) nearest: f64,
 }
 
 /// Sums over the columns, with their weights.
@@ -96,14 +98,15 @@ impl Extrapolation {
         let start = *monitor;
         let mut finest = start;
         let mut stage = 0;
-        let (mut alike, mut last) = (true, None);
+        let (mut alike, mut last, mut nearest) = (true, None, f64::INFINITY);
+        let speed = context.yardstick.measure(&before.velocities);
         for (column, &weight) in self.weights.iter().enumerate() {
             if column > 0 {
                 begin_again(context, before)?;
             }
             let parts = 2 * (column + 1);
             let mut works = start;
-            for _ in 0..parts {
+            for part in 1..=parts {
                 context.state.recall_stage(stage);
                 kick_flow_kick(context, flow, h / parts as f64)?;
                 context.state.keep_stage(stage);
@@ -111,14 +114,24 @@ impl Extrapolation {
                 works.add(context, h / parts as f64);
                 let [first, second] = &context.work.impulse;
                 mean.impulse += (first + second) * weight;
+                if let Some(start) = &start.rank_margin
+                    && part < parts
+                {
+                    nearest = nearest.min(context.rank_margin().beside(start));
+                }
             }
             let moved = context
                 .system
                 .difference(&before.positions, &context.state.positions);
-            let measure = |way: &SVector<f64, N>| context.yardstick.measure(way);
-            if let Some(last) = last.replace(moved) {
-                let way = measure(&moved).max(measure(&last));
-                alike &= measure(&(moved - last)) <= UNLIKE * way;
+            let now = context.state.velocities;
+            if let Some((before_moved, before_now)) = last.replace((moved, now)) {
+                let are_alike = |a: &SVector<f64, N>, b: &SVector<f64, N>, least: f64| {
+                    let measure = |way: &SVector<f64, N>| context.yardstick.measure(way);
+                    measure(&(a - b)) <= UNLIKE * measure(a).max(measure(b)).max(least)
+                };
+                alike &= are_alike(&moved, &before_moved, 0.0);
+                // A part that turns into another branch late in the step has moved little there.
+                alike &= are_alike(&now, &before_now, speed);
             }
             mean.moved += moved * weight;
             mean.velocities += context.state.velocities * weight;
@@ -142,6 +155,7 @@ impl Extrapolation {
         Ok(Taken {
             impulse: mean.impulse,
             alike,
+            nearest,
         })
     }
 }

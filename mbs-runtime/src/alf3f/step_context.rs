@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use crate::linear::{DelassusFactor, ProjectionLu, RowMatrix, negative, vector};
 use crate::memory::Box;
 use crate::row_scale::RowScale;
-use crate::singular::Thresholds;
+use crate::singular::{RankMargin, Thresholds};
 use crate::yardstick::Yardstick;
 use crate::{Settings, State, System};
 use nalgebra::SVector;
@@ -242,6 +242,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         } else {
             Err(Fault::Astray(by))
         }
+    }
+
+    /// The rank margin of the holonomic rows, of which S is factored, at the current instant.
+    pub(crate) fn rank_margin(&mut self) -> RankMargin {
+        let StepContext { start, work, .. } = self;
+        let rows = S::STRUCTURE.holonomic_rows;
+        work.delassus.rank_margin(&start.delassus, rows)
     }
 
     /// Moves what redundant rows carry at the beginning of a step to the rows that they follow from: the same force

@@ -6,7 +6,7 @@ use super::kick_flow_kick::kick_flow_kick;
 use super::large::{LargeStep, SparseStep};
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, Dense, StepContext};
-use super::{StagePlacement, StepMonitor, composition};
+use super::{CLEAR, StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
 use crate::large::{check_dense, is_large, is_sparse};
@@ -19,6 +19,9 @@ use nalgebra::SVector;
 
 /// With a smaller σ another branch of the motion is within reach of a step.
 const NEAR: f64 = 0.3;
+/// The distance of a singular pose from the ends of the parts of an extrapolated step, as a part of the step, above which it
+/// is accepted. All columns have an end in the middle of the step, and others in common; of order 8 they are 1/24 apart.
+const GAP: f64 = 0.005;
 
 /// The integrator by itself: steps of any length, without energy balance or report.
 ///
@@ -211,8 +214,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             Stepping::Large(_) => return None,
             _ => {}
         }
-        let StepContext { start, work, .. } = &mut self.context;
-        (rows > 0).then(|| work.delassus.rank_margin(&start.delassus, rows))
+        (rows > 0).then(|| self.context.rank_margin())
     }
 
     /// The length of a composed step, as a fraction of the last one and between these bounds, with the largest
@@ -350,18 +352,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 h * context.yardstick.measure(&before.velocities),
             ));
         }
-        match taken {
-            Ok(taken) => self.impulse = taken.impulse,
+        let nearest = match taken {
+            Ok(taken) => {
+                self.impulse = taken.impulse;
+                taken.nearest
+            }
             Err(fault) => {
                 context.state.copy_from(before);
                 context.refresh()?;
                 return Err(fault);
             }
-        }
-        if monitor.rank_margin.is_some()
+        };
+        if let Some(start) = monitor.rank_margin
             && let Some(now) = self.rank_margin()
         {
             monitor.land(now);
+            let gap = nearest / (start.sigma + now.sigma);
+            monitor.clearance = monitor.clearance.min(gap * (CLEAR / GAP));
         }
         Ok(())
     }

@@ -55,11 +55,14 @@ const TOO_MUCH: f64 = 1.0;
 const BESIDE: f64 = 0.02;
 const ATTEMPTS: u32 = 3;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
-/// Where rows depend on time they may determine the motion, so that all steps agree about it, however long they are. What
-/// tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, …
+/// Steps of any length agree about a motion that rows of time determine, and may agree about another branch beyond a singular
+/// pose. What tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, or of the work
+/// of forces without potential, …
 const BALANCED: f64 = 0.02;
+/// … and the velocities of a driven mechanism may change by this part of the speed past a singular pose, …
+const TURNED: f64 = 0.5;
 /// … unless it moves less than this, in sizes and radians: where a drive jumps the balance is wrong in any step.
-const NEARBY: f64 = 0.2;
+const NEARBY: f64 = 0.002;
 /// Steps shorter than this part of the first one are not tried.
 const SHORTEST: f64 = 1e-9;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -130,7 +133,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     if found.excess <= 1.0 && self.leaps(&found.passage)? {
                         found.excess = TOO_LONG;
                     }
-                    if found.excess <= 1.0 && const { Self::DRIVEN } {
+                    if found.excess <= 1.0 {
                         found.excess = found.excess.max(self.imbalance(&balance, &found));
                     }
                     if found.excess <= 1.0 {
@@ -304,9 +307,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if found.speed * (first + second) < NEARBY {
             return 0.0;
         }
-        let kinetic = before.kinetic.max(self.balance.kinetic);
-        let excess = (self.balance.error - before.error).abs() / (BALANCED * kinetic);
-        excess.min(TOO_LONG)
+        let now = &self.balance;
+        let work = (now.nonconservative_work - before.nonconservative_work).abs();
+        let turnover = before.kinetic.max(now.kinetic).max(work);
+        let excess = (now.error - before.error).abs() / (BALANCED * turnover);
+        match const { Self::DRIVEN } && found.passage.pose().is_some() && self.turns() {
+            true => TOO_LONG,
+            false => excess.min(TOO_LONG),
+        }
+    }
+
+    /// Whether the velocities change in the pair so much that it may have turned into another branch. A drive gives the
+    /// energy for that.
+    fn turns(&self) -> bool {
+        let (before, now) = (&self.pair.velocities, self.velocities());
+        let measure = |v: &SVector<f64, N>| self.yardstick.measure(v);
+        measure(&(now - before)) > TURNED * measure(now).max(measure(before))
     }
 
     /// Whether steps are controlled by the estimates of an embedded method. A step that fails is then as one whose estimate is
