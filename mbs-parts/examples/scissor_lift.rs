@@ -2,8 +2,9 @@
 //! one row is redundant for ever.
 //!
 //! `cargo run --release -p mbs-parts --features large --example scissor_lift -- 0.3 2e-4`, with the rate of the first arm at the start,
-//! rad/s, and the step.
+//! rad/s, and the step; with `random 20 1` twenty runs from random angles and rates with random steps, and the seed 1.
 
+mod random;
 mod run;
 
 use mbs_parts::planar::ScissorStage;
@@ -11,9 +12,11 @@ use mbs_runtime::{Settings, Simulation, mechanism};
 
 mechanism!(ScissorLift {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
-    /// Rate of the arms at the start.
+    /// Angle of the arms at the start.
+    angle: Param(40.0_deg),
+    /// Their rate.
     rate: Param(0.3_rad_per_s),
-    slide: Particle(mass = 0.5_kg, at = [0.75_m, 0.0]),
+    slide: Particle(mass = 0.5_kg, at = [1.0_m * cos(angle), 0.0]),
     rail: Holonomic(slide.origin.y),
     stage: Each(0..50, |i| Assembly(
         ScissorStage,
@@ -27,6 +30,7 @@ mechanism!(ScissorLift {
         } else {
             stage[i - 1].rising.b
         },
+        angle = angle,
         rate = rate
     )),
     plate: Body(mass = 2.0_kg, inertia = 0.1_kg_m2),
@@ -37,6 +41,17 @@ mechanism!(ScissorLift {
 });
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let at_random = random::asked_for([1e-4, 2e-3], |random, settings| {
+        let lift = ScissorLift {
+            angle: random.between(0.1, 1.5),
+            rate: random.between(-2.0, 2.0),
+            ..ScissorLift::default()
+        };
+        Ok(Box::new(Simulation::with_settings(lift, settings)?))
+    })?;
+    if at_random {
+        return Ok(());
+    }
     let [rate, step] = run::numbers([0.3, 2e-4])?;
     let settings = Settings {
         step,

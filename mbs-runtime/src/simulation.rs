@@ -272,7 +272,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let ledger = &mut simulation.integrator.state_mut().ledger;
             ledger.initial = Some(energy.kinetic + energy.potential);
         }
-        simulation.energy_guard.refuses(&simulation.energy());
+        simulation.balance = simulation.energy();
+        simulation.energy_guard.note(&simulation.balance);
         simulation.rank_margin = simulation.integrator.rank_margin();
         simulation.watch();
         Ok(simulation)

@@ -154,9 +154,9 @@ impl Thresholds {
 /// is better.
 const PROXIMAL_LANDING: f64 = 0.01;
 
-/// If σ before the step was below this and a row counts as lost after it, its pivot was always small: this is not a
-/// singular pose.
-const FALLS_FROM: f64 = 3e-3;
+/// If σ before the step was below this multiple of the bound at which a row counts as lost, and one is lost after it, its
+/// pivot is always small: this is not a singular pose.
+const FALLS_FROM: f64 = 3.0;
 
 /// Added to [`RankMargin::dependent`] where other redundant rows are left out than usual.
 pub(crate) const OTHER_ROWS: u32 = 1 << 31;
@@ -168,8 +168,10 @@ pub(crate) struct RankMargin {
     pub(crate) sigma: f64,
     /// √ of the smallest relative pivot of all rows.
     pub(crate) weakest: f64,
-    /// The number of rows that need the proximal solve.
+    /// The number of rows that need the proximal solve …
     pub(crate) lost: u32,
+    /// … and √ of the bound of their pivots, if there are any.
+    pub(crate) bound: f64,
     /// The same as `sigma` and `lost`, if only round-off counts as lost: for bodies with little inertia about an axis,
     /// independent rows can have small pivots.
     pub(crate) least: f64,
@@ -186,6 +188,7 @@ impl RankMargin {
             sigma,
             weakest: sigma,
             lost: 0,
+            bound: 0.0,
             least: sigma,
             dependent: 0,
         }
@@ -215,7 +218,9 @@ impl RankMargin {
             return f64::INFINITY;
         }
         let fraction = |sigma: f64| sigma / (sigma + before.sigma);
-        if self.lost < before.lost || (self.lost > before.lost && before.sigma < FALLS_FROM) {
+        if self.lost < before.lost
+            || (self.lost > before.lost && before.sigma < FALLS_FROM * self.bound)
+        {
             // The pivot of a row that is always small has crossed the bound.
             0.5
         } else if self.lost == before.lost {
@@ -224,6 +229,30 @@ impl RankMargin {
             PROXIMAL_LANDING * fraction(self.weakest)
         } else {
             0.0
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RankMargin;
+
+    fn lost(bound: f64) -> RankMargin {
+        RankMargin {
+            sigma: 0.1,
+            weakest: 0.1 * bound,
+            lost: 1,
+            bound,
+            least: 0.1 * bound,
+            dependent: 0,
+        }
+    }
+
+    #[test]
+    fn rows_that_fall_are_told_from_rows_that_are_always_weak() {
+        for bound in [3e-5, 1e-3] {
+            assert!(lost(bound).after(&RankMargin::of(30.0 * bound)) < 0.01);
+            assert_eq!(lost(bound).after(&RankMargin::of(2.0 * bound)), 0.5);
         }
     }
 }

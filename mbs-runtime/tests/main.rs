@@ -30,6 +30,7 @@ mod redundant_short_steps;
 mod references;
 mod round_off;
 mod scales;
+mod scissor_lift;
 mod small_implicit_steps;
 mod spatial;
 mod tolerance;

@@ -47,6 +47,9 @@ pub(crate) enum Rows {
     Lost,
 }
 
+/// The diagonal entry of a row that gets no multiplier, with the sign of its pivot: nothing is taken from other rows.
+const FREE: f64 = -1e100;
+
 fn zeros(length: usize) -> Slots {
     vec![0.0; length].into_boxed_slice()
 }
@@ -121,12 +124,25 @@ impl Bordered {
         pivots.fold(1.0, f64::min)
     }
 
-    /// Whether rows are redundant here.
-    pub(crate) fn leaves_rows_out<const N: usize, const R: usize>(
+    /// The number of rows that depend on others here.
+    pub(crate) fn left_out<const N: usize, const R: usize>(
         &self,
         plan: &Elimination<N, R>,
-    ) -> bool {
-        self.relative(plan).any(|pivot| pivot == 0.0)
+    ) -> usize {
+        self.relative(plan).filter(|&pivot| pivot == 0.0).count()
+    }
+
+    /// Frees the rows that depend on others here: from now on they get no multiplier, and do not count.
+    pub(crate) fn free_dependent<const N: usize, const R: usize>(
+        &mut self,
+        plan: &Elimination<N, R>,
+    ) {
+        for &(_, slot) in plan.pivots {
+            if self.factor[slot] == 0.0 {
+                self.entries[slot] = FREE;
+            }
+        }
+        self.factor(plan);
     }
 
     #[inline]
@@ -158,6 +174,7 @@ impl Bordered {
             }
         }
         (rank_margin.sigma, rank_margin.least) = (small.sqrt(), least.sqrt());
+        rank_margin.bound = self.thresholds.lost.sqrt();
         rank_margin
     }
 
@@ -234,9 +251,8 @@ impl Pair {
         self.lower.copy_from_slice(&end.entries);
         self.upper.copy_from_slice(&start.entries);
         let most = (plan.factor_pair)(&mut self.lower, &mut self.upper, &start.lengths);
-        let redundant = start.relative(plan).filter(|&pivot| pivot == 0.0).count();
         let relative = relative(plan, &self.lower, &start.lengths);
-        judge(start.thresholds, most, relative, Some(redundant))
+        judge(start.thresholds, most, relative, Some(start.left_out(plan)))
     }
 
     #[inline]

@@ -98,16 +98,34 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             right: zeroed(),
         });
         kicks.refresh(context);
-        if kicks.start.leaves_rows_out(plan) {
-            // Beside a singular pose the pivot of a redundant row is not small enough to distinguish it from a nearly
-            // dependent row.
+        kicks.free_redundant::<S, Q>();
+        Some(kicks)
+    }
+
+    /// Frees the rows that are redundant in every pose.
+    ///
+    /// Beside a singular pose the pivot of such a row is not small enough to distinguish it from a nearly dependent one.
+    fn free_redundant<S: System<Q, N, R>, const Q: usize>(&mut self) {
+        let plan = self.plan;
+        let here = self.start.left_out(plan);
+        if here == 0 {
+            return;
+        }
+        let generic = S::MODEL.mobility.map_or(0, |mobility| {
+            let follow = mobility.redundant.iter().filter(|row| !row.left_out);
+            follow.count()
+        });
+        if here == generic {
+            self.start.free_dependent(plan);
+            self.end = self.start.clone();
+        } else {
+            // A singular pose, or parameters with which other rows are redundant.
             let coarse = Thresholds {
                 lost: Thresholds::SECOND_ORDER.lost,
-                ..context.work.delassus.thresholds
+                ..self.start.thresholds
             };
-            (kicks.start.thresholds, kicks.end.thresholds) = (coarse, coarse);
+            (self.start.thresholds, self.end.thresholds) = (coarse, coarse);
         }
-        Some(kicks)
     }
 
     /// Recomputes what is known of the current instant.

@@ -54,7 +54,7 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
         system.sparse_constraints(state.time, &state.positions, &mut phi, entries, &mut b);
         planned.factor();
-        (!planned.matrix.leaves_rows_out(plan)).then_some(planned)
+        (planned.matrix.left_out(plan) == 0).then_some(planned)
     }
 
     fn factor(&mut self) {

@@ -302,6 +302,7 @@ impl<const K: usize> DelassusFactor<K> {
             sigma: sigma.sqrt(),
             weakest: weakest.sqrt(),
             lost,
+            bound: self.thresholds.lost.sqrt(),
             least: least.sqrt(),
             dependent: dependent | self.choice,
         }

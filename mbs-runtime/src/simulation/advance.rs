@@ -8,7 +8,7 @@ use crate::singular::RankMargin;
 use crate::{Energy, SimulationError, System};
 
 /// How often a step that does not converge is halved before it is given up.
-const HALVINGS: u32 = 8;
+pub(super) const HALVINGS: u32 = 8;
 
 /// All that steps change beside the states, to be restored after a look at other instants.
 pub(super) struct Kept {

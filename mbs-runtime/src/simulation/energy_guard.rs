@@ -7,6 +7,9 @@
 //! of their quadrature is allowed besides: in a step in which a stiff damper stops a part the trapezoidal rule is far from
 //! its work. For methods that do not conserve energy, and for drives, whose rates may jump, ten times what the motion has
 //! is nonsense.
+//!
+//! A step that makes a tenth of this error by itself, without forces that change in it, has leapt over a turn of the motion:
+//! it is taken in shorter ones (`placement.rs`).
 
 use crate::linear::vector;
 use crate::sink::{Diagonal, Discard};
@@ -24,6 +27,10 @@ const GROSS: f64 = 10.0;
 /// a hundredth of the size from the motion; in two the energy of a spring that vibrates by a ten-thousandth is wrong. Of
 /// the 62 runs between a tenth and a fifth thirteen end within a tenth of the size.
 const WRONG: f64 = 0.2;
+/// The same of a single step: with more it leaps over a part of the motion, as where a mechanism that folds up has little
+/// inertia in one pose, and turns back within the step. A smaller value shortens coarse steps that are useful, a larger one
+/// leaves less of [`WRONG`] to the steps after it.
+const LEAPT: f64 = 0.02;
 /// Round-off of displacements in a step, in sizes of the mechanism: with less energy than such a motion has nothing is
 /// refused.
 const NOISE: f64 = 1e-9;
@@ -49,6 +56,16 @@ pub(super) struct EnergyGuard {
     conserves: bool,
     /// What is accepted in any case, so that most steps compare this only.
     accepted: f64,
+}
+
+/// What the balance after a step is refused for.
+pub(super) struct Refused {
+    /// The energy that the motion has, J.
+    pub(super) available: f64,
+    /// The error is out of proportion to it.
+    pub(super) wrong: bool,
+    /// The error of the last step alone, J, if that is.
+    pub(super) leapt: Option<f64>,
 }
 
 impl EnergyGuard {
@@ -79,7 +96,7 @@ impl EnergyGuard {
         let depth = (0..N).map(along).sum();
         let noise = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
         let conserves = settings.method == Method::TwoLevel;
-        let bound = if conserves { WRONG } else { GROSS };
+        let bound = if conserves { LEAPT } else { GROSS };
         EnergyGuard {
             start: system.potential_energy(q),
             depth,
@@ -98,36 +115,61 @@ impl EnergyGuard {
         self.doubt += works * works;
     }
 
-    /// The energy that the motion has, if the error of the balance is out of proportion to it.
+    /// Why the balance is refused, if it is. `before`: its error before the last step.
     #[inline]
-    pub(super) fn refuses(&mut self, energy: &Energy) -> Option<f64> {
+    pub(super) fn refuses(&mut self, energy: &Energy, before: f64) -> Option<Refused> {
+        if energy.error.abs() <= self.accepted {
+            self.note(energy);
+            return None;
+        }
+        self.judge(energy, before)
+    }
+
+    #[inline(always)]
+    pub(super) fn note(&mut self, energy: &Energy) {
         if energy.potential < self.least {
             self.least = energy.potential;
         }
-        let works = energy.nonconservative_work.abs() + energy.drive_work.abs();
+        let works = works_of(energy);
         if works > self.works {
             self.works = works;
         }
-        if energy.error.abs() <= self.accepted {
-            return None;
-        }
-        self.judge(energy)
     }
 
     #[cold]
-    fn judge(&self, energy: &Energy) -> Option<f64> {
+    fn judge(&mut self, energy: &Energy, before: f64) -> Option<Refused> {
         let initial = energy.kinetic + energy.potential
             - energy.error
             - energy.nonconservative_work
             - energy.drive_work;
+        let least = self.least.min(energy.potential);
         // Both are energies above a minimum. They do not add up: a spring that is stretched at the start gives what it has
         // once.
-        let above = (initial - self.least).max(initial - self.start + self.depth);
-        let available = above + self.works + self.noise;
+        let above = (initial - least).max(initial - self.start + self.depth);
+        let available = above + self.works.max(works_of(energy)) + self.noise;
+        let error = energy.error.abs();
+        let by = (energy.error - before).abs();
         let refused = match self.conserves && energy.drive_work == 0.0 {
-            true => energy.error.abs() > WRONG * available + self.doubt.sqrt(),
-            false => energy.error > GROSS * (available + initial.abs()),
+            true => Refused {
+                available,
+                wrong: error > WRONG * available + self.doubt.sqrt(),
+                leapt: (by > LEAPT * available + self.doubt.sqrt()).then_some(by),
+            },
+            false => Refused {
+                available,
+                wrong: energy.error > GROSS * (available + initial.abs()),
+                leapt: None,
+            },
         };
-        refused.then_some(available)
+        if refused.wrong || refused.leapt.is_some() {
+            // What a refused step has reached is no part of the motion.
+            return Some(refused);
+        }
+        self.note(energy);
+        None
     }
+}
+
+fn works_of(energy: &Energy) -> f64 {
+    energy.nonconservative_work.abs() + energy.drive_work.abs()
 }

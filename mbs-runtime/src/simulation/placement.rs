@@ -4,7 +4,10 @@
 //! stage that begins or ends beside the pose does. Such a step is repeated with another length.
 
 use super::Simulation;
-use crate::{Method, SimulationError, System, alf3f};
+use super::advance::HALVINGS;
+use super::energy_guard::Refused;
+use crate::{Method, SimulationError, State, System, alf3f};
+use nalgebra::SVector;
 
 /// Clearances as fractions of a step: a step with more than the first is accepted; otherwise a length with at least the
 /// second is searched. At second order nearly every clearance is harmless, and a repeated step costs more than it
@@ -27,11 +30,62 @@ const REMAINDER: f64 = 0.1;
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+        let before = self.balance.error;
         let length = self.follow(h, left)?;
-        if let Some(available) = self.energy_guard.refuses(&self.balance) {
-            return Err(self.nonsense(length, available));
+        match self.energy_guard.refuses(&self.balance, before) {
+            None => Ok(length),
+            Some(refused) => self.take_in_parts(h, left, (length, refused), before),
         }
-        Ok(length)
+    }
+
+    /// After a step whose energy balance is refused: a shorter one, if the error is due to the rows of the step and it
+    /// helps.
+    #[cold]
+    #[inline(never)]
+    fn take_in_parts(
+        &mut self,
+        h: f64,
+        left: f64,
+        (mut length, refused): (f64, Refused),
+        before: f64,
+    ) -> Result<f64, SimulationError> {
+        let free = self.is_free() && self.settings.tolerance.is_none();
+        if refused
+            .leapt
+            .is_some_and(|by| free && by > self.error_of_forces())
+        {
+            let mut part = h;
+            for _ in 0..HALVINGS {
+                part *= 0.5;
+                self.back()?;
+                self.rejected += 1;
+                let shorter = self.follow(part, left)?;
+                if self.energy_guard.refuses(&self.balance, before).is_none() {
+                    return Ok(shorter);
+                }
+            }
+            self.back()?;
+            length = self.follow(h, left)?;
+        }
+        match refused.wrong {
+            true => Err(self.nonsense(length, refused.available)),
+            false => Ok(length),
+        }
+    }
+
+    /// A bound of the energy that forces have given or taken too late in the last step, J: none if they are constant. Where
+    /// a spring vibrates within the step this is larger than its energy.
+    fn error_of_forces(&self) -> f64 {
+        let forces = |state: &State<Q, N, R>| {
+            let mut forces: SVector<f64, N> = SVector::zeros();
+            let (q, v) = (&state.positions, &state.velocities);
+            self.system().applied_forces(state.time, q, v, &mut forces);
+            forces
+        };
+        let (begin, end) = (&self.before, self.state());
+        let change = forces(end) - forces(begin);
+        let way = (begin.velocities.abs() + end.velocities.abs()) * (0.5 * (end.time - begin.time));
+        change.abs().dot(&way)
     }
 
     #[cold]
