@@ -33,6 +33,7 @@ mod large;
 mod layers;
 mod left_out;
 mod long_family;
+mod measured_tables;
 mod mobility;
 mod new_joint;
 mod newton_euler;
