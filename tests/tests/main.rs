@@ -42,6 +42,7 @@ mod parameter_checks;
 mod parts;
 mod passages;
 mod planar_joints;
+mod planar_places;
 mod poses;
 mod reactions;
 mod recordings;
