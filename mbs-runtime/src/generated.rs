@@ -21,7 +21,7 @@ pub use parts::{compute_parts, pairs_of, rows_of, triples_of, words_of_u16, word
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 pub use table::{Beyond, Interpolation, MeasuredTable, Table};
-pub use unfinished::{UNFINISHED, Unfinished};
+pub use unfinished::{SIZE as UNFINISHED_SIZE, UNFINISHED, Unfinished};
 
 mod checks;
 mod cholesky;
