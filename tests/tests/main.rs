@@ -12,6 +12,7 @@ mod allocations;
 mod assemblies;
 mod baselines;
 mod book;
+mod changing_parameters;
 mod data;
 mod derivatives;
 mod descriptions;
