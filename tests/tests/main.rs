@@ -34,6 +34,7 @@ mod large;
 mod layers;
 mod left_out;
 mod long_family;
+mod marks;
 mod measured_tables;
 mod mobility;
 mod new_joint;

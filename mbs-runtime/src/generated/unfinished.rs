@@ -35,6 +35,7 @@ pub const UNFINISHED: &Model = &Model {
     outputs: &[],
     events: &[],
     points: &[],
+    marks: 0,
     segments: &[],
     reactions: &[],
     reductions: &[],
