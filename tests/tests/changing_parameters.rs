@@ -54,8 +54,9 @@ fn the_motion_goes_on_with_the_new_parameters() {
     resumed.run_until(2.0).expect("it runs");
     assert_eq!(simulation.outputs().place, resumed.outputs().place);
     assert_eq!(simulation.report().steps, steps + resumed.report().steps);
+    // Measured: 1.5e-5 J.
     assert!(
-        simulation.energy().error.abs() < 1e-4,
+        simulation.energy().error.abs() < 5e-5,
         "{:?}",
         simulation.energy()
     );
@@ -97,8 +98,9 @@ fn a_length_that_changes_moves_the_mechanism() {
     assert!((simulation.energy().error - error).abs() < 1e-13);
     simulation.run_until(1.0).expect("it runs");
     assert!(simulation.report().velocity_error < 1e-12);
+    // Measured: 4.1e-7 J.
     assert!(
-        simulation.energy().error.abs() < 1e-4,
+        simulation.energy().error.abs() < 2e-6,
         "{:?}",
         simulation.energy()
     );
@@ -145,6 +147,7 @@ fn any_method_goes_on() {
             .set_parameters(Crane { length: 2.05 })
             .expect("it closes");
         simulation.run_until(0.6).expect("it runs");
-        assert!(simulation.energy().error.abs() < 1e-2, "{name}");
+        // Measured: at most 1.1e-5 J.
+        assert!(simulation.energy().error.abs() < 5e-5, "{name}");
     }
 }
