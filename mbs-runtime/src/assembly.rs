@@ -28,6 +28,6 @@ pub(crate) use closed::{check, closed};
 pub(crate) use {
     conditions::Wanted,
     guess::check_rates,
-    jump::jump,
+    jump::{jump, refit},
     verdict::{assemble, independent_rows, inspect, vanishes},
 };

@@ -61,6 +61,22 @@ pub enum ParameterError {
         /// Its principal moments, kg m².
         moments: [f64; 3],
     },
+    /// The arguments of a table do not increase.
+    TableNotIncreasing {
+        /// The table.
+        table: &'static str,
+        /// The index of the argument that is not larger than the one before, from 0 on.
+        index: usize,
+        /// This argument.
+        argument: f64,
+        /// The one before.
+        before: f64,
+    },
+    /// The curve through the points of a table is not finite.
+    TableNotFinite {
+        /// The table.
+        table: &'static str,
+    },
 }
 
 impl fmt::Display for ParameterError {
@@ -96,6 +112,19 @@ impl fmt::Display for ParameterError {
                 out,
                 "no body has the inertia of `{body}`: its principal moments are {} kg m², and none of them may exceed the sum of the other two",
                 List(moments)
+            ),
+            ParameterError::TableNotIncreasing {
+                table,
+                index,
+                argument,
+                before,
+            } => write!(
+                out,
+                "the arguments of the table `{table}` increase, but the one of index {index} is {argument}, and the one before it {before}"
+            ),
+            ParameterError::TableNotFinite { table } => write!(
+                out,
+                "the curve through the points of the table `{table}` is not finite: values are too large, or arguments too close to each other"
             ),
         }
     }

@@ -20,8 +20,8 @@ pub use constant_mass::{
 pub use parts::{compute_parts, pairs_of, rows_of, triples_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
-pub use table::Table;
-pub use unfinished::{UNFINISHED, Unfinished};
+pub use table::{Beyond, Interpolation, MeasuredTable, Table};
+pub use unfinished::{SIZE as UNFINISHED_SIZE, UNFINISHED, Unfinished};
 
 mod checks;
 mod cholesky;

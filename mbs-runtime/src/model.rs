@@ -32,6 +32,9 @@ pub struct Model {
     pub events: &'static [&'static str],
     /// Named points that an animation can draw, in the order of [`Observables::points`](crate::Observables::points).
     pub points: &'static [&'static str],
+    /// How many of the last points are marks, which only show how a body turns: an animation draws them, and the size of the
+    /// mechanism does not depend on them.
+    pub marks: usize,
     /// Lines between points. Six or more lines of a part that touch no joint are the outline of a convex shape: they
     /// are drawn thin, and the area inside is tinted.
     pub segments: &'static [Segment],

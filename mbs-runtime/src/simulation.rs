@@ -13,6 +13,7 @@ mod fixed_steps;
 mod hermite;
 mod known_poses;
 mod names;
+mod parameters;
 mod passage;
 mod placement;
 mod pose;
@@ -29,6 +30,7 @@ use self::energy_guard::EnergyGuard;
 use self::known_poses::KnownPoses;
 use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
+use crate::alf3f::Counters;
 use crate::assembly::{Wanted, assemble, check_rates};
 use crate::fault::Fault;
 use crate::integrator::Integrator;
@@ -57,8 +59,12 @@ pub use self::start::Start;
 pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     settings: Settings,
     integrator: Integrator<S, Q, N, R>,
+    /// Makes the integrator again when parameters change, if its method is not the two-level one.
+    other: Option<MakeStepper<S, Q, N, R>>,
     assembly: AssemblyVerdict,
     books: Books,
+    /// The work of integrators that other parameters have replaced.
+    counted: Counters,
     /// Steps that were repeated with a shorter one.
     rejected: u64,
     /// Steps whose length was changed beside a singular pose.
@@ -252,8 +258,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             yardstick,
             integrator,
             settings,
+            other,
             assembly,
             books: Books::default(),
+            counted: Counters::default(),
             rejected: 0,
             placed: 0,
             rank_margin: None,
@@ -439,7 +447,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// What assembly found.
+    /// What assembly found, at the start or where parameters changed last.
     pub fn assembly(&self) -> &AssemblyVerdict {
         &self.assembly
     }
@@ -449,9 +457,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.singularities.losses()
     }
 
+    /// The work of all integrators so far.
+    fn counters(&self) -> Counters {
+        self.counted.and(self.integrator.counters())
+    }
+
     /// Work done and errors met so far.
     pub fn report(&self) -> Report {
-        let counters = self.integrator.counters();
+        let counters = self.counters();
         Report {
             steps: self.books.steps,
             stages: counters.stages,

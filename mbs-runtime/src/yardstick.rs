@@ -42,7 +42,10 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
         let (reach, extent) = with_points(
             S::MODEL.points.len(),
             |points| system.points(0.0, &q, points),
-            |points| (largest_of(points.as_flattened()), extent(points)),
+            |points| {
+                let points = &points[..points.len().saturating_sub(S::MODEL.marks)];
+                (largest_of(points.as_flattened()), extent(points))
+            },
         );
         let length = [extent, reach]
             .into_iter()

@@ -54,6 +54,9 @@ mod reactions {}
 #[doc = include_str!("../../book/src/assembly.md")]
 mod assembly {}
 
+#[doc = include_str!("../../book/src/realtime.md")]
+mod realtime {}
+
 #[doc = include_str!("../../book/src/control.md")]
 mod control {}
 

@@ -18,7 +18,7 @@ fn own(declaration: &str) -> String {
 #[test]
 fn names_are_items_and_kinds_are_structs() {
     let declaration = "/// Mine.\npub Crane { world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
-        jib: Bar(mass = 2.0_kg, length = reach), reach: Param(1.5_m), hinge: Revolute(ground.origin, jib.a, axis = Y),
+        jib: Bar(mass = 2.0_kg, length = reach), reach: Param(1.5_m), loads: Param([1.0_N, 2.0_N]), hinge: Revolute(ground.origin, jib.a, axis = Y),
         /// Of a chain.
         link: Each((0..3, 0..2), |i, j| if i == 0 { Body(mass = i * 1.0_kg) } else { Particle(mass = 1.0_kg) }),
         middle: Let(0.5 * jib.b.z), load: Output(hinge.reaction.fx), }";
@@ -27,6 +27,7 @@ fn names_are_items_and_kinds_are_structs() {
     for expected in [
         "staticjib:members::Bar=any();",
         "staticreach:f64=any();",
+        "staticloads:members::Family<f64>=any();",
         "statichinge:members::Revolute=any();",
         "#[doc=\"Ofachain.\"]",
         "staticlink:members::Family<members::Family<members::Body>>=any();",

@@ -154,7 +154,7 @@ fn takes(expects: Expects) -> String {
         Expects::Gains(dimension) => format!("{dimension}: one, three, or a 3 × 3 matrix"),
         Expects::Frame => "`Frame([x, y], angle)`".to_owned(),
         Expects::Law => "the path of a law, or a `Table`".to_owned(),
-        Expects::Numbers => "a list of numbers, without parameters".to_owned(),
+        Expects::Numbers => "a list of numbers and parameters, or the name of a family of parameters".to_owned(),
         Expects::Word(words) => words_of(words),
         Expects::Unit => "an SI unit".to_owned(),
         Expects::Flag => "`true` or `false`".to_owned(),

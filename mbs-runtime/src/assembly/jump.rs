@@ -1,12 +1,13 @@
-//! Rows that follow inputs: where an input jumps, the mechanism follows at once.
+//! Rows that change during a run: where an input jumps or a parameter changes, the mechanism follows at once.
 
 use super::newton::{ASSEMBLED, close, project};
-use super::verdict::{independent_rows, judge};
+use super::verdict::{independent_rows, judge, moved};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::linear::largest;
+use crate::memory::Box;
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
-use crate::{Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
 /// Moves the positions of a state to the nearest ones with φ(q, t) = 0, and the velocities to the nearest ones with
@@ -20,6 +21,49 @@ pub(crate) fn jump<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     settings: &Settings,
     state: &mut State<Q, N, R>,
 ) -> Result<(), SimulationError> {
+    follow(system, settings, state).map(|_| ())
+}
+
+/// The same, with the verdict on the rows and on what has moved.
+///
+/// # Errors
+/// As [`jump`].
+pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    settings: &Settings,
+    state: &mut State<Q, N, R>,
+) -> Result<AssemblyVerdict, SimulationError> {
+    let before = (state.positions, state.velocities);
+    let rows = follow(system, settings, state)?;
+    let (q, v) = (&state.positions, &state.velocities);
+    let mut verdict = rows.verdict(system, [&before.0, q]);
+    verdict.changes = moved::<S, Q, N, R>([&before.0, q], [&before.1, v], rows.yardstick.length);
+    Ok(verdict)
+}
+
+/// The rows where a search for a pose has ended.
+struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    yardstick: Yardstick<Q, N>,
+    scale: RowScale<R>,
+    geometry: Box<ConstraintGeometry<S, Q, N, R>>,
+    phi: SVector<f64, R>,
+    /// max |φ| before.
+    before: f64,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S, Q, N, R> {
+    fn verdict(&self, system: &S, positions: [&SVector<f64, Q>; 2]) -> AssemblyVerdict {
+        let rows = independent_rows(system, &self.geometry, &self.yardstick);
+        let residual = (&self.phi, &self.scale);
+        judge(system, rows, residual, self.before, positions)
+    }
+}
+
+fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    settings: &Settings,
+    state: &mut State<Q, N, R>,
+) -> Result<Rows<S, Q, N, R>, SimulationError> {
     let t = state.time;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, t, settings.step);
     let yardstick = Yardstick::new(system, settings.step);
@@ -30,13 +74,19 @@ pub(crate) fn jump<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     geometry.evaluate(system, t, &q, &mut phi).map_err(fault)?;
     let before = largest(&phi);
     close(system, t, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
-    if !(scale.displacement(&phi) <= ASSEMBLED) {
-        let rows = independent_rows(system, &geometry, &yardstick);
-        let verdict = judge(system, rows, (&phi, &scale), before, [&state.positions, &q]);
+    let rows = Rows {
+        yardstick,
+        scale,
+        geometry,
+        phi,
+        before,
+    };
+    if !(rows.scale.displacement(&rows.phi) <= ASSEMBLED) {
+        let verdict = rows.verdict(system, [&state.positions, &q]);
         return Err(SimulationError::Assembly(verdict));
     }
-    let speed = yardstick.measure(&v);
-    project(system, &geometry, &mut v, &scale, speed);
+    let speed = rows.yardstick.measure(&v);
+    project(system, &rows.geometry, &mut v, &rows.scale, speed);
     (state.positions, state.velocities) = (q, v);
-    Ok(())
+    Ok(rows)
 }

@@ -1,12 +1,13 @@
 //! Long generated functions, computed part by part.
 
-/// A part: straight-line code for each row of places.
-type Part<const LENGTH: usize, Word> = fn(&mut [f64; LENGTH], &[Word]);
+/// A part: straight-line code for each row of places, with the tables of the system.
+type Part<System, const LENGTH: usize, Word> = fn(&System, &mut [f64; LENGTH], &[Word]);
 
 /// Computes the parts that a table names: for each run the index of the part, the length of its rows (two words, the
 /// lower 16 bits first), and the rows.
-pub fn compute_parts<const LENGTH: usize, Word: Copy + Into<u32>>(
-    parts: &[Part<LENGTH, Word>],
+pub fn compute_parts<System, const LENGTH: usize, Word: Copy + Into<u32>>(
+    system: &System,
+    parts: &[Part<System, LENGTH, Word>],
     values: &mut [f64; LENGTH],
     mut table: &[Word],
 ) {
@@ -17,7 +18,7 @@ pub fn compute_parts<const LENGTH: usize, Word: Copy + Into<u32>>(
         else {
             return;
         };
-        part(values, rows);
+        part(system, values, rows);
         table = rest;
     }
 }

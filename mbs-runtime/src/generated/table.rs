@@ -1,27 +1,31 @@
 //! Functions given by measured values.
 
+pub use measured::{Beyond, Interpolation, MeasuredTable};
+
+mod measured;
+
 /// A polynomial of third degree before the first knot, in each interval, and after the last knot.
 #[derive(Debug, Clone, Copy)]
-pub struct Table {
+pub struct Table<'a> {
     /// Where one piece ends and the next begins, increasing.
-    pub knots: &'static [f64],
+    pub knots: &'a [f64],
     /// One more than knots: the coefficients of powers 0 to 3 of x minus the knot on the left (of the first piece: minus
     /// the first knot), and the integral from 0 to there.
-    pub pieces: &'static [[f64; 5]],
+    pub pieces: &'a [[f64; 5]],
 }
 
-impl Table {
+impl<'a> Table<'a> {
     /// The piece at x, and how far x is inside it.
     #[inline]
-    fn piece(&self, x: f64) -> (&'static [f64; 5], f64) {
+    fn piece(&self, x: f64) -> (&'a [f64; 5], f64) {
         let after = self.knots.partition_point(|&knot| knot <= x);
         (&self.pieces[after], x - self.knots[after.saturating_sub(1)])
     }
 
     /// The integral from 0.
     pub fn integral(&self, x: f64) -> f64 {
-        let (&[a, b, c, d, integral], h) = self.piece(x);
-        integral + h * (a + h * (b / 2.0 + h * (c / 3.0 + h * (d / 4.0))))
+        let (piece, h) = self.piece(x);
+        integral(piece, h)
     }
 
     /// The function.
@@ -47,4 +51,9 @@ impl Table {
         let (&[_, _, _, d, _], _) = self.piece(x);
         6.0 * d
     }
+}
+
+/// The integral at h inside a piece.
+fn integral(&[a, b, c, d, integral]: &[f64; 5], h: f64) -> f64 {
+    integral + h * (a + h * (b / 2.0 + h * (c / 3.0 + h * (d / 4.0))))
 }

@@ -7,6 +7,14 @@ use crate::{
 use core::marker::PhantomData;
 use nalgebra::{SMatrix, SVector};
 
+/// The number of its coordinates and velocities, which are not known: the most to which nalgebra gives names, so that
+/// `positions().x` is no second error.
+pub const SIZE: usize = 6;
+
+type Vector = SVector<f64, SIZE>;
+type Rows = SVector<f64, 0>;
+type Columns = SMatrix<f64, SIZE, 0>;
+
 /// The system of a declaration with errors, so that rustc shows only the errors of the declaration.
 #[derive(Debug, Clone, Default)]
 pub struct Unfinished<I, O>(PhantomData<(I, O)>);
@@ -27,6 +35,7 @@ pub const UNFINISHED: &Model = &Model {
     outputs: &[],
     events: &[],
     points: &[],
+    marks: 0,
     segments: &[],
     reactions: &[],
     reductions: &[],
@@ -44,62 +53,54 @@ pub const UNFINISHED: &Model = &Model {
     candidates: &[],
 };
 
-impl<I: NamedValues, O: NamedValues> Configuration<0, 0> for Unfinished<I, O> {
+impl<I: NamedValues, O: NamedValues> Configuration<SIZE, SIZE> for Unfinished<I, O> {
     const ROTATIONS: &'static [usize] = &[];
 
-    fn guess(&self) -> (SVector<f64, 0>, SVector<f64, 0>) {
+    fn guess(&self) -> (Vector, Vector) {
         (SVector::zeros(), SVector::zeros())
     }
-    fn advance(&self, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: f64) -> SVector<f64, 0> {
+    fn advance(&self, _: &Vector, _: &Vector, _: f64) -> Vector {
         SVector::zeros()
     }
-    fn difference(&self, _: &SVector<f64, 0>, _: &SVector<f64, 0>) -> SVector<f64, 0> {
+    fn difference(&self, _: &Vector, _: &Vector) -> Vector {
         SVector::zeros()
     }
-    fn free_flight(&self, _: &mut SVector<f64, 0>, _: &mut SVector<f64, 0>, _: f64) {}
+    fn free_flight(&self, _: &mut Vector, _: &mut Vector, _: f64) {}
 }
 
-impl<I: NamedValues, O: NamedValues> Inertia<0, 0> for Unfinished<I, O> {
+impl<I: NamedValues, O: NamedValues> Inertia<SIZE, SIZE> for Unfinished<I, O> {
     type Mass = ();
 
-    fn mass_matrix(&self, _: &SVector<f64, 0>, _: &mut impl MatrixSink) {}
-    fn factor_mass(&self, _: &SVector<f64, 0>) -> Option<()> {
+    fn mass_matrix(&self, _: &Vector, _: &mut impl MatrixSink) {}
+    fn factor_mass(&self, _: &Vector) -> Option<()> {
         Some(())
     }
-    fn solve_mass(&self, _: &(), _: &mut SVector<f64, 0>) {}
-    fn momentum(&self, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: &mut SVector<f64, 0>) {}
-    fn affinities(&self, _: &SVector<f64, 0>, _: &mut impl TensorSink) {}
-    fn kinetic_energy(&self, _: &SVector<f64, 0>, _: &SVector<f64, 0>) -> f64 {
+    fn solve_mass(&self, _: &(), _: &mut Vector) {}
+    fn momentum(&self, _: &Vector, _: &Vector, _: &mut Vector) {}
+    fn affinities(&self, _: &Vector, _: &mut impl TensorSink) {}
+    fn kinetic_energy(&self, _: &Vector, _: &Vector) -> f64 {
         0.0
     }
 }
 
-impl<I: NamedValues, O: NamedValues> Constraints<0, 0, 0> for Unfinished<I, O> {
-    fn holonomic(&self, _: f64, _: &SVector<f64, 0>, _: &mut SVector<f64, 0>) {}
-    fn constraints(
-        &self,
-        _: f64,
-        _: &SVector<f64, 0>,
-        _: &mut SVector<f64, 0>,
-        _: &mut impl MatrixSink,
-        _: &mut SVector<f64, 0>,
-    ) {
+impl<I: NamedValues, O: NamedValues> Constraints<SIZE, SIZE, 0> for Unfinished<I, O> {
+    fn holonomic(&self, _: f64, _: &Vector, _: &mut Rows) {}
+    fn constraints(&self, _: f64, _: &Vector, _: &mut Rows, _: &mut impl MatrixSink, _: &mut Rows) {
     }
     fn constraint_rates(
         &self,
         _: f64,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
+        _: &Vector,
+        _: &Vector,
         _: &mut impl MatrixSink,
-        _: &mut SVector<f64, 0>,
+        _: &mut Rows,
     ) {
     }
-    fn solve_mass_rows(&self, _: &(), _: &SMatrix<f64, 0, 0>, _: &mut SMatrix<f64, 0, 0>) {}
-    fn delassus(&self, _: &SMatrix<f64, 0, 0>, _: &SMatrix<f64, 0, 0>, _: &mut SMatrix<f64, 0, 0>) {
-    }
+    fn solve_mass_rows(&self, _: &(), _: &Columns, _: &mut Columns) {}
+    fn delassus(&self, _: &Columns, _: &Columns, _: &mut SMatrix<f64, 0, 0>) {}
 }
 
-impl<I: NamedValues, O: NamedValues> Loads<0, 0> for Unfinished<I, O> {
+impl<I: NamedValues, O: NamedValues> Loads<SIZE, SIZE> for Unfinished<I, O> {
     type Inputs = I;
 
     fn inputs(&self) -> &[f64] {
@@ -108,20 +109,13 @@ impl<I: NamedValues, O: NamedValues> Loads<0, 0> for Unfinished<I, O> {
     fn inputs_mut(&mut self) -> &mut [f64] {
         &mut []
     }
-    fn applied_forces(
-        &self,
-        _: f64,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
-        _: &mut SVector<f64, 0>,
-    ) {
-    }
-    fn forces(&self, _: f64, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: &mut SVector<f64, 0>) {}
+    fn applied_forces(&self, _: f64, _: &Vector, _: &Vector, _: &mut Vector) {}
+    fn forces(&self, _: f64, _: &Vector, _: &Vector, _: &mut Vector) {}
     fn applied_force_tangents(
         &self,
         _: f64,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
+        _: &Vector,
+        _: &Vector,
         _: &mut impl MatrixSink,
         _: &mut impl MatrixSink,
     ) {
@@ -129,41 +123,32 @@ impl<I: NamedValues, O: NamedValues> Loads<0, 0> for Unfinished<I, O> {
     fn force_tangents(
         &self,
         _: f64,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
+        _: &Vector,
+        _: &Vector,
         _: &mut impl MatrixSink,
         _: &mut impl MatrixSink,
         _: &mut impl MatrixSink,
     ) {
     }
-    fn acceleration(&self, _: f64, _: &SVector<f64, 0>, _: &mut SVector<f64, 0>) {}
-    fn potential_energy(&self, _: &SVector<f64, 0>) -> f64 {
+    fn acceleration(&self, _: f64, _: &Vector, _: &mut Vector) {}
+    fn potential_energy(&self, _: &Vector) -> f64 {
         0.0
     }
-    fn nonconservative_power(&self, _: f64, _: &SVector<f64, 0>, _: &SVector<f64, 0>) -> f64 {
+    fn nonconservative_power(&self, _: f64, _: &Vector, _: &Vector) -> f64 {
         0.0
     }
 }
 
-impl<I: NamedValues, O: NamedValues> Observables<0, 0, 0> for Unfinished<I, O> {
+impl<I: NamedValues, O: NamedValues> Observables<SIZE, SIZE, 0> for Unfinished<I, O> {
     type Outputs = O;
 
-    fn outputs(&self, _: f64, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: &mut [f64]) {}
-    fn events(&self, _: f64, _: &SVector<f64, 0>, _: &SVector<f64, 0>, _: &mut [f64]) {}
-    fn points(&self, _: f64, _: &SVector<f64, 0>, _: &mut [[f64; 3]]) {}
-    fn reactions(
-        &self,
-        _: f64,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
-        _: &SVector<f64, 0>,
-        _: &mut [f64],
-    ) {
-    }
+    fn outputs(&self, _: f64, _: &Vector, _: &Vector, _: &mut [f64]) {}
+    fn events(&self, _: f64, _: &Vector, _: &Vector, _: &mut [f64]) {}
+    fn points(&self, _: f64, _: &Vector, _: &mut [[f64; 3]]) {}
+    fn reactions(&self, _: f64, _: &Vector, _: &Vector, _: &Vector, _: &Rows, _: &mut [f64]) {}
 }
 
-impl<I: NamedValues, O: NamedValues> System<0, 0, 0> for Unfinished<I, O> {
+impl<I: NamedValues, O: NamedValues> System<SIZE, SIZE, 0> for Unfinished<I, O> {
     const MODEL: &'static Model = UNFINISHED;
     const STRUCTURE: Structure = UNFINISHED.structure;
 }

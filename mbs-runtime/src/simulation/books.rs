@@ -1,5 +1,7 @@
 //! Sums over the steps of a run.
 
+use crate::alf3f::Counters;
+
 /// What steps add up beside the state.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Books {
@@ -10,4 +12,16 @@ pub(super) struct Books {
     pub(super) velocity_error: f64,
     /// Power of nonconservative forces at the current instant, W.
     pub(super) power: f64,
+}
+
+impl Counters {
+    /// The sum.
+    pub(super) fn and(self, other: Counters) -> Counters {
+        Counters {
+            stages: self.stages + other.stages,
+            iterations: self.iterations + other.iterations,
+            regularised: self.regularised + other.regularised,
+            rejected: self.rejected + other.rejected,
+        }
+    }
 }

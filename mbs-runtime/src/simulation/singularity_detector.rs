@@ -77,6 +77,11 @@ impl SingularityDetector {
         }
     }
 
+    /// Begins with the losses of a detector before it.
+    pub(super) fn take_over(&mut self, losses: &[RankLoss]) {
+        self.losses.splice(0..0, losses.iter().copied());
+    }
+
     pub(super) fn losses(&self) -> &[RankLoss] {
         &self.losses
     }

@@ -450,6 +450,7 @@ impl<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<Q
         outputs: &[],
         events: T::EVENTS,
         points: &[],
+        marks: 0,
         segments: &[],
         reactions: &[],
         reductions: &[],

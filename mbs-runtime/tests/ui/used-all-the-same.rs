@@ -26,4 +26,5 @@ fn main() {
     let WrongOutputs { tip, height, middle, along, charge } = simulation.outputs();
     let mean: Vector2<f64> = 0.5 * (tip + middle);
     println!("{} {}", mean.x + height + charge, along.norm());
+    println!("{} {}", simulation.positions().x, simulation.velocities()[2]);
 }

@@ -3,7 +3,7 @@
 //! A value used once is written where it is used; one used more often gets a name. Grouping is kept exactly as in the
 //! program, so that the compiled function and the interpreter agree to the last bit (up to the elementary functions).
 
-use super::names::{self, Names};
+use super::names::{self, Names, table_field};
 use crate::dag::{Function, Operand, Operation, Output};
 use crate::symbolic::{Function as Elementary, Graph, INTEGRAL, Symbol};
 
@@ -32,7 +32,7 @@ pub(super) struct Body<'a> {
     /// How constants and parameters are addressed: `self.` or nothing.
     constants: &'a str,
     parameters: &'a str,
-    /// The type that has the tables.
+    /// The type that has the tables of numbers.
     tables: &'a str,
 }
 
@@ -242,10 +242,11 @@ impl<'a> Body<'a> {
                     _ => "third",
                 };
                 let x = self.operand(*x, Precedence::Sum);
-                (
-                    format!("{}::TABLE_{}.{method}({x})", self.tables, table.index),
-                    Precedence::Atom,
-                )
+                let table = match table.data {
+                    None => format!("{}::TABLE_{}", self.tables, table.index),
+                    Some(_) => format!("{}{}.as_table()", self.constants, table_field(table)),
+                };
+                (format!("{table}.{method}({x})"), Precedence::Atom)
             }
             Operation::Part(law, None) => (
                 format!("{}.0", self.names.temporaries[*law]),
@@ -327,7 +328,12 @@ pub(super) fn source(graph: &Graph, operand: Operand) -> String {
     }
 }
 
-fn symbol_text(graph: &Graph, symbol: Symbol, [constants, parameters]: [&str; 2]) -> String {
+/// A parameter or a constant; `constants` and `parameters` are how these are addressed.
+pub(super) fn symbol_text(
+    graph: &Graph,
+    symbol: Symbol,
+    [constants, parameters]: [&str; 2],
+) -> String {
     match symbol {
         Symbol::Parameter(_) => format!("{parameters}{}", graph.name(symbol)),
         Symbol::InverseMass(i, j) => format!("{constants}inverse_mass[({i}, {j})]"),

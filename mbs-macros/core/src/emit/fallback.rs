@@ -38,16 +38,17 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
         }
     });
     let unfinished = quote! { ::mbs_runtime::generated::Unfinished<#inputs, #outputs> };
+    let size = quote! { { ::mbs_runtime::generated::UNFINISHED_SIZE } };
     let alias = items::simulation(declaration);
     let fixed_steps = items::fixed_step_simulation(declaration);
     quote! {
         #parameters
 
         #[allow(dead_code)]
-        #visibility type #alias = ::mbs_runtime::Simulation<#unfinished, 0, 0, 0>;
+        #visibility type #alias = ::mbs_runtime::Simulation<#unfinished, #size, #size, 0>;
 
         #[allow(dead_code)]
-        #visibility type #fixed_steps = ::mbs_runtime::FixedStepSimulation<#unfinished, 0, 0, 0>;
+        #visibility type #fixed_steps = ::mbs_runtime::FixedStepSimulation<#unfinished, #size, #size, 0>;
 
         #( #named )*
 

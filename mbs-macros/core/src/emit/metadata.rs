@@ -157,6 +157,7 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
         "points",
         lines(points.map(|(name, _)| name.as_str()).collect()),
     );
+    field("marks", outline.drawing.marks.to_string());
     field("segments", segments);
     field("reactions", reactions);
     let reductions = outline.reductions.iter();

@@ -24,6 +24,7 @@ mod progressions;
 mod size;
 mod sparse;
 mod system;
+mod tables;
 mod text;
 mod writes;
 

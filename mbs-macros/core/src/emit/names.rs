@@ -2,7 +2,7 @@
 
 use crate::contract::reserved_names;
 use crate::dag::{Function, Operand, Operation};
-use crate::symbolic::{Graph, Symbol};
+use crate::symbolic::{Graph, Symbol, Table};
 use std::collections::{BTreeMap, HashSet};
 
 /// Names that generated bodies use for themselves beside those of their arguments, and keywords that a coordinate might
@@ -120,6 +120,17 @@ impl Names {
     }
 }
 
+/// The field, and in `prepare` the variable, of a table some of whose points are parameters.
+pub(super) fn table_field(table: &Table) -> String {
+    format!("table_{}", table.index)
+}
+
+/// Whether a variable of this name may hide that of a table.
+fn is_table_field(name: &str) -> bool {
+    let number = name.strip_prefix("table_");
+    number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
 fn is_numbered(name: &str) -> bool {
     name.strip_prefix('t')
         .is_some_and(|rest| rest.chars().all(|c| c.is_ascii_digit()))
@@ -164,7 +175,7 @@ pub(super) fn source(symbol: Symbol) -> Option<String> {
 fn claim(wanted: &str, taken: &mut HashSet<String>) -> String {
     let mut name = wanted.to_owned();
     let mut suffix = 2;
-    while !taken.insert(name.clone()) {
+    while is_table_field(&name) || !taken.insert(name.clone()) {
         name = format!("{wanted}_{suffix}");
         suffix += 1;
     }

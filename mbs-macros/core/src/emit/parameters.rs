@@ -9,6 +9,7 @@ use super::metadata::lines;
 use super::motion;
 use super::progressions::looped;
 use super::size::Size;
+use super::tables;
 use super::text::{doc, tokens};
 use crate::analysis::Analysis;
 use crate::dag::{Operand, Program};
@@ -288,6 +289,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
         out.push_str(&body.statements());
         out.push_str(&body.writes());
     };
+    out.push_str(&tables::preparation(graph, &outline.tables));
     write(&mut out, before);
     out.push_str(&checks::emit(equations, &program.checks, system));
     let operand = |value: Operand| match value {
@@ -341,11 +343,12 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     } else {
         "spins, "
     };
-    let constants: String =
-        (0..program.constants.len()).fold(String::new(), |text, slot| text + &format!("k{slot}, "));
+    let constants = (0..program.constants.len()).map(|slot| format!("k{slot}"));
+    let fields = tables::names(&outline.tables).chain(constants);
+    let fields = fields.fold(String::new(), |text, field| text + &field + ", ");
     let _ = writeln!(
         out,
-        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{spins}{constants} }})",
+        "::core::result::Result::Ok({system} {{ parameters: *self, inputs: [{}], {inverse}{spins}{fields} }})",
         inputs.join(", ")
     );
     out

@@ -107,7 +107,7 @@ impl LongFunctions {
         out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
             out,
-            "::mbs_runtime::generated::compute_parts(&Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
+            "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
             function.name.to_uppercase()
         );
         let outputs = parts.outputs.iter();
@@ -199,7 +199,7 @@ impl LongFunctions {
             };
             let _ = writeln!(
                 out,
-                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&mut [f64; {length}], &[{5}]); {2}] = [{3}];\n{patience}const {1}_TABLE: &'static [{5}] = {4};",
+                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&Self, &mut [f64; {length}], &[{5}]); {2}] = [{3}];\n{patience}const {1}_TABLE: &'static [{5}] = {4};",
                 parts
                     .shapes
                     .iter()
@@ -250,7 +250,7 @@ impl LongFunctions {
         };
         let _ = writeln!(
             out,
-            "/// {}\nfn part_{number}(values: &mut [f64; {length}], rows: &[{word}]) {{ {code} }}",
+            "/// {}\nfn part_{number}(&self, values: &mut [f64; {length}], rows: &[{word}]) {{ {code} }}",
             function.cost(),
         );
     }

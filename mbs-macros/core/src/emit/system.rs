@@ -4,7 +4,7 @@ use super::items::{self, visibility};
 use super::parts::LongFunctions;
 use super::size::Size;
 use super::text::{doc, tokens};
-use super::{metadata, methods, sparse};
+use super::{metadata, methods, sparse, tables};
 use crate::contract::Capability;
 use crate::dag::Program;
 use crate::equations::System;
@@ -56,21 +56,8 @@ pub(super) fn emit(
             }
         }
     });
-    let tables = outline.tables.iter().map(|table| {
-        let (name, about) = (
-            format_ident!("TABLE_{}", table.index),
-            self::doc(&table.name),
-        );
-        let (knots, pieces) = (table.knots(), table.pieces());
-        let pieces = pieces.map(|piece| quote! { [#( #piece ),*] });
-        quote! {
-            #about
-            const #name: ::mbs_runtime::generated::Table = ::mbs_runtime::generated::Table {
-                knots: &[#( #knots ),*],
-                pieces: &[#( #pieces ),*],
-            };
-        }
-    });
+    let tables = tables::constants(&outline.tables);
+    let measured = tables::fields(&outline.tables);
     let doc = doc(&format!(
         "The equations of [`{parameters}`] for one set of parameters."
     ));
@@ -144,6 +131,7 @@ pub(super) fn emit(
             inputs: [f64; #inputs],
             #inverse
             #spins
+            #( #measured )*
             #( #constants )*
         }
 

@@ -3,6 +3,7 @@
 use super::elements::{ForceEntry, JointEntry};
 use super::geometry::{Owner, Point, Vector};
 use super::resolver::Resolver;
+use crate::symbolic::Function;
 use std::collections::HashMap;
 
 /// Points and lines, and where reactions act.
@@ -12,6 +13,8 @@ pub struct Drawing {
     pub points: Vec<(String, Vector)>,
     /// Lines: part or spring, from, to.
     pub segments: Vec<(String, usize, usize)>,
+    /// How many of the last points are marks: they only show how a body turns.
+    pub marks: usize,
     /// Joints with the point that their reaction acts on.
     pub sites: Vec<(String, usize)>,
     /// The first point at each place.
@@ -52,6 +55,8 @@ impl Resolver<'_> {
     /// Bars from end to end, bodies from their origin to their joints and points that have a name, springs between their points.
     pub(super) fn drawing(&mut self, joints: &[JointEntry], forces: &[ForceEntry]) -> Drawing {
         let mut drawing = Drawing::default();
+        // Bodies of which one point alone is drawn, with this point.
+        let mut turning = Vec::new();
         for index in 0..self.parts.len() {
             let owner = Owner::Part(index);
             let part = &self.parts[index];
@@ -86,12 +91,18 @@ impl Resolver<'_> {
             if attached.is_empty() {
                 attached.extend(self.named_point(owner, "center"));
             }
+            let lines = drawing.segments.len();
             for point in &attached {
                 let before = drawing.points.len();
                 let to = drawing.point(first, point);
                 if to == before {
                     drawing.segments.push((name.clone(), first, to));
                 }
+            }
+            let part = &self.parts[index];
+            let alone = drawing.segments.len() == lines && part.shape.is_none();
+            if kind == "Body" && alone && !self.graph.is_zero(part.mass) {
+                turning.push((index, first));
             }
         }
         for index in 0..self.parts.len() {
@@ -113,7 +124,27 @@ impl Resolver<'_> {
                 drawing.sites.push((element.name.clone(), site));
             }
         }
+        drawing.marks = turning.len();
+        for (index, origin) in turning {
+            self.mark(index, origin, &mut drawing);
+        }
         drawing
+    }
+
+    /// A line from the origin of a body: to its centre of mass or, where that is the origin, along its x axis, as long as
+    /// its radius of gyration.
+    fn mark(&mut self, index: usize, origin: usize, drawing: &mut Drawing) {
+        let part = &self.parts[index];
+        let (name, frame, mut place) = (part.name.clone(), part.frame.clone(), part.center);
+        let (inertia, mass) = (part.inertia[2][2], part.mass);
+        if place.iter().all(|&x| self.graph.is_zero(x)) {
+            let square = self.graph.div(inertia, mass);
+            place[0] = self.graph.function(Function::Sqrt, square);
+        }
+        let position = self.graph.place(&frame, place);
+        drawing.push(format!("{name}.mark"), position);
+        let mark = drawing.points.len() - 1;
+        drawing.segments.push((name, origin, mark));
     }
 
     /// The wireframe of a part that has a shape, about its centre of mass.

@@ -196,7 +196,8 @@ impl<'d> Resolver<'d> {
         self.fail(place, format!("nothing here is named `{name}`{hint}"))
     }
 
-    fn value_named(&mut self, name: &str, place: Place) -> Option<Value> {
+    /// The value of this name.
+    pub(super) fn value_named(&mut self, name: &str, place: Place) -> Option<Value> {
         let number = |value: f64, graph: &mut Graph| graph.constant(value);
         match name {
             "ground" => return Some(Value::Frame(Owner::Ground)),

@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::geometry::Vector;
 use super::layout::rate_unit;
-use super::parts::Part;
+use super::parts::{Part, StartPlace};
 use super::resolver::Resolver;
 use crate::schema::Initial;
 use crate::symbolic::{Expr, Symbol};
@@ -111,8 +111,7 @@ impl Resolver<'_> {
                     "Bar" => ".a",
                     _ => ".origin",
                 };
-                let rates = self.graph.vector_rate(frame.origin);
-                self.held_components((name, "m"), frame.origin, guess.origin, rates)
+                self.held_place(name, frame.origin, guess.origin.as_ref())
             }
             Initial::End => {
                 let Some(length) = part.length else {
@@ -120,8 +119,7 @@ impl Resolver<'_> {
                 };
                 let arm = self.graph.vector_scale(length, frame.axes[0]);
                 let end = self.graph.vector_add(frame.origin, arm);
-                let rates = self.graph.vector_rate(end);
-                self.held_components((".b", "m"), end, guess.end, rates)
+                self.held_place(".b", end, guess.end.as_ref())
             }
             Initial::Velocity => {
                 let velocity = self.graph.vector_rate(frame.origin);
@@ -170,6 +168,18 @@ impl Resolver<'_> {
         let gap = wanted.map(|wanted| self.graph.sub(found, wanted));
         let number = gap.map(|gap| Number::new(suffix, unit, gap, rate));
         number.into_iter().collect()
+    }
+
+    fn held_place(
+        &mut self,
+        suffix: &str,
+        found: Vector,
+        wanted: Option<&StartPlace>,
+    ) -> Vec<Number> {
+        let wanted = wanted.map(StartPlace::position);
+        let gap = wanted.map_or(found, |wanted| self.graph.vector_sub(found, wanted));
+        let rates = self.graph.vector_rate(gap);
+        self.held_components((suffix, "m"), found, wanted, rates)
     }
 
     fn held_components(

@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::expression::functions::is_function;
 use super::resolver::Resolver;
-use super::value::{Value, unify};
+use super::value::Value;
 use crate::diagnostics::{Place, did_you_mean};
 use crate::dimension::Dimension;
 use crate::schema::Expects;
@@ -23,8 +23,8 @@ impl Resolver<'_> {
             );
         }
         let mut arguments = Arguments::new(self, entry);
-        let (x, of_x) = arguments.numbers("arguments")?;
-        let (y, of_y) = arguments.numbers("values")?;
+        let x = arguments.column("arguments")?;
+        let y = arguments.column("values")?;
         let interpolation = match arguments.word("interpolation")? {
             "Linear" => Interpolation::Linear,
             _ => Interpolation::Cubic,
@@ -33,6 +33,8 @@ impl Resolver<'_> {
             "Constant" => Beyond::Constant,
             _ => Beyond::Linear,
         };
+        let [of_x, of_y] = [x.dimension, y.dimension];
+        let (points, [x, y]) = ([x.data, y.data], [x.numbers, y.numbers]);
         if x.len() < 2 {
             return arguments.fail("arguments", "a table takes at least two arguments");
         }
@@ -58,7 +60,7 @@ impl Resolver<'_> {
                 "the curve through these values is not finite: values are too large, or arguments too close to each other",
             );
         }
-        let table = Arc::new(table);
+        let table = Arc::new(table.with_data(points, interpolation, beyond));
         self.tables.push(table.clone());
         Some(Value::Table(table, [of_x, of_y]))
     }
@@ -158,42 +160,5 @@ impl Arguments<'_, '_> {
             return self.fail(field, format!("expected {}{hint}", words.join(" or ")));
         }
         known.copied()
-    }
-
-    /// Numbers of one dimension that are known to the compiler.
-    fn numbers(&mut self, field: &str) -> Option<(Vec<f64>, Option<Dimension>)> {
-        let Some(Syntax::Array(array)) = self.syntax(field) else {
-            return self.fail(
-                field,
-                "expected a list of numbers, such as `[0.0_m, 0.1_m, 0.2_m]`",
-            );
-        };
-        let (mut numbers, mut common) = (Vec::new(), None);
-        for item in &array.elems {
-            let (x, dimension) = self.resolver().scalar(item)?;
-            let Some(number) = self.graph().as_constant(x) else {
-                return self.fail_at(
-                    Place::of(item),
-                    "expected a number, such as `0.15_m`: the values of a table are known to the compiler, without parameters",
-                );
-            };
-            if let (Some(common), Some(dimension)) = (common, dimension)
-                && common != dimension
-            {
-                let message = format!("this is {dimension}, but a value before it is {common}");
-                return self.fail_at(Place::of(item), message);
-            }
-            common = unify(common, dimension).ok()?;
-            numbers.push(number);
-        }
-        Some((numbers, common))
-    }
-
-    /// Where an item of a list is.
-    fn item(&self, field: &str, index: usize) -> Place {
-        match self.syntax(field) {
-            Some(Syntax::Array(array)) => Place::of(&array.elems[index]),
-            other => Place::of(&other),
-        }
     }
 }

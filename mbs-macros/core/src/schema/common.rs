@@ -67,7 +67,7 @@ pub const KINDS: &[Kind] = &[
                 "unit of a value written as a bare number",
             ),
         ],
-        doc: "A parameter: a public field of the generated struct.",
+        doc: "A parameter: a public field of the generated struct. `Param([1.0_N, 2.0_N])` is a family with these defaults: an array.",
         joint: None,
     },
     Kind {
@@ -105,13 +105,13 @@ pub const KINDS: &[Kind] = &[
                 "arguments",
                 Numbers,
                 Required,
-                "at least two, increasing; their unit is that of x in `name(x)`",
+                "at least two, increasing; their unit is that of x in `name(x)`; parameters among them are data of each mechanism",
             ),
             positional(
                 "values",
                 Numbers,
                 Required,
-                "one for each argument; their unit is that of `name(x)`",
+                "one for each argument, of the same sorts; their unit is that of `name(x)`",
             ),
             field(
                 "interpolation",

@@ -185,7 +185,7 @@ pub enum Expects {
     Frame,
     /// The path of a function `fn([f64; K]) -> (f64, [f64; K])`: value and partials.
     Law,
-    /// A list of numbers that are known to the compiler.
+    /// A list of numbers and parameters, or a family of parameters.
     Numbers,
     /// One of these words.
     Word(&'static [&'static str]),

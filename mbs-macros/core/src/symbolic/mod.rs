@@ -34,7 +34,7 @@ pub use length::Length;
 pub use number::Number;
 pub use rotation::rotation_entry;
 pub use substitute::Substitution;
-pub use table::{Beyond, INTEGRAL, Interpolation, Table};
+pub use table::{Beyond, Datum, INTEGRAL, Interpolation, Table, TableData};
 
 use index::Index;
 use std::sync::Arc;
@@ -216,6 +216,19 @@ pub enum Node {
     },
 }
 
+impl Node {
+    /// The symbols of the operation itself, beside those of its operands.
+    fn symbols(&self) -> impl Iterator<Item = Symbol> {
+        let (own, data) = match self {
+            Node::Symbol(symbol) => (Some(*symbol), None),
+            Node::Table { table, .. } => (None, table.data.as_ref()),
+            _ => (None, None),
+        };
+        own.into_iter()
+            .chain(data.into_iter().flat_map(TableData::parameters))
+    }
+}
+
 /// The arena of all expressions of one mechanism.
 #[derive(Debug, Clone, Default)]
 pub struct Graph {
@@ -355,12 +368,11 @@ impl Graph {
     pub fn symbols(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Symbol> {
         let mut found = Vec::new();
         self.any_inside(roots, |node| {
-            if let Node::Symbol(symbol) = node {
-                found.push(*symbol);
-            }
+            found.extend(node.symbols());
             false
         });
         found.sort_unstable();
+        found.dedup();
         found
     }
 
@@ -385,10 +397,7 @@ impl Graph {
 
     /// Whether the expression depends on a symbol for which `predicate` holds.
     pub fn depends_on(&self, expr: Expr, predicate: impl Fn(Symbol) -> bool) -> bool {
-        self.any_inside(
-            [expr],
-            |node| matches!(node, Node::Symbol(symbol) if predicate(*symbol)),
-        )
+        self.any_inside([expr], |node| node.symbols().any(&predicate))
     }
 
     /// Whether the expression may depend on a symbol: `false` is certain, and known at once.

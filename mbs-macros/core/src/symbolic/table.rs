@@ -1,10 +1,10 @@
 //! Functions given by measured values: a polynomial of third degree in each interval.
 
-use super::{Expr, Graph, Node, Number};
+use super::{Expr, Graph, Node, Number, Symbol};
 use std::sync::Arc;
 
 /// Between the knots.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Interpolation {
     /// Monotone cubic polynomials: the slope is continuous, and there is no overshoot.
     Cubic,
@@ -13,7 +13,7 @@ pub enum Interpolation {
 }
 
 /// Outside the knots.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Beyond {
     /// The slope at the end goes on.
     Linear,
@@ -33,6 +33,42 @@ pub struct Table {
     /// One more than knots: the coefficients of powers 0 to 3 of x minus the knot on the left (of the first piece: minus
     /// the first knot), and the integral from 0 to there.
     pieces: Vec<[Number; 5]>,
+    /// What the generated program computes the pieces from, if some of the data are parameters; knots and pieces are then
+    /// those of the defaults.
+    pub data: Option<TableData>,
+}
+
+/// The points of a table, some of whose coordinates are parameters, and what is between and beyond them.
+#[derive(Debug, PartialEq, Eq, Hash)]
+pub struct TableData {
+    /// Arguments and values.
+    pub points: [Vec<Datum>; 2],
+    /// Between the points.
+    pub interpolation: Interpolation,
+    /// Beyond them.
+    pub beyond: Beyond,
+}
+
+/// A coordinate of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Datum {
+    /// The same for all mechanisms of the type.
+    Number(Number),
+    /// Given by each mechanism.
+    Parameter(Symbol),
+}
+
+impl TableData {
+    /// The parameters among the coordinates.
+    pub fn parameters(&self) -> impl Iterator<Item = Symbol> {
+        self.points
+            .iter()
+            .flatten()
+            .filter_map(|datum| match datum {
+                Datum::Parameter(symbol) => Some(*symbol),
+                Datum::Number(_) => None,
+            })
+    }
 }
 
 /// The order of the integral, as a derivative.
@@ -81,11 +117,31 @@ impl Table {
             name,
             knots: x.iter().copied().map(Number::new).collect(),
             pieces: number(&pieces),
+            data: None,
         };
         let zero = table.value(0.0, INTEGRAL);
         pieces.iter_mut().for_each(|piece| piece[4] -= zero);
         table.pieces = number(&pieces);
         table
+    }
+
+    /// With the coordinates of its points as they were declared.
+    pub fn with_data(
+        self,
+        points: [Vec<Datum>; 2],
+        interpolation: Interpolation,
+        beyond: Beyond,
+    ) -> Table {
+        let data = TableData {
+            points,
+            interpolation,
+            beyond,
+        };
+        let varies = data.parameters().next().is_some();
+        Table {
+            data: varies.then_some(data),
+            ..self
+        }
     }
 
     /// The knots.
@@ -113,8 +169,11 @@ impl Table {
         }
     }
 
-    /// Whether the slope jumps at a knot.
+    /// Whether the slope jumps at a knot; of straight lines between parameters it may.
     pub fn has_kinks(&self) -> bool {
+        if let Some(data) = &self.data {
+            return data.interpolation == Interpolation::Linear;
+        }
         let (knots, pieces) = (Vec::from_iter(self.knots()), Vec::from_iter(self.pieces()));
         (0..knots.len()).any(|k| {
             let width = if k > 0 { knots[k] - knots[k - 1] } else { 0.0 };
@@ -124,8 +183,13 @@ impl Table {
         })
     }
 
-    /// The highest derivative that is not zero everywhere.
+    /// The highest derivative that is not zero everywhere, or may not be with other parameters.
     fn degree(&self) -> i8 {
+        match &self.data {
+            Some(data) if data.interpolation == Interpolation::Linear => return 1,
+            Some(_) => return 3,
+            None => {}
+        }
         let zero = |power: usize| self.pieces.iter().all(|piece| piece[power].value() == 0.0);
         (1..4).rev().find(|&k| !zero(k)).unwrap_or(0) as i8
     }
@@ -185,8 +249,8 @@ impl Graph {
             return self.zero();
         }
         match self.as_constant(x) {
-            Some(x) => self.constant(table.value(x, order)),
-            None => self.intern(Node::Table {
+            Some(x) if table.data.is_none() => self.constant(table.value(x, order)),
+            _ => self.intern(Node::Table {
                 table: table.clone(),
                 order,
                 x,

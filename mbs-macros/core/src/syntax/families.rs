@@ -5,7 +5,8 @@ use super::bindings::{Bindings, Bound, names};
 use super::name::Name;
 use super::ranges::{Over, ranges};
 use std::ops::Range;
-use syn::{Error, Expr, ExprCall, ExprClosure, Ident, Pat};
+use syn::spanned::Spanned;
+use syn::{Error, Expr, ExprCall, ExprClosure, Ident, Pat, parse_quote_spanned};
 
 /// The word of a family.
 pub const EACH: &str = "Each";
@@ -71,6 +72,20 @@ pub(super) struct Written<'e> {
 /// Whether a call declares a family.
 pub(super) fn is_family(call: &ExprCall) -> bool {
     matches!(&*call.func, Expr::Path(path) if path.path.is_ident(EACH))
+}
+
+/// `Param([x, y, z], …)` as the family that it stands for: `Each([x, y, z], |value| Param(value, …))`.
+pub(super) fn of_list(call: &ExprCall) -> Option<ExprCall> {
+    let is_parameter = matches!(&*call.func, Expr::Path(path) if path.path.is_ident("Param"));
+    let mut arguments = call.args.iter();
+    let list = arguments
+        .next()
+        .filter(|first| matches!(first, Expr::Array(_)))?;
+    let (kind, span) = (&call.func, call.func.span());
+    let each = Ident::new(EACH, span);
+    is_parameter.then(|| {
+        parse_quote_spanned! { span => #each(#list, |value| #kind(value, #( #arguments ),*)) }
+    })
 }
 
 impl<'e> Written<'e> {

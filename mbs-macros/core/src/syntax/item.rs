@@ -1,7 +1,7 @@
 //! A declaration is read: its header, and what stands between two commas.
 
 use super::entry::entry;
-use super::families::is_family;
+use super::families::{is_family, of_list};
 use super::members::FamilyItem;
 use super::{Entry, MAX_DEPTH, TOO_DEEP};
 use crate::schema::Kinds;
@@ -104,13 +104,18 @@ impl Item {
                 )),
             };
         }
-        match value {
-            Expr::Call(call) if is_family(&call) => Ok(Item::Family(FamilyItem {
+        let family = match &value {
+            Expr::Call(call) if is_family(call) => Some(call.clone()),
+            Expr::Call(call) => of_list(call),
+            _ => None,
+        };
+        match family {
+            Some(call) => Ok(Item::Family(FamilyItem {
                 name: name.into(),
                 doc,
                 call,
             })),
-            value => entry(name.into(), doc, value).map(Item::Entry),
+            None => entry(name.into(), doc, value).map(Item::Entry),
         }
     }
 }

@@ -69,6 +69,14 @@ fn entry(tokens: Vec<TokenTree>) -> Option<Entry> {
             let indices = parts.next()?.iter().cloned().collect();
             Some(entry((levels, Some(indices)), calls(parts.next()?)))
         }
+        [TokenTree::Ident(kind), TokenTree::Group(group), ..] if kind == "Param" => {
+            // Of a list of values it is a family.
+            let levels = usize::from(matches!(
+                group.stream().into_iter().next(),
+                Some(TokenTree::Group(list)) if list.delimiter() == Delimiter::Bracket
+            ));
+            Some(entry((levels, None), calls(value)))
+        }
         value => Some(entry((0, None), calls(value))),
     }
 }

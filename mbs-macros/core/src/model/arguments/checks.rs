@@ -102,7 +102,9 @@ impl Arguments<'_, '_> {
         {
             let place = self.resolver.blame(syntax, &moving);
             let hint = match field {
-                "at" => "; a place that several entries share is a `Point`",
+                "at" | "from" | "to" => {
+                    "; a place that several entries share is a `Point`, and a point of a part, alone, stands for where it is at the start"
+                }
                 _ => "",
             };
             return self.resolver.fail(

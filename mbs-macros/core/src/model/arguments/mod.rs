@@ -2,6 +2,7 @@
 
 mod attachments;
 mod checks;
+mod columns;
 mod numbers;
 mod orientation;
 mod places;

@@ -3,6 +3,7 @@
 use super::Arguments;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
+use crate::model::parts::StartPlace;
 use crate::model::value::Value;
 use crate::model::{Frame, Owner, Point, Representation, Tensor, Vector};
 use crate::schema::{Expects, World};
@@ -38,6 +39,20 @@ impl Arguments<'_, '_> {
         // Once more, so that what it names counts as used.
         self.resolver.evaluate(syntax)?;
         Some(self.resolver.home_of(&point))
+    }
+
+    /// A place at the start: a vector, or a point of a part, which stands for where it is there.
+    pub fn start_place(&mut self, field: &str) -> Option<StartPlace> {
+        let syntax = self.syntax(field)?;
+        let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
+        match (self.resolver.world, value) {
+            (World::Planar, Some(Value::Point(point))) if point.owner != Owner::Ground => {
+                // Once more, so that what it names counts as used.
+                self.resolver.evaluate(syntax)?;
+                Some(StartPlace::Of(point))
+            }
+            _ => self.home_place(field).map(StartPlace::Known),
+        }
     }
 
     /// A point; a particle stands for its own.

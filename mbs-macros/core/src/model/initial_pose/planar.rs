@@ -1,13 +1,13 @@
 //! Initial poses in the plane: what was declared, carried along the joints from the ground outwards.
 //!
 //! The pose of a part is known if its angle and one of its points are known, or two of its points; then all its points
-//! are known, and its neighbours follow. Unknown angles and positions start at 0; assembly corrects all of them.
+//! are known, and its neighbours follow; so does what is declared to start at one of its points. Unknown angles and positions start at 0; assembly corrects all of them.
 
 use super::guesses::Guesses;
 use crate::model::elements::JointEntry;
 use crate::model::geometry::{Axes, Owner, Point, Vector};
 use crate::model::mobilizer::Freedom;
-use crate::model::parts::{Part, Representation};
+use crate::model::parts::{Part, Representation, StartPlace};
 use crate::model::resolver::Resolver;
 use crate::model::tree::Tree;
 use crate::symbolic::{Expr, Graph, Substitution, Symbol};
@@ -46,6 +46,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             }
         }
     }
+    let mut coordinates = declared_coordinates(&mut resolver.graph, &parts);
     let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
     let mut desperate = false;
     loop {
@@ -57,8 +58,18 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             {
                 continue;
             }
-            let known = known_points(&mut resolver.graph, index, &pairs_of[index], &poses);
-            if let Some(pose) = pose(&mut resolver.graph, part, &known, desperate) {
+            let graph = &mut resolver.graph;
+            let mut known = known_points(graph, index, &pairs_of[index], &poses);
+            known.extend(declared_points(graph, part, |graph, point| {
+                let owner = point.owner.part()?;
+                if parts[owner].representation == Representation::Prescribed {
+                    let position = point.position;
+                    return Some(position.map(|x| graph.substitute(x, &mut coordinates)));
+                }
+                let pose = poses[owner]?;
+                Some(point_of(graph, &pose, point.local).position)
+            }));
+            if let Some(pose) = pose(graph, part, &known, desperate) {
                 poses[index] = Some(pose);
                 progress = true;
                 if desperate {
@@ -132,19 +143,50 @@ fn known_points(
                 continue;
             }
             let place = match other.owner {
-                Owner::Ground => {
-                    let zero = graph.zero();
-                    Some(Known {
-                        position: other.position,
-                        velocity: [zero; 3],
-                    })
-                }
+                Owner::Ground => Some(Known {
+                    position: other.position,
+                    velocity: graph.zero_vector(),
+                }),
                 Owner::Part(index) => poses[index].map(|pose| point_of(graph, &pose, other.local)),
             };
             known.extend(place.map(|place| (own.local, place)));
         }
     }
     known
+}
+
+/// The declared coordinates with their guesses.
+fn declared_coordinates(graph: &mut Graph, parts: &[Part]) -> Substitution {
+    let mut coordinates = Substitution::default();
+    for part in parts.iter().filter(|part| part.representation.is_number()) {
+        let value = part.guess.angle.unwrap_or_else(|| graph.zero());
+        coordinates.insert(Symbol::LocalPosition(part.locals[0]), value);
+    }
+    coordinates
+}
+
+/// The points of a part whose places are declared, as far as these are known; `place_of` is that of a point of another
+/// part.
+fn declared_points(
+    graph: &mut Graph,
+    part: &Part,
+    mut place_of: impl FnMut(&mut Graph, &Point) -> Option<Vector>,
+) -> Vec<(Vector, Known)> {
+    let (guess, zero) = (&part.guess, graph.zero());
+    let velocity = guess.velocity.unwrap_or([zero; 3]);
+    let origin = guess.origin.as_ref();
+    let origin = origin.map(|place| ([zero; 3], place, velocity));
+    let end = guess.end.as_ref().zip(part.length);
+    let end = end.map(|(place, length)| ([length, zero, zero], place, [zero; 3]));
+    let places = origin.into_iter().chain(end);
+    let known = places.filter_map(|(local, place, velocity)| {
+        let position = match place {
+            StartPlace::Known(position) => *position,
+            StartPlace::Of(point) => place_of(graph, point)?,
+        };
+        Some((local, Known { position, velocity }))
+    });
+    known.collect()
 }
 
 fn point_of(graph: &mut Graph, pose: &Pose, local: Vector) -> Known {
@@ -165,27 +207,8 @@ fn pose(
 ) -> Option<Pose> {
     let zero = graph.zero();
     let guess = &part.guess;
-    let mut known = known.to_vec();
-    if let Some(origin) = guess.origin {
-        known.push((
-            [zero; 3],
-            Known {
-                position: origin,
-                velocity: guess.velocity.unwrap_or([zero; 3]),
-            },
-        ));
-    }
-    if let (Some(end), Some(length)) = (guess.end, part.length) {
-        known.push((
-            [length, zero, zero],
-            Known {
-                position: end,
-                velocity: [zero; 3],
-            },
-        ));
-    }
     let is_point = part.kind == "Particle";
-    let (angle, rate) = match (guess.angle, two_points(graph, &known)) {
+    let (angle, rate) = match (guess.angle, two_points(graph, known)) {
         (Some(angle), _) => (angle, guess.rate.unwrap_or(zero)),
         _ if is_point => (zero, zero),
         (None, Some((angle, rate))) => (angle, guess.rate.unwrap_or(rate)),

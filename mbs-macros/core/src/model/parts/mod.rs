@@ -20,5 +20,5 @@ mod spatial;
 mod state;
 mod wish;
 
-pub use part::{Home, Part, Representation};
+pub use part::{Home, Part, Representation, StartPlace};
 pub use shape::Shape;

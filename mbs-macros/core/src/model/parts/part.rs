@@ -2,7 +2,7 @@
 
 use super::shape::Shape;
 use crate::model::formulation::Formulation;
-use crate::model::geometry::{Axes, Frame, Tensor, Vector};
+use crate::model::geometry::{Axes, Frame, Point, Tensor, Vector};
 use crate::symbolic::{Expr, Function, Graph, Symbol};
 use proc_macro2::Span;
 
@@ -87,13 +87,32 @@ pub struct Part {
     pub free: bool,
 }
 
-/// Declared guesses of a part's start; all in parameters.
+/// A declared place at the start.
+#[derive(Debug, Clone)]
+pub enum StartPlace {
+    /// In parameters.
+    Known(Vector),
+    /// That of a point of a part of the plane, which is where the joints take it. (Parts of space have a home pose.)
+    Of(Point),
+}
+
+impl StartPlace {
+    /// The position, in parameters or in local coordinates.
+    pub fn position(&self) -> Vector {
+        match self {
+            StartPlace::Known(position) => *position,
+            StartPlace::Of(point) => point.position,
+        }
+    }
+}
+
+/// Declared guesses of a part's start; what is no place is in parameters.
 #[derive(Debug, Clone, Default)]
 pub struct Guess {
     /// Position of the origin.
-    pub origin: Option<Vector>,
+    pub origin: Option<StartPlace>,
     /// Position of the far end of a bar.
-    pub end: Option<Vector>,
+    pub end: Option<StartPlace>,
     /// Velocity of the origin.
     pub velocity: Option<Vector>,
     /// Angle.

@@ -1,6 +1,6 @@
 //! Bars and bodies of the plane.
 
-use super::part::{Guess, Part, Representation};
+use super::part::{Guess, Part, Representation, StartPlace};
 use crate::model::arguments::Arguments;
 use crate::model::formulation::{self, Formulation};
 use crate::model::geometry::{Frame, Tensor, Vector};
@@ -16,20 +16,27 @@ impl Resolver<'_> {
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let guess = Guess {
-            origin: arguments.vector("from"),
-            end: arguments.vector("to"),
+            origin: arguments.start_place("from"),
+            end: arguments.start_place("to"),
             velocity: None,
             angle: arguments.scalar("angle"),
             rate: arguments.scalar("rate"),
             spin: None,
         };
         let free = arguments.flag("free");
-        let length = match (arguments.has("length"), guess.origin, guess.end) {
+        let length = match (arguments.has("length"), &guess.origin, &guess.end) {
             (true, ..) => arguments.scalar("length"),
-            (false, Some(from), Some(to)) => {
-                let difference = arguments.graph().vector_sub(to, from);
+            (false, Some(StartPlace::Known(from)), Some(StartPlace::Known(to))) => {
+                let difference = arguments.graph().vector_sub(*to, *from);
                 Some(arguments.graph().norm(difference))
             }
+            (false, Some(_), Some(_)) => arguments.fail(
+                "length",
+                format!(
+                    "`{}` has no length; give `length =`: where a point of another part starts follows from the joints, and a length is known before",
+                    entry.name
+                ),
+            ),
             _ => arguments.fail(
                 "length",
                 format!(
@@ -111,7 +118,7 @@ impl Resolver<'_> {
         let (mass, inertia) = (arguments.mass("mass"), arguments.mass("inertia"));
         let center = arguments.vector("center_of_mass");
         let guess = Guess {
-            origin: arguments.vector("at"),
+            origin: arguments.start_place("at"),
             end: None,
             velocity: arguments.vector("velocity"),
             angle: arguments.scalar("angle"),

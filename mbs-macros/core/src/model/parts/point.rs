@@ -1,6 +1,6 @@
 //! Particles, and coordinates declared by hand.
 
-use super::part::{Guess, Home, Part, Representation};
+use super::part::{Guess, Home, Part, Representation, StartPlace};
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::geometry::{Frame, Vector};
@@ -75,7 +75,7 @@ impl Resolver<'_> {
         let mut arguments = Arguments::new(self, entry);
         let mass = arguments.mass("mass");
         let guess = Guess {
-            origin: arguments.home_place("at"),
+            origin: arguments.start_place("at"),
             velocity: arguments.vector("velocity"),
             ..Guess::default()
         };
@@ -115,7 +115,10 @@ impl Resolver<'_> {
                 spin: [zero; 3],
             },
             home: (self.world == World::Spatial).then(|| Home {
-                origin: guess.origin.unwrap_or([zero; 3]),
+                origin: guess
+                    .origin
+                    .as_ref()
+                    .map_or([zero; 3], StartPlace::position),
                 axes,
             }),
             guess,

@@ -1,6 +1,6 @@
 //! Bars and bodies of space.
 
-use super::part::{Guess, Home, Part, Representation};
+use super::part::{Guess, Home, Part, Representation, StartPlace};
 use super::shape::Shape;
 use crate::model::arguments::Arguments;
 use crate::model::formulation::{self, Formulation};
@@ -113,8 +113,8 @@ impl Resolver<'_> {
             center,
             frame,
             guess: Guess {
-                origin: Some(from),
-                end: Some(end),
+                origin: Some(StartPlace::Known(from)),
+                end: Some(StartPlace::Known(end)),
                 velocity,
                 spin,
                 ..Guess::default()
@@ -158,7 +158,7 @@ impl Resolver<'_> {
             center,
             frame,
             guess: Guess {
-                origin: Some(origin),
+                origin: Some(StartPlace::Known(origin)),
                 velocity,
                 spin,
                 ..Guess::default()

@@ -1,0 +1,76 @@
+//! Parameters that change during a run.
+
+use super::Simulation;
+use crate::assembly::refit;
+use crate::{AssemblyVerdict, Mechanism, SimulationError, State, System};
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// Goes on from the current instant with other parameters:
+    ///
+    /// ```
+    /// # use mbs_runtime::{Simulation, mechanism};
+    /// mechanism!(Hoist {
+    ///     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    ///     load: Param(20.0_kg),
+    ///     hook: Particle(mass = load, at = [0.0_m, -2.0_m]),
+    ///     rope: SpringDamper(ground.origin, hook, stiffness = 8.0_kN_per_m, damping = 200.0_N_s_per_m, length = 2.0_m),
+    ///     height: Output(hook.origin.y),
+    /// });
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let mut hoist = Simulation::new(Hoist { load: 20.0 })?;
+    /// hoist.run_until(5.0)?;
+    /// hoist.set_parameters(Hoist { load: 200.0 })?;
+    /// hoist.run_until(20.0)?;
+    /// assert!((hoist.outputs().height - (-2.0 - 200.0 * 9.81 / 8000.0)).abs() < 1e-4);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// Positions and velocities stay what they are. Where the rows do not allow this, because a length has changed, the
+    /// mechanism follows at once, to the nearest pose and the nearest velocities, and the verdict says what has moved. The
+    /// energy that the mechanism gains counts as nonconservative work, so that its balance goes on. Inputs and the sums of
+    /// [`Simulation::report`] stay; methods with a memory ([`Method::Bdf`](crate::Method::Bdf), generalized α, index-3
+    /// projections) begin anew. It allocates.
+    ///
+    /// # Errors
+    /// Parameters that do not make a mechanism, and [`SimulationError::Assembly`] where no pose satisfies the rows; the
+    /// simulation then goes on with the parameters that it had.
+    pub fn set_parameters<M: Mechanism<System = S>>(
+        &mut self,
+        mechanism: M,
+    ) -> Result<AssemblyVerdict, SimulationError> {
+        let mut system = mechanism.prepare()?;
+        system.inputs_mut().copy_from_slice(self.system().inputs());
+        let before = self.state();
+        let mut state = before.clone();
+        state.forget_factors();
+        let verdict = refit(&system, &self.settings, &mut state)?;
+        state.ledger.nonconservative_work +=
+            energy(&system, &state) - energy(self.system(), before);
+        let mut renewed =
+            Self::from_state(system, self.settings, state, verdict.clone(), self.other)?;
+        renewed.take_over(self);
+        *self = renewed;
+        Ok(verdict)
+    }
+
+    /// Sums over the run from before the parameters changed.
+    fn take_over(&mut self, before: &Self) {
+        let power = self.books.power;
+        self.books = before.books;
+        self.books.power = power;
+        (self.rejected, self.placed) = (before.rejected, before.placed);
+        self.counted = before.counters();
+        self.singularities.take_over(before.rank_losses());
+        self.refused.clone_from(&before.refused);
+    }
+}
+
+/// T + V.
+fn energy<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<Q, N, R>,
+) -> f64 {
+    let (q, v) = (&state.positions, &state.velocities);
+    system.kinetic_energy(q, v) + system.potential_energy(q)
+}

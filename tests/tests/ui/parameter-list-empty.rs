@@ -1,0 +1,11 @@
+use mbs_runtime::mechanism;
+
+mechanism!(Wrong {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    mass: Param([]),
+
+    bar: Bar(mass = mass[0], length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+});
+
+fn main() {}
