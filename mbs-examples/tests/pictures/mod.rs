@@ -37,6 +37,7 @@ const MODEL: Model = Model {
     }],
     events: &[],
     points: &["bar.a", "bar.b"],
+    marks: 0,
     segments: &[Segment {
         part: "bar",
         from: 0,

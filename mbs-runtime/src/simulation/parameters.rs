@@ -13,7 +13,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ///     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     ///     load: Param(20.0_kg),
     ///     hook: Particle(mass = load, at = [0.0_m, -2.0_m]),
-    ///     rope: SpringDamper(ground.origin, hook, stiffness = 8.0_kN_per_m, damping = 200.0_N_s_per_m, length = 2.0_m),
+    ///     rope: SpringDamper(ground.origin, hook, stiffness = 8.0_kN_per_m, damping = 500.0_N_s_per_m, length = 2.0_m),
     ///     height: Output(hook.origin.y),
     /// });
     /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
