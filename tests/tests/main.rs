@@ -41,6 +41,7 @@ mod parameter_checks;
 mod parts;
 mod passages;
 mod planar_joints;
+mod planned_accelerations;
 mod poses;
 mod reactions;
 mod recordings;
