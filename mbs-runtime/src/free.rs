@@ -18,17 +18,28 @@ pub(crate) fn free<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
         system.acceleration(t, q, &mut result);
         return result;
     }
-    system.forces(t, q, v, &mut result);
-    if !S::STRUCTURE.constant_mass {
-        // ṗ = M v̇ + (∂p/∂q) v.
-        let mut change = Product {
-            v,
-            result: &mut result,
-        };
-        system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut change);
-    }
+    write_free_forces(system, t, q, v, &mut result);
     system.solve_mass(mass, &mut result);
     result
+}
+
+/// F − ṗ|_v, what M v̇ is without rows.
+#[inline(always)]
+pub(crate) fn write_free_forces<S, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    t: f64,
+    q: &SVector<f64, Q>,
+    v: &SVector<f64, N>,
+    result: &mut SVector<f64, N>,
+) where
+    S: System<Q, N, R>,
+{
+    system.forces(t, q, v, result);
+    if !S::STRUCTURE.constant_mass {
+        // ṗ = M v̇ + (∂p/∂q) v.
+        let mut change = Product { v, result };
+        system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut change);
+    }
 }
 
 /// Subtracts the product of the matrix written to it and v.

@@ -6,7 +6,7 @@ pub use crate::affinities::by_tangents as affinities;
 use crate::linear::{added, vector};
 use nalgebra::{SMatrix, SVector};
 
-pub use crate::contract::{Elimination, Rates};
+pub use crate::contract::{Elimination, Kicks, Rates};
 pub use crate::elementary::Elementary;
 pub use crate::linear::{entries, entries_mut};
 pub use crate::memory::Box;

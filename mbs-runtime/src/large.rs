@@ -1,5 +1,6 @@
 //! Which mechanisms are large: their matrices are sparse.
 
+use crate::generated::Elimination;
 use crate::{Flow, Method, Settings, SimulationError, System};
 
 /// With fewer velocities and rows the dense arrays of the implicit flow, held in caches, are the faster …
@@ -35,10 +36,22 @@ where
         && settings.order == 2
         && settings.fixed_iterations.is_none()
         && match settings.flow {
-            None if S::ELIMINATION.is_some() => false,
+            None if kick_elimination::<S, Q, N, R>().is_some() => false,
             None => S::STRUCTURE.velocity_forces || N + R >= FEWEST_BESIDE_OTHERS,
             flow => flow == Some(Flow::Implicit),
         }
+}
+
+/// The elimination of a mechanism whose kicks were planned when it was compiled, too.
+pub(crate) const fn kick_elimination<S, const Q: usize, const N: usize, const R: usize>()
+-> Option<&'static Elimination<N, R>>
+where
+    S: System<Q, N, R>,
+{
+    match S::ELIMINATION {
+        Some(plan) if plan.kicks.is_some() => Some(plan),
+        _ => None,
+    }
 }
 
 /// Whether the start of a mechanism is computed without dense arrays, if there are factors for it: those of an elimination

@@ -197,9 +197,7 @@ where
         let bench = &self.bench;
         Trace {
             phi: &bench.phi,
-            rates: bench
-                .geometry
-                .velocity_rows(&bench.system, &bench.state.velocities),
+            rates: bench.velocity_rows(),
         }
     }
 

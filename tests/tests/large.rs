@@ -380,7 +380,8 @@ fn eliminate_both_ways<S: System<Q, N, R>, const Q: usize, const N: usize, const
 
     f_tabled[..plan.slots].copy_from_slice(&start);
     f = start;
-    let most = (plan.factor_pair)(&mut f, &mut g, &c);
+    let kicks = plan.kicks.as_ref().expect("holonomic rows");
+    let most = (kicks.factor_pair)(&mut f, &mut g, &c);
     let most_tabled = pattern::factor_pair(pattern, &mut f_tabled, &mut g_tabled, &c);
     near(&[most], &[most_tabled]);
     near(&f, &f_tabled[..plan.slots]);
@@ -389,7 +390,7 @@ fn eliminate_both_ways<S: System<Q, N, R>, const Q: usize, const N: usize, const
         g_tabled[start as usize] = g.get(start as usize).copied().unwrap_or(0.0);
     }
     near(&g, &g_tabled[..plan.slots]);
-    (plan.solve_pair)(&f, &g, &right, &mut x, &mut v, &mut kappa);
+    (kicks.solve_pair)(&f, &g, &right, &mut x, &mut v, &mut kappa);
     let mut x_tabled = spread;
     pattern::solve_pair(pattern, &f_tabled, &g_tabled, &mut x_tabled);
     near(&x, &x_tabled);

@@ -46,6 +46,7 @@ mod parts;
 mod passages;
 mod planar_joints;
 mod planar_places;
+mod planned_accelerations;
 mod poses;
 mod reactions;
 mod recordings;

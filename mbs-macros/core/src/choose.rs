@@ -377,10 +377,11 @@ fn step(program: &Program) -> usize {
     let (n, r) = (program.size, program.rows.len());
     let structure = program.structure;
     let explicit = structure.constant_mass && !structure.velocity_forces;
-    if let Some(sparse) = &program.sparse {
+    let sparse = program.sparse.as_ref();
+    if let Some(kicks) = sparse.and_then(|sparse| sparse.kicks.as_ref()) {
         // With sparse M, accelerations are among its solutions.
         let functions = (1 + PASSES) * cost("constraints") + cost("applied_forces");
-        return functions + 2 * (1 + PASSES) * n + sparse.operations();
+        return functions + 2 * (1 + PASSES) * n + kicks.operations;
     }
     let delassus = cost("delassus");
     let metric = of("metric").unwrap_or_else(|| cost("solve_mass_rows") + delassus);

@@ -219,6 +219,7 @@ pub const METHODS: &[Method] = &[
     method(Constraints, "metric", &[MASS, T, Q, A, write("w", RowsByVelocities), write("delassus", RowsByRows)], Nothing, Generated),
     method(Constraints, "row_rates", &[A, V, write("rates", Rows)], Nothing, Generated),
     method(Constraints, "sparse_constraints", &[T, Q, write("phi", Rows), write("k", Shape::Slots), write("b", Rows)], Nothing, Written),
+    method(Constraints, "sparse_mass", &[Q, write("k", Shape::Slots)], Nothing, Written),
     method(Constraints, "solve_mass_rows", &[MASS, A, write("w", RowsByVelocities)], Nothing, Kernel {
         constant_mass: "::mbs_runtime::generated::multiply_rows(&self.inverse_mass, a, w);",
         varying_mass: "::mbs_runtime::generated::solve_rows(a, w, |x| ::mbs_runtime::Inertia::solve_mass(self, mass, x));",

@@ -1,7 +1,7 @@
 //! K of a large mechanism at one instant, and its factor.
 
 use crate::System;
-use crate::generated::Elimination;
+use crate::generated::{Elimination, Kicks};
 use crate::linear::sparse::SparseRows;
 use crate::singular::{RankMargin, Thresholds, WEAK_PIVOT};
 use nalgebra::SVector;
@@ -24,14 +24,16 @@ pub(crate) struct Bordered {
 
 /// K where A₀ and A₁ belong to different instants.
 #[derive(Clone)]
-pub(crate) struct Pair {
+pub(crate) struct Pair<const N: usize, const R: usize> {
+    functions: &'static Kicks<N, R>,
     lower: Slots,
     upper: Slots,
 }
 
 /// M by itself.
 #[derive(Clone)]
-pub(crate) struct SparseMass {
+pub(crate) struct SparseMass<const N: usize, const R: usize> {
+    functions: &'static Kicks<N, R>,
     factor: Slots,
 }
 
@@ -150,18 +152,19 @@ impl Bordered {
         judge(self.thresholds, self.most, self.relative(plan), None)
     }
 
-    /// How independent the rows are.
+    /// How independent the first `rows` rows are.
     #[inline]
     pub(crate) fn rank_margin<const N: usize, const R: usize>(
         &self,
         plan: &Elimination<N, R>,
+        rows: usize,
     ) -> RankMargin {
         let mut rank_margin = RankMargin::of(1.0 / self.most.sqrt());
-        if self.most < 1.0 / self.thresholds.lost {
+        if rows == R && self.most < 1.0 / self.thresholds.lost {
             return rank_margin;
         }
         let (mut small, mut least) = (f64::INFINITY, f64::INFINITY);
-        for pivot in self.relative(plan) {
+        for pivot in self.relative(plan).take(rows) {
             if pivot > 0.0 {
                 least = least.min(pivot);
             } else {
@@ -216,6 +219,16 @@ impl Bordered {
     ) {
         (plan.solve)(&self.factor, rates, x, v, kappa);
     }
+
+    /// F − ṗ|_v becomes v̇, and −γ becomes λ.
+    pub(crate) fn accelerate<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+        x: &mut [f64],
+        (v, lambda): (&mut SVector<f64, N>, &mut SVector<f64, R>),
+    ) {
+        (plan.accelerate)(&self.factor, x, v, lambda);
+    }
 }
 
 fn relative<'a, const N: usize, const R: usize>(
@@ -233,16 +246,17 @@ fn relative<'a, const N: usize, const R: usize>(
     })
 }
 
-impl Pair {
-    pub(crate) fn new<const N: usize, const R: usize>(plan: &Elimination<N, R>) -> Self {
+impl<const N: usize, const R: usize> Pair<N, R> {
+    pub(crate) fn new(plan: &Elimination<N, R>, functions: &'static Kicks<N, R>) -> Self {
         Pair {
+            functions,
             lower: zeros(plan.slots),
             upper: zeros(plan.slots),
         }
     }
 
     /// Factors K with A₁ of `end` and A₀ of `start`, which is factored itself.
-    pub(crate) fn factor<const N: usize, const R: usize>(
+    pub(crate) fn factor(
         &mut self,
         plan: &Elimination<N, R>,
         start: &Bordered,
@@ -250,53 +264,44 @@ impl Pair {
     ) -> Rows {
         self.lower.copy_from_slice(&end.entries);
         self.upper.copy_from_slice(&start.entries);
-        let most = (plan.factor_pair)(&mut self.lower, &mut self.upper, &start.lengths);
+        let factor = self.functions.factor_pair;
+        let most = factor(&mut self.lower, &mut self.upper, &start.lengths);
         let relative = relative(plan, &self.lower, &start.lengths);
         judge(start.thresholds, most, relative, Some(start.left_out(plan)))
     }
 
     #[inline]
-    pub(crate) fn solve<const N: usize, const R: usize>(
+    pub(crate) fn solve(
         &self,
-        plan: &Elimination<N, R>,
         rates: &SVector<f64, R>,
         x: &mut [f64],
         (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
     ) {
-        (plan.solve_pair)(&self.lower, &self.upper, rates, x, v, kappa);
+        (self.functions.solve_pair)(&self.lower, &self.upper, rates, x, v, kappa);
     }
 }
 
-impl SparseMass {
+impl<const N: usize, const R: usize> SparseMass<N, R> {
     /// M factored.
-    pub(crate) fn new<const N: usize, const R: usize>(
-        plan: &Elimination<N, R>,
-        mass: &SparseRows,
-    ) -> Self {
-        let mut factor = zeros(plan.mass_slots);
-        for &(i, j, slot) in plan.mass_alone {
+    pub(crate) fn new(functions: &'static Kicks<N, R>, mass: &SparseRows) -> Self {
+        let mut factor = zeros(functions.mass_slots);
+        for &(i, j, slot) in functions.mass {
             factor[slot] = mass.get(i, j);
         }
-        (plan.factor_mass)(&mut factor, &mut zeros(N));
-        SparseMass { factor }
+        (functions.factor_mass)(&mut factor, &mut zeros(N));
+        SparseMass { functions, factor }
     }
 
     /// x ← M⁻¹x.
     #[inline]
-    pub(crate) fn solve<const N: usize, const R: usize>(
-        &self,
-        plan: &Elimination<N, R>,
-        work: &mut [f64],
-        x: &mut SVector<f64, N>,
-    ) {
-        (plan.solve_mass)(&self.factor, work, x);
+    pub(crate) fn solve(&self, work: &mut [f64], x: &mut SVector<f64, N>) {
+        (self.functions.solve_mass)(&self.factor, work, x);
     }
 
     /// M⁻¹f of the forces at (t, q), which do not depend on velocities.
     #[inline]
-    pub(crate) fn weigh_forces<S, const Q: usize, const N: usize, const R: usize>(
+    pub(crate) fn weigh_forces<S, const Q: usize>(
         &self,
-        plan: &Elimination<N, R>,
         system: &S,
         (t, q): (f64, &SVector<f64, Q>),
         work: &mut [f64],
@@ -304,9 +309,9 @@ impl SparseMass {
     ) where
         S: System<Q, N, R>,
     {
-        if plan.forces_vary {
+        if self.functions.forces_vary {
             system.applied_forces(t, q, &SVector::zeros(), acceleration);
-            self.solve(plan, work, acceleration);
+            self.solve(work, acceleration);
         } else {
             system.acceleration(t, q, acceleration);
         }

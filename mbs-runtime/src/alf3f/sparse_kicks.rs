@@ -20,7 +20,7 @@ use crate::contract::mass_rows;
 use crate::fault::Fault;
 use crate::flow::Leapfrog;
 use crate::generated::Elimination;
-use crate::large::starts_sparse;
+use crate::large::{kick_elimination, starts_sparse};
 use crate::linear::{entries, entries_mut, vector, zeros};
 use crate::memory::zeroed;
 use crate::singular::{EXACT, RankMargin, Thresholds};
@@ -34,8 +34,8 @@ pub(crate) struct SparseKicks<const N: usize, const R: usize> {
     /// K at the current state, factored.
     start: Bordered,
     end: Bordered,
-    pair: Pair,
-    mass: SparseMass,
+    pair: Pair<N, R>,
+    mass: SparseMass<N, R>,
     /// A vector in the order of elimination.
     x: Slots,
     /// Right-hand sides of the rows. (A long vector that a function returns is copied, and does not stay in the cache.)
@@ -72,7 +72,8 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// The smallest relative pivot at the declared guess, 1 at most, where the mechanism is so large that only steps near
     /// singular poses have dense arrays; `None` where all have them.
     pub(super) fn usual_pivot<S: System<Q, N, R>, const Q: usize>(system: &S) -> Option<f64> {
-        let plan = S::ELIMINATION.filter(|_| const { starts_sparse::<N, R>() })?;
+        let plan =
+            kick_elimination::<S, Q, N, R>().filter(|_| const { starts_sparse::<N, R>() })?;
         let (q, _) = system.guess();
         let mut matrix = Bordered::new(plan, &mass_rows(system, &q), Thresholds::SECOND_ORDER);
         system.sparse_constraints(0.0, &q, &mut zeros(), &mut matrix.entries, &mut zeros());
@@ -86,36 +87,33 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
+        let functions = plan.kicks.as_ref()?;
         let mass = mass_rows(&context.system, &context.state.positions);
         let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);
         let mut kicks = Box::new(SparseKicks {
             plan,
             end: matrix.clone(),
             start: matrix,
-            pair: Pair::new(plan),
-            mass: SparseMass::new(plan, &mass),
+            pair: Pair::new(plan, functions),
+            mass: SparseMass::new(functions, &mass),
             x: vec![0.0; plan.unknowns].into_boxed_slice(),
             right: zeroed(),
         });
         kicks.refresh(context);
-        kicks.free_redundant::<S, Q>();
+        kicks.free_redundant();
         Some(kicks)
     }
 
     /// Frees the rows that are redundant in every pose.
     ///
     /// Beside a singular pose the pivot of such a row is not small enough to distinguish it from a nearly dependent one.
-    fn free_redundant<S: System<Q, N, R>, const Q: usize>(&mut self) {
+    fn free_redundant(&mut self) {
         let plan = self.plan;
         let here = self.start.left_out(plan);
         if here == 0 {
             return;
         }
-        let generic = S::MODEL.mobility.map_or(0, |mobility| {
-            let follow = mobility.redundant.iter().filter(|row| !row.left_out);
-            follow.count()
-        });
-        if here == generic {
+        if here == plan.redundant {
             self.start.free_dependent(plan);
             self.end = self.start.clone();
         } else {
@@ -146,13 +144,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         );
         self.start.factor(self.plan);
         let (mass, x) = (&self.mass, &mut self.x);
-        mass.weigh_forces(
-            self.plan,
-            system,
-            (*time, positions),
-            x,
-            &mut start.acceleration,
-        );
+        mass.weigh_forces(system, (*time, positions), x, &mut start.acceleration);
     }
 
     /// A v + b at the current instant.
@@ -168,7 +160,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
 
     /// How independent the rows are at the current instant.
     pub(super) fn rank_margin(&self) -> RankMargin {
-        self.start.rank_margin(self.plan)
+        self.start.rank_margin(self.plan, R)
     }
 
     /// The weight of each row in the combination that is nearest to dependence.
@@ -234,13 +226,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         } = &mut *self;
         let t1 = context.state.time + h;
         let (a0, geometry) = (&context.start.acceleration, &mut context.end);
-        mass.weigh_forces(
-            plan,
-            &context.system,
-            (t1, q),
-            x,
-            &mut geometry.acceleration,
-        );
+        mass.weigh_forces(&context.system, (t1, q), x, &mut geometry.acceleration);
         let a1 = &geometry.acceleration;
         let mut v: SVector<f64, N> = vector(|i| va[i] + 0.5 * h * (a0[i] + a1[i]));
         let kappa = &mut context.work.impulse[1];
@@ -296,7 +282,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         let kappa = state.expected_impulse(h);
         let mut va = zeros();
         (plan.impulse)(&start.entries, &kappa, &mut va);
-        mass.solve(plan, x, &mut va);
+        mass.solve(x, &mut va);
         for i in 0..N {
             va[i] += state.velocities[i];
         }
@@ -415,7 +401,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         let to = (&mut self.kick.va, &mut self.kick.kappa);
         match self.kick.factor {
             Factor::Start => start.solve(plan, right, x, to),
-            _ => pair.solve(plan, right, x, to),
+            _ => pair.solve(right, x, to),
         }
         false
     }

@@ -57,7 +57,12 @@ pub(super) fn applies<S: System<Q, N, R>, const Q: usize, const N: usize, const 
 }
 
 fn is_planned<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>() -> bool {
-    const { starts_sparse::<N, R>() && S::ELIMINATION.is_some() }
+    const {
+        starts_sparse::<N, R>()
+            && S::STRUCTURE.constant_mass
+            && S::STRUCTURE.holonomic_rows == R
+            && S::ELIMINATION.is_some()
+    }
 }
 
 /// M and A at a pose, and their factors.
@@ -81,7 +86,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         system.constraints(0.0, q, &mut phi, &mut a, &mut b);
         let (mass, a) = (Entries::of(mass), Entries::of(a));
         let factors = match S::ELIMINATION {
-            Some(plan) if !is_sparse::<S, Q, N, R>(settings) => {
+            Some(plan) if is_planned::<S, Q, N, R>() && !is_sparse::<S, Q, N, R>(settings) => {
                 Factors::planned(plan, &mass_rows(system, q))
             }
             _ => Factors::new(&mass, &a)?,

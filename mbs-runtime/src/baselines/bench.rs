@@ -4,8 +4,9 @@ use crate::alf3f::Counters;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::finite;
+use crate::sink::Discard;
 use crate::yardstick::Yardstick;
-use crate::{State, System};
+use crate::{MatrixSink, State, System};
 use nalgebra::SVector;
 
 /// System, state, and the constraint geometry where the state is.
@@ -18,12 +19,27 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     pub(crate) phi: SVector<f64, R>,
     /// Whether `node` and `phi` are those of `state`.
     pub(crate) settled: bool,
+    /// Whether A and the metric are not needed: the method has planned eliminations, with arrays of their own.
+    pub(crate) rows_alone: bool,
     pub(crate) counters: Counters,
     pub(crate) works: Works,
     /// λ at the end of the last step, of methods that have it as an unknown.
     pub(crate) multipliers: Option<SVector<f64, R>>,
     pub(crate) max_iterations: usize,
     pub(crate) yardstick: Box<Yardstick<Q, N>>,
+}
+
+/// Adds up the product of the matrix written to it and v.
+struct Rates<'a, const N: usize, const R: usize> {
+    v: &'a SVector<f64, N>,
+    rates: SVector<f64, R>,
+}
+
+impl<const N: usize, const R: usize> MatrixSink for Rates<'_, N, R> {
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        self.rates[row] += value * self.v[column];
+    }
 }
 
 /// Works of the last step, J.
@@ -36,17 +52,42 @@ pub(crate) struct Works {
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S, Q, N, R> {
-    /// Evaluates constraints and metric at the state, unless they are those already.
+    /// Evaluates φ and b, and A and the metric where they are needed, at the state, unless they are those already.
     pub(crate) fn settle(&mut self) -> Result<(), Fault> {
-        if !self.settled {
-            let State {
-                time, positions, ..
-            } = &self.state;
-            self.geometry
-                .evaluate(&self.system, *time, positions, &mut self.phi)?;
-            self.settled = true;
+        if self.settled {
+            return Ok(());
         }
+        let State {
+            time, positions, ..
+        } = &self.state;
+        let (geometry, phi) = (&mut self.geometry, &mut self.phi);
+        if self.rows_alone {
+            (self.system).constraints(*time, positions, phi, &mut Discard, &mut geometry.b);
+        } else {
+            geometry.evaluate(&self.system, *time, positions, phi)?;
+        }
+        self.settled = true;
         Ok(())
+    }
+
+    /// A v + b at the state.
+    pub(crate) fn velocity_rows(&self) -> SVector<f64, R> {
+        let State {
+            time,
+            positions,
+            velocities,
+            ..
+        } = &self.state;
+        if !self.rows_alone {
+            return self.geometry.velocity_rows(&self.system, velocities);
+        }
+        let [mut phi, mut b] = [SVector::zeros(); 2];
+        let mut rates = Rates {
+            v: velocities,
+            rates: SVector::zeros(),
+        };
+        (self.system).constraints(*time, positions, &mut phi, &mut rates, &mut b);
+        rates.rates + b
     }
 
     /// The step ends here; `settled`: whether `node` and `phi` are those of its end.

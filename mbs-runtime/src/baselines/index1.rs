@@ -67,13 +67,17 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     ) -> Result<Self, Fault> {
         let (system, state) = (&bench.system, &bench.state);
         let mut equations = Index1::planned(bench, 0.0);
-        let mut geometry = ConstraintGeometry::new(system, &state.positions)?;
-        let mut phi = SVector::zeros();
-        geometry.evaluate(system, state.time, &state.positions, &mut phi)?;
         let delassus = &mut equations.delassus;
         delassus.usual = usual;
-        delassus.expect_redundancy(&geometry.delassus);
-        delassus.expect_pivots(&ConstraintGeometry::at_guess(system)?.delassus);
+        // Without redundant rows there is nothing to expect.
+        let planned = equations.planned.as_ref();
+        if planned.is_none_or(|planned| planned.leaves_rows_out()) {
+            let mut geometry = ConstraintGeometry::new(system, &state.positions)?;
+            let mut phi = SVector::zeros();
+            geometry.evaluate(system, state.time, &state.positions, &mut phi)?;
+            delassus.expect_redundancy(&geometry.delassus);
+            delassus.expect_pivots(&ConstraintGeometry::at_guess(system)?.delassus);
+        }
         delassus.follows = REDUNDANT_OFF_ROWS;
         Ok(equations)
     }
@@ -101,7 +105,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         *most = most.max(inverse_square);
     }
 
-    /// v̇ at (t, q, v): by the generated function where there is one.
+    /// v̇ at (t, q, v): by the planned elimination, or by the generated function, where there is one.
     #[inline(always)]
     pub(crate) fn evaluate<S: System<Q, N, R>, const Q: usize>(
         &mut self,
@@ -110,9 +114,12 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         q: &SVector<f64, Q>,
         v: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, Fault> {
+        if let Some(acceleration) = self.by_plan(bench, t, q, v) {
+            return Ok(acceleration);
+        }
         let mut acceleration = SVector::zeros();
         // b is needed for the works of drives.
-        if !S::STRUCTURE.time_dependent {
+        if !S::STRUCTURE.time_dependent && self.planned.is_none() {
             let correction = self.stabilisation(bench, t, q, v);
             let (system, inverse_pivot) = (&bench.system, &mut self.inverse_pivot);
             let (into, lambda) = (&mut acceleration, &mut self.lambda);
@@ -129,9 +136,6 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                     return Ok(acceleration);
                 }
             }
-        }
-        if let Some(acceleration) = self.by_plan(bench, t, q, v) {
-            return Ok(acceleration);
         }
         self.place(bench, t, q)?;
         if let Some(now) = self.rank_margin(bench) {
@@ -166,9 +170,10 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                     self.damping * (rates[i] + bench.geometry.b[i]) + self.stiffness * bench.phi[i];
             }
         }
-        let acceleration = planned.acceleration(system, (t, q), &demand, &mut self.lambda);
-        let least = planned.rank_margin().least;
-        self.note(1.0 / (least * least));
+        let acceleration = planned.acceleration(system, (t, q, v), &demand, &mut self.lambda);
+        if let Some(now) = self.rank_margin(bench) {
+            self.note(1.0 / (now.least * now.least));
+        }
         Some(acceleration)
     }
 
@@ -181,7 +186,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         if let Some(planned) = &self.planned
             && planned.is_sound()
         {
-            return Some(planned.rank_margin());
+            return (rows > 0).then(|| planned.rank_margin(rows));
         }
         (rows > 0).then(|| self.delassus.rank_margin(&bench.geometry.delassus, rows))
     }

@@ -2,8 +2,8 @@
 //! operations in proportion to the length of a chain.
 //!
 //! ```text
-//! M a = f,    [ M  Aᵀ ] [ v̇ − a ]   [ 0              ]
-//!             [ A  0  ] [  −λ   ] = [ −γ − … − A a   ]
+//! [ M  Aᵀ ] [ v̇  ]   [ F − ṗ|_v ]
+//! [ A  0  ] [ −λ ] = [ −γ − …   ]
 //! ```
 //!
 //! Where rows are nearly dependent the dense equations take over, which have a proximal solve.
@@ -11,14 +11,16 @@
 use super::bench::Bench;
 use crate::System;
 use crate::alf3f::closing::{self, Closed, Closing, Limits};
-use crate::alf3f::sparse::{Bordered, Rows, Slots, SparseMass};
+use crate::alf3f::sparse::{Bordered, Rows, Slots};
 use crate::alf3f::{not_converged, residual_of};
 use crate::contract::mass_rows;
 use crate::fault::Fault;
+use crate::free::write_free_forces;
 use crate::generated::Elimination;
 use crate::linear::{negative, vector};
 use crate::row_scale::RowScale;
 use crate::singular::{EXACT, RankMargin, Thresholds};
+use crate::sink::Discard;
 use nalgebra::SVector;
 
 /// K at one instant with its factor.
@@ -26,15 +28,14 @@ use nalgebra::SVector;
 pub(crate) struct Planned<const N: usize, const R: usize> {
     plan: &'static Elimination<N, R>,
     matrix: Bordered,
-    mass: SparseMass,
     /// A vector in the order of elimination.
     x: Slots,
     rows: Rows,
 }
 
 impl<const N: usize, const R: usize> Planned<N, R> {
-    /// `None` where dense arrays are the faster, and where rows follow from others: their pivots are not zero in stages
-    /// that violate the rows.
+    /// `None` where dense arrays are the faster, and at starts where rows lose their independence. Those that follow from
+    /// others in general are left out from here on: their pivots are not zero in stages that violate the rows.
     #[inline(never)]
     pub(crate) fn new<S: System<Q, N, R>, const Q: usize>(
         bench: &Bench<S, Q, N, R>,
@@ -46,7 +47,6 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         let mut planned = Box::new(Planned {
             plan,
             matrix: Bordered::new(plan, &mass, thresholds),
-            mass: SparseMass::new(plan, &mass),
             x: vec![0.0; plan.unknowns].into_boxed_slice(),
             rows: Rows::Lost,
         });
@@ -54,7 +54,12 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
         system.sparse_constraints(state.time, &state.positions, &mut phi, entries, &mut b);
         planned.factor();
-        (planned.matrix.left_out(plan) == 0).then_some(planned)
+        if planned.matrix.left_out(plan) != plan.redundant {
+            return None;
+        }
+        planned.matrix.free_dependent(plan);
+        planned.rows = planned.matrix.rows(plan);
+        Some(planned)
     }
 
     fn factor(&mut self) {
@@ -76,6 +81,9 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         let entries = &mut self.matrix.entries;
         let (phi, b) = (&mut bench.phi, &mut bench.geometry.b);
         bench.system.sparse_constraints(t, q, phi, entries, b);
+        if !S::STRUCTURE.constant_mass {
+            bench.system.sparse_mass(q, entries);
+        }
     }
 
     /// K at (t, q), factored; false where the dense equations are needed.
@@ -94,15 +102,15 @@ impl<const N: usize, const R: usize> Planned<N, R> {
     pub(crate) fn acceleration<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         system: &S,
-        (t, q): (f64, &SVector<f64, Q>),
+        (t, q, v): (f64, &SVector<f64, Q>, &SVector<f64, N>),
         demand: &SVector<f64, R>,
         lambda: &mut SVector<f64, R>,
     ) -> SVector<f64, N> {
         let mut acceleration = SVector::zeros();
-        let forces = &mut acceleration;
-        (self.mass).weigh_forces(self.plan, system, (t, q), &mut self.x, forces);
-        *lambda = SVector::zeros();
-        self.correct(demand, &mut acceleration, lambda);
+        write_free_forces(system, t, q, v, &mut acceleration);
+        *lambda = negative(demand);
+        let right = (&mut acceleration, &mut *lambda);
+        (self.matrix).accelerate(self.plan, &mut self.x, right);
         if self.rows == Rows::Weak {
             // What the elimination has lost.
             self.correct(demand, &mut acceleration, lambda);
@@ -154,9 +162,8 @@ impl<const N: usize, const R: usize> Planned<N, R> {
             is_evaluated: true,
         };
         let closed = closing::close(&mut rows, limits, true)?;
-        let geometry = &mut bench.geometry;
-        let a = geometry.a.entries_mut();
-        (bench.system).constraints(t, q, &mut bench.phi, a, &mut geometry.b);
+        let (phi, b) = (&mut bench.phi, &mut bench.geometry.b);
+        (bench.system).constraints(t, q, phi, &mut Discard, b);
         Ok(closed)
     }
 
@@ -169,9 +176,14 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         }
     }
 
-    /// How independent the rows are where it was placed.
-    pub(crate) fn rank_margin(&self) -> RankMargin {
-        self.matrix.rank_margin(self.plan)
+    /// How independent the first `rows` rows are where it was placed, each of those that are eliminated before it.
+    pub(crate) fn rank_margin(&self, rows: usize) -> RankMargin {
+        self.matrix.rank_margin(self.plan, rows)
+    }
+
+    /// Whether rows are left out.
+    pub(crate) fn leaves_rows_out(&self) -> bool {
+        self.plan.redundant > 0
     }
 
     /// The weight of each row in the combination that is nearest to dependence.

@@ -67,6 +67,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             state,
             phi: SVector::zeros(),
             settled: false,
+            rows_alone: false,
             counters: Counters::default(),
             works: Works::default(),
             multipliers: None,
@@ -75,6 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let rule = make(&bench, settings)
             .ok_or(SimulationError::NotCompiled { method })?
             .map_err(fault)?;
+        bench.rows_alone = rule.is_sparse();
         bench.settle().map_err(fault)?;
         Ok(BaselineStepper { bench, rule })
     }

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 
 /// The R constraint rows of a mechanism with Q coordinates and N velocities.
 pub trait Constraints<const Q: usize, const N: usize, const R: usize>: Inertia<Q, N> {
-    /// Sparse elimination, for large mechanisms to which it applies.
+    /// Sparse elimination, for large mechanisms.
     const ELIMINATION: Option<&'static Elimination<N, R>> = None;
 
     /// φ(q, t), the holonomic rows only.
@@ -31,6 +31,11 @@ pub trait Constraints<const Q: usize, const N: usize, const R: usize>: Inertia<Q
         b: &mut SVector<f64, R>,
     ) {
         let _ = (t, q, phi, k, b);
+    }
+    /// M in the array of K, if there is an [`Self::ELIMINATION`] and M varies.
+    #[inline(always)]
+    fn sparse_mass(&self, q: &SVector<f64, Q>, k: &mut [f64]) {
+        let _ = (q, k);
     }
     /// Ȧ along v, and γ = d(A v + b)/dt at constant v: the rows at acceleration level are A v̇ + γ = 0.
     fn constraint_rates(

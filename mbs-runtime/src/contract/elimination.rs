@@ -21,16 +21,12 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub unknowns: usize,
     /// Length of the array of K, with room for a spread column where the elimination is by a table.
     pub slots: usize,
-    /// The same for M by itself.
-    pub mass_slots: usize,
-    /// Row, column and slot of the entries of M, lower or upper triangle, in the array of K …
+    /// Row, column and slot of the entries of M, lower or upper triangle.
     pub mass: &'static [(usize, usize, usize)],
-    /// … and in that of M by itself.
-    pub mass_alone: &'static [(usize, usize, usize)],
     /// Position in the order of elimination, and slot of the pivot, of each row of A, in the order of rows.
     pub pivots: &'static [(usize, usize)],
-    /// Whether M⁻¹f varies, or is too long to be computed in advance.
-    pub forces_vary: bool,
+    /// How many rows follow from others.
+    pub redundant: usize,
     /// A v, from K.
     pub rates: Rates<N, R>,
     /// Aᵀκ, from K.
@@ -40,9 +36,25 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub factor: fn(&mut [f64], &mut [f64]) -> f64,
     /// From a factor and the right-hand sides of the rows, by way of an array of N + R: adds δv and δκ.
     pub solve: fn(&[f64], &SVector<f64, R>, &mut [f64], &mut SVector<f64, N>, &mut SVector<f64, R>),
+    /// From a factor, by way of an array of N + R: F − ṗ|_v becomes v̇, and −γ becomes λ.
+    pub accelerate: fn(&[f64], &mut [f64], &mut SVector<f64, N>, &mut SVector<f64, R>),
+    /// What the kicks of the two-level step need beside, where M is constant, forces depend on positions only, and all rows
+    /// are holonomic.
+    pub kicks: Option<Kicks<N, R>>,
+}
+
+/// Eliminations of K with the rows of two instants, and of M by itself.
+#[derive(Debug)]
+pub struct Kicks<const N: usize, const R: usize> {
+    /// Length of the array of M by itself, with the same room as that of K.
+    pub mass_slots: usize,
+    /// Row, column and slot in it of the entries of M.
+    pub mass: &'static [(usize, usize, usize)],
+    /// Whether M⁻¹f varies, or is too long to be computed in advance.
+    pub forces_vary: bool,
     /// Factors K from its lower and its upper triangle, where the ratio is taken to the lengths given.
     pub factor_pair: fn(&mut [f64], &mut [f64], &[f64]) -> f64,
-    /// The same as `solve`, with both triangles.
+    /// The same as [`Elimination::solve`], with both triangles.
     pub solve_pair: fn(
         &[f64],
         &[f64],

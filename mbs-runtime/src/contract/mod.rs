@@ -37,7 +37,7 @@ mod system;
 
 pub use configuration::Configuration;
 pub use constraints::Constraints;
-pub use elimination::{Elimination, Rates};
+pub use elimination::{Elimination, Kicks, Rates};
 pub use inertia::Inertia;
 #[cfg(feature = "std")]
 pub(crate) use listed::{constraint_rows, force_slopes, mass_rows};

@@ -26,7 +26,10 @@ pub(super) fn lengths<S: System<Q, N, R>, const Q: usize, const N: usize, const 
             system.sparse_constraints(0.0, &q, &mut zeros(), &mut k, &mut zeros());
             let mut lengths = vec![0.0; plan.unknowns];
             (plan.factor)(&mut k, &mut lengths);
-            vector(|i| lengths[plan.pivots[i].0])
+            vector(|i| match i < S::STRUCTURE.holonomic_rows {
+                true => lengths[plan.pivots[i].0],
+                false => 0.0,
+            })
         }
         None => return None,
     };

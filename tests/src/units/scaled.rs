@@ -213,6 +213,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Constra
         *phi = times(phi, |i| self.row[i]);
         *b = times(b, |i| self.rate[i]);
     }
+    fn sparse_mass(&self, q: &SVector<f64, Q>, k: &mut [f64]) {
+        let plan = S::ELIMINATION.expect("an array of K is that of an elimination");
+        self.inner.sparse_mass(&over(q, |i| self.q[i]), k);
+        for &(i, j, slot) in plan.mass {
+            k[slot] *= self.momentum_factor(i) / self.v[j];
+        }
+    }
     fn holonomic(&self, t: f64, q: &SVector<f64, Q>, phi: &mut SVector<f64, R>) {
         self.inner
             .holonomic(t / self.time, &over(q, |i| self.q[i]), phi);

@@ -36,7 +36,8 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     let mut hoisted = Hoisted::new(system.layout.clone());
     let structure = structure(derived);
     let sparse = Sparse::of(derived);
-    let forces_vary = sparse.as_ref().is_some_and(|sparse| sparse.forces_vary);
+    let kicks = sparse.as_ref().and_then(|sparse| sparse.kicks.as_ref());
+    let forces_vary = kicks.is_some_and(|kicks| kicks.forces_vary);
     let acceleration = (!forces_vary).then(|| acceleration(&mut graph, derived));
     let mut functions = Vec::new();
     {

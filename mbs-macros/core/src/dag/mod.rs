@@ -27,7 +27,7 @@ pub use cost::Cost;
 pub use functions::lower;
 pub use parts::{Labels, Parts, Run as PartRun, Shape};
 pub use run::Run;
-pub use sparse::{Elimination, Sparse, Stretch, Table};
+pub use sparse::{Elimination, Kicks, Sparse, Stretch, Table};
 pub use tangents::{ALL_TANGENTS, TURNING, of_tangents};
 
 /// All generated functions of a mechanism.

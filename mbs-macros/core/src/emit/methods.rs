@@ -196,7 +196,7 @@ fn written(graph: &Graph, program: &Program, method: &Method) -> Option<(String,
             )
         }
         "factor_mass" => return Some(factor_mass(graph, program)),
-        "sparse_constraints" => return None,
+        "sparse_constraints" | "sparse_mass" => return None,
         name => motion::body(graph, program, name),
     };
     let inline = match method.returns {

@@ -3,46 +3,41 @@
 //! Every index is a number in the functions; in a loop it is a number within a moving window.
 
 mod columns;
+mod elimination;
+mod kicks;
 mod table;
 mod windows;
 
-use self::columns::{
-    backward, forward, pair_column, symmetric_backward, symmetric_column, symmetric_forward,
+use self::elimination::{
+    ROWS, collect, factor, mass_entries, places, room, spread, symmetric_passes,
 };
-use self::windows::{Column, stretches};
 use super::body::Body;
-use super::parts::{LongFunctions, words_of_u32};
+use super::parts::LongFunctions;
 use super::progressions::folded;
 use crate::contract::Method;
-use crate::dag::{Elimination, Function, Output, Place, Program, Sparse};
+use crate::dag::{Function, Output, Place, Program, Sparse};
 use crate::symbolic::Graph;
 use std::fmt::Write;
 
-/// Longer lists of places are written as one text.
-const MOST_PLACES: usize = 250;
+/// Functions of stage 5 that write A, or one triangle of M, into the array of K.
+const INTO_ARRAY: [(&str, &str); 2] = [
+    ("sparse_constraints", "constraints"),
+    ("sparse_mass", "mass_matrix"),
+];
 
-/// A function of stage 5 that writes A into the array of K.
-pub(super) fn constraints(sparse: &Sparse, function: &Function) -> Function {
-    let place = |output: &Output| in_array(sparse, output);
-    let zero = crate::dag::Operand::number(0.0);
-    let kept = |output: &&Output| output.sink != "a" || output.value != zero;
-    Function {
-        name: "sparse_constraints",
-        outputs: function.outputs.iter().filter(kept).map(place).collect(),
-        ..function.clone()
-    }
-}
-
-/// An output of the function of A, with A in the array of K.
-fn in_array(sparse: &Sparse, output: &Output) -> Output {
-    match output.place {
-        Place::Entry(row, column) if output.sink == "a" => Output {
-            sink: "k",
-            place: Place::Element(sparse.rows.slot_of(sparse.size + row, column)),
-            ..*output
-        },
-        _ => *output,
-    }
+/// An output of such a function, with its matrix in the array of K.
+fn in_array(sparse: &Sparse, output: &Output) -> Option<Output> {
+    let (i, j) = match (output.sink, output.place) {
+        ("a", Place::Entry(row, column)) => (sparse.size + row, column),
+        ("mass", Place::Entry(i, j)) if i > j => return None,
+        ("mass", Place::Entry(i, j)) => (i, j),
+        _ => return Some(*output),
+    };
+    Some(Output {
+        sink: "k",
+        place: Place::Element(sparse.rows.slot_of(i, j)),
+        ..*output
+    })
 }
 
 /// The constant of `System`, and the functions it refers to; nothing for small systems.
@@ -50,76 +45,72 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     let Some(sparse) = &program.sparse else {
         return (String::new(), String::new());
     };
-    let (rows, mass) = (&sparse.rows, &sparse.mass);
+    let rows = &sparse.rows;
     let (n, r) = (sparse.size, sparse.row_count);
-    let entries = |elimination: &Elimination| {
-        let slot = |&(i, j): &(usize, usize)| [i, j, elimination.slot_of(i, j)];
-        places("triples_of", sparse.mass_entries.iter().map(slot).collect())
-    };
     let pivots = rows.positions[n..].iter();
     let pivots = pivots.map(|&position| [position, rows.columns[position].pivot]);
     let pivots = places("pairs_of", pivots.collect());
+    let (kicks, kicking) = kicks::emit(sparse);
     let constant = format!(
         "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{
-            unknowns: {}, slots: {}, mass_slots: {}, mass: {}, mass_alone: {}, pivots: {pivots}, forces_vary: {},
-            rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve,
-            factor_pair: Self::sparse_factor_pair, solve_pair: Self::sparse_solve_pair, factor_mass: Self::sparse_factor_mass, solve_mass: Self::sparse_solve_mass }});\n",
+            unknowns: {}, slots: {}, mass: {}, pivots: {pivots}, redundant: {},
+            rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve, accelerate: Self::sparse_accelerate, kicks: {kicks} }});\n",
         rows.columns.len(),
         room(rows),
-        room(mass),
-        entries(rows),
-        entries(mass),
-        sparse.forces_vary
+        mass_entries(sparse, rows),
+        sparse.redundant,
     );
     let mut out = String::new();
-    for (name, elimination) in [("sparse_rows", rows), ("sparse_mass", mass)] {
-        if elimination.is_tabled() {
-            table::emit(&mut out, name, elimination);
-        }
+    if rows.is_tabled() {
+        table::emit(&mut out, ROWS, rows);
     }
     rates(&mut out, sparse);
     impulse(&mut out, sparse);
-    factor(&mut out, "sparse_factor", rows, "sparse_rows");
-    factor(&mut out, "sparse_factor_mass", mass, "sparse_mass");
-    factor_pair(&mut out, rows);
-    let rows_in = spread(rows, n, |row| format!("rows[{row}]"), r);
-    let rows_out = collect(rows, n, r);
+    factor(&mut out, "sparse_factor", rows, ROWS);
+    solve(&mut out, sparse);
+    accelerate(&mut out, sparse);
+    (constant, out + &kicking)
+}
+
+/// x ← K⁻¹x, and the solution where the right-hand sides of the velocities are zero.
+fn solve(out: &mut String, sparse: &Sparse) {
+    let (rows, n, r) = (&sparse.rows, sparse.size, sparse.row_count);
+    let (slots, unknowns) = (rows.slots, rows.columns.len());
     let _ = writeln!(
         out,
-        "fn sparse_solve(f: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
-            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{}>()) else {{ return }};
+        "#[inline]
+        fn sparse_substitute(f: &[f64; {slots}], x: &mut [f64; {unknowns}]) {{ {} }}
+        fn sparse_solve(f: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
+            let (Some(f), Some(x)) = (f.first_chunk::<{slots}>(), x.first_chunk_mut::<{unknowns}>()) else {{ return }};
             let (rows, v, kappa) = (entries(rows), entries_mut(v), entries_mut(kappa));
-            {rows_in} {} {rows_out} }}",
-        rows.slots,
-        rows.columns.len(),
-        symmetric_passes(rows, "sparse_rows")
+            {} Self::sparse_substitute(f, x); {} }}",
+        symmetric_passes(rows, ROWS),
+        spread(rows, n, r),
+        collect(rows, n, r)
     );
-    let _ = writeln!(
-        out,
-        "fn sparse_solve_pair(f: &[f64], g: &[f64], rows: &SVector<f64, {r}>, x: &mut [f64], v: &mut SVector<f64, {n}>, kappa: &mut SVector<f64, {r}>) {{
-            let (Some(f), Some(g), Some(x)) = (f.first_chunk::<{0}>(), g.first_chunk::<{0}>(), x.first_chunk_mut::<{1}>()) else {{ return }};
-            let (rows, v, kappa) = (entries(rows), entries_mut(v), entries_mut(kappa));
-            {rows_in} {2} {rows_out} }}",
-        rows.slots,
-        rows.columns.len(),
-        pair_passes(rows)
-    );
-    let positions = mass.positions.iter().enumerate();
-    let into = positions
+}
+
+/// f becomes v̇, and −γ becomes λ.
+fn accelerate(out: &mut String, sparse: &Sparse) {
+    let (e, n, r) = (&sparse.rows, sparse.size, sparse.row_count);
+    let both = (0..n).map(|i| (e.positions[i], "v", i, ""));
+    let both = both.chain((0..r).map(|i| (e.positions[n + i], "lambda", i, "-")));
+    let into = both
         .clone()
-        .map(|(i, position)| format!("x[{position}] = v[{i}];"));
-    let back = positions.map(|(i, position)| format!("v[{i}] = x[{position}];"));
-    let [into, back] = [folded(into.collect()), folded(back.collect())];
+        .map(|(position, vector, i, _)| format!("x[{position}] = {vector}[{i}];"));
+    let back =
+        both.map(|(position, vector, i, sign)| format!("{vector}[{i}] = {sign}x[{position}];"));
     let _ = writeln!(
         out,
-        "fn sparse_solve_mass(f: &[f64], x: &mut [f64], v: &mut SVector<f64, {n}>) {{
-            let v = entries_mut(v);
-            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{n}>()) else {{ return }};
-            {into} {} {back} }}",
-        mass.slots,
-        symmetric_passes(mass, "sparse_mass")
+        "fn sparse_accelerate(f: &[f64], x: &mut [f64], v: &mut SVector<f64, {n}>, lambda: &mut SVector<f64, {r}>) {{
+            let (Some(f), Some(x)) = (f.first_chunk::<{}>(), x.first_chunk_mut::<{}>()) else {{ return }};
+            let (v, lambda) = (entries_mut(v), entries_mut(lambda));
+            {} Self::sparse_substitute(f, x); {} }}",
+        e.slots,
+        e.columns.len(),
+        folded(into.collect()),
+        folded(back.collect())
     );
-    (constant, out)
 }
 
 /// A v.
@@ -163,124 +154,8 @@ fn assigned(vector: &str, sums: Vec<Vec<String>>) -> String {
     folded(lines.collect())
 }
 
-/// A vector in the order of elimination: zero for the velocities, and the right-hand sides of the rows.
-fn spread(e: &Elimination, n: usize, row: impl Fn(usize) -> String, r: usize) -> String {
-    let velocities = (0..n).map(|i| format!("x[{}] = 0.0;", e.positions[i]));
-    let rows = (0..r).map(|i| format!("x[{}] = {};", e.positions[n + i], row(i)));
-    folded(velocities.chain(rows).collect())
-}
-
-/// Adds the solution.
-fn collect(e: &Elimination, n: usize, r: usize) -> String {
-    let velocities = (0..n).map(|i| format!("v[{i}] += x[{}];", e.positions[i]));
-    let rows = (0..r).map(|i| format!("kappa[{i}] -= x[{}];", e.positions[n + i]));
-    folded(velocities.chain(rows).collect())
-}
-
-/// A list of places as an expression.
-fn places<const WIDTH: usize>(reader: &str, list: Vec<[usize; WIDTH]>) -> String {
-    if list.len() > MOST_PLACES {
-        let words: Vec<usize> = list.iter().flatten().copied().collect();
-        let (count, words) = (list.len(), words_of_u32(&words));
-        return format!("&::mbs_runtime::generated::{reader}::<{count}>({words})");
-    }
-    let places = list.iter().map(|place| {
-        let numbers: Vec<String> = place.iter().map(usize::to_string).collect();
-        format!("({})", numbers.join(", "))
-    });
-    format!("&[{}]", places.collect::<Vec<_>>().join(", "))
-}
-
-/// The length of an array: with room for a spread column where a table needs it.
-fn room(e: &Elimination) -> usize {
-    match e.is_tabled() {
-        true => e.slots + e.columns.len(),
-        false => e.slots,
-    }
-}
-
-/// A solution with a symmetric matrix.
-fn symmetric_passes(e: &Elimination, pattern: &str) -> String {
-    match e.is_tabled() {
-        true => format!("::mbs_runtime::generated::pattern::solve(Self::{pattern}(), f, x);"),
-        false => passes(e, &["f"], symmetric_forward, symmetric_backward),
-    }
-}
-
-/// The same with two triangles.
-fn pair_passes(e: &Elimination) -> String {
-    match e.is_tabled() {
-        true => "::mbs_runtime::generated::pattern::solve_pair(Self::sparse_rows(), f, g, x);"
-            .to_owned(),
-        false => passes(e, &["f", "g"], forward, backward),
-    }
-}
-
-fn passes(e: &Elimination, arrays: &[&str], forward: Column, backward: Column) -> String {
-    stretches(e, arrays, &["x"], &["x"], false, "return", forward)
-        + &stretches(e, arrays, &["x"], &["x"], true, "return", backward)
-}
-
-/// K = U ᵀD⁻¹U in place of its lower triangle: inverse pivots, and below them the columns of D U.
-fn factor(out: &mut String, name: &str, e: &Elimination, pattern: &str) {
-    if e.is_tabled() {
-        let _ = writeln!(
-            out,
-            "fn {name}(f: &mut [f64], c: &mut [f64]) -> f64 {{
-                ::mbs_runtime::generated::pattern::factor(Self::{pattern}(), f, c) }}"
-        );
-        return;
-    }
-    let body = stretches(
-        e,
-        &["f"],
-        &["c"],
-        &["f", "c"],
-        false,
-        "return f64::INFINITY",
-        symmetric_column,
-    );
-    let _ = writeln!(
-        out,
-        "fn {name}(f: &mut [f64], c: &mut [f64]) -> f64 {{
-            let (Some(f), Some(c)) = (f.first_chunk_mut::<{}>(), c.first_chunk_mut::<{}>()) else {{ return f64::INFINITY }};
-            let mut most = 0.0; c.fill(0.0); {body} most }}",
-        e.slots,
-        e.columns.len()
-    );
-}
-
-/// K = L D U in place: in `f` inverse pivots and L, in `g` the rows of D U.
-fn factor_pair(out: &mut String, e: &Elimination) {
-    if e.is_tabled() {
-        let _ = writeln!(
-            out,
-            "fn sparse_factor_pair(f: &mut [f64], g: &mut [f64], c: &[f64]) -> f64 {{
-                ::mbs_runtime::generated::pattern::factor_pair(Self::sparse_rows(), f, g, c) }}"
-        );
-        return;
-    }
-    let body = stretches(
-        e,
-        &["f", "g"],
-        &["c"],
-        &["f", "g"],
-        false,
-        "return f64::INFINITY",
-        pair_column,
-    );
-    let _ = writeln!(
-        out,
-        "fn sparse_factor_pair(f: &mut [f64], g: &mut [f64], c: &[f64]) -> f64 {{
-            let (Some(f), Some(g), Some(c)) = (f.first_chunk_mut::<{0}>(), g.first_chunk_mut::<{0}>(), c.first_chunk::<{1}>()) else {{ return f64::INFINITY }};
-            let mut most = 0.0; {body} most }}",
-        e.slots,
-        e.columns.len()
-    );
-}
-
-/// Writes the functions that are others in large mechanisms: A into the array of K, and M⁻¹f where its symbolic form,
-/// which is as full as M⁻¹, would be long. Tells whether it has.
+/// Writes the functions that are others in large mechanisms: A, and M where it varies, into the array of K, and M⁻¹f where
+/// its symbolic form, which is as full as M⁻¹, would be long. Tells whether it has.
 pub(super) fn replaces(
     out: &mut String,
     graph: &Graph,
@@ -292,34 +167,49 @@ pub(super) fn replaces(
         return false;
     };
     let signature = method.signature(program);
-    match (method.name, program.function("constraints")) {
-        ("acceleration", _) if sparse.forces_vary => {
+    if method.name == "acceleration" {
+        let forces_vary = sparse.kicks.as_ref().is_some_and(|kicks| kicks.forces_vary);
+        if forces_vary {
             let _ = writeln!(
                 out,
                 "fn acceleration{signature} {{
                     self.applied_forces(t, q, &SVector::zeros(), acceleration);
                     ::mbs_runtime::generated::multiply(&self.inverse_mass, acceleration); }}"
             );
-            true
         }
-        ("sparse_constraints", Some(function)) => {
-            let place = |output: &Output| Some(in_array(sparse, output));
-            let parts = long.body_with(graph, function, method, place);
-            let text = parts.unwrap_or_else(|| {
-                let function = constraints(sparse, function);
-                let body = Body::of_method(graph, &function);
-                body.statements() + &body.writes()
-            });
-            let _ = writeln!(
-                out,
-                "#[inline]\nfn sparse_constraints{signature} {{
-                    let Some(k) = k.first_chunk_mut::<{}>() else {{ return }};
-                    {}{text} }}",
-                sparse.rows.slots,
-                super::methods::arrays(method, &text),
-            );
-            true
-        }
-        _ => false,
+        return forces_vary;
     }
+    let mut pairs = INTO_ARRAY.iter();
+    let Some((name, source)) = pairs.find(|(name, _)| *name == method.name) else {
+        return false;
+    };
+    // A constant M is in the array from the start.
+    let is_kept = method.name == "sparse_mass" && program.constant_mass.is_some();
+    let Some(function) = program.function(source).filter(|_| !is_kept) else {
+        return false;
+    };
+    let place = |output: &Output| in_array(sparse, output);
+    let text = long
+        .body_with(graph, function, method, place)
+        .unwrap_or_else(|| {
+            let zero = crate::dag::Operand::number(0.0);
+            let outputs = function.outputs.iter();
+            let kept = outputs.filter(|output| output.sink != "a" || output.value != zero);
+            let function = Function {
+                name,
+                outputs: kept.filter_map(place).collect(),
+                ..function.clone()
+            };
+            let body = Body::of_method(graph, &function);
+            body.statements() + &body.writes()
+        });
+    let _ = writeln!(
+        out,
+        "#[inline]\nfn {name}{signature} {{
+            let Some(k) = k.first_chunk_mut::<{}>() else {{ return }};
+            {}{text} }}",
+        sparse.rows.slots,
+        super::methods::arrays(method, &text),
+    );
+    true
 }

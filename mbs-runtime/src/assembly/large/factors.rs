@@ -52,7 +52,7 @@ impl<const N: usize, const R: usize> Factors<N, R> {
         }
     }
 
-    /// Factors the matrix with the first `rows` rows; the multipliers of the others are zero. (An elimination is planned
+    /// Factors the matrix with the first `rows` rows; the multipliers of the others are zero. (A start is planned
     /// only where all rows are holonomic, and no caller leaves one out.) False if it is singular, or where rows are nearly
     /// dependent.
     pub(super) fn factor(&mut self, _entries: (&Entries, &Entries), _rows: usize) -> bool {

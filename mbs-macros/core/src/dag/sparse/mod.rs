@@ -1,10 +1,10 @@
 //! Sparse elimination, for systems too large for dense arrays.
 //!
-//! The kicks and projections of a step are solutions with
+//! Accelerations are a solution with K, and so are the kicks and projections of a step:
 //!
 //! ```text
-//! K = [ M  A₀ᵀ ]    K [ δv ] = [ 0 ]
-//!     [ A₁  0  ]      [ −κ ]   [ r ]
+//! K = [ M  A₀ᵀ ]    K [ v̇  ] = [ F − ṗ|_v ]    K [ δv ] = [ 0 ]
+//!     [ A₁  0  ]      [ −λ ]   [ −γ       ]      [ −κ ]   [ r ]
 //! ```
 //!
 //! which is as sparse as the mechanism, while M⁻¹, and with it A₁M⁻¹A₀ᵀ, is full for a chain. The order of elimination,
@@ -57,69 +57,102 @@ pub struct Column {
     pub pivot: usize,
 }
 
-/// What a large mechanism is solved with.
+/// What a large mechanism is solved with: accelerations for all, kicks for some.
 #[derive(Debug, Clone)]
 pub struct Sparse {
     /// K.
     pub rows: Elimination,
-    /// M by itself.
-    pub mass: Elimination,
     /// Places of the entries of M, upper triangle.
     pub mass_entries: Vec<(usize, usize)>,
     /// The entries of A that are not zero, row by row.
     pub jacobian: Vec<(usize, usize)>,
-    /// Whether M⁻¹f is computed where it is needed: forces depend on more than parameters, or there are so many that
-    /// `prepare`, where each entry of M⁻¹f is a sum over f, would be long.
-    pub forces_vary: bool,
     /// N.
     pub size: usize,
     /// R.
     pub row_count: usize,
+    /// How many rows follow from others.
+    pub redundant: usize,
+    /// What the kicks of the two-level step need beside.
+    pub kicks: Option<Kicks>,
+}
+
+/// What kicks need beside K. They exist if M is constant, forces depend on positions only, and all rows are holonomic.
+#[derive(Debug, Clone)]
+pub struct Kicks {
+    /// M by itself.
+    pub mass: Elimination,
+    /// Whether M⁻¹f is computed where it is needed: forces depend on more than parameters, or there are so many that
+    /// `prepare`, where each entry of M⁻¹f is a sum over f, would be long.
+    pub forces_vary: bool,
+    /// Operations of a step, less those of the functions it evaluates.
+    pub operations: usize,
 }
 
 impl Sparse {
     /// The elimination of a mechanism, if that is cheaper than dense arrays.
     pub fn of(derived: &Derived) -> Option<Self> {
         let (system, rows) = (&derived.system, derived.system.rows.len());
-        let applies = derived.constant_mass
-            && derived.applied.by_velocity.is_empty()
-            && system.layout.rotations.is_empty()
-            && system.holonomic_rows() == rows
-            && rows >= FEWEST_ROWS;
-        if !applies {
+        if rows < FEWEST_ROWS {
             return None;
         }
         let size = system.size;
         let mass: Vec<(usize, usize)> = system.mass.keys().copied().collect();
         let jacobian: Vec<(usize, usize)> = derived.jacobian.keys().copied().collect();
         let coupled = jacobian.iter().map(|&(row, column)| (size + row, column));
+        let mut sparse = Sparse {
+            rows: Elimination::new(size, rows, mass.iter().copied().chain(coupled)),
+            mass_entries: mass,
+            jacobian,
+            size,
+            row_count: rows,
+            redundant: derived.redundant.len(),
+            kicks: None,
+        };
+        sparse.kicks = Kicks::of(derived, &sparse);
+        let is_used = sparse.kicks.is_some() || sparse.accelerates_faster(derived);
+        is_used.then_some(sparse)
+    }
+
+    /// Whether accelerations take fewer operations than with the dense factors of M, where it varies, and of A M⁻¹Aᵀ.
+    fn accelerates_faster(&self, derived: &Derived) -> bool {
+        let (n, r) = (self.size, self.row_count);
+        let mass = match derived.constant_mass {
+            true => 0,
+            false => n * n * n / 3 + 2 * n * n * r,
+        };
+        let dense = mass + n * r * r + r * r * r / 3;
+        self.rows.weight() * (self.rows.factor_operations() + self.rows.solve_operations()) < dense
+    }
+}
+
+impl Kicks {
+    /// If they exist, and are cheaper than dense arrays.
+    fn of(derived: &Derived, sparse: &Sparse) -> Option<Kicks> {
+        let (system, n, r) = (&derived.system, sparse.size, sparse.row_count);
+        let exist = derived.constant_mass
+            && derived.applied.by_velocity.is_empty()
+            && system.layout.rotations.is_empty()
+            && system.holonomic_rows() == r;
+        if !exist {
+            return None;
+        }
         let varies = |&force: &Expr| {
             system
                 .graph
                 .depends_on(force, |symbol| !symbol.is_parameter_like())
         };
-        let sparse = Sparse {
-            rows: Elimination::new(size, rows, mass.iter().copied().chain(coupled)),
-            mass: Elimination::new(size, 0, mass.iter().copied()),
-            mass_entries: mass,
-            jacobian,
-            forces_vary: size > LONGEST_CONSTANT || system.forces.iter().any(varies),
-            size,
-            row_count: rows,
-        };
-        let dense = 2 * rows * rows * rows + 2 * size * rows * rows;
-        let each = if sparse.rows.is_tabled() { BY_TABLE } else { 1 };
-        (each * sparse.operations() < dense).then_some(sparse)
-    }
-
-    /// Operations of a step, less those of the functions it evaluates.
-    pub fn operations(&self) -> usize {
-        let solve = 4 * self.rows.slots;
-        self.rows.factor_operations()
-            + 2 * self.rows.factor_operations()
-            + 2 * SOLUTIONS * solve
-            + 4 * self.mass.slots
-            + 2 * SOLUTIONS * self.jacobian.len()
+        let mass = Elimination::new(n, 0, sparse.mass_entries.iter().copied());
+        let rows = &sparse.rows;
+        let operations = 3 * rows.factor_operations()
+            + 2 * SOLUTIONS * rows.solve_operations()
+            + mass.solve_operations()
+            + 2 * SOLUTIONS * sparse.jacobian.len();
+        let dense = 2 * r * r * r + 2 * n * r * r;
+        (rows.weight() * operations < dense).then(|| Kicks {
+            forces_vary: n > LONGEST_CONSTANT || system.forces.iter().any(varies),
+            mass,
+            operations,
+        })
     }
 }
 
@@ -136,21 +169,13 @@ impl Elimination {
             neighbours[j].insert(i);
         }
         let order = order::minimum_degree(neighbours.clone(), velocities);
+        let links = order::link_by_link(&fill(&neighbours, &order));
+        let order: Vec<usize> = links.into_iter().map(|position| order[position]).collect();
         let mut positions = vec![0; order.len()];
         for (position, &unknown) in order.iter().enumerate() {
             positions[unknown] = position;
         }
-        // Fill: the entries of a column below its first one are also entries of the column of the first one.
-        let mut below: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); order.len()];
-        for (position, &unknown) in order.iter().enumerate() {
-            let later = neighbours[unknown].iter().map(|&other| positions[other]);
-            below[position].extend(later.filter(|&other| other > position));
-            let mut fill = below[position].iter().copied();
-            if let Some(first) = fill.next() {
-                let fill: Vec<usize> = fill.collect();
-                below[first].extend(fill);
-            }
-        }
+        let below = fill(&neighbours, &order);
         let mut slots = 0;
         let is_row = |position: usize| order[position] >= velocities;
         let columns: Vec<Column> = below
@@ -214,9 +239,39 @@ impl Elimination {
         below.map(|below| below * (3 * below + 9) / 2).sum()
     }
 
+    /// What one of its operations costs, in operations with dense arrays.
+    fn weight(&self) -> usize {
+        if self.is_tabled() { BY_TABLE } else { 1 }
+    }
+
+    /// Multiplications and additions of a solution.
+    fn solve_operations(&self) -> usize {
+        4 * self.slots
+    }
+
     /// Multiplications and additions of a symmetric factorisation.
     fn factor_operations(&self) -> usize {
         let columns = self.columns.iter().map(|column| column.below.len());
         columns.map(|below| below * (below + 2) + 5).sum()
     }
+}
+
+/// The positions of the entries below each pivot, for this order.
+fn fill(neighbours: &[BTreeSet<usize>], order: &[usize]) -> Vec<BTreeSet<usize>> {
+    let mut positions = vec![0; order.len()];
+    for (position, &unknown) in order.iter().enumerate() {
+        positions[unknown] = position;
+    }
+    let mut below: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); order.len()];
+    for (position, &unknown) in order.iter().enumerate() {
+        let later = neighbours[unknown].iter().map(|&other| positions[other]);
+        below[position].extend(later.filter(|&other| other > position));
+        // The entries of a column below its first one are also entries of the column of the first one.
+        let mut fill = below[position].iter().copied();
+        if let Some(first) = fill.next() {
+            let fill: Vec<usize> = fill.collect();
+            below[first].extend(fill);
+        }
+    }
+    below
 }
