@@ -14,7 +14,7 @@ use nalgebra::SVector;
 
 /// A row whose squared length at the guess is less than this part of that in other poses is shorter than usual.
 const SHORT: f64 = 0.01;
-/// How far the other poses are from the guess, in lengths of the mechanism and radians. They need not satisfy the rows.
+/// How far the other poses are turned from the guess, rad. They need not satisfy the rows.
 const AWAY: f64 = 0.3;
 /// Multiples of the golden angle, rad: directions that have nothing in common with those of a mechanism.
 const TURNS: [f64; 3] = [2.4, 4.8, 7.2];
@@ -35,7 +35,11 @@ pub(super) fn lengths<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     };
     let mut elsewhere: SVector<f64, R> = zeros();
     for turn in TURNS {
-        let way = yardstick.displacement(vector(|i| AWAY * (turn * (i + 1) as f64).cos()));
+        let way = vector(|i| match S::MODEL.velocities.get(i) {
+            Some(velocity) if velocity.unit == "rad/s" => AWAY * (turn * (i + 1) as f64).cos(),
+            // A displacement would stretch bars, and their rows with them.
+            _ => 0.0,
+        });
         let there = lengths_squared_at(&system.advance(&guess, &way, 1.0));
         elsewhere = vector(|i| larger(elsewhere[i], there[i]));
     }
