@@ -124,7 +124,7 @@ pub fn factor(pattern: &Pattern, f: &mut [f64], c: &mut [f64]) -> f64 {
     most
 }
 
-/// [`Elimination::factor_pair`](crate::generated::Elimination::factor_pair).
+/// [`Kicks::factor_pair`](crate::generated::Kicks::factor_pair).
 pub fn factor_pair(pattern: &Pattern, f: &mut [f64], g: &mut [f64], c: &[f64]) -> f64 {
     let slots = pattern.positions.len();
     let (Some((f, low)), Some((g, high))) =
