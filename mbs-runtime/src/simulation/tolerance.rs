@@ -301,7 +301,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(found)
     }
 
-    /// The ratio of the error of the energy balance in the pair to the allowed one.
+    /// The ratio of the error of the energy balance in the pair to the allowed one; [`TOO_LONG`] where a driven mechanism, whose
+    /// balance does not show it, may have turned into another branch.
     fn imbalance(&self, before: &Energy, found: &Found) -> f64 {
         let [first, second] = found.passage.steps;
         if found.speed * (first + second) < NEARBY {
