@@ -71,6 +71,15 @@ impl Pattern {
         }
     }
 
+    /// What the unknowns behind one take from it. The next one is the last to be known.
+    fn behind(&self, position: usize, from: &[f64], x: &[f64]) -> f64 {
+        let column = self.column(position);
+        let below = column.start + 1..column.end;
+        let terms = from[below.clone()].iter().zip(&self.positions[below]);
+        let products = terms.rev().map(|(value, &at)| value * x[at as usize]);
+        products.sum()
+    }
+
     /// wide ← wide − factor · slots.
     fn subtract(
         &self,
@@ -105,6 +114,8 @@ pub fn factor(pattern: &Pattern, f: &mut [f64], c: &mut [f64]) -> f64 {
                 c[at] += l * entry;
             }
             pattern.subtract(crossing.slot..crossing.end, f, l, wide);
+            // No later column needs the entry as it was.
+            f[crossing.slot] = l;
         }
         pattern.collect(column.clone(), wide, f);
         let pivot = f[column.start];
@@ -174,10 +185,11 @@ pub fn solve(pattern: &Pattern, f: &[f64], x: &mut [f64]) {
     }
     for at in 0..pattern.count() {
         let column = pattern.column(at);
-        let y = x[at] * f[column.start];
-        pattern.subtract(column.start + 1..column.end, f, y, x);
+        pattern.subtract(column.start + 1..column.end, f, x[at], x);
     }
-    upward(pattern, f, f, x);
+    for at in (0..pattern.count()).rev() {
+        x[at] = x[at] * f[pattern.column(at).start] - pattern.behind(at, f, x);
+    }
 }
 
 /// The same with the factors of [`factor_pair`].
@@ -190,18 +202,7 @@ pub fn solve_pair(pattern: &Pattern, f: &[f64], g: &[f64], x: &mut [f64]) {
         let column = pattern.column(at);
         pattern.subtract(column.start + 1..column.end, f, x[at], x);
     }
-    upward(pattern, f, g, x);
-}
-
-/// Back substitution with the rows in `g` and the inverse pivots in `f`.
-fn upward(pattern: &Pattern, f: &[f64], g: &[f64], x: &mut [f64]) {
     for at in (0..pattern.count()).rev() {
-        let column = pattern.column(at);
-        let below = column.start + 1..column.end;
-        let terms = g[below.clone()].iter().zip(&pattern.positions[below]);
-        let sum: f64 = terms
-            .map(|(value, &position)| value * x[position as usize])
-            .sum();
-        x[at] = (x[at] - sum) * f[column.start];
+        x[at] = (x[at] - pattern.behind(at, g, x)) * f[pattern.column(at).start];
     }
 }

@@ -169,7 +169,12 @@ impl Elimination {
             neighbours[j].insert(i);
         }
         let order = order::minimum_degree(neighbours.clone(), velocities);
-        let links = order::link_by_link(&fill(&neighbours, &order));
+        let below = fill(&neighbours, &order);
+        let trees = order::link_by_link(&below);
+        let links = match rows {
+            0 => order::in_turns(trees, &below),
+            _ => trees.concat(),
+        };
         let order: Vec<usize> = links.into_iter().map(|position| order[position]).collect();
         let mut positions = vec![0; order.len()];
         for (position, &unknown) in order.iter().enumerate() {

@@ -53,8 +53,8 @@ pub(super) fn minimum_degree(
 ///
 /// A column depends on those in which it is the first entry below the pivot. These are a tree, and any order in which a
 /// column comes after its branches has the same fill (Liu, SIAM J. Matrix Anal. Appl. 11, 1990). Of the branches the
-/// largest, the chain so far, comes first.
-pub(super) fn link_by_link(below: &[BTreeSet<usize>]) -> Vec<usize> {
+/// largest, the chain so far, comes first. Returns each tree by itself.
+pub(super) fn link_by_link(below: &[BTreeSet<usize>]) -> Vec<Vec<usize>> {
     let count = below.len();
     let mut branches: Vec<Vec<usize>> = vec![Vec::new(); count];
     let mut sizes = vec![1; count];
@@ -68,15 +68,40 @@ pub(super) fn link_by_link(below: &[BTreeSet<usize>]) -> Vec<usize> {
             None => roots.push(position),
         }
     }
-    // Backwards: a column, then its branches, the smallest first.
-    let mut order = Vec::with_capacity(count);
-    let mut left = roots;
-    while let Some(position) = left.pop() {
-        order.push(position);
-        let mut own = std::mem::take(&mut branches[position]);
-        own.sort_by_key(|&branch| std::cmp::Reverse((sizes[branch], branch)));
-        left.extend(own);
+    let trees = roots.into_iter().map(|root| {
+        // Backwards: a column, then its branches, the smallest first.
+        let (mut tree, mut left) = (Vec::with_capacity(sizes[root]), vec![root]);
+        while let Some(position) = left.pop() {
+            tree.push(position);
+            let mut own = std::mem::take(&mut branches[position]);
+            own.sort_by_key(|&branch| std::cmp::Reverse((sizes[branch], branch)));
+            left.extend(own);
+        }
+        tree.reverse();
+        tree
+    });
+    trees.collect()
+}
+
+/// Trees of one form in turns, a column of each: their solutions do not wait for one another. (The masses of a chain in
+/// natural coordinates have a tree for each direction.)
+pub(super) fn in_turns(trees: Vec<Vec<usize>>, below: &[BTreeSet<usize>]) -> Vec<usize> {
+    let mut places = vec![0; below.len()];
+    for tree in &trees {
+        for (place, &position) in tree.iter().enumerate() {
+            places[position] = place;
+        }
     }
-    order.reverse();
+    let form = |tree: &[usize]| -> Vec<Vec<usize>> {
+        let own = tree.iter().map(|&position| &below[position]);
+        own.map(|below| below.iter().map(|&i| places[i]).collect())
+            .collect()
+    };
+    let mut order = Vec::with_capacity(below.len());
+    for alike in trees.chunk_by(|a, b| form(a) == form(b)) {
+        for place in 0..alike[0].len() {
+            order.extend(alike.iter().map(|tree| tree[place]));
+        }
+    }
     order
 }

@@ -4,7 +4,8 @@ use super::windows::Window;
 use crate::dag::Elimination;
 use std::fmt::Write;
 
-/// Eliminates an unknown from the lower triangle of a symmetric matrix; in `c` the lengths of its rows add up.
+/// Eliminates an unknown from the lower triangle of a symmetric matrix, and leaves a column of L below its inverse pivot; in
+/// `c` the lengths of its rows add up.
 pub(super) fn symmetric_column(out: &mut String, e: &Elimination, k: usize, window: &Window) {
     let (column, at) = (&e.columns[k], k - window.position);
     let pivot = column.pivot - window.slot;
@@ -34,6 +35,7 @@ pub(super) fn symmetric_column(out: &mut String, e: &Elimination, k: usize, wind
                 let _ = writeln!(out, "f[{target}] -= l * f[{}];", entry(b));
             }
         }
+        let _ = writeln!(out, "f[{}] = l;", entry(a));
     }
 }
 
@@ -62,31 +64,9 @@ pub(super) fn pair_column(out: &mut String, e: &Elimination, k: usize, window: &
     }
 }
 
-/// Forward substitution with U.
-pub(super) fn symmetric_forward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    let pivot = e.columns[k].pivot - window.slot;
-    let _ = writeln!(out, "let y = x[{}] * f[{pivot}];", k - window.position);
-    subtract(out, e, k, window);
-}
-
-/// Back substitution with U.
-pub(super) fn symmetric_backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    upward(out, e, k, window, "f");
-}
-
-/// Forward substitution with L.
+/// x ← L⁻¹x.
 pub(super) fn forward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
     let _ = writeln!(out, "let y = x[{}];", k - window.position);
-    subtract(out, e, k, window);
-}
-
-/// Back substitution with U, where it has an array of its own.
-pub(super) fn backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
-    upward(out, e, k, window, "g");
-}
-
-/// x ← x − y · column.
-fn subtract(out: &mut String, e: &Elimination, k: usize, window: &Window) {
     let column = &e.columns[k];
     for (place, &(i, _)) in column.below.iter().enumerate() {
         let slot = column.pivot + 1 + place - window.slot;
@@ -94,18 +74,28 @@ fn subtract(out: &mut String, e: &Elimination, k: usize, window: &Window) {
     }
 }
 
-/// x_k ← (x_k − row · x) / pivot.
-fn upward(out: &mut String, e: &Elimination, k: usize, window: &Window, array: &str) {
+/// x ← L⁻ᵀD⁻¹x.
+pub(super) fn symmetric_backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let (at, pivot) = (k - window.position, e.columns[k].pivot - window.slot);
+    let terms = terms(e, k, window, "f");
+    let _ = writeln!(out, "x[{at}] = x[{at}] * f[{pivot}]{terms};");
+}
+
+/// x ← (D U)⁻¹x, where D U has an array of its own.
+pub(super) fn backward(out: &mut String, e: &Elimination, k: usize, window: &Window) {
+    let (at, pivot) = (k - window.position, e.columns[k].pivot - window.slot);
+    let terms = terms(e, k, window, "g");
+    let _ = writeln!(out, "x[{at}] = (x[{at}]{terms}) * f[{pivot}];");
+}
+
+/// What the unknowns behind one take from it. The next ones are the last to be known, so that their terms are the last:
+/// nothing else waits for them.
+fn terms(e: &Elimination, k: usize, window: &Window, array: &str) -> String {
     let column = &e.columns[k];
-    let (at, pivot) = (k - window.position, column.pivot - window.slot);
-    let _ = write!(out, "x[{at}] = (x[{at}]");
-    for (place, &(i, _)) in column.below.iter().enumerate() {
-        let _ = write!(
-            out,
-            " - {array}[{}] * x[{}]",
-            pivot + 1 + place,
-            i - window.position
-        );
-    }
-    let _ = writeln!(out, ") * f[{pivot}];");
+    let below = column.below.iter().enumerate().rev();
+    below.fold(String::new(), |mut text, (place, &(i, _))| {
+        let slot = column.pivot + 1 + place - window.slot;
+        let _ = write!(text, " - {array}[{slot}] * x[{}]", i - window.position);
+        text
+    })
 }

@@ -1,6 +1,6 @@
 //! What the eliminations of K and of M have in common: places, factors, solutions.
 
-use super::columns::{symmetric_backward, symmetric_column, symmetric_forward};
+use super::columns::{forward, symmetric_backward, symmetric_column};
 use super::windows::{Column, stretches};
 use crate::dag::{Elimination, Sparse};
 use crate::emit::parts::words_of_u32;
@@ -60,7 +60,7 @@ pub(super) fn room(e: &Elimination) -> usize {
 pub(super) fn symmetric_passes(e: &Elimination, pattern: &str) -> String {
     match e.is_tabled() {
         true => format!("::mbs_runtime::generated::pattern::solve(Self::{pattern}(), f, x);"),
-        false => passes(e, &["f"], symmetric_forward, symmetric_backward),
+        false => passes(e, &["f"], forward, symmetric_backward),
     }
 }
 
@@ -74,7 +74,7 @@ pub(super) fn passes(
         + &stretches(e, arrays, &["x"], &["x"], true, "return", backward)
 }
 
-/// K = U ᵀD⁻¹U in place of its lower triangle: inverse pivots, and below them the columns of D U.
+/// K = L D Lᵀ in place of its lower triangle: inverse pivots, and below them the columns of L.
 pub(super) fn factor(out: &mut String, name: &str, e: &Elimination, pattern: &str) {
     if e.is_tabled() {
         let _ = writeln!(
