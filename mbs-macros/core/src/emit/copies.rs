@@ -62,7 +62,7 @@ fn run(sources: &[String]) -> usize {
 }
 
 /// Array and index of `array[index]`.
-fn element(source: &str) -> Option<(&str, usize)> {
+pub(super) fn element(source: &str) -> Option<(&str, usize)> {
     let (array, index) = source.strip_suffix(']')?.split_once('[')?;
     Some((array, index.parse().ok()?))
 }

@@ -14,6 +14,7 @@ mod fallback;
 mod fields;
 mod items;
 mod likely;
+mod member_loops;
 mod metadata;
 mod methods;
 mod motion;

@@ -7,10 +7,12 @@
 
 use super::body::{Body, source};
 use super::copies::copies;
+use super::member_loops;
 use super::size::Size;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
 use crate::dag::{ALL_TANGENTS, Function, Operation, Output, Parts, Place, Program, of_tangents};
 use crate::symbolic::{Graph, Map};
+use std::cell::Cell;
 use std::fmt::Write;
 
 /// rustc remarks that the words of longer tables take it long.
@@ -25,6 +27,8 @@ pub(super) struct LongFunctions {
     shapes: Vec<(usize, usize)>,
     /// For each function the length of its array of values: a power of two, so that no index needs a check.
     lengths: Vec<usize>,
+    /// Whether a method computes them by tables.
+    has_tables: Vec<Cell<bool>>,
     word: Word,
 }
 
@@ -70,6 +74,7 @@ impl LongFunctions {
         LongFunctions {
             numbers,
             shapes,
+            has_tables: vec![Cell::new(false); lengths.len()],
             lengths,
             word: Word {
                 bytes: if longest > 1 << 16 { 4 } else { 2 },
@@ -102,6 +107,13 @@ impl LongFunctions {
         let mut functions = self.functions.iter();
         let at = functions.position(|(name, _)| *name == function.name)?;
         let parts = &self.functions[at].1;
+        let outputs = parts.outputs.iter();
+        let outputs = outputs.filter_map(|(output, value)| Some((place(output)?, *value)));
+        let outputs: Vec<(Output, usize)> = outputs.collect();
+        if let Some(loops) = member_loops::body(graph, parts, &outputs, method) {
+            return Some(loops);
+        }
+        self.has_tables[at].set(true);
         let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
         let sources = parts.inputs.iter().map(|&input| source(graph, input));
         out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
@@ -110,8 +122,6 @@ impl LongFunctions {
             "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
             function.name.to_uppercase()
         );
-        let outputs = parts.outputs.iter();
-        let outputs = outputs.filter_map(|(output, value)| Some((place(output)?, *value)));
         self.write_outputs(&mut out, self.lengths[at], outputs, method);
         Some(out)
     }
@@ -120,7 +130,7 @@ impl LongFunctions {
         &self,
         out: &mut String,
         length: usize,
-        outputs: impl Iterator<Item = (Output, usize)>,
+        outputs: Vec<(Output, usize)>,
         method: &Method,
     ) {
         let mut sinks: Vec<(&str, usize, Vec<u8>)> = Vec::new();
@@ -181,13 +191,19 @@ impl LongFunctions {
         }
     }
 
-    /// The functions of the parts and the tables; nothing if no function is long.
+    /// The functions that a method computes by tables.
+    fn tabled(&self) -> impl Iterator<Item = (usize, &(&'static str, Parts))> {
+        let functions = self.functions.iter().enumerate();
+        functions.filter(|&(at, _)| self.has_tables[at].get())
+    }
+
+    /// The functions of the parts and the tables, for the methods that have been written; nothing if none needs them.
     pub(super) fn items(&self, graph: &Graph, size: &mut Size) -> String {
         if self.functions.is_empty() {
             return String::new();
         }
         let mut out = String::new();
-        for (at, (name, parts)) in self.functions.iter().enumerate() {
+        for (at, (name, parts)) in self.tabled() {
             // Each function has its own list: a program that does not call the function does not compile its parts.
             let (list, length) = (self.list(at), self.lengths[at]);
             let names = list.iter().map(|number| format!("Self::part_{number}"));
@@ -212,7 +228,13 @@ impl LongFunctions {
                 self.word.name()
             );
         }
-        for number in 0..self.shapes.len() {
+        let mut needed = vec![false; self.shapes.len()];
+        for (at, _) in self.tabled() {
+            self.numbers[at]
+                .iter()
+                .for_each(|&number| needed[number] = true);
+        }
+        for number in (0..self.shapes.len()).filter(|&number| needed[number]) {
             let start = out.len();
             self.write_part(&mut out, graph, number);
             // What several functions share is counted for the first of them.

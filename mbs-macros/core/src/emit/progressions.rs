@@ -139,18 +139,11 @@ impl Statement {
             let Number { range, value, .. } = number;
             out.push_str(&self.text[from..range.start]);
             from = range.end;
-            let step = next.value - value;
-            let sum = match (value, step) {
-                (_, 0) => {
-                    out.push_str(&self.text[range.clone()]);
-                    continue;
-                }
-                (0, 1) => "turn".to_owned(),
-                (_, 1) => format!("{value} + turn"),
-                (0, _) if step > 0 => format!("{step} * turn"),
-                _ if step > 0 => format!("{value} + {step} * turn"),
-                _ => format!("{value} - {} * turn", -step),
-            };
+            if next.value == *value {
+                out.push_str(&self.text[range.clone()]);
+                continue;
+            }
+            let sum = sum(*value, next.value - value);
             match number.is_real {
                 true => {
                     let _ = write!(out, "(({sum}) as f64)");
@@ -160,6 +153,23 @@ impl Statement {
         }
         out.push_str(&self.text[from..]);
         out.push('\n');
+    }
+}
+
+/// A number that is `first` in the first turn and `second` in the next one, as a function of the turn.
+pub(super) fn counted(first: usize, second: usize) -> String {
+    sum(first as i64, second as i64 - first as i64)
+}
+
+/// `value + step * turn`.
+fn sum(value: i64, step: i64) -> String {
+    match (value, step) {
+        (_, 0) => value.to_string(),
+        (0, 1) => "turn".to_owned(),
+        (_, 1) => format!("{value} + turn"),
+        (0, _) if step > 0 => format!("{step} * turn"),
+        _ if step > 0 => format!("{value} + {step} * turn"),
+        _ => format!("{value} - {} * turn", -step),
     }
 }
 

@@ -74,6 +74,14 @@ impl Parts {
         schedule::of(function, &groups, shapes, members, order)
     }
 
+    /// The runs, in order: the shape of each, and its rows.
+    pub fn rows(&self) -> impl Iterator<Item = (usize, &[Vec<u32>])> {
+        self.runs.iter().map(|run| {
+            let table = &self.shapes[run.shape].table;
+            (run.shape, &table[run.first..run.first + run.count])
+        })
+    }
+
     /// The number of operations that are written out.
     pub fn operations(&self) -> usize {
         let lengths = self
