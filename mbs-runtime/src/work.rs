@@ -4,15 +4,14 @@ use crate::{Flow, Method, Model, Settings};
 
 /// What a stage, or a correction, costs beside its functions: calls, copies, comparisons.
 const STAGE: f64 = 60.0;
-/// Operations of a planned elimination, by row.
-const SPARSE: f64 = 60.0;
 
-/// The operations of so many stages with so many corrections.
+/// The operations of so many stages with so many corrections; `planned` are those of a factor and of a solution where the
+/// elimination is planned.
 pub(crate) fn work(
     model: &Model,
     settings: &Settings,
     flow: Flow,
-    sparse: bool,
+    planned: Option<[u64; 2]>,
     stages: u64,
     iterations: u64,
 ) -> f64 {
@@ -23,9 +22,9 @@ pub(crate) fn work(
     let metric =
         || of("metric").unwrap_or(cost("solve_mass_rows") + cost("delassus") + 2.0 * r * r);
     // Of a dense elimination with its metric, or of a planned one with its products; a solution; products with A.
-    let (metric, elimination, solution, products) = match sparse {
-        true => (0.0, SPARSE * r, 0.3 * SPARSE * r, 0.0),
-        false => (metric(), r * r * r / 3.0, 2.0 * r * r, 4.0 * n * r),
+    let (metric, elimination, solution, products) = match planned {
+        Some([factor, solution]) => (0.0, factor as f64, solution as f64, 0.0),
+        None => (metric(), r * r * r / 3.0, 2.0 * r * r, 4.0 * n * r),
     };
     let (stage, correction) = match (settings.method, flow) {
         (Method::Projected, _) => {

@@ -132,6 +132,15 @@ fn its_code_does_not_grow_with_the_count() {
 }
 
 #[test]
+fn its_functions_are_loops_without_tables() {
+    let (tree, analysis) = analyse(sizes::families(400).parse().expect("tokens"));
+    let analysis = analysis.expect("a mechanism");
+    let (code, _) = emit::written(&tree.expect("a declaration"), &analysis, &analysis.program);
+    let code = code.to_string();
+    assert!(code.contains("for turn in 0..400_usize") && !code.contains("compute_parts"));
+}
+
+#[test]
 fn a_redundant_row_among_many_is_named() {
     let text = sizes::families(60).replace(
         " }",

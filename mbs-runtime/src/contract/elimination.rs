@@ -27,6 +27,8 @@ pub struct Elimination<const N: usize, const R: usize> {
     pub pivots: &'static [(usize, usize)],
     /// How many rows follow from others.
     pub redundant: usize,
+    /// Operations of a factor and of a solution, in those of dense arrays.
+    pub operations: [u64; 2],
     /// A v, from K.
     pub rates: Rates<N, R>,
     /// Aᵀκ, from K.

@@ -101,9 +101,10 @@ where
         let done = self.report();
         let stages = done.stages - before.stages;
         let iterations = done.iterations - before.iterations;
-        let sparse = self.integrator.is_sparse();
+        let plan = S::ELIMINATION.filter(|_| self.integrator.is_sparse());
+        let planned = plan.map(|plan| plan.operations);
         let flow = self.flow();
-        let operations = work(S::MODEL, &self.settings, flow, sparse, stages, iterations);
+        let operations = work(S::MODEL, &self.settings, flow, planned, stages, iterations);
         Ok(operations / (self.time() - start))
     }
 }

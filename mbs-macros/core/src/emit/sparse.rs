@@ -53,12 +53,13 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     let (kicks, kicking) = kicks::emit(sparse);
     let constant = format!(
         "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{
-            unknowns: {}, slots: {}, mass: {}, pivots: {pivots}, redundant: {},
+            unknowns: {}, slots: {}, mass: {}, pivots: {pivots}, redundant: {}, operations: {:?},
             rates: Self::sparse_rates, impulse: Self::sparse_impulse, factor: Self::sparse_factor, solve: Self::sparse_solve, accelerate: Self::sparse_accelerate, kicks: {kicks} }});\n",
         rows.columns.len(),
         room(rows),
         mass_entries(sparse, rows),
         sparse.redundant,
+        rows.operations(),
     );
     let mut out = String::new();
     if rows.is_tabled() {

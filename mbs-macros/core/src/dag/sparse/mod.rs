@@ -121,7 +121,7 @@ impl Sparse {
             false => n * n * n / 3 + 2 * n * n * r,
         };
         let dense = mass + n * r * r + r * r * r / 3;
-        self.rows.weight() * (self.rows.factor_operations() + self.rows.solve_operations()) < dense
+        self.rows.operations().iter().sum::<usize>() < dense
     }
 }
 
@@ -247,6 +247,11 @@ impl Elimination {
     /// What one of its operations costs, in operations with dense arrays.
     fn weight(&self) -> usize {
         if self.is_tabled() { BY_TABLE } else { 1 }
+    }
+
+    /// Multiplications and additions of a symmetric factorisation and of a solution, in those of dense arrays.
+    pub fn operations(&self) -> [usize; 2] {
+        [self.factor_operations(), self.solve_operations()].map(|count| self.weight() * count)
     }
 
     /// Multiplications and additions of a solution.
