@@ -11,12 +11,14 @@
 //! and so the index of every entry and of all fill, is chosen here. The generated code has no index arrays, unless it would
 //! be too long: then it has tables of the pattern.
 
+mod fill;
 mod order;
 mod stretches;
 mod table;
 
 use crate::derivatives::Derived;
 use crate::symbolic::Expr;
+use fill::{column_operations, fill};
 use std::collections::BTreeSet;
 
 pub use stretches::Stretch;
@@ -42,7 +44,7 @@ pub struct Elimination {
     pub columns: Vec<Column>,
     /// Length of the array of entries: of each column the pivot, then what is below it.
     pub slots: usize,
-    /// The columns as loops.
+    /// The columns as loops, in the order of their elimination.
     pub stretches: Vec<Stretch>,
 }
 
@@ -168,7 +170,7 @@ impl Elimination {
             neighbours[i].insert(j);
             neighbours[j].insert(i);
         }
-        let order = order::minimum_degree(neighbours.clone(), velocities);
+        let order = order::from_both_ends(&neighbours, velocities);
         let below = fill(&neighbours, &order);
         let trees = order::link_by_link(&below);
         let links = match rows {
@@ -262,26 +264,6 @@ impl Elimination {
     /// Multiplications and additions of a symmetric factorisation.
     fn factor_operations(&self) -> usize {
         let columns = self.columns.iter().map(|column| column.below.len());
-        columns.map(|below| below * (below + 2) + 5).sum()
+        columns.map(column_operations).sum()
     }
-}
-
-/// The positions of the entries below each pivot, for this order.
-fn fill(neighbours: &[BTreeSet<usize>], order: &[usize]) -> Vec<BTreeSet<usize>> {
-    let mut positions = vec![0; order.len()];
-    for (position, &unknown) in order.iter().enumerate() {
-        positions[unknown] = position;
-    }
-    let mut below: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); order.len()];
-    for (position, &unknown) in order.iter().enumerate() {
-        let later = neighbours[unknown].iter().map(|&other| positions[other]);
-        below[position].extend(later.filter(|&other| other > position));
-        // The entries of a column below its first one are also entries of the column of the first one.
-        let mut fill = below[position].iter().copied();
-        if let Some(first) = fill.next() {
-            let fill: Vec<usize> = fill.collect();
-            below[first].extend(fill);
-        }
-    }
-    below
 }

@@ -1,17 +1,34 @@
 //! In which order the unknowns of a sparse symmetric matrix are eliminated.
 
+use super::fill::{column_operations, fill};
 use std::collections::BTreeSet;
 
-/// Minimum degree: each time the unknown with the fewest couplings to the remaining unknowns; of equals the first.
+/// An elimination from both ends may take this many operations more, in hundredths.
+const MORE: usize = 5;
+
+/// Where minimum degree begins among equals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum From {
+    First,
+    Last,
+}
+
+/// Minimum degree: each time the unknown with the fewest couplings to the remaining unknowns; of equals the first, or the
+/// last.
 ///
 /// A row comes after all velocities that it couples. Then every leading part of the matrix is that of a mechanism
 /// with whole rows, whose pivots are those of M (positive) and of the rows' Schur complement (negative), and a row's
 /// pivot vanishes only where rows lose their independence.
-pub(super) fn minimum_degree(
+fn minimum_degree(
     mut neighbours: Vec<BTreeSet<usize>>,
     velocities: usize,
+    from: From,
 ) -> Vec<usize> {
     let count = neighbours.len();
+    let turned = |unknown: usize| match from {
+        From::First => unknown,
+        From::Last => count - 1 - unknown,
+    };
     // With fill a row has more neighbours than the velocities that it couples.
     let coupled = neighbours.clone();
     let mut waits_for: Vec<usize> = (0..count)
@@ -23,15 +40,16 @@ pub(super) fn minimum_degree(
     // Those that can be next, by the number of their couplings.
     let mut ready: BTreeSet<(usize, usize)> = (0..count)
         .filter(|&unknown| waits_for[unknown] == 0)
-        .map(|unknown| (neighbours[unknown].len(), unknown))
+        .map(|unknown| (neighbours[unknown].len(), turned(unknown)))
         .collect();
     let mut order = Vec::with_capacity(count);
     while let Some((_, next)) = ready.pop_first() {
+        let next = turned(next);
         order.push(next);
         for &row in coupled[next].iter().filter(|&&other| other >= velocities) {
             waits_for[row] -= 1;
             if waits_for[row] == 0 {
-                ready.insert((neighbours[row].len(), row));
+                ready.insert((neighbours[row].len(), turned(row)));
             }
         }
         let around = std::mem::take(&mut neighbours[next]);
@@ -40,12 +58,41 @@ pub(super) fn minimum_degree(
             neighbours[unknown].remove(&next);
             let others = around.iter().copied().filter(|&other| other != unknown);
             neighbours[unknown].extend(others);
-            if ready.remove(&(before, unknown)) {
-                ready.insert((neighbours[unknown].len(), unknown));
+            if ready.remove(&(before, turned(unknown))) {
+                ready.insert((neighbours[unknown].len(), turned(unknown)));
             }
         }
     }
     order
+}
+
+/// Minimum degree from the first unknown on, and from the last one on where that takes hardly more operations: a chain is
+/// eliminated from both ends to its middle, and no column of one half waits for one of the other.
+pub(super) fn from_both_ends(neighbours: &[BTreeSet<usize>], velocities: usize) -> Vec<usize> {
+    let [first, last] =
+        [From::First, From::Last].map(|from| minimum_degree(neighbours.to_vec(), velocities, from));
+    let below = fill(neighbours, &first);
+    let mut links = link_by_link(&below);
+    if links.len() > 1 {
+        return first;
+    }
+    let mut both: Vec<usize> = links.pop().unwrap_or_default();
+    both.truncate(first.len() / 2);
+    both.iter_mut()
+        .for_each(|position| *position = first[*position]);
+    let taken: BTreeSet<usize> = both.iter().copied().collect();
+    both.extend(last.into_iter().filter(|unknown| !taken.contains(unknown)));
+    let operations = |below: &[BTreeSet<usize>]| -> usize {
+        below
+            .iter()
+            .map(|below| column_operations(below.len()))
+            .sum()
+    };
+    let [one, two] = [operations(&below), operations(&fill(neighbours, &both))];
+    match 100 * two <= (100 + MORE) * one {
+        true => both,
+        false => first,
+    }
 }
 
 /// The same elimination link by link: each column directly after those that it depends on, where minimum degree goes from

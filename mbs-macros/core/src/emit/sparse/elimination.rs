@@ -1,7 +1,7 @@
 //! What the eliminations of K and of M have in common: places, factors, solutions.
 
 use super::columns::{forward, symmetric_backward, symmetric_column};
-use super::windows::{Column, stretches};
+use super::windows::{Arrays, Column, stretches};
 use crate::dag::{Elimination, Sparse};
 use crate::emit::parts::words_of_u32;
 use crate::emit::progressions::folded;
@@ -64,14 +64,14 @@ pub(super) fn symmetric_passes(e: &Elimination, pattern: &str) -> String {
     }
 }
 
-pub(super) fn passes(
-    e: &Elimination,
-    arrays: &[&str],
-    forward: Column,
-    backward: Column,
-) -> String {
-    stretches(e, arrays, &["x"], &["x"], false, "return", forward)
-        + &stretches(e, arrays, &["x"], &["x"], true, "return", backward)
+pub(super) fn passes(e: &Elimination, slots: &[&str], forward: Column, backward: Column) -> String {
+    let arrays = Arrays {
+        slots,
+        vectors: &["x"],
+        changed: &["x"],
+        give_up: "return",
+    };
+    stretches(e, &arrays, false, forward) + &stretches(e, &arrays, true, backward)
 }
 
 /// K = L D Lᵀ in place of its lower triangle: inverse pivots, and below them the columns of L.
@@ -84,15 +84,13 @@ pub(super) fn factor(out: &mut String, name: &str, e: &Elimination, pattern: &st
         );
         return;
     }
-    let body = stretches(
-        e,
-        &["f"],
-        &["c"],
-        &["f", "c"],
-        false,
-        "return f64::INFINITY",
-        symmetric_column,
-    );
+    let arrays = Arrays {
+        slots: &["f"],
+        vectors: &["c"],
+        changed: &["f", "c"],
+        give_up: "return f64::INFINITY",
+    };
+    let body = stretches(e, &arrays, false, symmetric_column);
     let _ = writeln!(
         out,
         "fn {name}(f: &mut [f64], c: &mut [f64]) -> f64 {{

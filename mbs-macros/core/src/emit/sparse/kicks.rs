@@ -5,7 +5,7 @@ use super::elimination::{
     MASS, collect, factor, mass_entries, passes, room, spread, symmetric_passes,
 };
 use super::table;
-use super::windows::stretches;
+use super::windows::{Arrays, stretches};
 use crate::dag::{Elimination, Sparse};
 use crate::emit::progressions::folded;
 use std::fmt::Write;
@@ -79,15 +79,13 @@ fn factor_pair(out: &mut String, e: &Elimination) {
         );
         return;
     }
-    let body = stretches(
-        e,
-        &["f", "g"],
-        &["c"],
-        &["f", "g"],
-        false,
-        "return f64::INFINITY",
-        pair_column,
-    );
+    let arrays = Arrays {
+        slots: &["f", "g"],
+        vectors: &["c"],
+        changed: &["f", "g"],
+        give_up: "return f64::INFINITY",
+    };
+    let body = stretches(e, &arrays, false, pair_column);
     let _ = writeln!(
         out,
         "fn sparse_factor_pair(f: &mut [f64], g: &mut [f64], c: &[f64]) -> f64 {{
