@@ -6,7 +6,7 @@
 /// A slot that is free.
 const FREE: u32 = u32::MAX;
 /// Slots at the beginning.
-const FIRST: usize = 256;
+const FIRST: usize = 32;
 
 /// Hashes of nodes with their numbers in the arena, by open addressing; less than half of the slots are taken.
 #[derive(Debug, Clone, Default)]
@@ -19,13 +19,15 @@ pub(super) struct Index {
 impl Index {
     /// The number of the node with this hash that `is_it` tells from others.
     pub(super) fn find(&self, hash: u32, is_it: impl Fn(u32) -> bool) -> Option<u32> {
-        if self.slots.is_empty() {
+        // A slice is indexed without a call.
+        let slots = self.slots.as_slice();
+        if slots.is_empty() {
             return None;
         }
-        let mask = self.slots.len() - 1;
+        let mask = slots.len() - 1;
         let mut at = hash as usize & mask;
         loop {
-            let (own, number) = self.slots[at];
+            let (own, number) = slots[at];
             if number == FREE {
                 return None;
             }
@@ -52,11 +54,12 @@ impl Index {
     }
 
     fn put(&mut self, hash: u32, number: u32) {
-        let mask = self.slots.len() - 1;
+        let slots = self.slots.as_mut_slice();
+        let mask = slots.len() - 1;
         let mut at = hash as usize & mask;
-        while self.slots[at].1 != FREE {
+        while slots[at].1 != FREE {
             at = (at + 1) & mask;
         }
-        self.slots[at] = (hash, number);
+        slots[at] = (hash, number);
     }
 }
