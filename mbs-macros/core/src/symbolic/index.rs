@@ -10,7 +10,7 @@ const FIRST: usize = 32;
 
 /// Hashes of nodes with their numbers in the arena, by open addressing; less than half of the slots are taken.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Index {
+pub(crate) struct Index {
     /// Their number is a power of two.
     slots: Vec<(u32, u32)>,
     taken: usize,
@@ -18,7 +18,7 @@ pub(super) struct Index {
 
 impl Index {
     /// The number of the node with this hash that `is_it` tells from others.
-    pub(super) fn find(&self, hash: u32, is_it: impl Fn(u32) -> bool) -> Option<u32> {
+    pub(crate) fn find(&self, hash: u32, is_it: impl Fn(u32) -> bool) -> Option<u32> {
         // A slice is indexed without a call.
         let slots = self.slots.as_slice();
         if slots.is_empty() {
@@ -39,7 +39,7 @@ impl Index {
     }
 
     /// Adds a node that is not there.
-    pub(super) fn insert(&mut self, number: u32, hash: u32) {
+    pub(crate) fn insert(&mut self, number: u32, hash: u32) {
         if 2 * self.taken >= self.slots.len() {
             let length = FIRST.max(2 * self.slots.len());
             let slots = std::mem::replace(&mut self.slots, vec![(0, FREE); length]);

@@ -24,8 +24,8 @@ mod substitute;
 mod table;
 
 pub(crate) use build::is_simple;
-pub(crate) use map::Set;
-pub(crate) use map::{Map, hash, mixed, mixed_text};
+pub(crate) use index::Index;
+pub(crate) use map::{Map, Set, hash, mixed, mixed_text};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
@@ -36,7 +36,6 @@ pub use rotation::rotation_entry;
 pub use substitute::Substitution;
 pub use table::{Beyond, Datum, INTEGRAL, Interpolation, Table, TableData};
 
-use index::Index;
 use std::sync::Arc;
 
 /// A node of a [`Graph`].
