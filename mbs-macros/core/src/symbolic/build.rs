@@ -90,7 +90,7 @@ impl Graph {
         collect(&mut flat);
         self.pythagoras(&mut flat, &mut constant);
         // 3 (x + y) − 2 (x + y) becomes x + y: a coefficient may be ±1 only after the terms were collected.
-        while flat.iter().any(|&(term, c)| self.dissolves(term, c)) {
+        while self.any_dissolves(&flat) {
             for (term, coefficient) in std::mem::take(&mut flat) {
                 self.flatten_term(term, coefficient, &mut constant, &mut flat);
             }
@@ -127,12 +127,17 @@ impl Graph {
         if terms.len() == 1 {
             return 1.0;
         }
-        let counted = terms.iter().map(|&(_, coefficient)| coefficient);
-        let counted = counted.filter(|&coefficient| !self.of_many || is_simple(coefficient));
-        let signs: Vec<bool> = counted.map(|coefficient| coefficient < 0.0).collect();
-        let minus = signs.iter().filter(|&&is_negative| is_negative).count();
-        let negative = match signs.first() {
-            Some(&first) => 2 * minus > signs.len() || (2 * minus == signs.len() && first),
+        let (mut counted, mut minus, mut first) = (0, 0, None);
+        for &(_, coefficient) in terms {
+            if !self.of_many || is_simple(coefficient) {
+                let is_negative = coefficient < 0.0;
+                counted += 1;
+                minus += usize::from(is_negative);
+                first = first.or(Some(is_negative));
+            }
+        }
+        let negative = match first {
+            Some(first) => 2 * minus > counted || (2 * minus == counted && first),
             None => {
                 let opposite = Node::Sum {
                     constant: Number::new(-constant),
@@ -145,11 +150,19 @@ impl Graph {
     }
 
     /// Whether a term of a sum is a sum to be dissolved.
-    fn dissolves(&self, term: Expr, coefficient: f64) -> bool {
-        let Node::Sum { terms, .. } = self.node(term) else {
-            return false;
-        };
-        coefficient.abs() == 1.0 && terms.len() <= LONG_SUM
+    fn any_dissolves(&self, flat: &[(Expr, f64)]) -> bool {
+        let mut at = 0;
+        while at < flat.len() {
+            let (term, coefficient) = flat[at];
+            if let Node::Sum { terms, .. } = self.node(term)
+                && coefficient.abs() == 1.0
+                && terms.len() <= LONG_SUM
+            {
+                return true;
+            }
+            at += 1;
+        }
+        false
     }
 
     /// A nested sum is flattened if this needs no multiplication, coefficient ±1 or a single scaled term, and if it is
@@ -179,11 +192,9 @@ impl Graph {
                 terms,
             } if coefficient.abs() == 1.0 && terms.len() <= LONG_SUM => {
                 constant.add(coefficient * inner.value());
-                flat.extend(
-                    terms
-                        .iter()
-                        .map(|&(term, own)| (term, coefficient * own.value())),
-                );
+                for &(term, own) in terms {
+                    flat.push((term, coefficient * own.value()));
+                }
             }
             _ => flat.push((term, coefficient)),
         }
@@ -218,13 +229,14 @@ impl Graph {
         let Node::Product(factors) = self.node(term) else {
             return None;
         };
-        let (slot, angle) = factors
-            .iter()
-            .enumerate()
-            .find_map(|(slot, &(factor, power))| match self.node(factor) {
-                Node::Function(Function::Sin, angle) if power >= 2 => Some((slot, *angle)),
-                _ => None,
-            })?;
+        let mut slot = 0;
+        let angle = loop {
+            let &(factor, power) = factors.get(slot)?;
+            match self.node(factor) {
+                Node::Function(Function::Sin, angle) if power >= 2 => break *angle,
+                _ => slot += 1,
+            }
+        };
         let mut rest: Vec<(Expr, i32)> = factors.to_vec();
         rest[slot].1 -= 2;
         let cos = self.function(Function::Cos, angle);
@@ -251,44 +263,10 @@ impl Graph {
     /// Π factor^power.
     pub fn product(&mut self, factors: &[(Expr, i32)]) -> Expr {
         let mut coefficient = 1.0;
-        let mut flat: Vec<(Expr, i32)> = Vec::with_capacity(factors.len());
-        let mut pending: Vec<(Expr, i32)> = factors.to_vec();
-        while let Some((factor, power)) = pending.pop() {
-            if power == 0 {
-                continue;
-            }
-            match self.node(factor) {
-                Node::Constant(number) => coefficient *= number.value().powi(power),
-                Node::Sum {
-                    constant: Number::ZERO,
-                    terms,
-                } if terms.len() == 1 => {
-                    coefficient *= terms[0].1.value().powi(power);
-                    pending.push((terms[0].0, power));
-                }
-                Node::Product(inner)
-                    if inner.iter().all(|&(_, p)| p.checked_mul(power).is_some()) =>
-                {
-                    pending.extend(inner.iter().map(|&(f, p)| (f, p * power)));
-                }
-                _ => flat.push((factor, power)),
-            }
-        }
-        flat.sort_unstable();
-        let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(flat.len());
-        for (factor, power) in flat {
-            match merged.last_mut() {
-                Some(last) if last.0 == factor && last.1.checked_add(power).is_some() => {
-                    last.1 += power;
-                }
-                _ => merged.push((factor, power)),
-            }
-        }
-        merged.retain(|&(_, power)| power != 0);
+        let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(factors.len() + 2);
+        self.flatten_factors(factors, 1, &mut coefficient, &mut merged);
         // √x · √x = x
-        if let Some(slot) = merged.iter().position(|&(f, p)| {
-            p.abs() >= 2 && matches!(self.node(f), Node::Function(Function::Sqrt, _))
-        }) {
+        if let Some(slot) = self.double_root(&merged) {
             let (root, power) = merged[slot];
             let Node::Function(_, inside) = *self.node(root) else {
                 unreachable!("matched above")
@@ -311,6 +289,52 @@ impl Graph {
         } else {
             self.linear(0.0, &[(product, coefficient)])
         }
+    }
+
+    /// Puts factors into a sorted list, those of products inside one by one, and multiplies the numbers among them.
+    fn flatten_factors(
+        &self,
+        factors: &[(Expr, i32)],
+        exponent: i32,
+        coefficient: &mut f64,
+        flat: &mut Vec<(Expr, i32)>,
+    ) {
+        let mut left = factors.len();
+        while left > 0 {
+            left -= 1;
+            let (factor, power) = factors[left];
+            let power = power * exponent;
+            if power == 0 {
+                continue;
+            }
+            match self.node(factor) {
+                Node::Constant(number) => *coefficient *= number.value().powi(power),
+                Node::Sum {
+                    constant: Number::ZERO,
+                    terms,
+                } if terms.len() == 1 => {
+                    *coefficient *= terms[0].1.value().powi(power);
+                    self.flatten_factors(&[(terms[0].0, power)], 1, coefficient, flat);
+                }
+                Node::Product(inner) if are_multiplied(inner, power) => {
+                    self.flatten_factors(inner, power, coefficient, flat);
+                }
+                _ => put_factor(flat, factor, power),
+            }
+        }
+    }
+
+    /// Where a square root has a power that is one of what is inside.
+    fn double_root(&self, factors: &[(Expr, i32)]) -> Option<usize> {
+        let mut slot = 0;
+        while slot < factors.len() {
+            let (factor, power) = factors[slot];
+            if power.abs() >= 2 && matches!(self.node(factor), Node::Function(Function::Sqrt, _)) {
+                return Some(slot);
+            }
+            slot += 1;
+        }
+        None
     }
 
     /// base^exponent.
@@ -412,8 +436,11 @@ impl Graph {
 }
 
 fn scaled(terms: &[(Expr, f64)], factor: f64) -> Box<[(Expr, Number)]> {
-    let scaled = |&(term, coefficient): &(Expr, f64)| (term, Number::new(factor * coefficient));
-    terms.iter().map(scaled).collect()
+    let mut scaled = Vec::with_capacity(terms.len());
+    for &(term, coefficient) in terms {
+        scaled.push((term, Number::new(factor * coefficient)));
+    }
+    scaled.into()
 }
 
 /// Whether a coefficient is likely to come from a formula, not from a place or direction.
@@ -421,25 +448,69 @@ pub(crate) fn is_simple(coefficient: f64) -> bool {
     (4.0 * coefficient).fract() == 0.0
 }
 
+/// Whether the powers of factors times another power are numbers of this size.
+fn are_multiplied(factors: &[(Expr, i32)], power: i32) -> bool {
+    power == 1 || factors.iter().all(|(_, own)| own.checked_mul(power).is_some())
+}
+
+/// Puts a factor into a sorted list.
+fn put_factor(flat: &mut Vec<(Expr, i32)>, factor: Expr, power: i32) {
+    let mut at = flat.len();
+    while at > 0 && flat[at - 1].0.0 > factor.0 {
+        at -= 1;
+    }
+    if at > 0
+        && flat[at - 1].0.0 == factor.0
+        && let Some(sum) = flat[at - 1].1.checked_add(power)
+    {
+        flat[at - 1].1 = sum;
+        if sum == 0 {
+            flat.remove(at - 1);
+        }
+        return;
+    }
+    flat.insert(at, (factor, power));
+}
+
 /// Sorts by term and adds up coefficients.
 fn collect(terms: &mut Vec<(Expr, f64)>) {
-    terms.sort_unstable_by_key(|&(term, _)| term);
-    let mut kept: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
-    let mut total = Total::of(0.0);
-    for &(term, coefficient) in terms.iter() {
-        match kept.last_mut() {
-            Some(last) if last.0 == term => {
-                total.add(coefficient);
-                last.1 = total.value();
-            }
-            _ => {
-                kept.push((term, coefficient));
-                total = Total::of(coefficient);
-            }
+    sort(terms);
+    let mut kept = 0;
+    let mut at = 0;
+    while at < terms.len() {
+        let (term, coefficient) = terms[at];
+        at += 1;
+        let mut total = Total::of(coefficient);
+        while at < terms.len() && terms[at].0.0 == term.0 {
+            total.add(terms[at].1);
+            at += 1;
+        }
+        // The value of a number alone is the number.
+        let total = total.value();
+        if total != 0.0 {
+            terms[kept] = (term, total);
+            kept += 1;
         }
     }
-    kept.retain(|&(_, coefficient)| coefficient != 0.0);
-    *terms = kept;
+    terms.truncate(kept);
+}
+
+/// Sorts terms, of which there are few in most sums.
+fn sort(terms: &mut [(Expr, f64)]) {
+    const FEW: usize = 16;
+    if terms.len() > FEW {
+        terms.sort_by_key(|&(term, _)| term);
+        return;
+    }
+    let mut next = 1;
+    while next < terms.len() {
+        let mut at = next;
+        while at > 0 && terms[at - 1].0.0 > terms[at].0.0 {
+            terms.swap(at - 1, at);
+            at -= 1;
+        }
+        next += 1;
+    }
 }
 
 /// A sum of numbers that cancel exactly, if they cancel but for their round-off: what vanishes for one leg of a

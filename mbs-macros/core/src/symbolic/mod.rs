@@ -270,7 +270,8 @@ impl Graph {
 
     /// The node of an expression.
     pub fn node(&self, expr: Expr) -> &Node {
-        &self.nodes[expr.0 as usize]
+        // A slice is indexed without a call.
+        &self.nodes.as_slice()[expr.0 as usize]
     }
 
     /// The number of operations from an expression down to its lowest symbol.
