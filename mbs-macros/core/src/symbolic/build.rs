@@ -56,6 +56,12 @@ impl Graph {
 
     /// a + b.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
         self.linear(0.0, &[(a, 1.0), (b, 1.0)])
     }
 
@@ -76,8 +82,12 @@ impl Graph {
 
     /// The sum of all.
     pub fn sum(&mut self, terms: impl IntoIterator<Item = Expr>) -> Expr {
-        let terms: Vec<_> = terms.into_iter().map(|term| (term, 1.0)).collect();
-        self.linear(0.0, &terms)
+        let terms = terms.into_iter().filter(|&term| !self.is_zero(term));
+        let terms: Vec<_> = terms.map(|term| (term, 1.0)).collect();
+        match terms.as_slice() {
+            [(term, _)] => *term,
+            terms => self.linear(0.0, terms),
+        }
     }
 
     /// constant + Σ coefficient · term.
@@ -247,6 +257,11 @@ impl Graph {
 
     /// a · b.
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        match (self.as_constant(a), self.as_constant(b)) {
+            (Some(0.0), None) | (None, Some(1.0)) => return a,
+            (None, Some(0.0)) | (Some(1.0), None) => return b,
+            _ => {}
+        }
         self.product(&[(a, 1), (b, 1)])
     }
 

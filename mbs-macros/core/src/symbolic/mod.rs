@@ -346,7 +346,7 @@ impl Graph {
 
     /// Whether the expression is the number zero.
     pub fn is_zero(&self, expr: Expr) -> bool {
-        self.as_constant(expr) == Some(0.0)
+        matches!(self.node(expr), Node::Constant(Number::ZERO))
     }
 
     /// Calls `visit` on each direct operand.
