@@ -103,14 +103,18 @@ fn times(statements: &[Statement], period: usize) -> usize {
         }
         // The first turn gives the steps.
         let [a, b] = [&statements[at % period], &statements[at % period + period]];
-        let mut numbers = (0..now.numbers.len()).map(|k| {
-            let step = b.numbers[k].value - a.numbers[k].value;
-            now.numbers[k].value - before.numbers[k].value == step
-        });
-        numbers.all(|grows| grows)
+        let [a, b, before, now] = [a, b, before, now].map(|one| one.numbers.as_slice());
+        let mut k = 0;
+        while k < now.len() && now[k].value - before[k].value == b[k].value - a[k].value {
+            k += 1;
+        }
+        k == now.len()
     };
-    let followers = (period..statements.len()).take_while(|&at| continues(at));
-    1 + followers.count() / period
+    let mut at = period;
+    while at < statements.len() && continues(at) {
+        at += 1;
+    }
+    at / period
 }
 
 impl Statement {
