@@ -173,7 +173,7 @@ fn numbers(text: &str) -> Vec<Number> {
     let mut found = Vec::new();
     let mut at = 0;
     while at < bytes.len() {
-        if !is_word(bytes[at]) {
+        if !WORD[bytes[at] as usize] {
             at += 1;
             continue;
         }
@@ -181,7 +181,7 @@ fn numbers(text: &str) -> Vec<Number> {
         let is_number = bytes[at].is_ascii_digit();
         // `1e-5` is one word.
         while at < bytes.len()
-            && (is_word(bytes[at]) || is_number && continues(&bytes[start..at], bytes[at]))
+            && (WORD[bytes[at] as usize] || is_number && continues(&bytes[start..at], bytes[at]))
         {
             at += 1;
         }
@@ -203,9 +203,16 @@ fn numbers(text: &str) -> Vec<Number> {
     found
 }
 
-fn is_word(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_'
-}
+/// Whether a byte belongs to a name or number: texts of many statements are read, and a table takes no call.
+const WORD: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        table[byte] = (byte as u8).is_ascii_alphanumeric() || byte as u8 == b'_';
+        byte += 1;
+    }
+    table
+};
 
 /// Whether a byte continues a number: the point of `2.5`, and the sign of `1e-5`.
 fn continues(number: &[u8], byte: u8) -> bool {

@@ -41,7 +41,12 @@ impl Graph {
 
     /// Zero.
     pub fn zero(&mut self) -> Expr {
-        self.constant(0.0)
+        if let Some(zero) = self.zero {
+            return zero;
+        }
+        let zero = self.constant(0.0);
+        self.zero = Some(zero);
+        zero
     }
 
     /// One.

@@ -237,6 +237,8 @@ pub struct Graph {
     /// For each node, the number of operations from it down to its lowest symbol.
     levels: Vec<u32>,
     index: Index,
+    /// Zero, once it was made: nothing is made as often.
+    zero: Option<Expr>,
     derivatives: Map<(Expr, Symbol), Expr>,
     /// See [`Graph::terms_along`].
     along: Map<Expr, Arc<Map<Symbol, Vec<u32>>>>,
