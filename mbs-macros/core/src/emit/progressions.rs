@@ -103,7 +103,8 @@ fn times(statements: &[Statement], period: usize) -> usize {
         }
         // The first turn gives the steps.
         let [a, b] = [&statements[at % period], &statements[at % period + period]];
-        let [a, b, before, now] = [a, b, before, now].map(|one| one.numbers.as_slice());
+        let (a, b): (&[Number], &[Number]) = (&a.numbers, &b.numbers);
+        let (before, now): (&[Number], &[Number]) = (&before.numbers, &now.numbers);
         let mut k = 0;
         while k < now.len() && now[k].value - before[k].value == b[k].value - a[k].value {
             k += 1;
@@ -190,9 +191,7 @@ fn numbers(text: &str) -> Vec<Number> {
         let digits = word.strip_suffix(".0");
         let is_real = digits.is_some();
         let digits = digits.unwrap_or(word);
-        let short = digits.len() <= 9 && digits.bytes().all(|byte| byte.is_ascii_digit());
-        if is_number && short && !is_field {
-            let value = digits.parse().unwrap_or(0);
+        if let (true, false, Some(value)) = (is_number, is_field, short(digits.as_bytes())) {
             found.push(Number {
                 range: start..at,
                 value,
@@ -201,6 +200,22 @@ fn numbers(text: &str) -> Vec<Number> {
         }
     }
     found
+}
+
+/// The number of a few digits.
+fn short(digits: &[u8]) -> Option<i64> {
+    if digits.len() > 9 {
+        return None;
+    }
+    let (mut value, mut at) = (0, 0);
+    while at < digits.len() {
+        if !digits[at].is_ascii_digit() {
+            return None;
+        }
+        value = 10 * value + i64::from(digits[at] - b'0');
+        at += 1;
+    }
+    Some(value)
 }
 
 /// Whether a byte belongs to a name or number: texts of many statements are read, and a table takes no call.

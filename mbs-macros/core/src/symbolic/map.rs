@@ -207,8 +207,10 @@ fn mixed_bytes(mut all: u64, bytes: &[u8]) -> u64 {
     for &word in words {
         all = mixed(all, u64::from_le_bytes(word));
     }
-    rest.iter()
-        .fold(all, |all, &byte| mixed(all, u64::from(byte)))
+    for &byte in rest {
+        all = mixed(all, u64::from(byte));
+    }
+    all
 }
 
 /// A hash of what had the hash `all`, and one more word.
