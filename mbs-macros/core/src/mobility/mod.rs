@@ -90,7 +90,8 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
         true => derivatives::holonomic(&mut graph, &system.rows),
         false => derivatives::rows(&mut graph, &system.rows),
     };
-    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived);
+    let order = numbers::order(outline, system);
+    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived, &order);
     let home = match numbers.assemble(guess.clone()) {
         Some(home) => home,
         None => match closing::close(&numbers, guess)? {
