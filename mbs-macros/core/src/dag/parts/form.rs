@@ -5,7 +5,7 @@
 
 use super::kind::{commutes, kind};
 use crate::dag::{Function, Operand, Operation};
-use crate::symbolic::{Map, Symbol, hash, mixed};
+use crate::symbolic::{Map, Symbol, mixed};
 use std::rc::Rc;
 
 /// A group in its form.
@@ -92,6 +92,9 @@ impl<'a> Forms<'a> {
     }
 }
 
+/// The hash of a value from outside.
+const OUTSIDE: u64 = 1;
+
 /// A group on the way to its form.
 struct Writer<'a> {
     function: &'a Function,
@@ -117,19 +120,28 @@ impl Writer<'_> {
     fn look_down(&mut self) {
         for at in 0..self.group.len() {
             let operation = &self.function.operations[self.group[at]];
-            let mut below = Vec::new();
+            let (which, detail) = kind(operation);
+            // Mixing zeros would answer zero.
+            let own = mixed(mixed(OUTSIDE, u64::from(which)), detail);
+            let (mut all, mut sum) = (own, 0_u64);
             let mut depth = 0;
-            operation.for_each_operand(|operand| match self.inner(operand) {
-                Some(inner) => {
-                    depth = depth.max(self.depth[inner] + 1);
-                    below.push(self.hashes[inner]);
-                }
-                None => below.push(0),
+            operation.for_each_operand(|operand| {
+                let below = match self.inner(operand) {
+                    Some(inner) => {
+                        depth = depth.max(self.depth[inner] + 1);
+                        self.hashes[inner]
+                    }
+                    None => OUTSIDE,
+                };
+                all = mixed(all, below);
+                sum = sum.wrapping_add(below);
             });
-            if commutes(operation) {
-                below.sort_unstable();
-            }
-            (self.depth[at], self.hashes[at]) = (depth, hash((kind(operation), below)));
+            // Operands that commute have no order.
+            let hash = match commutes(operation) {
+                true => mixed(own, sum),
+                false => all,
+            };
+            (self.depth[at], self.hashes[at]) = (depth, hash);
         }
     }
 
@@ -139,10 +151,10 @@ impl Writer<'_> {
         for at in (0..self.group.len()).rev() {
             let operation = &self.function.operations[self.group[at]];
             let mut place = 0_u64;
-            let own = hash((self.hashes[at], above[at]));
+            let own = mixed(self.hashes[at], above[at]);
             operation.for_each_operand(|operand| {
                 if let Some(inner) = self.inner(operand) {
-                    above[inner] = above[inner].wrapping_add(hash((own, place)));
+                    above[inner] = above[inner].wrapping_add(mixed(own, place));
                 }
                 if !commutes(operation) {
                     place += 1;
@@ -150,7 +162,7 @@ impl Writer<'_> {
             });
         }
         for (own, above) in self.hashes.iter_mut().zip(above) {
-            *own = hash((*own, above));
+            *own = mixed(*own, above);
         }
     }
 
