@@ -470,7 +470,10 @@ pub(crate) fn is_simple(coefficient: f64) -> bool {
 
 /// Whether the powers of factors times another power are numbers of this size.
 fn are_multiplied(factors: &[(Expr, i32)], power: i32) -> bool {
-    power == 1 || factors.iter().all(|(_, own)| own.checked_mul(power).is_some())
+    power == 1
+        || factors
+            .iter()
+            .all(|(_, own)| own.checked_mul(power).is_some())
 }
 
 /// Puts a factor into a sorted list.

@@ -1,4 +1,4 @@
-//! Where each node is in the arena.
+//! Where each entry of a list is: each node of the arena, each key of a map.
 //!
 //! Every expression that is made is looked up, and compilers run unoptimised: a table of numbers and loops over arrays
 //! take a fraction of the time of a map whose keys are nodes, and a node is stored once.
@@ -8,7 +8,7 @@ const FREE: u32 = u32::MAX;
 /// Slots at the beginning.
 const FIRST: usize = 32;
 
-/// Hashes of nodes with their numbers in the arena, by open addressing; less than half of the slots are taken.
+/// Hashes of entries with their numbers in the list, by open addressing; less than half of the slots are taken.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Index {
     /// Their number is a power of two.
@@ -17,7 +17,7 @@ pub(crate) struct Index {
 }
 
 impl Index {
-    /// The number of the node with this hash that `is_it` tells from others.
+    /// The number of the entry with this hash that `is_it` tells from others.
     pub(crate) fn find(&self, hash: u32, is_it: impl Fn(u32) -> bool) -> Option<u32> {
         // A slice is indexed without a call.
         let slots = self.slots.as_slice();
@@ -38,7 +38,7 @@ impl Index {
         }
     }
 
-    /// Adds a node that is not there.
+    /// Adds an entry that is not there.
     pub(crate) fn insert(&mut self, number: u32, hash: u32) {
         if 2 * self.taken >= self.slots.len() {
             let length = FIRST.max(2 * self.slots.len());

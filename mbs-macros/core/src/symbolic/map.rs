@@ -31,7 +31,7 @@ impl<K, V> Default for Map<K, V> {
 
 impl<K: Hash + Eq, V> Map<K, V> {
     /// Where the entry of a key is.
-    fn find<Q: Hash + Eq + ?Sized>(&self, key: &Q) -> Result<usize, Missing>
+    fn find<Q: Hash + Eq + ?Sized>(&self, key: &Q) -> Option<usize>
     where
         K: Borrow<Q>,
     {
@@ -40,15 +40,15 @@ impl<K: Hash + Eq, V> Map<K, V> {
             let mut at = 0;
             while at < entries.len() {
                 if entries[at].0.borrow() == key {
-                    return Ok(at);
+                    return Some(at);
                 }
                 at += 1;
             }
-            return Err(Missing);
+            return None;
         }
         let is_it = |at: u32| entries[at as usize].0.borrow() == key;
         let found = self.index.find(short(key), is_it);
-        found.map(|at| at as usize).ok_or(Missing)
+        found.map(|at| at as usize)
     }
 
     /// Adds the entry of a key that is not there.
@@ -70,31 +70,30 @@ impl<K: Hash + Eq, V> Map<K, V> {
     where
         K: Borrow<Q>,
     {
-        match self.find(key) {
-            Ok(at) => Some(&self.entries[at].1),
-            Err(Missing) => None,
-        }
+        let at = self.find(key)?;
+        Some(&self.entries[at].1)
     }
 
-    pub(crate) fn contains_key(&self, key: &K) -> bool {
-        self.find(key).is_ok()
+    pub(crate) fn contains_key<Q: Hash + Eq + ?Sized>(&self, key: &Q) -> bool
+    where
+        K: Borrow<Q>,
+    {
+        self.find(key).is_some()
     }
 
     /// Puts a value in place of the one before.
     pub(crate) fn insert(&mut self, key: K, value: V) {
         match self.find(&key) {
-            Ok(at) => self.entries[at].1 = value,
-            Err(Missing) => {
+            Some(at) => self.entries[at].1 = value,
+            None => {
                 self.push(key, value);
             }
         }
     }
 
     pub(crate) fn get_mut(&mut self, key: &K) -> Option<&mut V> {
-        match self.find(key) {
-            Ok(at) => Some(&mut self.entries[at].1),
-            Err(Missing) => None,
-        }
+        let at = self.find(key)?;
+        Some(&mut self.entries[at].1)
     }
 
     /// The value of a key, to be put there if there is none.
@@ -102,13 +101,18 @@ impl<K: Hash + Eq, V> Map<K, V> {
         Entry { map: self, key }
     }
 
+    pub(crate) fn keys(&self) -> impl Iterator<Item = &K> {
+        self.entries.iter().map(|(key, _)| key)
+    }
+
+    pub(crate) fn values(&self) -> impl Iterator<Item = &V> {
+        self.entries.iter().map(|(_, value)| value)
+    }
+
     pub(crate) fn len(&self) -> usize {
         self.entries.len()
     }
 }
-
-/// That a map has no entry of a key.
-struct Missing;
 
 /// A key in a map, with or without a value.
 pub(crate) struct Entry<'m, K, V> {
@@ -119,8 +123,8 @@ pub(crate) struct Entry<'m, K, V> {
 impl<'m, K: Hash + Eq, V> Entry<'m, K, V> {
     pub(crate) fn or_insert_with(self, make: impl FnOnce() -> V) -> &'m mut V {
         let at = match self.map.find(&self.key) {
-            Ok(at) => at,
-            Err(Missing) => self.map.push(self.key, make()),
+            Some(at) => at,
+            None => self.map.push(self.key, make()),
         };
         &mut self.map.entries[at].1
     }
@@ -175,9 +179,20 @@ impl<K> Default for Set<K> {
 }
 
 impl<K: Hash + Eq> Set<K> {
+    pub(crate) fn contains<Q: Hash + Eq + ?Sized>(&self, key: &Q) -> bool
+    where
+        K: Borrow<Q>,
+    {
+        self.0.contains_key(key)
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &K> {
+        self.0.keys()
+    }
+
     /// Whether the key is new.
     pub(crate) fn insert(&mut self, key: K) -> bool {
-        let is_new = self.0.find(&key).is_err();
+        let is_new = !self.contains(&key);
         if is_new {
             self.0.push(key, ());
         }
@@ -215,8 +230,10 @@ fn mixed_bytes(mut all: u64, bytes: &[u8]) -> u64 {
 
 /// A hash of what had the hash `all`, and one more word.
 #[inline(always)]
+// `rotate_left` is a call where nothing is optimised.
+#[allow(clippy::manual_rotate)]
 pub(crate) fn mixed(all: u64, word: u64) -> u64 {
-    // A rotation, without a call. An odd number without a pattern: the hexadecimal digits of π after the point.
+    // An odd number without a pattern: the hexadecimal digits of π after the point.
     ((all << 5 | all >> 59) ^ word).wrapping_mul(0x243f_6a88_85a3_08d3)
 }
 
