@@ -501,17 +501,16 @@ fn collect(terms: &mut Vec<(Expr, f64)>) {
     let mut kept = 0;
     let mut at = 0;
     while at < terms.len() {
-        let (term, coefficient) = terms[at];
+        let (term, mut coefficient) = terms[at];
         at += 1;
         let mut total = Total::of(coefficient);
         while at < terms.len() && terms[at].0.0 == term.0 {
             total.add(terms[at].1);
+            coefficient = total.value();
             at += 1;
         }
-        // The value of a number alone is the number.
-        let total = total.value();
-        if total != 0.0 {
-            terms[kept] = (term, total);
+        if coefficient != 0.0 {
+            terms[kept] = (term, coefficient);
             kept += 1;
         }
     }
