@@ -7,6 +7,7 @@
 mod affine;
 mod along;
 mod build;
+mod collected;
 mod derivative;
 mod evaluate;
 mod gradient;
@@ -15,6 +16,7 @@ mod index;
 mod latex;
 mod length;
 mod map;
+mod mixing;
 mod number;
 mod phasor;
 mod print;
@@ -25,7 +27,8 @@ mod table;
 
 pub(crate) use build::is_simple;
 pub(crate) use index::Index;
-pub(crate) use map::{Map, Set, hash, mixed, mixed_text};
+pub(crate) use map::{Map, Set};
+pub(crate) use mixing::{hash, mixed, mixed_text};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
