@@ -5,7 +5,8 @@
 //! and each would need code of its own. Here all sums of a kind agree.
 
 use super::parts::{EMPTY, Labels, Sets};
-use crate::symbolic::{Expr, Graph, Map, Node, Number, Symbol, hash, is_simple};
+use crate::symbolic::{Expr, Graph, Map, Node, Number, Symbol, hash, is_simple, mixed};
+use std::borrow::Cow;
 
 /// How the sums of each kind are lowered.
 #[derive(Debug)]
@@ -36,35 +37,42 @@ impl Likeness {
             owners: owners(graph, labels),
             forms: Map::default(),
         };
-        let mut sums: Map<u64, Vec<Vec<f64>>> = Map::default();
+        let mut sums: Map<u64, Sums> = Map::default();
         for expr in graph.all() {
             let kind = kind(graph, expr, &likeness.kinds);
             likeness.kinds.push(kind);
             if let Node::Sum { terms, .. } = graph.node(expr) {
                 for part in likeness.parts(terms) {
-                    let coefficients = part.iter().map(|(_, c)| c.value()).collect();
-                    let kind = likeness.kind(&part);
-                    sums.entry(kind).or_default().push(coefficients);
+                    sums.entry(likeness.kind(&part)).or_default().add(&part);
                 }
             }
         }
-        let several = sums.into_iter().filter(|(_, sums)| sums.len() > 1);
-        likeness.forms = several.map(|(kind, sums)| (kind, form(&sums))).collect();
+        let several = sums.into_iter().filter(|(_, sums)| sums.count > 1);
+        likeness.forms = several.map(|(kind, sums)| (kind, sums.form())).collect();
         likeness
     }
 
     /// Terms that depend on the same parts and joints are added up first, because the same terms may be in other sums,
     /// too: those of a bushing are in the sums of both its bodies.
-    pub(super) fn parts(&self, terms: &[(Expr, Number)]) -> Vec<Vec<(Expr, Number)>> {
+    pub(super) fn parts<'t>(&self, terms: &'t [(Expr, Number)]) -> Vec<Terms<'t>> {
+        let owner = |term: Expr| self.owners.get(term.index()).copied().unwrap_or(EMPTY);
+        let mut same = 1;
+        while same < terms.len() && owner(terms[same].0) == owner(terms[0].0) {
+            same += 1;
+        }
+        if same >= terms.len() {
+            return vec![Cow::Borrowed(terms)];
+        }
         let mut parts: Vec<(u32, Vec<(Expr, Number)>)> = Vec::new();
         for &(term, coefficient) in terms {
-            let owner = self.owners.get(term.index()).copied().unwrap_or(EMPTY);
+            let owner = owner(term);
             match parts.iter_mut().find(|(other, _)| *other == owner) {
                 Some((_, part)) => part.push((term, coefficient)),
                 None => parts.push((owner, vec![(term, coefficient)])),
             }
         }
-        parts.into_iter().map(|(_, part)| part).collect()
+        let parts = parts.into_iter();
+        parts.map(|(_, part)| Cow::Owned(part)).collect()
     }
 
     /// The form of a sum, unless it is the only one of its kind.
@@ -77,8 +85,58 @@ impl Likeness {
     }
 
     fn kind(&self, terms: &[(Expr, Number)]) -> u64 {
-        let kind = |&(term, c): &(Expr, Number)| (self.kinds[term.index()], number(c));
-        terms.iter().fold(0, |all, term| hash((all, kind(term))))
+        let mut all = 0;
+        for &(term, coefficient) in terms {
+            all = mixed(mixed(all, self.kinds[term.index()]), number(coefficient));
+        }
+        all
+    }
+}
+
+/// Terms of a sum.
+type Terms<'t> = Cow<'t, [(Expr, Number)]>;
+
+/// The coefficients of the sums of a kind, one sum after the other.
+#[derive(Default)]
+struct Sums {
+    count: usize,
+    coefficients: Vec<f64>,
+}
+
+impl Sums {
+    fn add(&mut self, terms: &[(Expr, Number)]) {
+        self.count += 1;
+        for (_, coefficient) in terms {
+            self.coefficients.push(coefficient.value());
+        }
+    }
+
+    /// Terms are of one group if their coefficients have the same magnitude in each sum, and the same relation of signs.
+    fn form(&self) -> Vec<Slot> {
+        let width = self.coefficients.len() / self.count;
+        let first_sum = &self.coefficients[..width];
+        let mut firsts: Map<u64, usize> = Map::default();
+        let mut slots = Vec::with_capacity(width);
+        for at in 0..width {
+            let sign = first_sum[at] < 0.0;
+            let (mut key, mut has_sign) = (0, true);
+            let mut next = at;
+            while next < self.coefficients.len() {
+                let coefficient = self.coefficients[next];
+                let is_same = (coefficient < 0.0) == sign;
+                has_sign &= is_same;
+                let magnitude = Number::new(coefficient.abs());
+                key = mixed(mixed(key, magnitude.bits()), u64::from(is_same));
+                next += width;
+            }
+            let first = *firsts.entry(key).or_insert(at);
+            slots.push(Slot {
+                first,
+                opposite: (first_sum[first] < 0.0) != sign,
+                has_sign,
+            });
+        }
+        slots
     }
 }
 
@@ -103,7 +161,7 @@ fn owners(graph: &Graph, labels: &Labels) -> Vec<u32> {
 fn kind(graph: &Graph, expr: Expr, kinds: &[u64]) -> u64 {
     let of = |expr: Expr| kinds[expr.index()];
     match graph.node(expr) {
-        Node::Constant(value) => hash((0, number(*value))),
+        Node::Constant(value) => mixed(0, number(*value)),
         Node::Symbol(symbol) => {
             let entry = match symbol {
                 Symbol::Rotation(_, entry) | Symbol::LocalRotation(_, entry) => *entry,
@@ -112,15 +170,18 @@ fn kind(graph: &Graph, expr: Expr, kinds: &[u64]) -> u64 {
             hash((1, std::mem::discriminant(symbol), entry))
         }
         Node::Sum { constant, terms } => {
-            let terms = terms.iter();
-            let seed = hash((2, number(*constant)));
-            terms.fold(seed, |all, &(term, c)| hash((all, of(term), number(c))))
+            let mut all = mixed(2, number(*constant));
+            for &(term, coefficient) in terms {
+                all = mixed(mixed(all, of(term)), number(coefficient));
+            }
+            all
         }
         Node::Product(factors) => {
-            let factors = factors.iter();
-            factors.fold(3, |all, &(factor, power)| {
-                hash((all, of(factor), power as u64))
-            })
+            let mut all = 3;
+            for &(factor, power) in factors {
+                all = mixed(mixed(all, of(factor)), power as u64);
+            }
+            all
         }
         Node::Function(function, x) => hash((4, *function as u64, of(*x))),
         Node::Atan2(y, x) => hash((5, of(*y), of(*x))),
@@ -138,27 +199,10 @@ fn kind(graph: &Graph, expr: Expr, kinds: &[u64]) -> u64 {
 }
 
 /// A number as part of a kind.
-fn number(number: Number) -> Option<Number> {
-    is_simple(number.value()).then_some(number)
-}
-
-/// Terms are of one group if their coefficients have the same magnitude in each sum, and the same relation of signs.
-fn form(sums: &[Vec<f64>]) -> Vec<Slot> {
-    let mut firsts: Map<u64, usize> = Map::default();
-    let mut slots = Vec::with_capacity(sums[0].len());
-    for at in 0..sums[0].len() {
-        let is_negative = |sum: &Vec<f64>, at: usize| sum[at] < 0.0;
-        let sign = is_negative(&sums[0], at);
-        let key = sums.iter().fold(0, |key, sum| {
-            let magnitude = Number::new(sum[at].abs());
-            hash((key, magnitude, is_negative(sum, at) == sign))
-        });
-        let first = *firsts.entry(key).or_insert(at);
-        slots.push(Slot {
-            first,
-            opposite: is_negative(&sums[0], first) != sign,
-            has_sign: sums.iter().all(|sum| is_negative(sum, at) == sign),
-        });
+fn number(number: Number) -> u64 {
+    const ANY: u64 = f64::NAN.to_bits();
+    match is_simple(number.value()) {
+        true => number.bits(),
+        false => ANY,
     }
-    slots
 }

@@ -8,6 +8,9 @@ use super::{Function, Operand, Operation, Output, Place};
 use crate::model::Layout;
 use crate::symbolic::{Expr, Graph, Map, Node, Symbol};
 
+/// Factors of a product with their powers.
+type Factors = Vec<(Expr, i32)>;
+
 /// Constants found so far, shared by all functions of a mechanism.
 #[derive(Debug, Default)]
 pub(super) struct Hoisted {
@@ -15,7 +18,8 @@ pub(super) struct Hoisted {
     layout: Layout,
     pub list: Vec<Expr>,
     index: Map<Expr, usize>,
-    known: Map<Expr, bool>,
+    /// Whether each expression depends on parameters only, where that was asked.
+    known: Vec<Option<bool>>,
 }
 
 impl Hoisted {
@@ -28,7 +32,7 @@ impl Hoisted {
 
     /// Whether an expression depends on parameters only.
     pub(super) fn is_known(&mut self, graph: &Graph, expr: Expr) -> bool {
-        if let Some(&known) = self.known.get(&expr) {
+        if let Some(&Some(known)) = self.known.get(expr.index()) {
             return known;
         }
         let known = match graph.node(expr) {
@@ -41,8 +45,23 @@ impl Hoisted {
                 all
             }
         };
-        self.known.insert(expr, known);
+        if expr.index() >= self.known.len() {
+            self.known.resize(graph.len(), None);
+        }
+        self.known[expr.index()] = Some(known);
         known
+    }
+
+    /// Factors that depend on parameters only, if these are set apart, and the others.
+    fn parted(&mut self, graph: &Graph, factors: &[(Expr, i32)], apart: bool) -> [Factors; 2] {
+        let (mut known, mut varying) = (Factors::new(), Factors::with_capacity(factors.len()));
+        for &(factor, power) in factors {
+            match apart && self.is_known(graph, factor) {
+                true => known.push((factor, power)),
+                false => varying.push((factor, power)),
+            }
+        }
+        [known, varying]
     }
 
     fn slot(&mut self, expr: Expr) -> usize {
@@ -209,15 +228,10 @@ impl<'a> Lowering<'a> {
 
     /// A term as (known factor, varying factor).
     pub(super) fn split(&mut self, term: Expr) -> (Option<Expr>, Expr) {
-        let Node::Product(factors) = self.graph.node(term).clone() else {
+        let Node::Product(factors) = self.graph.node(term) else {
             return (None, term);
         };
-        if !self.hoist {
-            return (None, term);
-        }
-        let (known, varying): (Vec<_>, Vec<_>) = factors
-            .iter()
-            .partition(|(factor, _)| self.hoisted.is_known(self.graph, *factor));
+        let [known, varying] = self.hoisted.parted(self.graph, factors, self.hoist);
         if known.is_empty() || varying.is_empty() {
             return (None, term);
         }
@@ -229,9 +243,7 @@ impl<'a> Lowering<'a> {
 
     /// Π factor^power.
     fn product(&mut self, factors: &[(Expr, i32)]) -> Operand {
-        let (known, varying): (Vec<(Expr, i32)>, Vec<(Expr, i32)>) = factors
-            .iter()
-            .partition(|(factor, _)| self.hoist && self.hoisted.is_known(self.graph, *factor));
+        let [known, varying] = self.hoisted.parted(self.graph, factors, self.hoist);
         let mut numerator: Option<Operand> = None;
         let mut denominator: Option<Operand> = None;
         for (factor, power) in varying {

@@ -18,6 +18,17 @@ pub(crate) struct RowDerivatives {
     pub convective: Vec<Expr>,
 }
 
+/// A of holonomic rows alone.
+pub(crate) fn holonomic(graph: &mut Graph, rows: &[Row]) -> RowDerivatives {
+    let rows: Vec<Expr> = rows.iter().map(|row| row.expr).collect();
+    RowDerivatives {
+        jacobian: tangents::jacobian(graph, &rows, Symbol::Coordinate),
+        rheonomic: Vec::new(),
+        jacobian_rate: Matrix::new(),
+        convective: Vec::new(),
+    }
+}
+
 /// Derives those of all rows.
 pub(crate) fn derive(graph: &mut Graph, rows: &[Row]) -> RowDerivatives {
     let mut derived = RowDerivatives {

@@ -21,7 +21,7 @@ use crate::equations::{InverseMass, System};
 use crate::symbolic::{Expr, Symbol};
 
 pub use affinities::Affinities;
-pub(crate) use constraints::{RowDerivatives, derive as rows};
+pub(crate) use constraints::{RowDerivatives, derive as rows, holonomic};
 pub use matrix::Matrix;
 use tangents::Inertial;
 pub use tangents::Tangents;

@@ -185,9 +185,9 @@ fn records<T, const WIDTH: usize>(
     columns: impl Fn(&T) -> [String; WIDTH],
     text: impl Fn([String; WIDTH]) -> String,
 ) -> String {
-    let separates = |c: char| c == '\t' || c == '\n';
+    let separates = |item: &String| item.contains('\t') || item.contains('\n');
     let items: Vec<[String; WIDTH]> = items.iter().map(columns).collect();
-    if items.len() <= MOST_RECORDS || items.iter().flatten().any(|item| item.contains(separates)) {
+    if items.len() <= MOST_RECORDS || items.iter().flatten().any(separates) {
         let texts: Vec<String> = items.into_iter().map(text).collect();
         return format!("&[{}]", texts.join(", "));
     }

@@ -348,6 +348,8 @@ pub(super) fn words_of_u32(numbers: &[usize]) -> String {
     word.list(&table)
 }
 
+const HEXADECIMAL: &[u8; 16] = b"0123456789abcdef";
+
 /// A string of bytes.
 fn literal(table: &[u8]) -> String {
     let mut out = String::with_capacity(4 * table.len() + 3);
@@ -361,7 +363,9 @@ fn literal(table: &[u8]) -> String {
             b' '..=b'~' => out.push(char::from(byte)),
             0 => out.push_str("\\0"),
             _ => {
-                let _ = write!(out, "\\x{byte:02x}");
+                out.push_str("\\x");
+                out.push(char::from(HEXADECIMAL[usize::from(byte >> 4)]));
+                out.push(char::from(HEXADECIMAL[usize::from(byte & 15)]));
             }
         }
     }

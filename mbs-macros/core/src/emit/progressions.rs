@@ -103,14 +103,19 @@ fn times(statements: &[Statement], period: usize) -> usize {
         }
         // The first turn gives the steps.
         let [a, b] = [&statements[at % period], &statements[at % period + period]];
-        let mut numbers = (0..now.numbers.len()).map(|k| {
-            let step = b.numbers[k].value - a.numbers[k].value;
-            now.numbers[k].value - before.numbers[k].value == step
-        });
-        numbers.all(|grows| grows)
+        let (a, b): (&[Number], &[Number]) = (&a.numbers, &b.numbers);
+        let (before, now): (&[Number], &[Number]) = (&before.numbers, &now.numbers);
+        let mut k = 0;
+        while k < now.len() && now[k].value - before[k].value == b[k].value - a[k].value {
+            k += 1;
+        }
+        k == now.len()
     };
-    let followers = (period..statements.len()).take_while(|&at| continues(at));
-    1 + followers.count() / period
+    let mut at = period;
+    while at < statements.len() && continues(at) {
+        at += 1;
+    }
+    at / period
 }
 
 impl Statement {
@@ -179,7 +184,7 @@ fn numbers(text: &str) -> Vec<Number> {
     let mut found = Vec::new();
     let mut at = 0;
     while at < bytes.len() {
-        if !is_word(bytes[at]) {
+        if !WORD[bytes[at] as usize] {
             at += 1;
             continue;
         }
@@ -187,7 +192,7 @@ fn numbers(text: &str) -> Vec<Number> {
         let is_number = bytes[at].is_ascii_digit();
         // `1e-5` is one word.
         while at < bytes.len()
-            && (is_word(bytes[at]) || is_number && continues(&bytes[start..at], bytes[at]))
+            && (WORD[bytes[at] as usize] || is_number && continues(&bytes[start..at], bytes[at]))
         {
             at += 1;
         }
@@ -196,9 +201,7 @@ fn numbers(text: &str) -> Vec<Number> {
         let digits = word.strip_suffix(".0");
         let is_real = digits.is_some();
         let digits = digits.unwrap_or(word);
-        let short = digits.len() <= 9 && digits.bytes().all(|byte| byte.is_ascii_digit());
-        if is_number && short && !is_field {
-            let value = digits.parse().unwrap_or(0);
+        if let (true, false, Some(value)) = (is_number, is_field, short(digits.as_bytes())) {
             found.push(Number {
                 range: start..at,
                 value,
@@ -209,9 +212,32 @@ fn numbers(text: &str) -> Vec<Number> {
     found
 }
 
-fn is_word(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_'
+/// The number of a few digits.
+fn short(digits: &[u8]) -> Option<i64> {
+    if digits.len() > 9 {
+        return None;
+    }
+    let (mut value, mut at) = (0, 0);
+    while at < digits.len() {
+        if !digits[at].is_ascii_digit() {
+            return None;
+        }
+        value = 10 * value + i64::from(digits[at] - b'0');
+        at += 1;
+    }
+    Some(value)
 }
+
+/// Whether a byte belongs to a name or number: texts of many statements are read, and a table takes no call.
+const WORD: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut byte = 0;
+    while byte < 256 {
+        table[byte] = (byte as u8).is_ascii_alphanumeric() || byte as u8 == b'_';
+        byte += 1;
+    }
+    table
+};
 
 /// Whether a byte continues a number: the point of `2.5`, and the sign of `1e-5`.
 fn continues(number: &[u8], byte: u8) -> bool {

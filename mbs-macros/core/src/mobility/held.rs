@@ -1,7 +1,7 @@
 //! Positions that are held, as rows beside those of the joints: do they fit together?
 
 use super::closing::{self, Open};
-use super::numbers::Numbers;
+use super::numbers::{self, Numbers};
 use crate::derivatives;
 use crate::equations::{Row, System};
 use crate::model::{Held, Outline};
@@ -30,7 +30,8 @@ pub fn held(outline: &Outline, system: &mut System) -> Result<(), Open> {
 fn close(outline: &Outline, system: &System) -> Result<(), Open> {
     let mut graph = system.graph.clone();
     let derived = derivatives::rows(&mut graph, &system.rows);
-    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived);
+    let order = numbers::order(outline, system);
+    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived, &order);
     if numbers.assemble(guess.clone()).is_none() {
         closing::close(&numbers, guess)?;
     }

@@ -85,8 +85,13 @@ pub fn analyse(outline: &Outline, system: &System) -> Result<Option<Mobility>, O
     }
     // In a graph of their own: stage 4 makes its expressions in its own order.
     let mut graph = system.graph.clone();
-    let derived = derivatives::rows(&mut graph, &system.rows);
-    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived);
+    let derived = match system.holonomic_rows() == system.rows.len() {
+        // Rates are for the test whether the others are integrable.
+        true => derivatives::holonomic(&mut graph, &system.rows),
+        false => derivatives::rows(&mut graph, &system.rows),
+    };
+    let order = numbers::order(outline, system);
+    let (numbers, guess) = Numbers::new(outline, system, &graph, &derived, &order);
     let home = match numbers.assemble(guess.clone()) {
         Some(home) => home,
         None => match closing::close(&numbers, guess)? {

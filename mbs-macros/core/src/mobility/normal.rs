@@ -122,13 +122,15 @@ impl Normal {
 
 /// A Aᵀ on and below its diagonal, column by column; `None` if it has more entries than `most`.
 fn products(rows: &[(usize, SparseRow)], most: usize) -> Option<Vec<BTreeMap<usize, f64>>> {
-    let mut meeting: BTreeMap<usize, Vec<(usize, f64)>> = BTreeMap::new();
+    let entries = rows.iter().flat_map(|(_, row)| row);
+    let columns = entries.map(|&(column, _)| column + 1).max();
+    let mut meeting: Vec<Vec<(usize, f64)>> = vec![Vec::new(); columns.unwrap_or(0)];
     let mut below = vec![BTreeMap::new(); rows.len()];
     let mut entries = 0;
     for (position, (_, row)) in rows.iter().enumerate() {
         below[position].insert(position, 0.0);
         for &(column, x) in row {
-            let met = meeting.entry(column).or_default();
+            let met = &mut meeting[column];
             met.push((position, x));
             entries += met.len();
             if entries > most {

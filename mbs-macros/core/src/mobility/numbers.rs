@@ -34,6 +34,8 @@ pub(super) struct Numbers<'a> {
     /// All expressions, with those of the rows' derivatives.
     pub graph: &'a Graph,
     pub rows: &'a RowDerivatives,
+    /// The order in which rows are taken: see [`order`].
+    pub order: &'a [usize],
     pub time: f64,
     /// The largest coordinate of the guess, or 1.
     pub size: f64,
@@ -48,12 +50,14 @@ impl<'a> Numbers<'a> {
         system: &'a System,
         graph: &'a Graph,
         rows: &'a RowDerivatives,
+        order: &'a [usize],
     ) -> (Self, Vec<f64>) {
         let mut numbers = Numbers {
             outline,
             system,
             graph,
             rows,
+            order,
             time: 0.0,
             size: 1.0,
             length: 1.0,
@@ -126,22 +130,11 @@ impl<'a> Numbers<'a> {
         exprs.map(|expr| evaluator.value(expr)).collect()
     }
 
-    /// The rows of A at q, orthogonalised: those of parts first (a bar keeps its length by itself), then those of joints
-    /// and conditions as declared, so that the later of two that say the same is the one called redundant.
+    /// The rows of A at q, orthogonalised in their order.
     pub fn independent_rows(&self, q: &[f64], dependent: f64) -> Rows {
         let matrix = self.matrix(&self.rows.jacobian, q, &[]);
-        let order = self.order().into_iter();
-        Rows::new(order.map(|row| (row, &matrix[row])), dependent)
-    }
-
-    fn order(&self) -> Vec<usize> {
-        let parts = self.outline.parts.iter().map(|part| part.name.as_str());
-        let parts: HashSet<&str> = parts.collect();
-        let list = &self.system.rows;
-        let is_part = |row: &usize| parts.contains(list[*row].entry.as_str());
-        let (mut order, joints): (Vec<usize>, Vec<usize>) = (0..list.len()).partition(is_part);
-        order.extend(joints);
-        order
+        let order = self.order.iter();
+        Rows::new(order.map(|&row| (row, &matrix[row])), dependent)
     }
 
     /// The normal equations of the first rows of A, in the same order; `None` where rows are few or not sparse.
@@ -157,7 +150,7 @@ impl<'a> Numbers<'a> {
         for (&(row, column), value) in places.into_iter().zip(values) {
             rows[row].push((column, value));
         }
-        let order = self.order().into_iter().filter(|&row| row < count);
+        let order = self.order.iter().copied().filter(|&row| row < count);
         let rows = order.map(|row| (row, std::mem::take(&mut rows[row])));
         Normal::new(rows.collect(), NEARLY_DEPENDENT)
     }
@@ -291,6 +284,18 @@ impl<'a> Numbers<'a> {
     pub fn is_far(&self, q: &[f64]) -> bool {
         q.iter().any(|q| q.abs() > 1e3 * self.size)
     }
+}
+
+/// The rows of parts first (a bar keeps its length by itself), then those of joints and conditions as declared, so that
+/// the later of two that say the same is the one called redundant.
+pub(super) fn order(outline: &Outline, system: &System) -> Vec<usize> {
+    let parts = outline.parts.iter().map(|part| part.name.as_str());
+    let parts: HashSet<&str> = parts.collect();
+    let list = &system.rows;
+    let is_part = |row: &usize| parts.contains(list[*row].entry.as_str());
+    let (mut order, joints): (Vec<usize>, Vec<usize>) = (0..list.len()).partition(is_part);
+    order.extend(joints);
+    order
 }
 
 /// Which rows depend on those before them.

@@ -3,7 +3,7 @@
 use super::elements::{ForceEntry, JointEntry};
 use super::geometry::{Owner, Point, Vector};
 use super::resolver::Resolver;
-use crate::symbolic::Function;
+use crate::symbolic::{Function, Map};
 use std::collections::HashMap;
 
 /// Points and lines, and where reactions act.
@@ -18,7 +18,7 @@ pub struct Drawing {
     /// Joints with the point that their reaction acts on.
     pub sites: Vec<(String, usize)>,
     /// The first point at each place.
-    first_at: HashMap<Vector, usize>,
+    first_at: Map<Vector, usize>,
 }
 
 impl Drawing {

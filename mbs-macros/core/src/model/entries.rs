@@ -23,9 +23,11 @@ impl<'d> Resolver<'d> {
     pub(super) fn declare(&mut self) {
         for (index, entry) in self.declaration.entries.iter().enumerate() {
             self.states.push(State::Waiting);
-            if let Some(earlier) = self.names.insert(entry.name.to_string(), index) {
-                self.names.insert(entry.name.to_string(), earlier);
-                self.declared_twice(&entry.name.to_string(), entry.span());
+            let name = entry.name.to_string();
+            if self.names.contains_key(name.as_str()) {
+                self.declared_twice(&name, entry.span());
+            } else {
+                self.names.insert(name, index);
             }
         }
         let mut families: HashSet<&str> = HashSet::new();
@@ -227,7 +229,7 @@ impl<'d> Resolver<'d> {
             return self.unknown(name, place);
         };
         if !self.silent {
-            self.used.insert(name.to_owned());
+            self.note_use(name);
         }
         if matches!(self.states[index], State::Working) {
             return self.fail(place, format!("`{name}` depends on itself"));
@@ -250,6 +252,12 @@ impl<'d> Resolver<'d> {
                 )
             }
             State::Waiting | State::Working => None,
+        }
+    }
+
+    pub(super) fn note_use(&mut self, name: &str) {
+        if !self.used.contains(name) {
+            self.used.insert(name.to_owned());
         }
     }
 

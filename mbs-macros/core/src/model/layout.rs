@@ -5,7 +5,7 @@ use super::geometry::Tensor;
 use super::initial_pose::Guesses;
 use super::reduction::Reduction;
 use super::resolver::Resolver;
-use crate::symbolic::{Expr, Graph, Symbol, rotation_entry};
+use crate::symbolic::{Expr, Graph, Map, Symbol, rotation_entry};
 
 /// Coordinates q and velocities v, with their guesses.
 #[derive(Debug, Default, Clone)]
@@ -112,14 +112,14 @@ pub(super) fn layout(resolver: &mut Resolver, reduction: &Reduction, guesses: &G
         states: vec![0; resolver.scalar_states.len()],
         ..Layout::default()
     };
+    let parts = resolver.parts.iter().enumerate();
+    let turning = parts.filter_map(|(index, part)| Some((part.rotation()?, index)));
+    let turning: Map<u32, usize> = turning.collect();
     let mut kept = reduction.kept().iter();
     while let Some((local, name)) = kept.next() {
         let slot = layout.coordinates.len();
-        let part = resolver
-            .parts
-            .iter()
-            .find(|part| part.rotation() == Some(*local));
-        if let Some(part) = part {
+        if let Some(&part) = turning.get(local) {
+            let part = &resolver.parts[part];
             let (name, inertia) = (part.name.clone(), part.inertia);
             let first = layout.velocities.len();
             layout.rotations.push(Rotation {

@@ -10,8 +10,8 @@ use super::resolver::Resolver;
 use super::solve::{self, Conditions};
 use super::solved::Solved;
 use super::tree::Tree;
-use crate::symbolic::Substitution;
-use std::collections::{BTreeMap, HashMap};
+use crate::symbolic::{Map, Substitution};
+use std::collections::BTreeMap;
 
 /// A set of joined points: ends of parts, and at most one place of the ground.
 #[derive(Default)]
@@ -110,9 +110,9 @@ pub(super) fn reduce(
 struct Clusters {
     list: Vec<Cluster>,
     /// The cluster of each end.
-    of_end: HashMap<u32, usize>,
+    of_end: Map<u32, usize>,
     /// The cluster of each place of the ground.
-    of_place: HashMap<Vector, usize>,
+    of_place: Map<Vector, usize>,
 }
 
 impl Clusters {
@@ -161,8 +161,12 @@ impl Clusters {
             ));
         }
         let moved = std::mem::take(&mut self.list[b]);
-        self.of_end.extend(moved.ends.iter().map(|&end| (end, a)));
-        self.of_place.extend(moved.ground.map(|place| (place, a)));
+        for &end in &moved.ends {
+            self.of_end.insert(end, a);
+        }
+        if let Some(place) = moved.ground {
+            self.of_place.insert(place, a);
+        }
         let cluster = &mut self.list[a];
         cluster.ends.extend(moved.ends);
         cluster.joints.extend(moved.joints);

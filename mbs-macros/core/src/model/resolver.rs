@@ -11,7 +11,7 @@ use super::requirements::Requirement;
 use super::value::Value;
 use crate::diagnostics::{Errors, Place};
 use crate::schema::{Group, Kind, Kinds, World};
-use crate::symbolic::{Graph, Table};
+use crate::symbolic::{Graph, Map, Set, Table};
 use crate::syntax::{Declaration, Entry};
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
@@ -52,12 +52,12 @@ pub struct Resolver<'d> {
     /// Whether accelerations and reactions can be read: in outputs.
     pub(super) at_acceleration_level: bool,
     /// Names that an expression uses.
-    pub(super) used: HashSet<String>,
+    pub(super) used: Set<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
     pub(super) misplaced: HashSet<String>,
     /// Bars that need an angle.
     pub(super) needs_angle: HashSet<String>,
-    pub(super) names: HashMap<String, usize>,
+    pub(super) names: Map<String, usize>,
     /// What unknown names may be misspellings of, in words.
     pub(super) hints: HashMap<String, String>,
     pub(super) states: Vec<State>,
@@ -95,10 +95,10 @@ impl<'d> Resolver<'d> {
             joint_variables: Vec::new(),
             readings: Vec::new(),
             at_acceleration_level: false,
-            used: HashSet::new(),
+            used: Set::default(),
             misplaced: HashSet::new(),
             needs_angle: needs_angle(declaration, kinds),
-            names: HashMap::new(),
+            names: Map::default(),
             hints: HashMap::new(),
             states: Vec::new(),
             silent: false,

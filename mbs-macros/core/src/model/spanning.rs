@@ -83,7 +83,7 @@ struct Found {
 impl Spanning {
     fn new(resolver: &mut Resolver, joints: &[JointEntry]) -> Spanning {
         // Points that joints merge are reached already.
-        let merged: Vec<Owner> = joints
+        let merged: BTreeSet<Owner> = joints
             .iter()
             .filter_map(|element| element.joint.merges.as_ref())
             .filter(|points| points.iter().all(mergeable))

@@ -1,5 +1,6 @@
 //! Constructors: every node is made here, in canonical form.
 
+use super::collected::{Total, are_multiplied, collect, put_factor};
 use super::{Expr, Function, Graph, Node, Number, Symbol, reach_of};
 
 /// A sum of more terms is not flattened into another: one that grows name by name would be copied for each name.
@@ -41,7 +42,12 @@ impl Graph {
 
     /// Zero.
     pub fn zero(&mut self) -> Expr {
-        self.constant(0.0)
+        if let Some(zero) = self.zero {
+            return zero;
+        }
+        let zero = self.constant(0.0);
+        self.zero = Some(zero);
+        zero
     }
 
     /// One.
@@ -56,6 +62,12 @@ impl Graph {
 
     /// a + b.
     pub fn add(&mut self, a: Expr, b: Expr) -> Expr {
+        if self.is_zero(a) {
+            return b;
+        }
+        if self.is_zero(b) {
+            return a;
+        }
         self.linear(0.0, &[(a, 1.0), (b, 1.0)])
     }
 
@@ -76,8 +88,12 @@ impl Graph {
 
     /// The sum of all.
     pub fn sum(&mut self, terms: impl IntoIterator<Item = Expr>) -> Expr {
-        let terms: Vec<_> = terms.into_iter().map(|term| (term, 1.0)).collect();
-        self.linear(0.0, &terms)
+        let terms = terms.into_iter().filter(|&term| !self.is_zero(term));
+        let terms: Vec<_> = terms.map(|term| (term, 1.0)).collect();
+        match terms.as_slice() {
+            [(term, _)] => *term,
+            terms => self.linear(0.0, terms),
+        }
     }
 
     /// constant + Σ coefficient · term.
@@ -90,7 +106,7 @@ impl Graph {
         collect(&mut flat);
         self.pythagoras(&mut flat, &mut constant);
         // 3 (x + y) − 2 (x + y) becomes x + y: a coefficient may be ±1 only after the terms were collected.
-        while flat.iter().any(|&(term, c)| self.dissolves(term, c)) {
+        while self.any_dissolves(&flat) {
             for (term, coefficient) in std::mem::take(&mut flat) {
                 self.flatten_term(term, coefficient, &mut constant, &mut flat);
             }
@@ -127,12 +143,17 @@ impl Graph {
         if terms.len() == 1 {
             return 1.0;
         }
-        let counted = terms.iter().map(|&(_, coefficient)| coefficient);
-        let counted = counted.filter(|&coefficient| !self.of_many || is_simple(coefficient));
-        let signs: Vec<bool> = counted.map(|coefficient| coefficient < 0.0).collect();
-        let minus = signs.iter().filter(|&&is_negative| is_negative).count();
-        let negative = match signs.first() {
-            Some(&first) => 2 * minus > signs.len() || (2 * minus == signs.len() && first),
+        let (mut counted, mut minus, mut first) = (0, 0, None);
+        for &(_, coefficient) in terms {
+            if !self.of_many || is_simple(coefficient) {
+                let is_negative = coefficient < 0.0;
+                counted += 1;
+                minus += usize::from(is_negative);
+                first = first.or(Some(is_negative));
+            }
+        }
+        let negative = match first {
+            Some(first) => 2 * minus > counted || (2 * minus == counted && first),
             None => {
                 let opposite = Node::Sum {
                     constant: Number::new(-constant),
@@ -145,11 +166,19 @@ impl Graph {
     }
 
     /// Whether a term of a sum is a sum to be dissolved.
-    fn dissolves(&self, term: Expr, coefficient: f64) -> bool {
-        let Node::Sum { terms, .. } = self.node(term) else {
-            return false;
-        };
-        coefficient.abs() == 1.0 && terms.len() <= LONG_SUM
+    fn any_dissolves(&self, flat: &[(Expr, f64)]) -> bool {
+        let mut at = 0;
+        while at < flat.len() {
+            let (term, coefficient) = flat[at];
+            if let Node::Sum { terms, .. } = self.node(term)
+                && coefficient.abs() == 1.0
+                && terms.len() <= LONG_SUM
+            {
+                return true;
+            }
+            at += 1;
+        }
+        false
     }
 
     /// A nested sum is flattened if this needs no multiplication, coefficient ±1 or a single scaled term, and if it is
@@ -179,11 +208,9 @@ impl Graph {
                 terms,
             } if coefficient.abs() == 1.0 && terms.len() <= LONG_SUM => {
                 constant.add(coefficient * inner.value());
-                flat.extend(
-                    terms
-                        .iter()
-                        .map(|&(term, own)| (term, coefficient * own.value())),
-                );
+                for &(term, own) in terms {
+                    flat.push((term, coefficient * own.value()));
+                }
             }
             _ => flat.push((term, coefficient)),
         }
@@ -218,13 +245,14 @@ impl Graph {
         let Node::Product(factors) = self.node(term) else {
             return None;
         };
-        let (slot, angle) = factors
-            .iter()
-            .enumerate()
-            .find_map(|(slot, &(factor, power))| match self.node(factor) {
-                Node::Function(Function::Sin, angle) if power >= 2 => Some((slot, *angle)),
-                _ => None,
-            })?;
+        let mut slot = 0;
+        let angle = loop {
+            let &(factor, power) = factors.get(slot)?;
+            match self.node(factor) {
+                Node::Function(Function::Sin, angle) if power >= 2 => break *angle,
+                _ => slot += 1,
+            }
+        };
         let mut rest: Vec<(Expr, i32)> = factors.to_vec();
         rest[slot].1 -= 2;
         let cos = self.function(Function::Cos, angle);
@@ -235,6 +263,11 @@ impl Graph {
 
     /// a · b.
     pub fn mul(&mut self, a: Expr, b: Expr) -> Expr {
+        match (self.as_constant(a), self.as_constant(b)) {
+            (Some(0.0), None) | (None, Some(1.0)) => return a,
+            (None, Some(0.0)) | (Some(1.0), None) => return b,
+            _ => {}
+        }
         self.product(&[(a, 1), (b, 1)])
     }
 
@@ -251,44 +284,10 @@ impl Graph {
     /// Π factor^power.
     pub fn product(&mut self, factors: &[(Expr, i32)]) -> Expr {
         let mut coefficient = 1.0;
-        let mut flat: Vec<(Expr, i32)> = Vec::with_capacity(factors.len());
-        let mut pending: Vec<(Expr, i32)> = factors.to_vec();
-        while let Some((factor, power)) = pending.pop() {
-            if power == 0 {
-                continue;
-            }
-            match self.node(factor) {
-                Node::Constant(number) => coefficient *= number.value().powi(power),
-                Node::Sum {
-                    constant: Number::ZERO,
-                    terms,
-                } if terms.len() == 1 => {
-                    coefficient *= terms[0].1.value().powi(power);
-                    pending.push((terms[0].0, power));
-                }
-                Node::Product(inner)
-                    if inner.iter().all(|&(_, p)| p.checked_mul(power).is_some()) =>
-                {
-                    pending.extend(inner.iter().map(|&(f, p)| (f, p * power)));
-                }
-                _ => flat.push((factor, power)),
-            }
-        }
-        flat.sort_unstable();
-        let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(flat.len());
-        for (factor, power) in flat {
-            match merged.last_mut() {
-                Some(last) if last.0 == factor && last.1.checked_add(power).is_some() => {
-                    last.1 += power;
-                }
-                _ => merged.push((factor, power)),
-            }
-        }
-        merged.retain(|&(_, power)| power != 0);
+        let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(factors.len() + 2);
+        self.flatten_factors(factors, 1, &mut coefficient, &mut merged);
         // √x · √x = x
-        if let Some(slot) = merged.iter().position(|&(f, p)| {
-            p.abs() >= 2 && matches!(self.node(f), Node::Function(Function::Sqrt, _))
-        }) {
+        if let Some(slot) = self.double_root(&merged) {
             let (root, power) = merged[slot];
             let Node::Function(_, inside) = *self.node(root) else {
                 unreachable!("matched above")
@@ -311,6 +310,52 @@ impl Graph {
         } else {
             self.linear(0.0, &[(product, coefficient)])
         }
+    }
+
+    /// Puts factors into a sorted list, those of products inside one by one, and multiplies the numbers among them.
+    fn flatten_factors(
+        &self,
+        factors: &[(Expr, i32)],
+        exponent: i32,
+        coefficient: &mut f64,
+        flat: &mut Vec<(Expr, i32)>,
+    ) {
+        let mut left = factors.len();
+        while left > 0 {
+            left -= 1;
+            let (factor, power) = factors[left];
+            let power = power * exponent;
+            if power == 0 {
+                continue;
+            }
+            match self.node(factor) {
+                Node::Constant(number) => *coefficient *= number.value().powi(power),
+                Node::Sum {
+                    constant: Number::ZERO,
+                    terms,
+                } if terms.len() == 1 => {
+                    *coefficient *= terms[0].1.value().powi(power);
+                    self.flatten_factors(&[(terms[0].0, power)], 1, coefficient, flat);
+                }
+                Node::Product(inner) if are_multiplied(inner, power) => {
+                    self.flatten_factors(inner, power, coefficient, flat);
+                }
+                _ => put_factor(flat, factor, power),
+            }
+        }
+    }
+
+    /// Where a square root has a power that is one of what is inside.
+    fn double_root(&self, factors: &[(Expr, i32)]) -> Option<usize> {
+        let mut slot = 0;
+        while slot < factors.len() {
+            let (factor, power) = factors[slot];
+            if power.abs() >= 2 && matches!(self.node(factor), Node::Function(Function::Sqrt, _)) {
+                return Some(slot);
+            }
+            slot += 1;
+        }
+        None
     }
 
     /// base^exponent.
@@ -412,62 +457,14 @@ impl Graph {
 }
 
 fn scaled(terms: &[(Expr, f64)], factor: f64) -> Box<[(Expr, Number)]> {
-    let scaled = |&(term, coefficient): &(Expr, f64)| (term, Number::new(factor * coefficient));
-    terms.iter().map(scaled).collect()
+    let mut scaled = Vec::with_capacity(terms.len());
+    for &(term, coefficient) in terms {
+        scaled.push((term, Number::new(factor * coefficient)));
+    }
+    scaled.into()
 }
 
 /// Whether a coefficient is likely to come from a formula, not from a place or direction.
 pub(crate) fn is_simple(coefficient: f64) -> bool {
     (4.0 * coefficient).fract() == 0.0
-}
-
-/// Sorts by term and adds up coefficients.
-fn collect(terms: &mut Vec<(Expr, f64)>) {
-    terms.sort_unstable_by_key(|&(term, _)| term);
-    let mut kept: Vec<(Expr, f64)> = Vec::with_capacity(terms.len());
-    let mut total = Total::of(0.0);
-    for &(term, coefficient) in terms.iter() {
-        match kept.last_mut() {
-            Some(last) if last.0 == term => {
-                total.add(coefficient);
-                last.1 = total.value();
-            }
-            _ => {
-                kept.push((term, coefficient));
-                total = Total::of(coefficient);
-            }
-        }
-    }
-    kept.retain(|&(_, coefficient)| coefficient != 0.0);
-    *terms = kept;
-}
-
-/// A sum of numbers that cancel exactly, if they cancel but for their round-off: what vanishes for one leg of a
-/// platform vanishes for the others, whose directions are other numbers.
-struct Total {
-    sum: f64,
-    /// Σ |number|.
-    size: f64,
-}
-
-impl Total {
-    fn of(number: f64) -> Total {
-        Total {
-            sum: number,
-            size: number.abs(),
-        }
-    }
-
-    fn add(&mut self, number: f64) {
-        self.sum += number;
-        self.size += number.abs();
-    }
-
-    fn value(&self) -> f64 {
-        if self.sum.abs() <= 4.0 * f64::EPSILON * self.size {
-            0.0
-        } else {
-            self.sum
-        }
-    }
 }

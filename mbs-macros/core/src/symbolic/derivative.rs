@@ -11,6 +11,9 @@ impl Graph {
         if !self.may_depend_on(expr, symbol) {
             return self.zero();
         }
+        if let Node::Symbol(own) = *self.node(expr) {
+            return self.symbol_derivative(own, symbol);
+        }
         if let Some(&known) = self.derivatives.get(&(expr, symbol)) {
             return known;
         }

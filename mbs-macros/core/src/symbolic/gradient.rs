@@ -3,7 +3,7 @@
 //! Forward derivatives cost as much as the expression, once for each symbol. Where one scalar is differentiated along all
 //! coordinates (∂T/∂q of a chain of n bodies), going backwards keeps the cost linear in n.
 
-use super::{Expr, Graph, Map, Node, Symbol};
+use super::{Expr, Graph, Map, Node, Set, Symbol};
 use std::collections::BTreeMap;
 
 impl Graph {
@@ -15,7 +15,7 @@ impl Graph {
         adjoints.insert(expr, vec![one]);
         let mut slopes: BTreeMap<Symbol, Vec<Expr>> = BTreeMap::new();
         for &node in order.iter().rev() {
-            let Some(terms) = adjoints.remove(&node) else {
+            let Some(terms) = adjoints.get_mut(&node).map(std::mem::take) else {
                 continue;
             };
             let adjoint = self.sum(terms);
@@ -45,10 +45,10 @@ impl Graph {
     pub(super) fn inside(&self, roots: impl IntoIterator<Item = Expr>) -> Vec<Expr> {
         // Operands are made before what is made of them, so that the order of indices will do.
         let mut found = Vec::new();
-        let mut seen: Map<Expr, ()> = Map::default();
+        let mut seen: Set<Expr> = Set::default();
         let mut stack: Vec<Expr> = roots.into_iter().collect();
         while let Some(next) = stack.pop() {
-            if seen.insert(next, ()).is_none() {
+            if seen.insert(next) {
                 found.push(next);
                 self.for_each_operand(next, |operand| stack.push(operand));
             }

@@ -1,7 +1,6 @@
 //! The hashes of nodes: loops over arrays, because compilers run unoptimised.
 
-use super::map::mixed;
-use super::{Node, hash};
+use super::{Node, hash, mixed};
 
 impl Node {
     /// What it is looked up by.

@@ -7,6 +7,7 @@
 mod affine;
 mod along;
 mod build;
+mod collected;
 mod derivative;
 mod evaluate;
 mod gradient;
@@ -15,6 +16,7 @@ mod index;
 mod latex;
 mod length;
 mod map;
+mod mixing;
 mod number;
 mod phasor;
 mod print;
@@ -24,8 +26,9 @@ mod substitute;
 mod table;
 
 pub(crate) use build::is_simple;
-pub(crate) use map::Set;
-pub(crate) use map::{Map, hash, mixed, mixed_text};
+pub(crate) use index::Index;
+pub(crate) use map::{Map, Set};
+pub(crate) use mixing::{hash, mixed, mixed_text};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};
 pub use evaluate::{Evaluator, LawEvaluation};
@@ -36,7 +39,6 @@ pub use rotation::rotation_entry;
 pub use substitute::Substitution;
 pub use table::{Beyond, Datum, INTEGRAL, Interpolation, Table, TableData};
 
-use index::Index;
 use std::sync::Arc;
 
 /// A node of a [`Graph`].
@@ -238,6 +240,8 @@ pub struct Graph {
     /// For each node, the number of operations from it down to its lowest symbol.
     levels: Vec<u32>,
     index: Index,
+    /// Zero, once it was made: nothing is made as often.
+    zero: Option<Expr>,
     derivatives: Map<(Expr, Symbol), Expr>,
     /// See [`Graph::terms_along`].
     along: Map<Expr, Arc<Map<Symbol, Vec<u32>>>>,
@@ -271,7 +275,8 @@ impl Graph {
 
     /// The node of an expression.
     pub fn node(&self, expr: Expr) -> &Node {
-        &self.nodes[expr.0 as usize]
+        // A slice is indexed without a call.
+        &self.nodes.as_slice()[expr.0 as usize]
     }
 
     /// The number of operations from an expression down to its lowest symbol.
@@ -346,7 +351,7 @@ impl Graph {
 
     /// Whether the expression is the number zero.
     pub fn is_zero(&self, expr: Expr) -> bool {
-        self.as_constant(expr) == Some(0.0)
+        matches!(self.node(expr), Node::Constant(Number::ZERO))
     }
 
     /// Calls `visit` on each direct operand.

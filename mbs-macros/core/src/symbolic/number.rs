@@ -17,7 +17,7 @@ impl Number {
     }
 
     /// What numbers are compared by.
-    pub(super) fn bits(self) -> u64 {
+    pub(crate) fn bits(self) -> u64 {
         self.0
     }
 

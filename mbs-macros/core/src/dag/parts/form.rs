@@ -5,7 +5,7 @@
 
 use super::kind::{commutes, kind};
 use crate::dag::{Function, Operand, Operation};
-use crate::symbolic::{Map, Symbol, hash};
+use crate::symbolic::{Map, Symbol, mixed};
 use std::rc::Rc;
 
 /// A group in its form.
@@ -14,7 +14,7 @@ pub(super) struct Form {
     /// Equal for equal operations.
     pub number: usize,
     /// The operations, with [`Symbol::Place`] for values from outside.
-    pub operations: Vec<Operation>,
+    pub operations: Rc<[Operation]>,
     /// The values from outside.
     pub reads: Vec<Operand>,
     /// Where the operations stand in the function.
@@ -24,8 +24,13 @@ pub(super) struct Form {
 /// The forms of groups of a function. Groups change a little while they are joined: each form is made once.
 pub(super) struct Forms<'a> {
     pub function: &'a Function,
-    of_groups: Map<Vec<usize>, Rc<Form>>,
-    numbers: Map<Vec<Operation>, usize>,
+    /// By first operation and length: of groups that agree in these the last one.
+    of_groups: Map<(usize, usize), (Vec<usize>, Rc<Form>)>,
+    /// By a hash of the operations, each with its number.
+    numbers: Map<u64, Vec<(Rc<[Operation]>, usize)>>,
+    count: usize,
+    /// Where an operation stands in the group that is being written; of others anything.
+    local: Vec<u32>,
 }
 
 impl<'a> Forms<'a> {
@@ -34,48 +39,68 @@ impl<'a> Forms<'a> {
             function,
             of_groups: Map::default(),
             numbers: Map::default(),
+            count: 0,
+            local: vec![0; function.operations.len()],
         }
     }
 
     /// The form of the group of these operations.
     pub(super) fn of(&mut self, group: &[usize]) -> Rc<Form> {
-        if let Some(form) = self.of_groups.get(group) {
+        let key = (group[0], group.len());
+        if let Some((known, form)) = self.of_groups.get(&key)
+            && known == group
+        {
             return form.clone();
         }
-        let (operations, reads, order) = written(self.function, group);
-        let next = self.numbers.len();
-        let number = *self.numbers.entry(operations.clone()).or_insert(next);
-        let form = Rc::new(Form {
+        let form = Rc::new(self.written(group));
+        self.of_groups.insert(key, (group.to_vec(), form.clone()));
+        form
+    }
+
+    fn written(&mut self, group: &[usize]) -> Form {
+        for (at, &slot) in group.iter().enumerate() {
+            self.local[slot] = at as u32;
+        }
+        let mut writer = Writer {
+            function: self.function,
+            group,
+            local: &self.local,
+            depth: vec![0; group.len()],
+            hashes: vec![0; group.len()],
+        };
+        writer.look_down();
+        writer.look_up();
+        let order = writer.order();
+        let (operations, reads) = writer.written(&order);
+        // What follows from the operations alone.
+        let hashes = order.iter().map(|&at| writer.hashes[at]);
+        let alike = self.numbers.entry(hashes.fold(0, mixed)).or_default();
+        let (operations, number) = match alike.iter().find(|(known, _)| **known == *operations) {
+            Some(known) => known.clone(),
+            None => {
+                alike.push((operations.into(), self.count));
+                self.count += 1;
+                alike[alike.len() - 1].clone()
+            }
+        };
+        Form {
             number,
             operations,
             reads,
-            order,
-        });
-        self.of_groups.insert(group.to_vec(), form.clone());
-        form
+            order: order.iter().map(|&at| group[at]).collect(),
+        }
     }
 }
 
-fn written(function: &Function, group: &[usize]) -> (Vec<Operation>, Vec<Operand>, Vec<usize>) {
-    let local = group.iter().enumerate().map(|(at, &slot)| (slot, at));
-    let mut writer = Writer {
-        function,
-        group,
-        local: local.collect(),
-        depth: vec![0; group.len()],
-        hashes: vec![0; group.len()],
-    };
-    writer.look_down();
-    writer.look_up();
-    writer.written()
-}
+/// The hash of a value from outside.
+const OUTSIDE: u64 = 1;
 
 /// A group on the way to its form.
 struct Writer<'a> {
     function: &'a Function,
     group: &'a [usize],
-    /// Where an operation stands in the group.
-    local: Map<usize, usize>,
+    /// Where an operation stands in the group, if it does.
+    local: &'a [u32],
     depth: Vec<u32>,
     hashes: Vec<u64>,
 }
@@ -83,7 +108,10 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn inner(&self, operand: Operand) -> Option<usize> {
         match operand {
-            Operand::Value(slot) => self.local.get(&slot).copied(),
+            Operand::Value(slot) => {
+                let at = self.local[slot] as usize;
+                (at < self.group.len() && self.group[at] == slot).then_some(at)
+            }
             _ => None,
         }
     }
@@ -92,19 +120,28 @@ impl Writer<'_> {
     fn look_down(&mut self) {
         for at in 0..self.group.len() {
             let operation = &self.function.operations[self.group[at]];
-            let mut below = Vec::new();
+            let (which, detail) = kind(operation);
+            // Mixing zeros would answer zero.
+            let own = mixed(mixed(OUTSIDE, u64::from(which)), detail);
+            let (mut all, mut sum) = (own, 0_u64);
             let mut depth = 0;
-            operation.for_each_operand(|operand| match self.inner(operand) {
-                Some(inner) => {
-                    depth = depth.max(self.depth[inner] + 1);
-                    below.push(self.hashes[inner]);
-                }
-                None => below.push(0),
+            operation.for_each_operand(|operand| {
+                let below = match self.inner(operand) {
+                    Some(inner) => {
+                        depth = depth.max(self.depth[inner] + 1);
+                        self.hashes[inner]
+                    }
+                    None => OUTSIDE,
+                };
+                all = mixed(all, below);
+                sum = sum.wrapping_add(below);
             });
-            if commutes(operation) {
-                below.sort_unstable();
-            }
-            (self.depth[at], self.hashes[at]) = (depth, hash((kind(operation), below)));
+            // Operands that commute have no order.
+            let hash = match commutes(operation) {
+                true => mixed(own, sum),
+                false => all,
+            };
+            (self.depth[at], self.hashes[at]) = (depth, hash);
         }
     }
 
@@ -114,10 +151,10 @@ impl Writer<'_> {
         for at in (0..self.group.len()).rev() {
             let operation = &self.function.operations[self.group[at]];
             let mut place = 0_u64;
-            let own = hash((self.hashes[at], above[at]));
+            let own = mixed(self.hashes[at], above[at]);
             operation.for_each_operand(|operand| {
                 if let Some(inner) = self.inner(operand) {
-                    above[inner] = above[inner].wrapping_add(hash((own, place)));
+                    above[inner] = above[inner].wrapping_add(mixed(own, place));
                 }
                 if !commutes(operation) {
                     place += 1;
@@ -125,13 +162,18 @@ impl Writer<'_> {
             });
         }
         for (own, above) in self.hashes.iter_mut().zip(above) {
-            *own = hash((*own, above));
+            *own = mixed(*own, above);
         }
     }
 
-    fn written(&self) -> (Vec<Operation>, Vec<Operand>, Vec<usize>) {
+    /// The operations of the group in the order of its form.
+    fn order(&self) -> Vec<usize> {
         let mut order: Vec<usize> = (0..self.group.len()).collect();
-        order.sort_by_key(|&at| (self.depth[at], self.hashes[at], at));
+        order.sort_unstable_by_key(|&at| (self.depth[at], self.hashes[at], at));
+        order
+    }
+
+    fn written(&self, order: &[usize]) -> (Vec<Operation>, Vec<Operand>) {
         let mut number = vec![0; order.len()];
         let mut reads: Vec<Operand> = Vec::new();
         let mut known: Map<Operand, usize> = Map::default();
@@ -158,8 +200,7 @@ impl Writer<'_> {
             };
             operations.push(mapped(&operation, read));
         }
-        let order = order.iter().map(|&at| self.group[at]).collect();
-        (operations, reads, order)
+        (operations, reads)
     }
 
     /// The operation with its commuting operands in an order that does not depend on the function.

@@ -176,7 +176,7 @@ fn by_dependence(waiting: &[usize], users: &[Vec<usize>]) -> Vec<usize> {
 struct Places {
     inputs: Vec<Operand>,
     of_inputs: Map<Operand, u32>,
-    of_values: Map<usize, u32>,
+    of_values: Vec<Option<u32>>,
     /// After which batch a value is needed no more.
     last: Vec<Vec<usize>>,
     batch: usize,
@@ -239,7 +239,7 @@ impl Places {
             count: inputs.len() as u32,
             inputs,
             of_inputs,
-            of_values: Map::default(),
+            of_values: vec![None; function.operations.len()],
             last: by_batch,
             batch: 0,
             free: Vec::new(),
@@ -248,10 +248,10 @@ impl Places {
 
     fn read(&self, operand: Operand) -> u32 {
         let place = match operand {
-            Operand::Value(value) => self.of_values.get(&value),
-            other => self.of_inputs.get(&other),
+            Operand::Value(value) => self.of_values[value],
+            other => self.of_inputs.get(&other).copied(),
         };
-        *place.expect("each value has a place before it is read")
+        place.expect("each value has a place before it is read")
     }
 
     fn leave(&mut self, value: usize) -> u32 {
@@ -259,14 +259,14 @@ impl Places {
             self.count += 1;
             self.count - 1
         });
-        self.of_values.insert(value, place);
+        self.of_values[value] = Some(place);
         place
     }
 
     /// The places of values that nothing needs after this batch are free for others.
     fn end_batch(&mut self) {
         for value in std::mem::take(&mut self.last[self.batch]) {
-            self.free.extend(self.of_values.remove(&value));
+            self.free.extend(self.of_values[value].take());
         }
         self.batch += 1;
     }

@@ -52,22 +52,16 @@ pub(super) fn of(forms: &mut Forms, groups: &Groups) -> (Vec<Shape>, Vec<Member>
     let mut uses = vec![0; shapes.len()];
     members.iter().for_each(|member| uses[member.shape] += 1);
     let mut names: Vec<Vec<Option<String>>> = vec![Vec::new(); shapes.len()];
-    for member in &members {
-        // Names are those of the only use: those of several would not agree.
-        names[member.shape] = match uses[member.shape] {
-            1 => member
-                .form
-                .order
-                .iter()
-                .map(|&slot| function.names[slot].clone())
-                .collect(),
-            _ => vec![None; member.form.order.len()],
-        };
+    // Names are those of the only use: those of several would not agree.
+    for member in members.iter().filter(|member| uses[member.shape] == 1) {
+        let order = member.form.order.iter();
+        names[member.shape] = order.map(|&slot| function.names[slot].clone()).collect();
     }
     let shapes = shapes
         .into_iter()
         .zip(names)
-        .map(|((form, left), names)| {
+        .map(|((form, left), mut names)| {
+            names.resize(form.order.len(), None);
             let left = left.iter().enumerate().filter(|(_, is_left)| **is_left);
             let outputs = left.enumerate().map(|(k, (local, _))| Output {
                 sink: "t",
@@ -78,7 +72,7 @@ pub(super) fn of(forms: &mut Forms, groups: &Groups) -> (Vec<Shape>, Vec<Member>
                 function: Function {
                     name: function.name,
                     outputs: outputs.collect(),
-                    operations: form.operations.clone(),
+                    operations: form.operations.to_vec(),
                     names,
                 },
                 table: Vec::new(),

@@ -1,14 +1,13 @@
 //! Initial guesses of local coordinates and their rates.
 
-use crate::symbolic::{Expr, Graph};
-use std::collections::HashMap;
+use crate::symbolic::{Expr, Graph, Map};
 
 /// Guesses of local coordinates and their rates, in parameters.
 #[derive(Debug, Default)]
 pub(in crate::model) struct Guesses {
-    values: HashMap<u32, (Expr, Expr)>,
-    quaternions: HashMap<u32, [Expr; 4]>,
-    angles: HashMap<usize, Expr>,
+    values: Map<u32, (Expr, Expr)>,
+    quaternions: Map<u32, [Expr; 4]>,
+    angles: Map<usize, Expr>,
 }
 
 impl Guesses {
