@@ -34,6 +34,8 @@ pub struct Problem {
     pub branch: Branch,
     /// An input that takes another value at each instant at which the run is tested, and its largest value.
     pub jumps: Option<(&'static str, f64)>,
+    /// A parameter that has this value in the runs for size and kinetic energy.
+    pub measured_with: Option<(&'static str, f64)>,
 }
 
 /// What tells that a run is on the right branch.
@@ -69,6 +71,7 @@ impl Problem {
             duration,
             branch: Branch::Curve,
             jumps: None,
+            measured_with: None,
         }
     }
 

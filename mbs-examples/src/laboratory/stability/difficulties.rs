@@ -29,6 +29,9 @@ const LONG_STEPS: [f64; 2] = [0.02, 0.01];
 const LONG: f64 = 1000.0;
 /// s, where steps are not in the columns.
 const STEP: f64 = 0.01;
+/// For Bricard's linkage, which turns fast: the declared rate of its first link, rad/s.
+const BRICARD_RATE: f64 = 20.0;
+const BRICARD_STEPS: [f64; 4] = [5e-3, 2e-3, 1e-3, 5e-4];
 /// N m
 const PUSH: f64 = 5.0;
 /// Damping of a crank, N m s: the least and the greatest.
@@ -84,6 +87,30 @@ pub(super) fn maps(phases: usize) -> Vec<Map> {
             "Singular poses in space: spherical linkage that folds, by joints and by bodies",
             &FEW_STEPS,
             starts(&[&SPHERICAL, &SPHERICAL_BY_BODIES], 10.0),
+        ),
+        by_step(
+            "bricard-bifurcation",
+            "Bifurcation of Bricard's linkage of threefold symmetry",
+            &BRICARD_STEPS,
+            vec![Problem::new(&passages::THREEFOLD, 5.0).with("rate", BRICARD_RATE); phases.min(4)],
+        ),
+        by_step(
+            "start-in-pose",
+            "Start in a singular pose: double four-bar, redundant row, shaken base, in space",
+            &STEPS,
+            level(starts(
+                &[&DOUBLE_FOUR_BAR, &REDUNDANT, &SHAKEN, &IN_SPACE],
+                10.0,
+            )),
+        ),
+        by_step(
+            "rest-in-pose",
+            "Start from rest in a singular pose, where any branch is right: the same",
+            &STEPS,
+            at_rest(level(starts(
+                &[&DOUBLE_FOUR_BAR, &REDUNDANT, &SHAKEN, &IN_SPACE],
+                10.0,
+            ))),
         ),
         light_links(starts(&[&PUSHED], 10.0)),
         by_step(
@@ -147,10 +174,25 @@ fn starts(scenes: &[&'static Scene], count: usize, duration: f64) -> Vec<Problem
             branch: Branch::Output(passages::ASTRAY),
             ..Problem::new(scenes[i % scenes.len()], duration)
         }
-        .with("phase", PI * (2.0 * random(i, 0.5) - 1.0))
+        .with("phase", PI * (2.0 * random(i, 0.2) - 1.0))
         .with("rate", turn * rate)
     };
     (0..count).map(problem).collect()
+}
+
+/// With all bars level.
+fn level(problems: Vec<Problem>) -> Vec<Problem> {
+    let with = |problem: Problem| problem.with("phase", 0.0);
+    problems.into_iter().map(with).collect()
+}
+
+/// From rest: nothing tells the branch.
+fn at_rest(problems: Vec<Problem>) -> Vec<Problem> {
+    let with = |problem: Problem| Problem {
+        branch: Branch::Unknown,
+        ..problem.with("rate", 0.0)
+    };
+    problems.into_iter().map(with).collect()
 }
 
 /// With random damping between two values.
@@ -257,6 +299,8 @@ fn stiff_bushing(problems: Vec<Problem>) -> Map {
                 let damping = if run % 2 == 0 { 0.0 } else { BUSHING_DAMPING };
                 let problem = Problem {
                     branch: Branch::Unknown,
+                    // One vibration takes 2π steps: the slow motion is the same.
+                    measured_with: Some(("stiffness", STEP.powi(-2))),
                     ..problem.clone()
                 };
                 let problem = problem

@@ -7,6 +7,9 @@ use super::{Branch, Course, Map, Problem, Trial, difficulties};
 use crate::scene::Scene;
 use crate::scenes::{laboratory, scenes};
 
+/// Maps that take too long for the quick form, beside the long runs.
+const SLOW: [&str; 2] = ["redundant-bodies", "bricard-bifurcation"];
+
 /// A scene of the list.
 fn listed(name: &str) -> &'static Scene {
     let scene = scenes().iter().find(|scene| scene.name == name);
@@ -66,7 +69,7 @@ pub fn maps(quick: bool) -> Vec<Map> {
     ];
     maps.extend(difficulties::maps(phases));
     if quick {
-        maps.retain(|map| !map.name.starts_with("long") && map.name != "redundant-bodies");
+        maps.retain(|map| !map.name.starts_with("long") && !SLOW.contains(&map.name));
         for map in &mut maps {
             thin(map);
         }

@@ -15,9 +15,10 @@ const FINE: f64 = 1.0 / 8000.0;
 /// how often it is divided by four at most, and the difference of two runs, relative to the size, at which this ends.
 const REFINEMENTS: i32 = 3;
 const AGREED: f64 = 1e-2;
-/// The accuracies of two runs that have to agree where poses are compared at the same instants. The first is enough for
-/// size and kinetic energy.
+/// The accuracies of two runs that have to agree where poses are compared at the same instants.
 const ACCURACIES: [f64; 2] = [1e-6, 1e-8];
+/// The accuracy that is enough for size and kinetic energy.
+const ROUGH: f64 = 1e-4;
 
 /// Named points of a pose.
 type Pose = Vec<[f64; 3]>;
@@ -42,9 +43,15 @@ impl Motion {
         match problem.branch {
             Branch::Curve => Self::agreed(problem, (0..=REFINEMENTS).map(fine)),
             Branch::Motion => Self::agreed(problem, ACCURACIES.into_iter().map(Settings::accuracy)),
-            Branch::Output(_) => Self::follow(problem, Settings::accuracy(ACCURACIES[0])),
-            Branch::Unknown => Self::follow(problem, fine(0)),
+            Branch::Output(_) => Self::first(problem, [Settings::accuracy(ROUGH), fine(0)]),
+            Branch::Unknown => Self::first(problem, [fine(0), Settings::accuracy(ROUGH)]),
         }
+    }
+
+    /// From the first settings with which a run does not stop.
+    fn first(problem: &Problem, settings: [Settings; 2]) -> Result<Self, String> {
+        let [settings, otherwise] = settings;
+        Self::follow(problem, settings).or_else(|_| Self::follow(problem, otherwise))
     }
 
     /// From runs with finer and finer settings, until two agree.
@@ -68,7 +75,11 @@ impl Motion {
 
     fn follow(problem: &Problem, settings: Settings) -> Result<Self, String> {
         let words = |error: SimulationError| error.to_string();
-        let mut simulation = problem.build(settings).map_err(words)?;
+        let mut parameters = problem.parameters.clone();
+        if let Some((name, value)) = problem.measured_with {
+            parameters.push((name.to_owned(), value));
+        }
+        let mut simulation = (problem.scene.build)(&parameters, settings).map_err(words)?;
         let mut motion = Motion {
             branch: problem.branch,
             interval: problem.duration.min(FOLLOWED) / f64::from(POSES),

@@ -5,6 +5,7 @@
 //! Those with an output `astray` tell on which branch they are: it is zero in every pose of the motion that goes straight
 //! on.
 
+mod bricard;
 mod bushing;
 mod cranks;
 mod in_space;
@@ -15,6 +16,7 @@ mod slider_crank;
 mod spherical;
 
 use crate::scene::Scene;
+use bricard::Threefold;
 use bushing::OnBushing;
 use cranks::{DoubleFourBar, Pushed, Redundant};
 use in_space::{ParallelogramByBodies, ParallelogramInSpace};
@@ -152,6 +154,12 @@ pub static BUSHING: Scene = scene!(
     "stiff bushing",
     "Body on a bushing at a pendulum",
     OnBushing
+);
+/// Its poses form a curve that crosses another one.
+pub static THREEFOLD: Scene = scene!(
+    "Bricard's linkage",
+    "Bricard's linkage of threefold symmetry",
+    Threefold
 );
 
 /// The scenes with an output [`ASTRAY`].
