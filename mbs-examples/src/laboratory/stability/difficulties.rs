@@ -190,6 +190,8 @@ fn level(problems: Vec<Problem>) -> Vec<Problem> {
 fn at_rest(problems: Vec<Problem>) -> Vec<Problem> {
     let with = |problem: Problem| Problem {
         branch: Branch::Unknown,
+        // A start beside the pose.
+        measured_with: Some(("phase", 0.1)),
         ..problem.with("rate", 0.0)
     };
     problems.into_iter().map(with).collect()

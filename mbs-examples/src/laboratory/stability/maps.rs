@@ -8,7 +8,13 @@ use crate::scene::Scene;
 use crate::scenes::{laboratory, scenes};
 
 /// Maps that take too long for the quick form, beside the long runs.
-const SLOW: [&str; 2] = ["redundant-bodies", "bricard-bifurcation"];
+const SLOW: [&str; 5] = [
+    "redundant-bodies",
+    "bricard-bifurcation",
+    "spherical-linkage",
+    "stiff-bushing",
+    "rest-in-pose",
+];
 
 /// A scene of the list.
 fn listed(name: &str) -> &'static Scene {
