@@ -10,7 +10,9 @@ use mbs_examples::laboratory::outcome::Outcome;
 use mbs_examples::laboratory::paper::{
     self, Extent, RUN_COLUMNS, RUN_KEYS, SAMPLE_KEYS, Stores, figures, measure,
 };
+use mbs_examples::laboratory::stability::{Cell, Map};
 use mbs_examples::laboratory::store::{Row, Store};
+use mbs_examples::laboratory::tables::failed_cells;
 use mbs_examples::laboratory::work_precision::Point;
 use mbs_runtime::Method;
 
@@ -167,6 +169,29 @@ fn failed_runs_are_drawn_as_failed() {
         "one more marker, no more"
     );
     assert_eq!(Point::read(&row(&["s", "bdf"])), None);
+}
+
+/// A run that ended with an error of its own is no wrong motion that nobody noticed.
+#[test]
+fn cells_that_stopped_differ_from_those_that_went_on() {
+    let map = Map {
+        name: "m",
+        title: "t",
+        axis: "s",
+        rows: vec!["bdf".to_owned()],
+        columns: vec![0.01],
+        trials: Box::new(|_, _| Vec::new()),
+    };
+    let cell = |stopped| {
+        let cells = [
+            "m", "bdf", "1e-2", "drift", "8", "3", stopped, "1e-3", "lost",
+        ];
+        Cell::read(&row(&cells)).expect("a cell")
+    };
+    let [all, some] = ["3", "2"].map(cell);
+    assert!(all.is_stopped() && !some.is_stopped());
+    assert!(failed_cells(&map, &[all]).contains("| bdf | drift | yes | 0.01 (3/8) |"));
+    assert!(failed_cells(&map, &[some]).contains("| bdf | drift | no | 0.01 (3/8) |"));
 }
 
 #[test]

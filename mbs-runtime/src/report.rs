@@ -53,6 +53,9 @@ pub struct Report {
 }
 
 /// A singular pose during the motion: rows that are generally independent were dependent there, or nearly so.
+///
+/// A run that begins in such a pose has a loss at the time of its start, once the motion has left the pose. If it begins from
+/// rest, the equations do not determine on which branch: the motion is one of several.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RankLoss {

@@ -13,7 +13,7 @@ use crate::linear::{dot, entries, larger, products, vector};
 use crate::singular::{LEFT_OPEN, NOTHING, ROUND_OFF, STAGNATED};
 use crate::yardstick::Yardstick;
 use crate::{Settings, System};
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 /// Converts φ to a displacement: |φ_i| ≤ tolerance · |a_i|, where |a_i| is the change of φ_i as all coordinates change
 /// by the length of the mechanism or a radian, at the declared guess.
@@ -28,6 +28,9 @@ pub(crate) struct RowScale<const R: usize> {
     /// The same of a M⁻¹aᵀ of the holonomic rows, 0 of the others: a row that has become much shorter is beside a
     /// singular pose where it vanishes. (Not computed where factors are sparse, which do not use it.)
     pub(crate) usual: SVector<f64, R>,
+    /// The same for all holonomic rows, where rows vanish at the declared guess: `usual` is zero for these until the motion
+    /// has left that pose. (Steps out of it from rest need the rows as they are.)
+    later: Option<SVector<f64, R>>,
     /// ([`LEFT_OPEN`] / tolerance)².
     pub(crate) lost: f64,
     pub(crate) tolerance: f64,
@@ -44,15 +47,15 @@ impl<const R: usize> RowScale<R> {
         #[cfg(feature = "std")]
         if let Some([lengths_squared, usual]) = large::lengths(system, &yardstick, settings) {
             return Ok(Self::of::<S, Q, N>(
-                (&lengths_squared, usual),
+                (&lengths_squared, usual, None),
                 &yardstick,
                 tolerance,
             ));
         }
         let weighed = !is_sparse::<S, Q, N, R>(settings);
-        let [lengths_squared, usual] = usual::lengths(system, &yardstick, weighed)?;
+        let (lengths_squared, usual, later) = usual::lengths(system, &yardstick, weighed)?;
         Ok(Self::of::<S, Q, N>(
-            (&lengths_squared, usual),
+            (&lengths_squared, usual, later),
             &yardstick,
             tolerance,
         ))
@@ -60,7 +63,7 @@ impl<const R: usize> RowScale<R> {
 
     /// From |a_i|², which may vanish, and a M⁻¹aᵀ.
     fn of<S: System<Q, N, R>, const Q: usize, const N: usize>(
-        (found, usual): (&SVector<f64, R>, SVector<f64, R>),
+        (found, usual, later): (&SVector<f64, R>, SVector<f64, R>, Option<SVector<f64, R>>),
         yardstick: &Yardstick<Q, N>,
         tolerance: f64,
     ) -> Self {
@@ -76,6 +79,7 @@ impl<const R: usize> RowScale<R> {
             weights: vector(|i| 1.0 / (tolerance * tolerance * lengths_squared[i])),
             lengths_squared,
             usual,
+            later,
             lost: (LEFT_OPEN / tolerance).powi(2).max(STAGNATED),
             tolerance,
         }
@@ -88,6 +92,41 @@ impl<const R: usize> RowScale<R> {
     ) -> f64 {
         let unit = S::MODEL.rows.get(row).map_or("", |row| row.unit);
         length.powi(power_of_metres(unit))
+    }
+
+    /// The lengths of all rows, whatever the declared guess.
+    pub(crate) fn final_lengths(&self) -> SVector<f64, R> {
+        self.later.unwrap_or(self.usual)
+    }
+
+    /// Whether rows that vanish at the declared guess have not been longer yet.
+    #[inline(always)]
+    pub(crate) fn is_waiting(&self) -> bool {
+        self.later.is_some()
+    }
+
+    /// How short the shortest of them is here: the length relative to what it will be, 1 at most.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn shortness(&self, delassus: &SMatrix<f64, R, R>) -> f64 {
+        let Some(later) = self.later else {
+            return 1.0;
+        };
+        let waiting = (0..R).filter(|&i| self.usual[i] != later[i]);
+        let least = waiting.fold(1.0, |least: f64, i| least.min(delassus[(i, i)] / later[i]));
+        least.sqrt()
+    }
+
+    /// Ends that where every one of them is longer: on its diagonal `delassus` has a M⁻¹aᵀ.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn settle(&mut self, delassus: &SMatrix<f64, R, R>) {
+        if let Some(later) = self.later
+            && (0..R)
+                .all(|i| self.usual[i] == later[i] || delassus[(i, i)] >= usual::SHORT * later[i])
+        {
+            (self.usual, self.later) = (later, None);
+        }
     }
 
     /// a M⁻¹aᵀ of the rows of this geometry, or what is usual where that is more.

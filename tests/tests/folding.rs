@@ -1,7 +1,7 @@
 //! Linkages through the poses in which they fold: a spherical one, whose rows are redundant everywhere and dependent there,
 //! and a damped slider-crank.
 
-#[path = "../../mbs-examples/examples/random_passages/spherical.rs"]
+#[path = "../../mbs-examples/src/scenes/passages/spherical.rs"]
 mod spherical;
 
 use mbs_runtime::{Settings, Simulation, mechanism, methods};

@@ -64,6 +64,7 @@ mod solved_rows;
 mod spans;
 mod spatial_scenes;
 mod starts;
+mod starts_in_poses;
 mod states;
 mod stops;
 mod tables;

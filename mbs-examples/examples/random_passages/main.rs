@@ -3,16 +3,14 @@
 //!
 //! `cargo run --release -p mbs-examples --example random_passages -- [COUNT] [SEED] [NAME RUN] [--csv book/src/results/readme]`
 
-mod combined;
-mod mechanisms;
 #[allow(dead_code)] // For tests, too.
 #[path = "../../../tests/src/random.rs"]
 mod random;
 mod run;
-mod spherical;
 
 use mbs_examples::pages::record::Recorder;
-use mechanisms::Passing;
+use mbs_examples::scene::Scene;
+use mbs_examples::scenes::passages::SCENES;
 use run::{End, Run};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -50,25 +48,22 @@ fn main() -> Result<(), String> {
         text.and_then(|text| text.parse().ok()).unwrap_or(usual)
     };
     let (count, seed) = (number(0, 1000), number(1, 1));
-    let mechanisms = mechanisms::all();
     if let [_, _, name, run] = &recorder.arguments[..] {
-        let found = mechanisms.iter().find(|mechanism| mechanism.name == name);
-        let mechanism = found.ok_or_else(|| format!("no mechanism `{name}`"))?;
-        let run = Run::draw(mechanism, seed, run.parse().map_err(|_| "RUN is a number")?);
-        println!("{run:?}\n{:?}", run.execute(mechanism));
+        let found = SCENES.iter().find(|scene| scene.name == name);
+        let scene = found.ok_or_else(|| format!("no mechanism `{name}`"))?;
+        let run = Run::draw(scene, seed, run.parse().map_err(|_| "RUN is a number")?);
+        println!("{run:?}\n{:?}", run.execute(scene));
         return Ok(());
     }
     let next = AtomicUsize::new(0);
-    let counts: Vec<Mutex<Count>> = (0..2 * mechanisms.len())
-        .map(|_| Mutex::default())
-        .collect();
+    let counts: Vec<Mutex<Count>> = (0..2 * SCENES.len()).map(|_| Mutex::default()).collect();
     let work = || {
         loop {
             let job = next.fetch_add(1, Ordering::Relaxed);
             if job >= count {
                 return;
             }
-            judge(&mechanisms, &counts, seed, job);
+            judge(&counts, seed, job);
         }
     };
     std::thread::scope(|scope| {
@@ -85,7 +80,7 @@ fn main() -> Result<(), String> {
     let mut failures = 0;
     for (row, count) in counts.into_iter().enumerate() {
         let count = count.into_inner().map_err(|error| error.to_string())?;
-        let (name, damped) = (mechanisms[row / 2].name, ["no", "yes"][row % 2]);
+        let (name, damped) = (SCENES[row / 2].name, ["no", "yes"][row % 2]);
         let numbers = [
             count.runs,
             count.passed,
@@ -111,11 +106,11 @@ fn main() -> Result<(), String> {
     }
 }
 
-fn judge(mechanisms: &[Passing], counts: &[Mutex<Count>], seed: usize, job: usize) {
-    let (place, number) = (job % mechanisms.len(), job / mechanisms.len());
-    let mechanism = &mechanisms[place];
-    let run = Run::draw(mechanism, seed, number);
-    let end = run.execute(mechanism);
+fn judge(counts: &[Mutex<Count>], seed: usize, job: usize) {
+    let (place, number) = (job % SCENES.len(), job / SCENES.len());
+    let scene: &Scene = SCENES[place];
+    let run = Run::draw(scene, seed, number);
+    let end = run.execute(scene);
     let row = 2 * place + usize::from(run.is_damped());
     let mut count = counts[row]
         .lock()
@@ -132,5 +127,5 @@ fn judge(mechanisms: &[Passing], counts: &[Mutex<Count>], seed: usize, job: usiz
         End::Astray(_) => count.astray += 1,
         End::Energy(_) => count.energy += 1,
     }
-    println!("{} {number}: {end:?}, {run:?}", mechanism.name);
+    println!("{} {number}: {end:?}, {run:?}", scene.name);
 }

@@ -1,7 +1,8 @@
 //! A random run through singular poses, and how it ended.
 
-use crate::mechanisms::Passing;
 use crate::random::Random;
+use mbs_examples::scene::Scene;
+use mbs_examples::scenes::passages;
 use mbs_runtime::{AnySimulation, Settings, SimulationError};
 
 /// The length of a run, s.
@@ -38,8 +39,8 @@ pub enum End {
 
 impl Run {
     /// The run of this number.
-    pub fn draw(mechanism: &Passing, seed: usize, number: usize) -> Self {
-        let random = &mut Random::of(&format!("{seed} {} {number}", mechanism.name));
+    pub fn draw(scene: &Scene, seed: usize, number: usize) -> Self {
+        let random = &mut Random::of(&format!("{seed} {} {number}", scene.name));
         let mut among =
             |least: f64, most: f64| 0.5 * (least + most) + random.within(0.5 * (most - least));
         let mut log = |least: f64, most: f64| among(least.ln(), most.ln()).exp();
@@ -84,21 +85,21 @@ impl Run {
     }
 
     /// Runs it.
-    pub fn execute(&self, mechanism: &Passing) -> End {
-        match (mechanism.build)(&self.parameters, self.settings) {
-            Ok(mut simulation) => self.follow(mechanism, &mut *simulation),
+    pub fn execute(&self, scene: &Scene) -> End {
+        match (scene.build)(&self.parameters, self.settings) {
+            Ok(mut simulation) => self.follow(scene, &mut *simulation),
             Err(error) => End::Stopped(error),
         }
     }
 
-    fn follow(&self, mechanism: &Passing, simulation: &mut dyn AnySimulation) -> End {
-        let mut outputs = mechanism.model.outputs.iter();
-        let place = outputs.position(|output| output.name == "astray");
+    fn follow(&self, scene: &Scene, simulation: &mut dyn AnySimulation) -> End {
+        let mut outputs = scene.model.outputs.iter();
+        let place = outputs.position(|output| output.name == passages::ASTRAY);
         let mut kinetic: f64 = 0.0;
         let mut count = 0.0;
         while simulation.time() < DURATION {
             count += 1.0;
-            if !mechanism.model.inputs.is_empty() && (self.piece.is_some() || count % 10.0 == 0.0) {
+            if !scene.model.inputs.is_empty() && (self.piece.is_some() || count % 10.0 == 0.0) {
                 let push = PUSH * f64::sin(13.0 * count);
                 if let Err(error) = simulation.set_input("push", push) {
                     return End::Stopped(error);

@@ -67,10 +67,12 @@ impl Outcome {
         !matches!(self, Outcome::Ok | Outcome::TooSlow | Outcome::Refused)
     }
 
-    /// The outcome for an error of a simulation.
+    /// The outcome for an error during a run.
     pub fn of_error(error: &SimulationError) -> Self {
         match error {
-            SimulationError::StepUnderflow { .. } => Outcome::StepUnderflow,
+            SimulationError::StepUnderflow { .. } | SimulationError::Tolerance { .. } => {
+                Outcome::StepUnderflow
+            }
             SimulationError::NotConverged { .. } => Outcome::NoConvergence,
             SimulationError::Astray { .. } => Outcome::WrongBranch,
             SimulationError::NonFinite { .. }

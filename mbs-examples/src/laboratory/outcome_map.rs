@@ -1,4 +1,5 @@
-//! A picture of an outcome map: each cell has the colour and the letter of its outcome.
+//! A picture of an outcome map: each cell has the colour and the letter of its outcome. A cell
+//! of which every failed run stopped with an error of its own has a frame of this colour; the others are filled.
 
 use super::outcome::Outcome;
 use super::stability::{Cell, Map};
@@ -7,6 +8,7 @@ use super::svg::{Anchor, INK, Svg};
 const LEFT: f64 = 292.0;
 const TOP: f64 = 70.0;
 const CELL: [f64; 2] = [84.0, 24.0];
+const FRAME: f64 = 3.0;
 const MUTED: &str = "#5b6169";
 
 /// Colour, ink and letter; the lightness differs between outcomes.
@@ -27,7 +29,7 @@ fn looks(outcome: Outcome) -> (&'static str, &'static str, &'static str) {
 pub fn draw(map: &Map, cells: &[Cell]) -> String {
     let right = LEFT + CELL[0] * map.columns.len() as f64;
     let bottom = TOP + CELL[1] * map.rows.len() as f64;
-    let mut svg = Svg::new((right + 24.0).max(860.0), bottom + 108.0);
+    let mut svg = Svg::new((right + 24.0).max(860.0), bottom + 136.0);
     svg.text([12.0, 30.0], 19.0, Anchor::Start, INK, map.title);
     for (j, column) in map.columns.iter().enumerate() {
         let x = LEFT + CELL[0] * (j as f64 + 0.5);
@@ -50,13 +52,21 @@ pub fn draw(map: &Map, cells: &[Cell]) -> String {
 
 fn draw_cell(svg: &mut Svg, [x, y]: [f64; 2], cell: &Cell) {
     let (fill, ink, letter) = looks(cell.outcome);
-    let [runs, failed] = cell.runs;
+    let [runs, failed, _] = cell.runs;
     let text = match failed {
         0 => letter.to_owned(),
         _ if runs == 1 => letter.to_owned(),
         _ => format!("{letter} {failed} of {runs}"),
     };
-    svg.rect([x + 1.0, y + 1.0], [CELL[0] - 2.0, CELL[1] - 2.0], fill);
+    let stopped = cell.is_stopped();
+    field(
+        svg,
+        [x + 1.0, y + 1.0],
+        [CELL[0] - 2.0, CELL[1] - 2.0],
+        fill,
+        stopped,
+    );
+    let ink = if stopped { INK } else { ink };
     svg.text(
         [x + 0.5 * CELL[0], y + 17.0],
         13.0,
@@ -64,6 +74,18 @@ fn draw_cell(svg: &mut Svg, [x, y]: [f64; 2], cell: &Cell) {
         ink,
         &text,
     );
+}
+
+/// A field of this colour, or a frame of it.
+fn field(svg: &mut Svg, [x, y]: [f64; 2], [w, h]: [f64; 2], fill: &str, frame: bool) {
+    svg.rect([x, y], [w, h], fill);
+    if frame {
+        svg.rect(
+            [x + FRAME, y + FRAME],
+            [w - 2.0 * FRAME, h - 2.0 * FRAME],
+            "#fff",
+        );
+    }
 }
 
 fn legend(svg: &mut Svg, top: f64) {
@@ -81,6 +103,10 @@ fn legend(svg: &mut Svg, top: f64) {
             outcome.name(),
         );
     }
+    let y = top + 56.0;
+    field(svg, [12.0, y], [40.0, 22.0], looks(Outcome::Drift).0, true);
+    let words = "a frame: every run that failed stopped with an error of its own";
+    svg.text([60.0, y + 16.0], 14.0, Anchor::Start, INK, words);
 }
 
 /// Short, and exact for the columns there are.

@@ -1,6 +1,8 @@
 //! Outcome maps: the outcome of runs for a method and a step (or a penalty, a stiffness, a ratio of masses).
 
+mod difficulties;
 mod maps;
+mod motion;
 mod run;
 
 pub use maps::maps;
@@ -13,8 +15,8 @@ use super::store::Row;
 use crate::scene::Scene;
 
 /// The columns of `stability.csv`; the first three identify a cell.
-pub const COLUMNS: [&str; 8] = [
-    "map", "row", "column", "outcome", "runs", "failed", "cpu_s", "detail",
+pub const COLUMNS: [&str; 9] = [
+    "map", "row", "column", "outcome", "runs", "failed", "stopped", "cpu_s", "detail",
 ];
 /// How many of them identify a cell.
 pub const KEYS: usize = 3;
@@ -28,9 +30,36 @@ pub struct Problem {
     pub parameters: Vec<(String, f64)>,
     /// s
     pub duration: f64,
-    /// Whether it has one degree of freedom: then its poses form a curve, and a run that leaves the curve is on a wrong
-    /// branch.
-    pub one_degree_of_freedom: bool,
+    /// What tells that a run is on the right branch.
+    pub branch: Branch,
+    /// An input that takes another value at each instant at which the run is tested, and its largest value.
+    pub jumps: Option<(&'static str, f64)>,
+    /// A parameter that has this value in the runs for size and kinetic energy.
+    pub measured_with: Option<(&'static str, f64)>,
+}
+
+/// What tells that a run is on the right branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Branch {
+    /// With one degree of freedom the poses of the right motion form a curve: each pose is near one of them.
+    Curve,
+    /// Each pose is near that of the right motion at the same instant.
+    Motion,
+    /// This output is zero, m.
+    Output(&'static str),
+    /// Nothing.
+    Unknown,
+}
+
+/// Where a run is interrupted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Course {
+    /// Nowhere: it is tested at the first end of a step after each instant.
+    Whole,
+    /// At the instants at which it is tested.
+    Instants,
+    /// There, and every so many seconds.
+    Pieces(f64),
 }
 
 impl Problem {
@@ -40,7 +69,9 @@ impl Problem {
             scene,
             parameters: Vec::new(),
             duration,
-            one_degree_of_freedom: true,
+            branch: Branch::Curve,
+            jumps: None,
+            measured_with: None,
         }
     }
 
@@ -70,6 +101,8 @@ pub struct Trial {
     pub problem: Problem,
     /// The settings.
     pub settings: Settings,
+    /// Where it is interrupted.
+    pub course: Course,
 }
 
 /// A map.
@@ -97,8 +130,8 @@ pub struct Cell {
     pub column: f64,
     /// The most frequent outcome among runs that failed, or of all.
     pub outcome: Outcome,
-    /// Runs, and how many failed.
-    pub runs: [usize; 2],
+    /// Runs, how many of them failed, and how many of these stopped with an error of their own.
+    pub runs: [usize; 3],
     /// Of the first failure.
     pub detail: String,
 }
@@ -111,8 +144,14 @@ impl Cell {
             row: row.get(1)?.clone(),
             column: row.get(2)?.parse().ok()?,
             outcome: Outcome::by_name(row.get(3)?)?,
-            runs: [count(4)?, count(5)?],
-            detail: row.get(7)?.clone(),
+            runs: [count(4)?, count(5)?, count(6)?],
+            detail: row.get(8)?.clone(),
         })
+    }
+
+    /// Whether runs failed, and every one of them stopped with an error of its own: none went on with a wrong motion.
+    pub fn is_stopped(&self) -> bool {
+        let [_, failed, stopped] = self.runs;
+        failed > 0 && stopped == failed
     }
 }

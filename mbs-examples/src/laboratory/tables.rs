@@ -103,32 +103,35 @@ pub fn refused<'a>(points: &[Point], labels: &[&'a str]) -> Vec<&'a str> {
     labels.iter().filter(refuses).copied().collect()
 }
 
-/// Every failed cell of a map: method, outcome, columns (with the number of failed runs, if the cell has several runs).
+/// Every failed cell of a map: method, outcome, whether every failed run of the cell stopped with an error of its own, and
+/// columns (with the number of failed runs, if the cell has several).
 pub fn failed_cells(map: &Map, cells: &[Cell]) -> String {
-    let mut out = String::from("| method | outcome | columns |\n|---|---|---|\n");
+    let mut out = String::from("| method | outcome | stopped | columns |\n|---|---|---|---|\n");
     let mut any = false;
     for row in &map.rows {
-        let mut groups: Vec<(Outcome, Vec<String>)> = Vec::new();
+        let mut groups: Vec<((Outcome, bool), Vec<String>)> = Vec::new();
         for cell in cells.iter().filter(|cell| cell.row == *row) {
             if !cell.outcome.is_failure() {
                 continue;
             }
-            let [runs, failed] = cell.runs;
+            let [runs, failed, _] = cell.runs;
             let text = match runs {
                 1 => short(cell.column),
                 _ => format!("{} ({failed}/{runs})", short(cell.column)),
             };
-            match groups.iter_mut().find(|(known, _)| *known == cell.outcome) {
+            let end = (cell.outcome, cell.is_stopped());
+            match groups.iter_mut().find(|(known, _)| *known == end) {
                 Some((_, list)) => list.push(text),
-                None => groups.push((cell.outcome, vec![text])),
+                None => groups.push((end, vec![text])),
             }
         }
-        for (outcome, columns) in groups {
+        for ((outcome, stopped), columns) in groups {
             any = true;
             let _ = writeln!(
                 out,
-                "| {row} | {} | {} |",
+                "| {row} | {} | {} | {} |",
                 outcome.name(),
+                if stopped { "yes" } else { "no" },
                 columns.join(", ")
             );
         }

@@ -2,6 +2,7 @@
 
 use super::data::{Data, Table};
 use super::markdown::paragraph;
+use crate::laboratory::outcome::Outcome;
 use crate::laboratory::stability::Cell;
 
 const FILE: &str = "stability.csv";
@@ -32,7 +33,7 @@ pub fn sentence(data: &Data) -> Result<String, String> {
     )))
 }
 
-/// The columns of the cells that failed, and how many cells there are.
+/// The columns of the cells that failed, and how many cells there are that ran to an end.
 fn failures(
     results: &Table,
     map: Option<&str>,
@@ -44,6 +45,7 @@ fn failures(
         .iter()
         .filter(own)
         .filter_map(Cell::read)
+        .filter(|cell| cell.outcome == Outcome::Ok || cell.outcome.is_failure())
         .collect();
     if cells.is_empty() {
         return Err(format!("{FILE} has no cells of `{method}`"));

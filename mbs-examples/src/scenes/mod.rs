@@ -27,6 +27,8 @@ pub mod knife_edge;
 pub mod laboratory;
 #[cfg(feature = "laboratory")]
 pub mod paper;
+#[cfg(feature = "laboratory")]
+pub mod passages;
 pub mod pendulum;
 #[cfg(feature = "laboratory")]
 pub mod rattleback;

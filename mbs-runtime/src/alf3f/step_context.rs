@@ -246,9 +246,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
 
     /// The rank margin of the holonomic rows, of which S is factored, at the current instant.
     pub(crate) fn rank_margin(&mut self) -> RankMargin {
-        let StepContext { start, work, .. } = self;
+        let StepContext {
+            scale, start, work, ..
+        } = self;
+        if scale.is_waiting() {
+            scale.settle(&start.delassus);
+            work.delassus.usual = scale.usual;
+        }
         let rows = S::STRUCTURE.holonomic_rows;
-        work.delassus.rank_margin(&start.delassus, rows)
+        let margin = work.delassus.rank_margin(&start.delassus, rows);
+        match scale.is_waiting() {
+            // The factor measures the rows by their own lengths.
+            true => RankMargin {
+                least: margin.least * scale.shortness(&start.delassus),
+                ..margin
+            },
+            false => margin,
+        }
     }
 
     /// Moves what redundant rows carry at the beginning of a step to the rows that they follow from: the same force

@@ -75,7 +75,7 @@ impl<const Q: usize, const N: usize, const R: usize> Explicit<Q, N, R> {
         let make = || -> Result<AnyRule<S, Q, N, R>, Fault> {
             let scale = Box::new(RowScale::new(&bench.system, &bench.yardstick, settings)?);
             Ok(Box::new(Explicit {
-                equations: Index1::detecting(bench, scale.usual)?,
+                equations: Index1::detecting(bench, scale.final_lengths())?,
                 stages: RungeKutta::new(tableau(settings.order)),
                 remedy: Remedy::Projection(scale),
                 placed: false,

@@ -257,14 +257,44 @@ impl<const K: usize> DelassusFactor<K> {
         if self.regularised {
             return self.dependence(matrix, rows);
         }
+        if self.redundant.is_some() {
+            self.reconsider_redundancy(matrix);
+        }
         let mut most: f64 = 0.0;
         for k in 0..rows {
             most = most.max(self.inverse_pivot[k] * self.scale(matrix, k));
         }
+        let skipped = match self.reduced {
+            true => self.skipped[..rows].iter().filter(|&&row| row).count() as u32,
+            false => 0,
+        };
         RankMargin {
-            dependent: self.choice,
+            dependent: skipped | self.choice,
             ..RankMargin::of(1.0 / most.sqrt())
         }
+    }
+
+    /// Where all pivots are large, a row that has one does not follow from the others: if it was taken as redundant, the run
+    /// has begun in a singular pose. From now on it counts like the others, so that the next such pose is noticed.
+    #[cold]
+    #[inline(never)]
+    fn reconsider_redundancy(&mut self, matrix: &[[f64; K]; K]) {
+        let Some(mut redundant) = self.redundant else {
+            return;
+        };
+        let found = |k: usize| redundant[k] && !self.skipped[k];
+        if self.weak || self.choice != 0 || !(0..K).any(found) {
+            return;
+        }
+        let mut least = 1.0_f64;
+        for k in 0..K {
+            redundant[k] &= self.skipped[k];
+            if !self.skipped[k] {
+                least = least.min(1.0 / (self.inverse_pivot[k] * self.scale(matrix, k)));
+            }
+        }
+        self.redundant = redundant.contains(&true).then_some(redundant);
+        self.unusual = UNUSUAL * least;
     }
 
     /// Eliminates past rows without a direction of their own. The proximal solve does not need the room this takes.

@@ -6,10 +6,11 @@
 //! steps do not follow the motion. Where works belong to the balance they count among what the motion has, and the error
 //! of their quadrature is allowed besides: in a step in which a stiff damper stops a part the trapezoidal rule is far from
 //! its work. For methods that do not conserve energy, and for drives, whose rates may jump, ten times what the motion has
-//! is nonsense.
+//! is nonsense; only for the projected method, where no force does work beside the potentials, a fifth is too much as well.
 //!
-//! A step that makes a tenth of this error by itself, without forces that change in it, has leapt over a turn of the motion:
-//! it is taken in shorter ones (`placement.rs`).
+//! A two-level step that makes a tenth of this error by itself, without forces that change in it, has leapt over a turn of the
+//! motion, or turned into another branch past a singular pose: it is taken in shorter ones (`placement.rs`). Where a drive
+//! jumps shorter ones do not help, and the step is kept.
 
 use crate::linear::vector;
 use crate::sink::{Diagonal, Discard};
@@ -20,7 +21,7 @@ use nalgebra::SVector;
 /// The gain of energy that is refused, as a multiple of the energy that the motion has. Coarse steps through singular
 /// poses have reached 1 with some methods.
 const GROSS: f64 = 10.0;
-/// The same of gains and losses with two-level steps. A smaller value refuses coarse runs that are useful, a larger one
+/// The same of gains and losses with two-level steps, and with projected ones. A smaller value refuses coarse runs that are useful, a larger one
 /// accepts runs that are not.
 ///
 /// Of 5363 random runs without this check (`--example sweep` of `mbs-examples`) 214 exceed it. Three of these end within
@@ -44,6 +45,8 @@ pub(super) struct EnergyGuard {
     depth: f64,
     /// The least potential energy so far.
     least: f64,
+    /// The kinetic energy before the step.
+    kinetic: f64,
     /// The largest works so far.
     works: f64,
     /// Round-off.
@@ -52,8 +55,7 @@ pub(super) struct EnergyGuard {
     /// power oscillates, and are few where a brake stops a part. Their sum would grow with the length of any run until
     /// nothing is refused.
     doubt: f64,
-    /// Whether the method conserves energy.
-    conserves: bool,
+    method: Method,
     /// What is accepted in any case, so that most steps compare this only.
     accepted: f64,
 }
@@ -95,15 +97,25 @@ impl EnergyGuard {
         };
         let depth = (0..N).map(along).sum();
         let noise = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
-        let conserves = settings.method == Method::TwoLevel;
-        let bound = if conserves { LEAPT } else { GROSS };
+        let bound = match settings.method {
+            Method::TwoLevel => LEAPT,
+            Method::Projected => WRONG,
+            _ => GROSS,
+        };
         EnergyGuard {
             start: system.potential_energy(q),
             depth,
-            conserves,
-            accepted: bound * (depth + noise),
+            method: settings.method,
+            accepted: match const { S::STRUCTURE.time_dependent }
+                && settings.method == Method::TwoLevel
+            {
+                // A step is judged by its kinetic energy, which may be much less.
+                true => bound * noise,
+                false => bound * (depth + noise),
+            },
             least: f64::INFINITY,
             works: 0.0,
+            kinetic: 0.0,
             doubt: 0.0,
             noise,
         }
@@ -127,6 +139,7 @@ impl EnergyGuard {
 
     #[inline(always)]
     pub(super) fn note(&mut self, energy: &Energy) {
+        self.kinetic = energy.kinetic;
         if energy.potential < self.least {
             self.least = energy.potential;
         }
@@ -149,17 +162,25 @@ impl EnergyGuard {
         let available = above + self.works.max(works_of(energy)) + self.noise;
         let error = energy.error.abs();
         let by = (energy.error - before).abs();
-        let refused = match self.conserves && energy.drive_work == 0.0 {
-            true => Refused {
-                available,
-                wrong: error > WRONG * available + self.doubt.sqrt(),
-                leapt: (by > LEAPT * available + self.doubt.sqrt()).then_some(by),
+        let driven = energy.drive_work != 0.0;
+        let strict = match self.method {
+            Method::TwoLevel => !driven,
+            Method::Projected => !driven && energy.nonconservative_work == 0.0,
+            _ => false,
+        };
+        // What a drive has given so far is no measure of a step.
+        let turnover = match driven {
+            true => self.kinetic.max(energy.kinetic),
+            false => available,
+        };
+        let refused = Refused {
+            available,
+            wrong: match strict {
+                true => error > WRONG * available + self.doubt.sqrt(),
+                false => energy.error > GROSS * (available + initial.abs()),
             },
-            false => Refused {
-                available,
-                wrong: energy.error > GROSS * (available + initial.abs()),
-                leapt: None,
-            },
+            leapt: (self.method == Method::TwoLevel && by > LEAPT * turnover + self.doubt.sqrt())
+                .then_some(by),
         };
         if refused.wrong || refused.leapt.is_some() {
             // What a refused step has reached is no part of the motion.

@@ -11,7 +11,8 @@ use nalgebra::SVector;
 
 /// Clearances as fractions of a step: a step with more than the first is accepted; otherwise a length with at least the
 /// second is searched. At second order nearly every clearance is harmless, and a repeated step costs more than it
-/// saves.
+/// saves. A drive gives the energy for another branch, which the balance then does not show: there the first is that of
+/// composed steps.
 const SECOND: [f64; 2] = [0.02, 0.15];
 /// Composed steps: the length with the largest predicted clearance is taken, and a clearance above the second value is
 /// accepted.
@@ -122,6 +123,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn clearances(&self) -> [f64; 2] {
         match (self.settings.method, self.settings.order) {
             (Method::Projected, _) => EXPLICIT,
+            (_, 2) if const { S::STRUCTURE.time_dependent } => [alf3f::CLEAR, SECOND[1]],
             (_, 2) => SECOND,
             _ => COMPOSED,
         }

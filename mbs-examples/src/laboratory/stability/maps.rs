@@ -3,9 +3,18 @@
 use mbs_runtime::{Method, PaperSettings, PenaltySettings, ProjectionSettings, Settings};
 
 use super::super::methods::{Control, Entry, entries, entry};
-use super::{Map, Problem, Trial};
+use super::{Branch, Course, Map, Problem, Trial, difficulties};
 use crate::scene::Scene;
 use crate::scenes::{laboratory, scenes};
+
+/// Maps that take too long for the quick form, beside the long runs.
+const SLOW: [&str; 5] = [
+    "redundant-bodies",
+    "bricard-bifurcation",
+    "spherical-linkage",
+    "stiff-bushing",
+    "rest-in-pose",
+];
 
 /// A scene of the list.
 fn listed(name: &str) -> &'static Scene {
@@ -64,8 +73,9 @@ pub fn maps(quick: bool) -> Vec<Map> {
         penalties(),
         mass_scales(),
     ];
+    maps.extend(difficulties::maps(phases));
     if quick {
-        maps.retain(|map| !map.name.starts_with("long") && map.name != "redundant-bodies");
+        maps.retain(|map| !map.name.starts_with("long") && !SLOW.contains(&map.name));
         for map in &mut maps {
             thin(map);
         }
@@ -95,17 +105,18 @@ fn by_step(name: &'static str, title: &'static str, steps: &[f64], problems: Vec
             let trial = |(phase, problem): (usize, &Problem)| Trial {
                 settings: at_step(&entries[row], problem, uneven(columns[column], phase)),
                 problem: problem.clone(),
+                course: Course::Instants,
             };
             problems.iter().enumerate().map(trial).collect()
         }),
     }
 }
 
-fn labels(entries: &[Entry]) -> Vec<String> {
+pub(super) fn labels(entries: &[Entry]) -> Vec<String> {
     entries.iter().map(|entry| entry.label.to_owned()).collect()
 }
 
-fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
+pub(super) fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
     let control = match entry.control {
         Control::Step => step,
         Control::Tolerance | Control::Accuracy => step * step,
@@ -120,12 +131,12 @@ fn at_step(entry: &Entry, problem: &Problem, step: f64) -> Settings {
 
 /// Steps within 10 % of the given one, so that singular poses are at different positions within a step. The first is
 /// the step itself.
-fn uneven(step: f64, phase: usize) -> f64 {
+pub(super) fn uneven(step: f64, phase: usize) -> f64 {
     step * (0.9 + 0.2 * random(phase, 0.5))
 }
 
 /// Evenly spread over [0, 1): multiples of the golden section.
-fn random(i: usize, start: f64) -> f64 {
+pub(super) fn random(i: usize, start: f64) -> f64 {
     (start + 0.618_033_988_749_895 * i as f64).fract()
 }
 
@@ -159,7 +170,11 @@ fn mass_ratio() -> Map {
             let problem =
                 Problem::new(&laboratory::UNEQUAL_MASSES, 10.0).with("rod_mass", ratios[column]);
             let settings = at_step(&entries[row], &problem, 0.01);
-            vec![Trial { problem, settings }]
+            vec![Trial {
+                problem,
+                settings,
+                course: Course::Instants,
+            }]
         }),
     }
 }
@@ -178,12 +193,16 @@ fn stiff_spring() -> Map {
         trials: Box::new(move |row, column| {
             let stiffness = (stiffnesses[column] / STEP).powi(2);
             let problem = Problem {
-                one_degree_of_freedom: false,
+                branch: Branch::Unknown,
                 ..Problem::new(&laboratory::SPRING_PENDULUM, 10.0)
             };
             let problem = problem.with("stiffness", stiffness);
             let settings = at_step(&entries[row], &problem, STEP);
-            vec![Trial { problem, settings }]
+            vec![Trial {
+                problem,
+                settings,
+                course: Course::Instants,
+            }]
         }),
     }
 }
@@ -223,7 +242,11 @@ fn by_scene(
             let problem = Problem::new(scene, 10.0);
             let mut settings = at_step(&entry, &problem, 1e-3);
             settings.method = set(settings.method, values[column]);
-            vec![Trial { problem, settings }]
+            vec![Trial {
+                problem,
+                settings,
+                course: Course::Instants,
+            }]
         }),
     }
 }
