@@ -5,6 +5,9 @@ use super::shape::{Member, Shape};
 use super::{Parts, Run};
 use crate::dag::{Function, Operand, Output, Place};
 use crate::symbolic::{Map, Set};
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
+use std::ops::Range;
 
 /// A shape of fewer groups is rare.
 const OFTEN: usize = 3;
@@ -22,6 +25,9 @@ pub(super) fn of(
     for batch in order {
         let shape = members[batch[0]].shape;
         let first = shapes[shape].table.len();
+        let outputs = shapes[shape].function.outputs.iter();
+        let values = outputs.filter(|output| matches!(output.value, Operand::Value(_)));
+        places.begin_batch((values.count() * batch.len()) as u32);
         for &group in &batch {
             let member = &members[group];
             let mut row: Vec<u32> = Vec::with_capacity(member.reads.len());
@@ -146,7 +152,7 @@ impl Ready<'_> {
         let waiting = waiting.filter(|(_, urgency)| **urgency > 0);
         let rank = |&(shape, &urgency): &(usize, &u32)| {
             let follows = self.was_rare && self.rare[shape];
-            (follows, urgency, std::cmp::Reverse(shape))
+            (follows, urgency, Reverse(shape))
         };
         let (shape, _) = waiting.max_by_key(rank)?;
         self.urgency[shape] = 0;
@@ -180,7 +186,9 @@ struct Places {
     /// After which batch a value is needed no more.
     last: Vec<Vec<usize>>,
     batch: usize,
-    free: Vec<u32>,
+    free: BTreeSet<u32>,
+    /// Places of the batch, one after the other, so that those of alike groups grow by the same steps.
+    next: Range<u32>,
     count: u32,
 }
 
@@ -242,7 +250,8 @@ impl Places {
             of_values: vec![None; function.operations.len()],
             last: by_batch,
             batch: 0,
-            free: Vec::new(),
+            free: BTreeSet::new(),
+            next: 0..0,
         }
     }
 
@@ -254,11 +263,30 @@ impl Places {
         place.expect("each value has a place before it is read")
     }
 
-    fn leave(&mut self, value: usize) -> u32 {
-        let place = self.free.pop().unwrap_or_else(|| {
-            self.count += 1;
-            self.count - 1
+    /// Takes places for the values that a batch leaves.
+    fn begin_batch(&mut self, values: u32) {
+        let mut free = 0..0;
+        for &place in &self.free {
+            if free.end - free.start == values {
+                break;
+            }
+            match place == free.end {
+                true => free.end += 1,
+                false => free = place..place + 1,
+            }
+        }
+        if free.end - free.start < values {
+            free = self.count..self.count + values;
+            self.count += values;
+        }
+        free.clone().for_each(|place| {
+            self.free.remove(&place);
         });
+        self.next = free;
+    }
+
+    fn leave(&mut self, value: usize) -> u32 {
+        let place = self.next.next().expect("a batch has places for its values");
         self.of_values[value] = Some(place);
         place
     }

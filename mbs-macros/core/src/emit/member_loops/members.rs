@@ -86,10 +86,27 @@ impl<'p> Loops<'p> {
         }
         let (mut ends, mut value) = (Vec::new(), 0);
         for (shape, rows) in parts.rows() {
-            for row in rows {
+            let numbers: Vec<Option<usize>> = match rows.first() {
+                Some(row) => (0..split(shape, row).0.len())
+                    .map(|column| self.numbers(rows, column))
+                    .collect(),
+                None => Vec::new(),
+            };
+            for (member, row) in rows.iter().enumerate() {
                 let (reads, leaves) = split(shape, row);
                 let mut spots: Vec<Spot> = Vec::with_capacity(row.len());
-                spots.extend(reads.iter().map(|&place| self.read(place as usize)));
+                spots.extend(
+                    reads
+                        .iter()
+                        .zip(&numbers)
+                        .map(|(&place, numbers)| match *numbers {
+                            Some(array) => Spot {
+                                array,
+                                at: [member, 0, 0],
+                            },
+                            None => self.read(place as usize),
+                        }),
+                );
                 let mut goes = Vec::with_capacity(leaves.len());
                 for place in leaves.iter().map(|&place| place as usize) {
                     let before = spots.len();
@@ -122,6 +139,20 @@ impl<'p> Loops<'p> {
         }
         ends.push(self.members.len());
         ends
+    }
+
+    /// What the rows read in a column, if these are numbers that are not all the same.
+    fn numbers(&mut self, rows: &[Vec<u32>], column: usize) -> Option<usize> {
+        let inputs = &self.parts.inputs;
+        let numbers = rows
+            .iter()
+            .map(|row| match inputs.get(row[column] as usize) {
+                Some(Operand::Number(number)) => Some(number.value().to_bits()),
+                _ => None,
+            });
+        let numbers: Vec<u64> = numbers.collect::<Option<_>>()?;
+        let differ = numbers.iter().any(|number| *number != numbers[0]);
+        (differ && numbers.len() >= FEWEST).then(|| self.array(Array::Numbers(numbers)))
     }
 
     fn result(&mut self, output: &Output) -> Spot {

@@ -24,6 +24,8 @@ enum Array {
     Argument(String),
     /// The same for all members.
     Common(String),
+    /// A number for each member, as bits: lengths that differ by round-off, say.
+    Numbers(Vec<u64>),
     /// A result with this number of indices.
     Result(&'static str, usize),
 }

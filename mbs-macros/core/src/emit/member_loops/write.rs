@@ -3,7 +3,7 @@
 use super::{Array, Loops, Repetition, Spot};
 use crate::contract::{Method, Returns};
 use crate::dag::{Output, Place};
-use crate::emit::body::{Body, source};
+use crate::emit::body::{Body, number, source};
 use crate::emit::copies::copies;
 use crate::emit::progressions::counted;
 use std::fmt::Write;
@@ -21,6 +21,18 @@ impl Loops<'_> {
         let mut out = String::new();
         if places > 0 {
             let _ = writeln!(out, "let mut values = [0.0; {places}];");
+        }
+        for (index, array) in self.arrays.iter().enumerate() {
+            if let Array::Numbers(numbers) = array {
+                let list = numbers.iter().map(|&bits| number(f64::from_bits(bits)));
+                let list: Vec<String> = list.collect();
+                let _ = writeln!(
+                    out,
+                    "const NUMBERS_{index}: &[f64; {}] = &[{}];",
+                    list.len(),
+                    list.join(", ")
+                );
+            }
         }
         let values = self.known.get(&Array::Values).copied();
         let kept = self.inputs.iter().zip(&self.parts.inputs).enumerate();
@@ -128,6 +140,13 @@ impl Loops<'_> {
             }
             Array::Argument(name) => format!("{name}[{}]", counted(spot.at[0], next.at[0])),
             Array::Common(text) => text.clone(),
+            Array::Numbers(_) => {
+                format!(
+                    "NUMBERS_{}[{}]",
+                    spot.array,
+                    counted(spot.at[0], next.at[0])
+                )
+            }
             Array::Result(sink, _) => format!("{sink}[{}]", counted(spot.at[0], next.at[0])),
         }
     }
