@@ -5,6 +5,21 @@ use crate::dag::{Operand, Output, Place};
 use crate::emit::body::source;
 use crate::emit::copies::element;
 
+/// The values that are left, by number in the order in which they are left.
+struct Values {
+    /// The last one of each place.
+    last: Vec<usize>,
+    is_read: Vec<bool>,
+}
+
+impl Values {
+    fn read(&mut self, place: usize) {
+        if let Some(is_read) = self.is_read.get_mut(self.last[place]) {
+            *is_read = true;
+        }
+    }
+}
+
 impl<'p> Loops<'p> {
     /// Constants are fields, which a loop cannot count: they are copied to the array, and so are numbers of few members.
     /// `None` if a result is an argument, too.
@@ -17,6 +32,7 @@ impl<'p> Loops<'p> {
             let text = source(self.graph, input);
             let spot = match (input, element(&text)) {
                 (Operand::Symbol(_), Some((name, index))) => {
+                    // A kernel overwrites x.
                     if name == "x" || outputs.iter().any(|(output, _)| output.sink == name) {
                         return None;
                     }
@@ -50,82 +66,52 @@ impl<'p> Loops<'p> {
 
     /// The members in the order in which they are computed, and where each run of them ends.
     pub(super) fn find_members(&mut self, outputs: &[(Output, usize)]) -> Vec<usize> {
-        let parts = self.parts;
-        let split = |shape: usize, row: &'p [u32]| {
-            row.split_at(row.len() - parts.shapes[shape].function.outputs.len())
-        };
-        // Places are used again: of each the value that it has, by the number of that value.
-        let mut has = vec![usize::MAX; parts.places];
-        let mut is_read = Vec::new();
-        for (shape, rows) in parts.rows() {
-            for row in rows {
-                let (reads, leaves) = split(shape, row);
-                for value in reads.iter().map(|&place| has[place as usize]) {
-                    if let Some(is_read) = is_read.get_mut(value) {
-                        *is_read = true;
-                    }
-                }
-                for &place in leaves {
-                    has[place as usize] = is_read.len();
-                    is_read.push(false);
-                }
-            }
-        }
-        let mut results: Vec<Vec<Output>> = vec![Vec::new(); parts.places];
+        let values = self.values(outputs);
+        let mut results: Vec<Vec<Output>> = vec![Vec::new(); self.parts.places];
         let mut given = Vec::new();
         for &(output, place) in outputs {
             match output.place {
-                Place::Value | Place::Constant(_) => {
-                    if let Some(is_read) = is_read.get_mut(has[place]) {
-                        *is_read = true;
-                    }
-                }
-                _ if place < parts.inputs.len() => given.push((output, place)),
+                Place::Value | Place::Constant(_) => {}
+                _ if place < self.parts.inputs.len() => given.push((output, place)),
                 _ => results[place].push(output),
             }
         }
         let (mut ends, mut value) = (Vec::new(), 0);
-        for (shape, rows) in parts.rows() {
-            let numbers: Vec<Option<usize>> = match rows.first() {
-                Some(row) => (0..split(shape, row).0.len())
-                    .map(|column| self.numbers(rows, column))
-                    .collect(),
-                None => Vec::new(),
-            };
-            for (member, row) in rows.iter().enumerate() {
-                let (reads, leaves) = split(shape, row);
-                let mut spots: Vec<Spot> = Vec::with_capacity(row.len());
-                spots.extend(
-                    reads
-                        .iter()
-                        .zip(&numbers)
-                        .map(|(&place, numbers)| match *numbers {
-                            Some(array) => Spot {
-                                array,
-                                at: [member, 0, 0],
-                            },
-                            None => self.read(place as usize),
-                        }),
-                );
-                let mut goes = Vec::with_capacity(leaves.len());
+        for (shape, rows) in self.parts.rows() {
+            let columns = rows.first().map_or(0, |row| self.split(shape, row).0.len());
+            let numbers = (0..columns).map(|column| self.numbers(rows, column));
+            let numbers: Vec<Option<usize>> = numbers.collect();
+            for (index, row) in rows.iter().enumerate() {
+                let (reads, leaves) = self.split(shape, row);
+                let mut member = Member {
+                    shape: Some(shape),
+                    spots: Vec::with_capacity(row.len()),
+                    goes: Vec::with_capacity(leaves.len()),
+                };
+                for (&place, numbers) in reads.iter().zip(&numbers) {
+                    member.spots.push(match *numbers {
+                        Some(array) => Spot {
+                            array,
+                            at: [index, 0, 0],
+                        },
+                        None => self.read(place as usize),
+                    });
+                }
                 for place in leaves.iter().map(|&place| place as usize) {
-                    let before = spots.len();
-                    let results: &[Output] = match has[place] == value {
+                    let before = member.spots.len();
+                    let results: &[Output] = match values.last[place] == value {
                         true => results[place].as_slice(),
                         false => &[],
                     };
-                    if is_read[value] || results.len() > 1 {
-                        spots.push(self.value(place));
+                    if values.is_read[value] || results.len() > 1 {
+                        member.spots.push(self.value(place));
                     }
-                    spots.extend(results.iter().map(|output| self.result(output)));
-                    goes.push(spots.len() - before);
+                    let results = results.iter().map(|output| self.result(output));
+                    member.spots.extend(results);
+                    member.goes.push(member.spots.len() - before);
                     value += 1;
                 }
-                self.members.push(Member {
-                    shape: Some(shape),
-                    spots,
-                    goes,
-                });
+                self.members.push(member);
             }
             ends.push(self.members.len());
         }
@@ -139,6 +125,33 @@ impl<'p> Loops<'p> {
         }
         ends.push(self.members.len());
         ends
+    }
+
+    /// What a row of a shape reads, and what it leaves.
+    fn split(&self, shape: usize, row: &'p [u32]) -> (&'p [u32], &'p [u32]) {
+        row.split_at(row.len() - self.parts.shapes[shape].function.outputs.len())
+    }
+
+    /// Which of the values that are left in places something reads: places are used again.
+    fn values(&self, outputs: &[(Output, usize)]) -> Values {
+        let mut values = Values {
+            last: vec![usize::MAX; self.parts.places],
+            is_read: Vec::new(),
+        };
+        for (shape, rows) in self.parts.rows() {
+            for row in rows {
+                let (reads, leaves) = self.split(shape, row);
+                reads.iter().for_each(|&place| values.read(place as usize));
+                for &place in leaves {
+                    values.last[place as usize] = values.is_read.len();
+                    values.is_read.push(false);
+                }
+            }
+        }
+        let returned = outputs.iter();
+        let returned = returned.filter(|(output, _)| matches!(output.place, Place::Value));
+        returned.for_each(|&(_, place)| values.read(place));
+        values
     }
 
     /// What the rows read in a column, if these are numbers that are not all the same.
