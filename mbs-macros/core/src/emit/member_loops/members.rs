@@ -28,12 +28,14 @@ impl<'p> Loops<'p> {
         let rows = self.parts.rows().flat_map(|(_, rows)| rows).flatten();
         rows.for_each(|&place| uses[place as usize] += 1);
         outputs.iter().for_each(|&(_, place)| uses[place] += 1);
+        let mut sinks: Vec<&str> = outputs.iter().map(|(output, _)| output.sink).collect();
+        sinks.dedup();
         for (place, &input) in self.parts.inputs.iter().enumerate() {
             let text = source(self.graph, input);
             let spot = match (input, element(&text)) {
                 (Operand::Symbol(_), Some((name, index))) => {
                     // A kernel overwrites x.
-                    if name == "x" || outputs.iter().any(|(output, _)| output.sink == name) {
+                    if name == "x" || sinks.contains(&name) {
                         return None;
                     }
                     let array = self.array(Array::Argument(name.to_owned()));

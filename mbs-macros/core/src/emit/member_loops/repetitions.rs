@@ -1,6 +1,6 @@
 //! Members whose places grow by the same steps.
 
-use super::{Array, FEWEST, Loops, Repetition};
+use super::{Array, FEWEST, Loops, Repetition, Spot};
 
 /// The most members of a turn that are looked for.
 const LONGEST: usize = 8;
@@ -59,33 +59,54 @@ impl Loops<'_> {
         before.shape == now.shape
             && before.goes == now.goes
             && before.spots.len() == now.spots.len()
-            && self.grows_evenly([at - period, at], [within, within + period], |_, at| at)
+            && self.grows_evenly([at - period, at], [within, within + period], None)
     }
 
-    /// Whether the places of two members differ as those of the first ones; `place` is what counts as the place of a spot.
+    /// Whether the places of two members differ as those of the first ones; with `packed` those of the array of values
+    /// count as the places that it names.
     fn grows_evenly(
         &self,
         pair: [usize; 2],
         first: [usize; 2],
-        place: impl Fn(&Array, [usize; 3]) -> [usize; 3],
+        packed: Option<(usize, &[usize])>,
     ) -> bool {
-        let [before, now] = pair.map(|member| &self.members[member].spots);
-        let [a, b] = first.map(|member| &self.members[member].spots);
-        (0..now.len()).all(|k| {
-            let array = &self.arrays[now[k].array];
-            let [old, new, a, b] = [before, now, a, b].map(|spots| place(array, spots[k].at));
-            let grows = |i: usize| new[i].wrapping_sub(old[i]) == b[i].wrapping_sub(a[i]);
-            before[k].array == now[k].array && (0..3).all(grows)
-        })
+        let place = |spot: &Spot, index: usize| match packed {
+            Some((values, packed)) if spot.array == values && index == 0 => packed[spot.at[0]],
+            _ => spot.at[index],
+        };
+        let [before, now] = pair.map(|member| self.members[member].spots.as_slice());
+        let [a, b] = first.map(|member| self.members[member].spots.as_slice());
+        let mut k = 0;
+        // Plain loops: this is where the unoptimised compiler of a large family would spend its time.
+        while k < now.len() {
+            let mut index = 0;
+            while index < 3 {
+                let step = place(&now[k], index).wrapping_sub(place(&before[k], index));
+                if step != place(&b[k], index).wrapping_sub(place(&a[k], index)) {
+                    return false;
+                }
+                index += 1;
+            }
+            if before[k].array != now[k].array {
+                return false;
+            }
+            k += 1;
+        }
+        true
     }
 
     /// Where each place of the array is if those that nothing uses are left out, and their number; `None` if steps are
     /// uneven then.
     pub(super) fn packed(&self, plan: &[Repetition]) -> Option<Vec<usize>> {
         let mut used = vec![false; self.parts.places];
-        let spots = self.members.iter().flat_map(|member| &member.spots);
-        for spot in spots.filter(|spot| self.arrays[spot.array] == Array::Values) {
-            used[spot.at[0]] = true;
+        let values = self.known.get(&Array::Values).copied();
+        let values = values.unwrap_or(usize::MAX);
+        for member in &self.members {
+            for spot in &member.spots {
+                if spot.array == values {
+                    used[spot.at[0]] = true;
+                }
+            }
         }
         let mut packed = vec![0];
         let mut count = 0;
@@ -93,15 +114,15 @@ impl Loops<'_> {
             count += usize::from(used);
             packed.push(count);
         }
-        let place = |array: &Array, at: [usize; 3]| match array {
-            Array::Values => [packed[at[0]], 0, 0],
-            _ => at,
-        };
         let is_even = |loops: &Repetition| {
             let (first, period) = (loops.first, loops.period);
             (first + period..first + period * loops.times).all(|at| {
                 let within = first + (at - first) % period;
-                self.grows_evenly([at - period, at], [within, within + period], place)
+                self.grows_evenly(
+                    [at - period, at],
+                    [within, within + period],
+                    Some((values, &packed)),
+                )
             })
         };
         let all = plan.iter().filter(|loops| loops.times > 1).all(is_even);
