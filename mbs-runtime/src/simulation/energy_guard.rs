@@ -21,8 +21,8 @@ use nalgebra::SVector;
 /// The gain of energy that is refused, as a multiple of the energy that the motion has. Coarse steps through singular
 /// poses have reached 1 with some methods.
 const GROSS: f64 = 10.0;
-/// The same of gains and losses with two-level steps, and with projected ones. A smaller value refuses coarse runs that are useful, a larger one
-/// accepts runs that are not.
+/// The same of gains and losses with two-level steps, and with projected ones. A smaller value refuses coarse runs that are
+/// useful, a larger one accepts runs that are not.
 ///
 /// Of 5363 random runs without this check (`--example sweep` of `mbs-examples`) 214 exceed it. Three of these end within
 /// a hundredth of the size from the motion; in two the energy of a spring that vibrates by a ten-thousandth is wrong. Of

@@ -165,7 +165,7 @@ impl Graph {
         if negative { -1.0 } else { 1.0 }
     }
 
-    /// Whether a term of a sum is a sum to be dissolved.
+    /// Whether one of the terms of a sum is a sum to be dissolved.
     fn any_dissolves(&self, flat: &[(Expr, f64)]) -> bool {
         let mut at = 0;
         while at < flat.len() {

@@ -69,8 +69,8 @@ fn minimum_degree(
 /// Minimum degree from the first unknown on, and from the last one on where that takes hardly more operations: a chain is
 /// eliminated from both ends to its middle, and no column of one half waits for one of the other.
 pub(super) fn from_both_ends(neighbours: &[BTreeSet<usize>], velocities: usize) -> Vec<usize> {
-    let [first, last] =
-        [From::First, From::Last].map(|from| minimum_degree(neighbours.to_vec(), velocities, from));
+    let by_degree = |from: From| minimum_degree(neighbours.to_vec(), velocities, from);
+    let first = by_degree(From::First);
     let below = fill(neighbours, &first);
     let mut links = link_by_link(&below);
     if links.len() > 1 {
@@ -81,7 +81,8 @@ pub(super) fn from_both_ends(neighbours: &[BTreeSet<usize>], velocities: usize) 
     both.iter_mut()
         .for_each(|position| *position = first[*position]);
     let taken: BTreeSet<usize> = both.iter().copied().collect();
-    both.extend(last.into_iter().filter(|unknown| !taken.contains(unknown)));
+    let last = by_degree(From::Last).into_iter();
+    both.extend(last.filter(|unknown| !taken.contains(unknown)));
     let operations = |below: &[BTreeSet<usize>]| -> usize {
         below
             .iter()
