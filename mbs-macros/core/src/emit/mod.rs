@@ -10,6 +10,7 @@ mod body;
 mod checks;
 mod copies;
 mod editor;
+mod even_rows;
 mod fallback;
 mod fields;
 mod items;

@@ -2,11 +2,12 @@
 //! computed with which values.
 //!
 //! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
-//! and the rows, which are the places of values. It is written as a string of bytes, because rustc reads that as one
-//! token.
+//! and the rows, which are the places of values, or [groups](even_rows) of them. It is written as a string of bytes, because
+//! rustc reads that as one token.
 
 use super::body::{Body, source};
 use super::copies::copies;
+use super::even_rows;
 use super::member_loops;
 use super::size::Size;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
@@ -30,6 +31,8 @@ pub(super) struct LongFunctions {
     /// Whether a method computes them by tables.
     has_tables: Vec<Cell<bool>>,
     word: Word,
+    /// Whether the tables are of groups of rows that grow by even steps.
+    even: bool,
 }
 
 /// A word of a table: u16, or u32 where the array is longer than u16 can count.
@@ -71,7 +74,9 @@ impl LongFunctions {
             numbers.push(own.collect());
         }
         let longest = lengths.iter().max().copied().unwrap_or(0);
+        let runs = functions.iter().flat_map(|(_, parts)| parts.rows());
         LongFunctions {
+            even: even_rows::pays(runs.map(|(_, rows)| rows)),
             numbers,
             shapes,
             has_tables: vec![Cell::new(false); lengths.len()],
@@ -268,6 +273,9 @@ impl LongFunctions {
         let code = body.statements() + &writes;
         let code = match only {
             Some(_) => code,
+            None if self.even => format!(
+                "for (count, mut at, steps) in ::mbs_runtime::generated::even_rows::<{width}, _>(rows) {{ for _ in 0..count {{ {code} ::mbs_runtime::generated::advance(&mut at, &steps); }} }}"
+            ),
             None => format!("for at in rows.as_chunks::<{width}>().0 {{ {code} }}"),
         };
         let _ = writeln!(
@@ -293,15 +301,29 @@ impl LongFunctions {
                 1 => &[],
                 _ => &rows[run.first..run.first + run.count],
             };
-            let length = rows.iter().map(Vec::len).sum::<usize>();
+            let words = self.words(rows);
+            let length = words.len();
             let index = list.binary_search(&self.numbers[at][run.shape]);
             self.word.put(&mut table, index.unwrap_or_default());
             self.word.put(&mut table, length & 0xffff);
             self.word.put(&mut table, length >> 16);
-            let places = rows.iter().flatten();
-            places.for_each(|&place| self.word.put(&mut table, place as usize));
+            let words = words.iter();
+            words.for_each(|&word| self.word.put(&mut table, word as usize));
         }
         table
+    }
+
+    /// Rows of places as words.
+    fn words(&self, rows: &[Vec<u32>]) -> Vec<u32> {
+        if !self.even {
+            return rows.concat();
+        }
+        let groups = even_rows::grouped(rows).into_iter();
+        let words = groups.flat_map(|group| {
+            let count = std::iter::once(group.count as u32);
+            count.chain(group.first.to_vec()).chain(group.steps)
+        });
+        words.collect()
     }
 }
 

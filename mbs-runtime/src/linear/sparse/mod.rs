@@ -2,11 +2,19 @@
 
 mod dependence;
 mod entries;
+#[cfg(feature = "sparse")]
+mod frontal;
+#[cfg(feature = "sparse")]
+mod fronts;
 mod ldl;
 #[cfg(feature = "sparse")]
 mod lu;
 #[cfg(feature = "sparse")]
+mod panels;
+#[cfg(feature = "sparse")]
 mod pattern;
+#[cfg(feature = "sparse")]
+mod pivoted_lu;
 mod rows;
 #[cfg(feature = "sparse")]
 mod saddle;

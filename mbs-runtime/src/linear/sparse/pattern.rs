@@ -68,6 +68,16 @@ impl Columns {
             .collect()
     }
 
+    /// The pattern with that of its transpose.
+    pub(crate) fn with_transpose(&self) -> Columns {
+        let mut pattern = Pattern::new(self.starts.len() - 1);
+        for (row, column) in self.places() {
+            pattern.insert(row, column);
+            pattern.insert(column, row);
+        }
+        pattern.finish()
+    }
+
     /// Row and column of each entry, in order.
     pub(crate) fn places(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let columns = self.starts.windows(2).enumerate();

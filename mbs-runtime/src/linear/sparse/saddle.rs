@@ -70,7 +70,10 @@ impl Saddle {
                 .map(|i| columns.slot(i, i))
                 .collect(),
             lengths: vec![0.0; rows],
-            lu: SparseLu::new(&columns)?,
+            lu: match rows {
+                0 => SparseLu::with_diagonal_pivots(&columns),
+                _ => SparseLu::new(&columns),
+            }?,
             diagonal,
             columns,
         })

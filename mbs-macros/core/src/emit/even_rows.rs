@@ -1,0 +1,77 @@
+//! Rows of a table that grow by even steps, as a number of rows, the first one, and the steps.
+//!
+//! In a grid the joints along a line are such rows. Tables with a row for each joint are longer than the second-level cache
+//! of a processor where there are some hundred joints.
+
+/// Rows that follow each other by the same steps.
+pub(super) struct EvenRows<'a> {
+    pub(super) count: usize,
+    pub(super) first: &'a [u32],
+    /// What is added to each place, modulo 2³².
+    pub(super) steps: Vec<u32>,
+}
+
+/// The most rows: their number is one word.
+const MOST: usize = u16::MAX as usize;
+
+/// The rows in groups, each as long as possible.
+pub(super) fn grouped(rows: &[Vec<u32>]) -> Vec<EvenRows<'_>> {
+    let mut groups = Vec::new();
+    let mut from = 0;
+    while let Some(first) = rows.get(from) {
+        let steps = match rows.get(from + 1) {
+            Some(second) => steps(first, second),
+            None => vec![0; first.len()],
+        };
+        let pairs = rows[from..].windows(2).take(MOST - 1);
+        let count = 1 + pairs
+            .take_while(|pair| is_followed(&pair[0], &pair[1], &steps))
+            .count();
+        groups.push(EvenRows {
+            count,
+            first,
+            steps,
+        });
+        from += count;
+    }
+    groups
+}
+
+fn steps(row: &[u32], next: &[u32]) -> Vec<u32> {
+    let pairs = row.iter().zip(next);
+    pairs.map(|(now, next)| next.wrapping_sub(*now)).collect()
+}
+
+fn is_followed(row: &[u32], next: &[u32], steps: &[u32]) -> bool {
+    let mut sums = row.iter().zip(steps).zip(next);
+    sums.all(|((now, step), next)| now.wrapping_add(*step) == *next)
+}
+
+/// Whether tables of such groups are at most half as long as those of the rows.
+pub(super) fn pays<'a>(runs: impl Iterator<Item = &'a [Vec<u32>]>) -> bool {
+    let (mut whole, mut even) = (0, 0);
+    for rows in runs.filter(|rows| rows.len() > 1) {
+        let width = rows[0].len();
+        whole += rows.len() * width;
+        even += grouped(rows).len() * (1 + 2 * width);
+    }
+    2 * even < whole
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{grouped, pays};
+
+    #[test]
+    fn rows_are_grouped_by_their_steps() {
+        let rows = [[9, 1], [8, 1], [7, 1], [3, 5], [4, 6], [0, 0]].map(Vec::from);
+        let groups = grouped(&rows);
+        let counts: Vec<usize> = groups.iter().map(|group| group.count).collect();
+        assert_eq!(counts, [3, 2, 1]);
+        assert_eq!(groups[0].first, [9, 1]);
+        assert_eq!(groups[0].steps, [u32::MAX, 0]);
+        assert!(!pays([&rows[..]].into_iter()));
+        let line: Vec<Vec<u32>> = (0..20).map(|row| vec![row, 3 * row]).collect();
+        assert!(pays([&line[..]].into_iter()));
+    }
+}
