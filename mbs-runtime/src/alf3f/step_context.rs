@@ -245,14 +245,25 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
     }
 
     /// The rank margin of the holonomic rows, of which S is factored, at the current instant.
+    #[inline]
     pub(crate) fn rank_margin(&mut self) -> RankMargin {
+        if self.scale.is_waiting() {
+            return self.margin_of_short_rows();
+        }
+        let rows = S::STRUCTURE.holonomic_rows;
+        let StepContext { start, work, .. } = self;
+        work.delassus.rank_margin(&start.delassus, rows)
+    }
+
+    /// The same where rows that vanish at the declared guess have not been longer yet.
+    #[cold]
+    #[inline(never)]
+    fn margin_of_short_rows(&mut self) -> RankMargin {
         let StepContext {
             scale, start, work, ..
         } = self;
-        if scale.is_waiting() {
-            scale.settle(&start.delassus);
-            work.delassus.usual = scale.usual;
-        }
+        scale.settle(&start.delassus);
+        work.delassus.usual = scale.usual;
         let rows = S::STRUCTURE.holonomic_rows;
         let margin = work.delassus.rank_margin(&start.delassus, rows);
         match scale.is_waiting() {

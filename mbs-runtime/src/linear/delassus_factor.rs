@@ -257,12 +257,29 @@ impl<const K: usize> DelassusFactor<K> {
         if self.regularised {
             return self.dependence(matrix, rows);
         }
-        if self.redundant.is_some() {
-            self.reconsider_redundancy(matrix);
+        if self.redundant.is_some() || self.reduced {
+            return self.margin_without_skipped(matrix, rows);
         }
+        RankMargin {
+            dependent: self.choice,
+            ..self.margin_of_pivots(matrix, rows)
+        }
+    }
+
+    #[inline(always)]
+    fn margin_of_pivots(&self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
         let mut most: f64 = 0.0;
         for k in 0..rows {
             most = most.max(self.inverse_pivot[k] * self.scale(matrix, k));
+        }
+        RankMargin::of(1.0 / most.sqrt())
+    }
+
+    /// The same where rows are left out, or have been.
+    #[inline(never)]
+    fn margin_without_skipped(&mut self, matrix: &[[f64; K]; K], rows: usize) -> RankMargin {
+        if self.redundant.is_some() {
+            self.reconsider_redundancy(matrix);
         }
         let skipped = match self.reduced {
             true => self.skipped[..rows].iter().filter(|&&row| row).count() as u32,
@@ -270,7 +287,7 @@ impl<const K: usize> DelassusFactor<K> {
         };
         RankMargin {
             dependent: skipped | self.choice,
-            ..RankMargin::of(1.0 / most.sqrt())
+            ..self.margin_of_pivots(matrix, rows)
         }
     }
 
