@@ -34,14 +34,19 @@ pub(crate) struct Planned<const N: usize, const R: usize> {
 }
 
 impl<const N: usize, const R: usize> Planned<N, R> {
-    /// `None` where dense arrays are the faster, and at starts where rows lose their independence. Those that follow from
-    /// others in general are left out from here on: their pivots are not zero in stages that violate the rows.
+    /// `None` where dense arrays are the faster, and at starts where redundant rows cannot be told from others. Rows that
+    /// follow from others in general are left out from here on: their pivots are not zero in stages that violate the rows.
     #[inline(never)]
     pub(crate) fn new<S: System<Q, N, R>, const Q: usize>(
         bench: &Bench<S, Q, N, R>,
-        thresholds: Thresholds,
+        dense: Thresholds,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
+        // Where the rows that are kept lose a direction, those that are left out may still have it: dense arrays find out.
+        let thresholds = match plan.redundant {
+            0 => Thresholds::ELIMINATED,
+            _ => dense,
+        };
         let (system, state) = (&bench.system, &bench.state);
         let mass = mass_rows(system, &state.positions);
         let mut planned = Box::new(Planned {
@@ -54,11 +59,13 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
         system.sparse_constraints(state.time, &state.positions, &mut phi, entries, &mut b);
         planned.factor();
-        if planned.matrix.left_out(plan) != plan.redundant {
-            return None;
+        if plan.redundant > 0 {
+            if planned.matrix.left_out(plan) != plan.redundant {
+                return None;
+            }
+            planned.matrix.free_dependent(plan);
+            planned.rows = planned.matrix.rows(plan);
         }
-        planned.matrix.free_dependent(plan);
-        planned.rows = planned.matrix.rows(plan);
         Some(planned)
     }
 
