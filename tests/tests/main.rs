@@ -47,6 +47,7 @@ mod passages;
 mod planar_joints;
 mod planar_places;
 mod planned_accelerations;
+mod planned_poses;
 mod poses;
 mod reactions;
 mod recordings;

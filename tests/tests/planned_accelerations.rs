@@ -204,7 +204,7 @@ fn a_step_allocates_nothing() {
     assert_eq!(count() - before, 0);
 }
 
-/// Four slider-cranks with equal rods, each singular twice in a turn at an instant of its own: dense arrays take over there.
+/// Four slider-cranks with equal rods, each singular twice in a turn at an instant of its own.
 #[test]
 fn singular_poses_are_passed() {
     let settings = Settings {
@@ -218,7 +218,7 @@ fn singular_poses_are_passed() {
     let report = presses.report();
     println!("{report:?}");
     assert!(report.rank_losses >= 8);
-    assert!(report.regularised_solves > 0 && report.regularised_solves < report.stages / 20);
+    assert!(report.regularised_solves < report.stages / 100);
     assert!(report.energy_error < 1e-6);
     assert!(report.holonomic_error < 1e-10 && report.velocity_error < 1e-10);
 }

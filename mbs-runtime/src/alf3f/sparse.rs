@@ -109,6 +109,11 @@ impl Bordered {
         self.most = (plan.factor)(&mut self.factor, &mut self.lengths);
     }
 
+    /// a M⁻¹aᵀ of the row at this position of the elimination, where it was factored.
+    pub(crate) fn length(&self, position: usize) -> f64 {
+        self.lengths[position]
+    }
+
     /// Pivots of the rows, relative to their lengths.
     fn relative<'a, const N: usize, const R: usize>(
         &'a self,
@@ -150,6 +155,15 @@ impl Bordered {
     #[inline]
     pub(crate) fn rows<const N: usize, const R: usize>(&self, plan: &Elimination<N, R>) -> Rows {
         judge(self.thresholds, self.most, self.relative(plan), None)
+    }
+
+    /// The same where no row may be left out, but those that were freed.
+    #[inline]
+    pub(crate) fn all_rows<const N: usize, const R: usize>(
+        &self,
+        plan: &Elimination<N, R>,
+    ) -> Rows {
+        judge(self.thresholds, self.most, self.relative(plan), Some(0))
     }
 
     /// How independent the first `rows` rows are.

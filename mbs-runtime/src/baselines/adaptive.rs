@@ -54,6 +54,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<f64, Fault> {
+        self.equations.begin();
         let end = self.stages.step(bench, &mut self.equations, h)?;
         bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
         let [turn, change] = self.stages.error(h);

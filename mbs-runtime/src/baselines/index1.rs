@@ -85,6 +85,9 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     /// A step begins.
     pub(crate) fn begin(&mut self) {
         self.range = [f64::INFINITY, 0.0];
+        if let Some(planned) = &mut self.planned {
+            planned.begin();
+        }
     }
 
     /// The smallest σ of the evaluations since [`Self::begin`] as a fraction of the largest: near 0 if one of them was
@@ -144,7 +147,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         Ok(self.acceleration(bench, t, q, v))
     }
 
-    /// v̇ by the planned elimination; `None` where there is none, and where rows are nearly dependent.
+    /// v̇ by the planned elimination; `None` where there is none, and where dense equations are needed.
     #[inline(always)]
     fn by_plan<S: System<Q, N, R>, const Q: usize>(
         &mut self,

@@ -14,6 +14,7 @@ mod index3_projections;
 mod motion;
 mod penalty;
 mod planned;
+mod planned_proximal;
 mod rattle;
 pub(crate) mod registry;
 mod rule;

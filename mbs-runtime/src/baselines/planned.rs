@@ -6,13 +6,18 @@
 //! [ A  0  ] [ −λ ] = [ −γ − …   ]
 //! ```
 //!
-//! Where rows are nearly dependent the dense equations take over, which have a proximal solve.
+//! Rows are eliminated as long as they have a pivot, and weak ones are solved again for what is left of them. Where a row
+//! has none the solution is the proximal one (`planned_proximal.rs`), also in the rest of a step: its stages violate a row
+//! that was lost before, and turn velocities by the violation over σ² where it is enforced too soon. Mechanisms with
+//! redundant rows have dense equations beside their poses: rows that are left out may have a direction which those that are
+//! kept have lost.
 
 use super::bench::Bench;
+use super::planned_proximal::PlannedProximal;
 use crate::System;
 use crate::alf3f::closing::{self, Closed, Closing, Limits};
 use crate::alf3f::sparse::{Bordered, Rows, Slots};
-use crate::alf3f::{not_converged, residual_of};
+use crate::alf3f::{Counters, not_converged, residual_of};
 use crate::contract::mass_rows;
 use crate::fault::Fault;
 use crate::free::write_free_forces;
@@ -28,48 +33,79 @@ use nalgebra::SVector;
 pub(crate) struct Planned<const N: usize, const R: usize> {
     plan: &'static Elimination<N, R>,
     matrix: Bordered,
+    /// Instead of its factor where rows are lost.
+    proximal: PlannedProximal<N, R>,
     /// A vector in the order of elimination.
     x: Slots,
     rows: Rows,
+    /// In a step, until a row is lost in it, and from then on.
+    thresholds: [Thresholds; 2],
+    has_lost: bool,
 }
 
 impl<const N: usize, const R: usize> Planned<N, R> {
-    /// `None` where dense arrays are the faster, and at starts where rows lose their independence. Those that follow from
-    /// others in general are left out from here on: their pivots are not zero in stages that violate the rows.
+    /// `None` where dense arrays are the faster, and at starts where redundant rows cannot be told from others. Rows that
+    /// follow from others in general are left out from here on: their pivots are not zero in stages that violate the rows.
     #[inline(never)]
     pub(crate) fn new<S: System<Q, N, R>, const Q: usize>(
         bench: &Bench<S, Q, N, R>,
-        thresholds: Thresholds,
+        dense: Thresholds,
     ) -> Option<Box<Self>> {
         let plan = S::ELIMINATION?;
+        let thresholds = match plan.redundant {
+            0 => [Thresholds::ELIMINATED, dense],
+            _ => [dense; 2],
+        };
         let (system, state) = (&bench.system, &bench.state);
         let mass = mass_rows(system, &state.positions);
         let mut planned = Box::new(Planned {
             plan,
-            matrix: Bordered::new(plan, &mass, thresholds),
+            matrix: Bordered::new(plan, &mass, thresholds[0]),
+            proximal: PlannedProximal::new(plan),
             x: vec![0.0; plan.unknowns].into_boxed_slice(),
             rows: Rows::Lost,
+            thresholds,
+            has_lost: false,
         });
-        let entries = &mut planned.matrix.entries;
+        if plan.redundant == 0 {
+            return Some(planned);
+        }
+        let matrix = &mut planned.matrix;
         let (mut phi, mut b) = (SVector::zeros(), SVector::zeros());
-        system.sparse_constraints(state.time, &state.positions, &mut phi, entries, &mut b);
-        planned.factor();
-        if planned.matrix.left_out(plan) != plan.redundant {
+        system.sparse_constraints(
+            state.time,
+            &state.positions,
+            &mut phi,
+            &mut matrix.entries,
+            &mut b,
+        );
+        matrix.factor(plan);
+        if matrix.left_out(plan) != plan.redundant {
             return None;
         }
-        planned.matrix.free_dependent(plan);
-        planned.rows = planned.matrix.rows(plan);
+        matrix.free_dependent(plan);
         Some(planned)
     }
 
-    fn factor(&mut self) {
-        self.matrix.factor(self.plan);
-        self.rows = self.matrix.rows(self.plan);
+    /// A step begins.
+    pub(crate) fn begin(&mut self) {
+        self.has_lost = false;
     }
 
-    /// Whether solutions with the factor are those of the equations.
+    fn factor(&mut self, counters: &mut Counters) {
+        self.matrix.factor(self.plan);
+        self.matrix.thresholds = self.thresholds[usize::from(self.has_lost)];
+        self.rows = self.matrix.all_rows(self.plan);
+        if self.rows == Rows::Lost && self.is_sound() {
+            self.has_lost = true;
+            self.proximal.factor(self.plan, &self.matrix);
+            counters.regularised += 1;
+        }
+    }
+
+    /// Whether there are solutions here: otherwise dense equations are needed.
     pub(crate) fn is_sound(&self) -> bool {
-        matches!(self.rows, Rows::Independent | Rows::Weak)
+        self.rows != Rows::Lost || !self.leaves_rows_out()
     }
 
     fn evaluate<S: System<Q, N, R>, const Q: usize>(
@@ -94,7 +130,7 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         q: &SVector<f64, Q>,
     ) -> bool {
         self.evaluate(bench, t, q);
-        self.factor();
+        self.factor(&mut bench.counters);
         self.is_sound()
     }
 
@@ -108,6 +144,12 @@ impl<const N: usize, const R: usize> Planned<N, R> {
     ) -> SVector<f64, N> {
         let mut acceleration = SVector::zeros();
         write_free_forces(system, t, q, v, &mut acceleration);
+        if self.rows == Rows::Lost {
+            let (entries, x) = (&self.matrix.entries, &mut self.x);
+            let into = (&mut acceleration, lambda);
+            (self.proximal).accelerate(self.plan, entries, demand, x, into);
+            return acceleration;
+        }
         *lambda = negative(demand);
         let right = (&mut acceleration, &mut *lambda);
         (self.matrix).accelerate(self.plan, &mut self.x, right);
@@ -132,9 +174,25 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         v: &mut SVector<f64, N>,
         kappa: &mut SVector<f64, R>,
     ) {
+        if self.rows == Rows::Lost {
+            let (entries, x) = (&self.matrix.entries, &mut self.x);
+            return (self.proximal).correct(self.plan, entries, demand, x, (v, kappa));
+        }
         let rates = self.rates(v);
         let missing = vector(|i| -(rates[i] + demand[i]));
         (self.matrix).solve(self.plan, &missing, &mut self.x, (v, kappa));
+    }
+
+    /// The shortest displacement that changes φ by −`phi`.
+    fn displacement(&mut self, phi: &SVector<f64, R>) -> SVector<f64, N> {
+        let (mut way, mut kappa) = (SVector::zeros(), SVector::zeros());
+        if self.rows == Rows::Lost {
+            self.correct(phi, &mut way, &mut kappa);
+        } else {
+            let into = (&mut way, &mut kappa);
+            (self.matrix).solve(self.plan, &negative(phi), &mut self.x, into);
+        }
+        way
     }
 
     /// Moves q onto the position rows, with the factors of where it was first, and evaluates the rows there for the
@@ -217,17 +275,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
     }
 
     fn factor(&mut self) -> Result<bool, Fault> {
-        self.planned.factor();
+        self.planned.factor(&mut self.bench.counters);
         Ok(self.planned.is_sound())
     }
 
     fn solve(&mut self) -> bool {
-        let Planned {
-            plan, matrix, x, ..
-        } = &mut *self.planned;
-        let change = negative(&self.bench.phi);
-        let mut way = SVector::zeros();
-        matrix.solve(plan, &change, x, (&mut way, &mut SVector::zeros()));
+        let way = self.planned.displacement(&self.bench.phi);
         *self.q = self.bench.system.advance(self.q, &way, 1.0);
         false
     }

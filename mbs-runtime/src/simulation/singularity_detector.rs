@@ -129,6 +129,8 @@ impl SingularityDetector {
             // The row was not redundant: the start was a singular pose.
             let known = self.instants.iter_mut().filter(|i| i.time.is_finite());
             known.for_each(|instant| instant.sigma = 0.0);
+            // What σ of the other rows did until now does not count.
+            self.falling = true;
             self.redundant = now.dependent;
         }
         now.least
@@ -288,5 +290,29 @@ mod tests {
     fn a_start_in_a_singular_pose_counts() {
         let found = noted(&mut SingularityDetector::new(), 0.01, |t| 0.2 * t);
         assert_eq!(found, [(0.0, 0.0)]);
+    }
+
+    /// Rows are lost for some steps, in which σ of the others rises.
+    #[test]
+    fn a_slow_start_in_a_singular_pose_counts() {
+        let mut singularities = SingularityDetector::new();
+        let mut found = Vec::new();
+        for i in 0..20 {
+            let time = 0.01 * f64::from(i);
+            let lost = RankMargin {
+                dependent: 1,
+                ..RankMargin::of(0.5 + 1e-3 * time)
+            };
+            let now = if i < 3 {
+                lost
+            } else {
+                RankMargin::of(0.2 * time)
+            };
+            found.extend(singularities.note(time, now));
+        }
+        assert!(
+            matches!(found[..], [(time, 0.0)] if time < 0.03),
+            "{found:?}"
+        );
     }
 }
