@@ -63,6 +63,9 @@ pub struct RankLoss {
     pub time: f64,
     /// The smallest singular value of the rows there, each of unit length in the metric of M; estimated like the time.
     pub sigma_min: f64,
+    /// Whether the run began there, at rest: several motions that satisfy the equations may leave the pose, and round-off
+    /// decides which one is followed. A small rate in the declaration decides it.
+    pub undetermined: bool,
     /// The entries whose rows depend on each other there, most involved first.
     joints: [&'static str; RankLoss::MOST_JOINTS],
     count: usize,
@@ -88,6 +91,7 @@ impl RankLoss {
         RankLoss {
             time,
             sigma_min,
+            undetermined: false,
             joints,
             count,
         }

@@ -241,6 +241,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();
         let known_poses = KnownPoses::new(by_position && assembly.rank + 1 + S::STATES.len() == N);
+        let State {
+            time,
+            positions,
+            velocities,
+            ..
+        } = integrator.state();
+        let imperceptible = yardstick.imperceptible(positions, settings.step);
+        let is_at_rest = yardstick.measure(velocities) <= imperceptible;
+        let rest = is_at_rest.then_some(*time);
         let mut simulation = Simulation {
             before: Box::new(integrator.state().with_same_room()),
             pair: Box::new(integrator.state().with_same_room()),
@@ -270,7 +279,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             foreseen: None,
             known_poses,
             is_estimated,
-            singularities: SingularityDetector::new(),
+            singularities: SingularityDetector::new(rest),
             refused: None,
             events: vec![0.0; S::MODEL.events.len()],
         };

@@ -30,7 +30,9 @@ fn a_start_in_a_singular_pose_counts_and_the_poses_after_it_do() {
         };
         let mut simulation = Simulation::with_settings(level(1.0), settings).expect("it assembles");
         simulation.run_until(3.0).expect("it goes on");
-        let times: Vec<f64> = simulation.rank_losses().iter().map(|l| l.time).collect();
+        let losses = simulation.rank_losses();
+        assert!(losses.iter().all(|loss| !loss.undetermined));
+        let times: Vec<f64> = losses.iter().map(|loss| loss.time).collect();
         let wanted = [0.0, 0.1746, 1.1078, 1.2816, 2.2148, 2.3890];
         assert_eq!(times.len(), wanted.len(), "order {order}: {times:?}");
         for (time, wanted) in times.iter().zip(wanted) {
@@ -51,7 +53,11 @@ fn a_start_from_rest_in_a_singular_pose_goes_on() {
         let mut simulation = Simulation::with_settings(level(0.0), settings).expect("it assembles");
         simulation.run_until(2.0).expect("it goes on");
         assert!(simulation.report().energy_error < 1e-3, "order {order}");
-        assert_eq!(simulation.rank_losses()[0].time, 0.0, "order {order}");
+        let losses = simulation.rank_losses();
+        assert_eq!(losses[0].time, 0.0, "order {order}");
+        // Which branch it is, round-off has decided; at the poses after it the motion decides.
+        assert!(losses[0].undetermined, "order {order}");
+        assert!(losses[1..].iter().all(|loss| !loss.undetermined));
     }
 }
 

@@ -72,7 +72,7 @@ fn events(losses: &[RankLoss]) -> Value {
     losses
         .iter()
         .map(
-            |loss| json!({"time": loss.time, "sigma_min": loss.sigma_min, "joints": loss.joints()}),
+            |loss| json!({"time": loss.time, "sigma_min": loss.sigma_min, "joints": loss.joints(), "undetermined": loss.undetermined}),
         )
         .collect()
 }
@@ -202,11 +202,15 @@ fn write_events(out: &mut String, losses: &[RankLoss]) -> std::fmt::Result {
     for (index, loss) in losses.iter().take(SHOWN).enumerate() {
         writeln!(
             out,
-            "  {:<11}  t = {:.6} s, σ_min {:.1e}: {}",
+            "  {:<11}  t = {:.6} s, σ_min {:.1e}: {}{}",
             if index == 0 { "singular" } else { "" },
             loss.time,
             loss.sigma_min,
-            loss.joints().join(", ")
+            loss.joints().join(", "),
+            match loss.undetermined {
+                true => " (at rest: the branch is not determined)",
+                false => "",
+            }
         )?;
     }
     match losses.len().saturating_sub(SHOWN) {

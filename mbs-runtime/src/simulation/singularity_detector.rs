@@ -56,11 +56,16 @@ pub(super) struct SingularityDetector {
     pending: Found,
     /// When the last loss was reported: steps may be taken again from before.
     reported: f64,
+    /// The start, s, of a mechanism that is at rest there, until it has left a singular pose.
+    rest: Option<f64>,
+    /// Whether rows that were lost from the start on have come back.
+    came_back: bool,
     losses: Vec<RankLoss>,
 }
 
 impl SingularityDetector {
-    pub(super) fn new() -> Self {
+    /// `rest` is the start, s, if the mechanism is at rest there.
+    pub(super) fn new(rest: Option<f64>) -> Self {
         SingularityDetector {
             instants: [NOWHERE; 3],
             falling: true,
@@ -73,6 +78,8 @@ impl SingularityDetector {
                 seen: f64::NEG_INFINITY,
             },
             reported: f64::NEG_INFINITY,
+            rest,
+            came_back: false,
             losses: Vec::with_capacity(ROOM),
         }
     }
@@ -131,6 +138,7 @@ impl SingularityDetector {
             known.for_each(|instant| instant.sigma = 0.0);
             // What σ of the other rows did until now does not count.
             self.falling = true;
+            self.came_back = true;
             self.redundant = now.dependent;
         }
         now.least
@@ -142,6 +150,12 @@ impl SingularityDetector {
         (self.peak, self.level) = (now.sigma, f64::INFINITY);
         self.reported = now.time;
         Some((self.pending.time, self.pending.sigma))
+    }
+
+    /// Whether a loss at this time is that of a start at rest.
+    fn is_at_rest(&mut self, time: f64) -> bool {
+        let rest = self.rest.take();
+        rest.is_some_and(|start| self.came_back || time == start)
     }
 
     /// Keeps the minimum about the last instant, if it is small.
@@ -225,7 +239,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let involved = involved
             .iter()
             .filter_map(|&i| Some(S::MODEL.rows.get(i)?.entry));
-        let loss = RankLoss::new(time, sigma, involved);
+        let mut loss = RankLoss::new(time, sigma, involved);
+        loss.undetermined = self.singularities.is_at_rest(time);
         self.singularities.losses.push(loss);
     }
 }
@@ -261,7 +276,7 @@ mod tests {
 
     #[test]
     fn poses_between_steps_are_found() {
-        let found = noted(&mut SingularityDetector::new(), 0.05, |t| {
+        let found = noted(&mut SingularityDetector::new(None), 0.05, |t| {
             (t - 1.0 / 3.0).sin().abs()
         });
         let expected = [1.0, 2.0, 3.0].map(|turn| 1.0 / 3.0 + turn * std::f64::consts::PI);
@@ -277,25 +292,25 @@ mod tests {
     #[test]
     fn weak_poses_and_rest_are_no_passages() {
         let weak = |t: f64| 0.05_f64.hypot((t - 0.3).sin());
-        assert!(noted(&mut SingularityDetector::new(), 0.05, weak).is_empty());
+        assert!(noted(&mut SingularityDetector::new(None), 0.05, weak).is_empty());
         // At rest in a singular pose, with noise.
         let rest = |t: f64| 1e-9 * (1.0 + (1e3 * t).sin());
-        assert!(noted(&mut SingularityDetector::new(), 0.05, rest).is_empty());
+        assert!(noted(&mut SingularityDetector::new(None), 0.05, rest).is_empty());
         // σ is always small, and has no minimum.
         let small = |t: f64| 4e-3 + 2e-3 * t.sin();
-        assert!(noted(&mut SingularityDetector::new(), 0.05, small).is_empty());
+        assert!(noted(&mut SingularityDetector::new(None), 0.05, small).is_empty());
     }
 
     #[test]
     fn a_start_in_a_singular_pose_counts() {
-        let found = noted(&mut SingularityDetector::new(), 0.01, |t| 0.2 * t);
+        let found = noted(&mut SingularityDetector::new(None), 0.01, |t| 0.2 * t);
         assert_eq!(found, [(0.0, 0.0)]);
     }
 
     /// Rows are lost for some steps, in which σ of the others rises.
     #[test]
     fn a_slow_start_in_a_singular_pose_counts() {
-        let mut singularities = SingularityDetector::new();
+        let mut singularities = SingularityDetector::new(None);
         let mut found = Vec::new();
         for i in 0..20 {
             let time = 0.01 * f64::from(i);
