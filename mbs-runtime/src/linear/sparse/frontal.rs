@@ -301,7 +301,9 @@ mod tests {
     #[test]
     fn small_pivots_are_refused() {
         let mut pattern = Pattern::new(2);
-        [(0, 0), (0, 1), (1, 0), (1, 1)].map(|(i, j)| pattern.insert(i, j));
+        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            pattern.insert(i, j);
+        }
         let columns = pattern.finish();
         let mut lu = FrontalLu::new(&columns).unwrap();
         assert!(lu.factor(&[1e-7, 1.0, 1.0, 1e-7]));
