@@ -154,7 +154,6 @@ fn accelerations_with_redundant_rows_are_those_with_dense_arrays() {
         let tables = || Tables {
             start: angle,
             rate: 0.5,
-            ..Tables::default()
         };
         let step = 1e-3 * angle.max(1e-4);
         let [before, planned] = velocities_after(tables(), step);
@@ -181,7 +180,6 @@ fn constant_steps_stay_on_their_branch() {
         let row = Row {
             start: std::f64::consts::FRAC_PI_2,
             rate: -1.0,
-            ..Row::default()
         };
         let row = Simulation::with_methods(row, settings, methods::Projected);
         let mut row = row.expect("assembled");
@@ -207,11 +205,7 @@ fn starts_in_a_singular_pose_go_on() {
                 tolerance,
                 ..Settings::default()
             };
-            let row = Row {
-                start: 0.0,
-                rate,
-                ..Row::default()
-            };
+            let row = Row { start: 0.0, rate };
             let row = Simulation::with_methods(row, settings, methods::Projected);
             let mut row = row.expect("assembled");
             row.run_until(1.0).expect("the end");
