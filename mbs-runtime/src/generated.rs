@@ -25,6 +25,7 @@ pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 pub use table::{Beyond, Interpolation, MeasuredTable, Table};
 pub use unfinished::{SIZE as UNFINISHED_SIZE, UNFINISHED, Unfinished};
+pub use values::Values;
 
 mod checks;
 mod cholesky;
@@ -37,6 +38,7 @@ mod rotation;
 mod spin;
 mod table;
 mod unfinished;
+mod values;
 
 /// A pivot below this fraction of its diagonal entry is round-off.
 const ROUND_OFF: f64 = 1e-12;

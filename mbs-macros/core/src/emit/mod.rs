@@ -15,6 +15,7 @@ mod fallback;
 mod fields;
 mod items;
 mod likely;
+mod long_array;
 mod member_loops;
 mod metadata;
 mod methods;

@@ -8,6 +8,7 @@
 use super::body::{Body, source};
 use super::copies::copies;
 use super::even_rows;
+use super::long_array;
 use super::member_loops;
 use super::size::Size;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
@@ -119,15 +120,17 @@ impl LongFunctions {
             return Some(loops);
         }
         self.has_tables[at].set(true);
-        let mut out = format!("let mut values = [0.0; {}];\n", self.lengths[at]);
+        let length = self.lengths[at];
+        let mut out = long_array::declaration(length);
         let sources = parts.inputs.iter().map(|&input| source(graph, input));
         out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
             out,
-            "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, &mut values, Self::{0}_TABLE);",
-            function.name.to_uppercase()
+            "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, {1}, Self::{0}_TABLE);",
+            function.name.to_uppercase(),
+            long_array::borrowed(length)
         );
-        self.write_outputs(&mut out, self.lengths[at], outputs, method);
+        self.write_outputs(&mut out, length, outputs, method);
         Some(out)
     }
 

@@ -5,6 +5,7 @@ use crate::contract::{Method, Returns};
 use crate::dag::{Output, Place};
 use crate::emit::body::{Body, number, source};
 use crate::emit::copies::copies;
+use crate::emit::long_array;
 use crate::emit::progressions::counted;
 use std::fmt::Write;
 
@@ -20,7 +21,7 @@ impl Loops<'_> {
         let places = packed[self.parts.places];
         let mut out = String::new();
         if places > 0 {
-            let _ = writeln!(out, "let mut values = [0.0; {places}];");
+            out.push_str(&long_array::declaration(places));
         }
         for (index, array) in self.arrays.iter().enumerate() {
             if let Array::Numbers(numbers) = array {
