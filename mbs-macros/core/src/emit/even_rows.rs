@@ -57,21 +57,3 @@ pub(super) fn pays<'a>(runs: impl Iterator<Item = &'a [Vec<u32>]>) -> bool {
     }
     2 * even < whole
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{grouped, pays};
-
-    #[test]
-    fn rows_are_grouped_by_their_steps() {
-        let rows = [[9, 1], [8, 1], [7, 1], [3, 5], [4, 6], [0, 0]].map(Vec::from);
-        let groups = grouped(&rows);
-        let counts: Vec<usize> = groups.iter().map(|group| group.count).collect();
-        assert_eq!(counts, [3, 2, 1]);
-        assert_eq!(groups[0].first, [9, 1]);
-        assert_eq!(groups[0].steps, [u32::MAX, 0]);
-        assert!(!pays([&rows[..]].into_iter()));
-        let line: Vec<Vec<u32>> = (0..20).map(|row| vec![row, 3 * row]).collect();
-        assert!(pays([&line[..]].into_iter()));
-    }
-}
