@@ -3,6 +3,7 @@
 
 use crate::ParameterError;
 pub use crate::affinities::by_tangents as affinities;
+pub use crate::constant;
 use crate::linear::{added, vector};
 use nalgebra::{SMatrix, SVector};
 

@@ -79,6 +79,7 @@ impl RankLoss {
     pub(crate) fn new(
         time: f64,
         sigma_min: f64,
+        undetermined: bool,
         entries: impl Iterator<Item = &'static str>,
     ) -> Self {
         let (mut joints, mut count) = ([""; Self::MOST_JOINTS], 0);
@@ -91,7 +92,7 @@ impl RankLoss {
         RankLoss {
             time,
             sigma_min,
-            undetermined: false,
+            undetermined,
             joints,
             count,
         }

@@ -138,7 +138,7 @@ impl Thresholds {
     };
 
     /// For explicit steps with an elimination of K (`baselines/planned.rs`): rows are eliminated as long as they have a pivot.
-    /// a correction by what is left of the rows restores the digits that weak ones lose. Beside the pose of ten four-bar
+    /// A correction by what is left of the rows restores the digits that weak ones lose. Beside the pose of ten four-bar
     /// loops accelerations have errors of 1e-15 where σ² is about 1e-8, and of 2e-13 at about 1e-10.
     ///
     /// Rows of many loops lose their directions together, and the smallest eigenvalue of S is far below the smallest pivot.

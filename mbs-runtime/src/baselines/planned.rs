@@ -13,7 +13,7 @@
 //! kept have lost.
 
 use super::bench::Bench;
-use super::planned_proximal::PlannedProximal;
+use super::planned_proximal::{Equations, PlannedProximal};
 use crate::System;
 use crate::alf3f::closing::{self, Closed, Closing, Limits};
 use crate::alf3f::sparse::{Bordered, Rows, Slots};
@@ -145,9 +145,12 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         let mut acceleration = SVector::zeros();
         write_free_forces(system, t, q, v, &mut acceleration);
         if self.rows == Rows::Lost {
-            let (entries, x) = (&self.matrix.entries, &mut self.x);
-            let into = (&mut acceleration, lambda);
-            (self.proximal).accelerate(self.plan, entries, demand, x, into);
+            let equations = Equations {
+                plan: self.plan,
+                entries: &self.matrix.entries,
+                demand,
+            };
+            (self.proximal).accelerate(&equations, &mut self.x, &mut acceleration, lambda);
             return acceleration;
         }
         *lambda = negative(demand);
@@ -175,8 +178,12 @@ impl<const N: usize, const R: usize> Planned<N, R> {
         kappa: &mut SVector<f64, R>,
     ) {
         if self.rows == Rows::Lost {
-            let (entries, x) = (&self.matrix.entries, &mut self.x);
-            return (self.proximal).correct(self.plan, entries, demand, x, (v, kappa));
+            let equations = Equations {
+                plan: self.plan,
+                entries: &self.matrix.entries,
+                demand,
+            };
+            return (self.proximal).correct(&equations, &mut self.x, v, kappa);
         }
         let rates = self.rates(v);
         let missing = vector(|i| -(rates[i] + demand[i]));

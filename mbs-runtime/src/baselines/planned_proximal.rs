@@ -20,6 +20,13 @@ use nalgebra::SVector;
 /// direction with s > 4 δ is less than the δ²/s² that a pass with dense arrays leaves.
 const LEAST: usize = 4;
 
+/// A v + `demand` = 0, with the entries of K.
+pub(super) struct Equations<'a, const N: usize, const R: usize> {
+    pub(super) plan: &'a Elimination<N, R>,
+    pub(super) entries: &'a [f64],
+    pub(super) demand: &'a SVector<f64, R>,
+}
+
 /// K − δD, factored.
 #[derive(Clone)]
 pub(super) struct PlannedProximal<const N: usize, const R: usize> {
@@ -62,16 +69,15 @@ impl<const N: usize, const R: usize> PlannedProximal<N, R> {
     #[inline(never)]
     pub(super) fn accelerate(
         &self,
-        plan: &Elimination<N, R>,
-        entries: &[f64],
-        demand: &SVector<f64, R>,
+        equations: &Equations<N, R>,
         x: &mut [f64],
-        (v, lambda): (&mut SVector<f64, N>, &mut SVector<f64, R>),
+        v: &mut SVector<f64, N>,
+        lambda: &mut SVector<f64, R>,
     ) {
-        *lambda = self.without_direction(&-demand);
-        (plan.accelerate)(&self.factor, x, v, lambda);
-        let enough = PASSED * self.size(demand);
-        self.iterate(plan, entries, demand, x, (v, lambda), enough);
+        *lambda = self.without_direction(&-equations.demand);
+        (equations.plan.accelerate)(&self.factor, x, v, lambda);
+        let enough = PASSED * self.size(equations.demand);
+        self.iterate(equations, x, (v, lambda), enough);
     }
 
     /// Moves v along M⁻¹Aᵀ towards A v + `demand` = 0; adds the multipliers to κ.
@@ -79,37 +85,35 @@ impl<const N: usize, const R: usize> PlannedProximal<N, R> {
     #[inline(never)]
     pub(super) fn correct(
         &self,
-        plan: &Elimination<N, R>,
-        entries: &[f64],
-        demand: &SVector<f64, R>,
+        equations: &Equations<N, R>,
         x: &mut [f64],
-        (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
+        v: &mut SVector<f64, N>,
+        kappa: &mut SVector<f64, R>,
     ) {
-        let rest = self.rest(plan, entries, demand, v);
+        let rest = self.rest(equations, v);
         let enough = PASSED * self.size(&rest);
-        (plan.solve)(&self.factor, &rest, x, v, kappa);
-        self.iterate(plan, entries, demand, x, (v, kappa), enough);
+        (equations.plan.solve)(&self.factor, &rest, x, v, kappa);
+        self.iterate(equations, x, (v, kappa), enough);
     }
 
     /// The passes after the first one.
     fn iterate(
         &self,
-        plan: &Elimination<N, R>,
-        entries: &[f64],
-        demand: &SVector<f64, R>,
+        equations: &Equations<N, R>,
         x: &mut [f64],
         (v, kappa): (&mut SVector<f64, N>, &mut SVector<f64, R>),
         enough: f64,
     ) {
+        let solve = equations.plan.solve;
         let mut last = f64::INFINITY;
         for pass in 2..=PASSES {
-            let rest = self.rest(plan, entries, demand, v);
+            let rest = self.rest(equations, v);
             let size = self.size(&rest);
             if size <= enough {
                 return;
             }
             let (mut change, mut multipliers) = (SVector::zeros(), SVector::zeros());
-            (plan.solve)(&self.factor, &rest, x, &mut change, &mut multipliers);
+            solve(&self.factor, &rest, x, &mut change, &mut multipliers);
             let repeats = pass >= LEAST && !(size < SHRINKS * last);
             // The last pass is itself one of those that it is taken back from.
             let part = match repeats || pass == PASSES {
@@ -126,16 +130,10 @@ impl<const N: usize, const R: usize> PlannedProximal<N, R> {
     }
 
     /// −(A v + `demand`).
-    fn rest(
-        &self,
-        plan: &Elimination<N, R>,
-        entries: &[f64],
-        demand: &SVector<f64, R>,
-        v: &SVector<f64, N>,
-    ) -> SVector<f64, R> {
+    fn rest(&self, equations: &Equations<N, R>, v: &SVector<f64, N>) -> SVector<f64, R> {
         let mut rates = SVector::zeros();
-        (plan.rates)(entries, v, &mut rates);
-        self.without_direction(&vector(|i| -(rates[i] + demand[i])))
+        (equations.plan.rates)(equations.entries, v, &mut rates);
+        self.without_direction(&vector(|i| -(rates[i] + equations.demand[i])))
     }
 
     fn without_direction(&self, rest: &SVector<f64, R>) -> SVector<f64, R> {

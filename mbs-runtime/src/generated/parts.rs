@@ -66,6 +66,15 @@ pub fn advance<const WIDTH: usize, W: Word>(row: &mut [W; WIDTH], steps: &[W; WI
     }
 }
 
+/// A value that is computed when the program is compiled.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! constant {
+    ($value:expr) => {
+        const { $value }
+    };
+}
+
 /// The rows of a table of indices.
 pub fn rows_of<const COUNT: usize, Word: Copy + Into<u32>>(
     table: &[Word],

@@ -12,16 +12,19 @@ thread_local! {
 }
 
 /// An array that is too long for the stack: of each thread one is kept, so that only the first evaluation allocates.
+/// (Without the feature `std` it is in place.)
 ///
 /// What it holds at the beginning is left from other functions: a function writes each value before it reads it.
-#[cfg(feature = "std")]
 pub struct Values<const LENGTH: usize> {
+    #[cfg(feature = "std")]
     buffer: Vec<f64>,
+    #[cfg(not(feature = "std"))]
+    buffer: [f64; LENGTH],
 }
 
-#[cfg(feature = "std")]
 impl<const LENGTH: usize> Values<LENGTH> {
     /// The array of this thread, or a new one of zeros.
+    #[cfg(feature = "std")]
     #[inline]
     pub fn take() -> Self {
         let mut buffer = LONGEST.take();
@@ -29,6 +32,14 @@ impl<const LENGTH: usize> Values<LENGTH> {
             buffer.resize(LENGTH, 0.0);
         }
         Values { buffer }
+    }
+
+    /// An array of zeros.
+    #[cfg(not(feature = "std"))]
+    pub fn take() -> Self {
+        Values {
+            buffer: [0.0; LENGTH],
+        }
     }
 }
 
@@ -41,7 +52,6 @@ impl<const LENGTH: usize> Drop for Values<LENGTH> {
     }
 }
 
-#[cfg(feature = "std")]
 impl<const LENGTH: usize> Deref for Values<LENGTH> {
     type Target = [f64; LENGTH];
 
@@ -51,40 +61,11 @@ impl<const LENGTH: usize> Deref for Values<LENGTH> {
     }
 }
 
-#[cfg(feature = "std")]
 impl<const LENGTH: usize> DerefMut for Values<LENGTH> {
     #[inline]
     fn deref_mut(&mut self) -> &mut [f64; LENGTH] {
         let buffer = self.buffer.first_chunk_mut();
         buffer.expect("a buffer of this length")
-    }
-}
-
-/// The same without the standard library: in place.
-#[cfg(not(feature = "std"))]
-pub struct Values<const LENGTH: usize>([f64; LENGTH]);
-
-#[cfg(not(feature = "std"))]
-impl<const LENGTH: usize> Values<LENGTH> {
-    /// An array of zeros.
-    pub fn take() -> Self {
-        Values([0.0; LENGTH])
-    }
-}
-
-#[cfg(not(feature = "std"))]
-impl<const LENGTH: usize> Deref for Values<LENGTH> {
-    type Target = [f64; LENGTH];
-
-    fn deref(&self) -> &[f64; LENGTH] {
-        &self.0
-    }
-}
-
-#[cfg(not(feature = "std"))]
-impl<const LENGTH: usize> DerefMut for Values<LENGTH> {
-    fn deref_mut(&mut self) -> &mut [f64; LENGTH] {
-        &mut self.0
     }
 }
 

@@ -152,8 +152,8 @@ impl SingularityDetector {
         Some((self.pending.time, self.pending.sigma))
     }
 
-    /// Whether a loss at this time is that of a start at rest.
-    fn is_at_rest(&mut self, time: f64) -> bool {
+    /// Takes note that the motion has left the pose of this time; whether it began there at rest.
+    fn leaves_rest(&mut self, time: f64) -> bool {
         let rest = self.rest.take();
         rest.is_some_and(|start| self.came_back || time == start)
     }
@@ -239,8 +239,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let involved = involved
             .iter()
             .filter_map(|&i| Some(S::MODEL.rows.get(i)?.entry));
-        let mut loss = RankLoss::new(time, sigma, involved);
-        loss.undetermined = self.singularities.is_at_rest(time);
+        let undetermined = self.singularities.leaves_rest(time);
+        let loss = RankLoss::new(time, sigma, undetermined, involved);
         self.singularities.losses.push(loss);
     }
 }

@@ -4,18 +4,18 @@
 //! of a processor where there are some hundred joints.
 
 /// Rows that follow each other by the same steps.
-pub(super) struct EvenRows<'a> {
-    pub(super) count: usize,
-    pub(super) first: &'a [u32],
+struct EvenRows<'a> {
+    count: usize,
+    first: &'a [u32],
     /// What is added to each place, modulo 2³².
-    pub(super) steps: Vec<u32>,
+    steps: Vec<u32>,
 }
 
 /// The most rows: their number is one word.
 const MOST: usize = u16::MAX as usize;
 
 /// The rows in groups, each as long as possible.
-pub(super) fn grouped(rows: &[Vec<u32>]) -> Vec<EvenRows<'_>> {
+fn grouped(rows: &[Vec<u32>]) -> Vec<EvenRows<'_>> {
     let mut groups = Vec::new();
     let mut from = 0;
     while let Some(first) = rows.get(from) {
@@ -56,4 +56,15 @@ pub(super) fn pays<'a>(runs: impl Iterator<Item = &'a [Vec<u32>]>) -> bool {
         even += grouped(rows).len() * (1 + 2 * width);
     }
     2 * even < whole
+}
+
+/// The words of such groups, one after the other.
+pub(super) fn words(rows: &[Vec<u32>]) -> Vec<u32> {
+    let mut words = Vec::new();
+    for group in grouped(rows) {
+        words.push(group.count as u32);
+        words.extend(group.first);
+        words.extend(group.steps);
+    }
+    words
 }

@@ -32,8 +32,6 @@ pub(super) struct LongFunctions {
     /// Whether a method computes them by tables.
     has_tables: Vec<Cell<bool>>,
     word: Word,
-    /// Whether the tables are of groups of rows that grow by even steps.
-    even: bool,
 }
 
 /// A word of a table: u16, or u32 where the array is longer than u16 can count.
@@ -75,9 +73,7 @@ impl LongFunctions {
             numbers.push(own.collect());
         }
         let longest = lengths.iter().max().copied().unwrap_or(0);
-        let runs = functions.iter().flat_map(|(_, parts)| parts.rows());
         LongFunctions {
-            even: even_rows::pays(runs.map(|(_, rows)| rows)),
             numbers,
             shapes,
             has_tables: vec![Cell::new(false); lengths.len()],
@@ -120,17 +116,15 @@ impl LongFunctions {
             return Some(loops);
         }
         self.has_tables[at].set(true);
-        let length = self.lengths[at];
-        let mut out = long_array::declaration(length);
+        let mut out = long_array::declaration(self.lengths[at]);
         let sources = parts.inputs.iter().map(|&input| source(graph, input));
         out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
             out,
-            "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, {1}, Self::{0}_TABLE);",
-            function.name.to_uppercase(),
-            long_array::borrowed(length)
+            "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, values, Self::{0}_TABLE);",
+            function.name.to_uppercase()
         );
-        self.write_outputs(&mut out, length, outputs, method);
+        self.write_outputs(&mut out, self.lengths[at], outputs, method);
         Some(out)
     }
 
@@ -188,9 +182,11 @@ impl LongFunctions {
                 (2, _) => ("[i, j, place]", format!("{sink}.set(i, j, {value});")),
                 _ => ("[i, j, k, place]", format!("{sink}.set(i, j, k, {value});")),
             };
+            // The table is read when the program is compiled, not at each evaluation.
             let _ = writeln!(
                 out,
-                "for {pattern} in ::mbs_runtime::generated::rows_of({}) {{ {statement} }}",
+                "{}for {pattern} in ::mbs_runtime::generated::rows_of(::mbs_runtime::generated::constant!({})) {{ {statement} }}",
+                patience(&table),
                 self.word.list(&table)
             );
         }
@@ -205,22 +201,21 @@ impl LongFunctions {
         functions.filter(|&(at, _)| self.has_tables[at].get())
     }
 
-    /// The functions of the parts and the tables, for the methods that have been written; nothing if none needs them.
+    /// The functions of the parts and the tables, of rows or of groups of even ones, for the methods that have been written; nothing if none needs them.
     pub(super) fn items(&self, graph: &Graph, size: &mut Size) -> String {
         if self.functions.is_empty() {
             return String::new();
         }
         let mut out = String::new();
+        let runs = self.tabled().flat_map(|(_, (_, parts))| parts.rows());
+        let even = even_rows::pays(runs.map(|(_, rows)| rows));
         for (at, (name, parts)) in self.tabled() {
             // Each function has its own list: a program that does not call the function does not compile its parts.
             let (list, length) = (self.list(at), self.lengths[at]);
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
-            let table = self.table(at, &list);
-            let patience = match table.len() > LONGEST_UNREMARKED {
-                true => "#[allow(long_running_const_eval)]\n",
-                false => "",
-            };
+            let table = self.table(at, &list, even);
+            let patience = patience(&table);
             let _ = writeln!(
                 out,
                 "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&Self, &mut [f64; {length}], &[{5}]); {2}] = [{3}];\n{patience}const {1}_TABLE: &'static [{5}] = {4};",
@@ -244,7 +239,7 @@ impl LongFunctions {
         }
         for number in (0..self.shapes.len()).filter(|&number| needed[number]) {
             let start = out.len();
-            self.write_part(&mut out, graph, number);
+            self.write_part(&mut out, graph, number, even);
             // What several functions share is counted for the first of them.
             let (first, _) = self.shapes[number];
             size.add(self.functions[first].0, &out[start..]);
@@ -253,7 +248,7 @@ impl LongFunctions {
     }
 
     /// The code of one shape: a loop over rows of places, or a block if there is one row.
-    fn write_part(&self, out: &mut String, graph: &Graph, number: usize) {
+    fn write_part(&self, out: &mut String, graph: &Graph, number: usize, even: bool) {
         let (at, index) = self.shapes[number];
         let shape = &self.functions[at].1.shapes[index];
         let (length, word) = (self.lengths[at], self.word.name());
@@ -276,7 +271,7 @@ impl LongFunctions {
         let code = body.statements() + &writes;
         let code = match only {
             Some(_) => code,
-            None if self.even => format!(
+            None if even => format!(
                 "for (count, mut at, steps) in ::mbs_runtime::generated::even_rows::<{width}, _>(rows) {{ for _ in 0..count {{ {code} ::mbs_runtime::generated::advance(&mut at, &steps); }} }}"
             ),
             None => format!("for at in rows.as_chunks::<{width}>().0 {{ {code} }}"),
@@ -296,7 +291,7 @@ impl LongFunctions {
         list
     }
 
-    fn table(&self, at: usize, list: &[usize]) -> Vec<u8> {
+    fn table(&self, at: usize, list: &[usize], even: bool) -> Vec<u8> {
         let (parts, mut table) = (&self.functions[at].1, Vec::new());
         for run in &parts.runs {
             let rows = &parts.shapes[run.shape].table;
@@ -304,7 +299,10 @@ impl LongFunctions {
                 1 => &[],
                 _ => &rows[run.first..run.first + run.count],
             };
-            let words = self.words(rows);
+            let words = match even {
+                true => even_rows::words(rows),
+                false => rows.concat(),
+            };
             let length = words.len();
             let index = list.binary_search(&self.numbers[at][run.shape]);
             self.word.put(&mut table, index.unwrap_or_default());
@@ -315,18 +313,13 @@ impl LongFunctions {
         }
         table
     }
+}
 
-    /// Rows of places as words.
-    fn words(&self, rows: &[Vec<u32>]) -> Vec<u32> {
-        if !self.even {
-            return rows.concat();
-        }
-        let groups = even_rows::grouped(rows).into_iter();
-        let words = groups.flat_map(|group| {
-            let count = std::iter::once(group.count as u32);
-            count.chain(group.first.to_vec()).chain(group.steps)
-        });
-        words.collect()
+/// The attribute of a constant with this table.
+fn patience(table: &[u8]) -> &'static str {
+    match table.len() > LONGEST_UNREMARKED {
+        true => "#[allow(long_running_const_eval)]\n",
+        false => "",
     }
 }
 

@@ -72,7 +72,6 @@ impl SparseLu {
     }
 
     /// Analyses the pattern when it is first needed.
-    #[cold]
     fn factor_pivoted(&mut self) -> bool {
         if self.pivoted.is_none() {
             self.pivoted = PivotedLu::new(&self.columns).map(Box::new);

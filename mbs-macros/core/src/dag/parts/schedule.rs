@@ -130,8 +130,12 @@ pub(super) fn ordered(
 fn sort(batch: &mut [usize], spans: &[u32]) {
     let changes = batch.windows(2);
     let changes = changes.filter(|pair| spans[pair[0]] != spans[pair[1]]);
+    let changes = changes.count();
+    if changes == 0 {
+        return;
+    }
     let different: BTreeSet<u32> = batch.iter().map(|&group| spans[group]).collect();
-    if changes.count() > 2 * different.len() {
+    if changes > 2 * different.len() {
         batch.sort_by_key(|&group| spans[group]);
     }
 }
