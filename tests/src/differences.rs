@@ -411,11 +411,12 @@ fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     let correction = random.vector(1.0);
     let mut acceleration = SVector::zeros();
     let (mut lambda, mut inverse_pivot) = (SVector::zeros(), SVector::zeros());
+    let (_, a, _) = dense.constraints(t, q);
+    partitioned(findings, system, at, (&correction, &a, mass));
     let into = (&mut acceleration, &mut lambda, &mut inverse_pivot);
     if !system.accelerations(t, q, v, &correction, into.0, into.1, into.2) {
         return;
     }
-    let (_, a, _) = dense.constraints(t, q);
     let [mut f_q, mut f_v, mut p_q] = [(); 3].map(|()| zeros::<N, N>());
     system.force_tangents(t, q, v, &mut f_q, &mut f_v, &mut p_q);
     let inertial = mass * acceleration + *p_q * v;
@@ -438,6 +439,44 @@ fn accelerations<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     let (met, wanted) = (*a * acceleration, -gamma - correction);
     let [met, wanted] = [met, wanted].map(|x| rows.iter().map(|&r| x[r]).collect::<Vec<_>>());
     findings.compare("A v̇ + γ", &met, &wanted, 1e-9 * size(&wanted));
+}
+
+/// A v̇ + γ + correction = 0 for every row, and M v̇ + ṗ|_v − F has no part along velocities that the rows allow.
+fn partitioned<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    findings: &mut Findings,
+    system: &S,
+    at: &Arguments<Q, N, R>,
+    (correction, a, mass): (&SVector<f64, R>, &SMatrix<f64, R, N>, &SMatrix<f64, N, N>),
+) {
+    let dense = Dense(system);
+    let (t, q, v) = (at.time, &at.q, &at.v);
+    let (mut acceleration, mut weakness) = (SVector::zeros(), SVector::zeros());
+    let into = (&mut acceleration, &mut weakness);
+    let available = system.partitioned_accelerations(t, q, v, correction, into.0, into.1);
+    assert_eq!(available, S::PARTITIONED);
+    let weakest = weakness.max();
+    if !available || weakest > 1e4 {
+        return;
+    }
+    let size = |list: &[f64]| list.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+    let (_, gamma) = dense.constraint_rates(t, q, v);
+    let (met, wanted) = (a * acceleration, -gamma - correction);
+    let tolerance = 1e-10 * weakest.max(1.0) * size(wanted.as_slice());
+    let (met, wanted) = (met.as_slice(), wanted.as_slice());
+    findings.compare("A v̇ + γ by independent velocities", met, wanted, tolerance);
+    let [mut f_q, mut f_v, mut p_q] = [(); 3].map(|()| zeros::<N, N>());
+    system.force_tangents(t, q, v, &mut f_q, &mut f_v, &mut p_q);
+    let left = mass * acceleration + *p_q * v - dense.total(t, q, v);
+    // What is left is Aᵀλ with the λ of the normal equations.
+    let normal = a * a.transpose();
+    let Some(normal) = normal.cholesky() else {
+        return;
+    };
+    let lambda = normal.solve(&(a * left));
+    let pushes = a.tr_mul(&lambda);
+    let tolerance = 1e-8 * weakest.max(1.0) * size(left.as_slice());
+    let (left, pushes) = (left.as_slice(), pushes.as_slice());
+    findings.compare("M v̇ + ṗ − F against Aᵀλ", left, pushes, tolerance);
 }
 
 /// The velocities without states, which have no energy.

@@ -251,6 +251,7 @@ pub const METHODS: &[Method] = &[
     method(Observables, "reactions", &[T, Q, V, read("acceleration", Velocities), read("lambda", Rows), write("reactions", Shape::Values)], Nothing, Generated),
 
     method(System, "accelerations", &[T, Q, V, read("correction", Rows), write("acceleration", Velocities), write("lambda", Rows), write("inverse_pivot", Rows)], Returns::Available, Generated),
+    method(System, "partitioned_accelerations", &[T, Q, V, read("correction", Rows), write("acceleration", Velocities), write("weakness", Rows)], Returns::Available, Generated),
 ];
 
 impl Method {

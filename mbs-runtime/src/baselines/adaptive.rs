@@ -61,7 +61,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         let (q, v) = (bench.state.positions, bench.state.velocities);
         let yardstick = &bench.yardstick;
         // At rest, the speed that the acceleration gives in the step, and that which moves no position.
-        let gained = h.abs() * yardstick.measure(self.stages.first_acceleration());
+        let gained = h.abs() * yardstick.measure(&self.stages.first_acceleration());
         let noise = yardstick.imperceptible(&q, h) / self.tolerance;
         let speed = yardstick.measure(&v).max(gained).max(noise);
         let scales = [yardstick.farthest(&q), speed];

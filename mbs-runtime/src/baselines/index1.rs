@@ -6,10 +6,13 @@ use crate::System;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::free::free;
-use crate::linear::{DelassusFactor, accumulate, vector};
+use crate::linear::{DelassusFactor, accumulate, largest, vector};
 use crate::singular::{REDUNDANT_OFF_ROWS, RankMargin};
 use crate::sink::Discard;
 use nalgebra::SVector;
+
+/// Weaker blocks are not used.
+const WEAKEST: f64 = 1e4;
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte if the settings have them:
 ///
@@ -29,6 +32,7 @@ pub(crate) struct Index1<const N: usize, const R: usize> {
     /// λ of the last acceleration.
     pub(crate) lambda: SVector<f64, R>,
     inverse_pivot: SVector<f64, R>,
+    weakness: SVector<f64, R>,
     /// The least and the largest 1/σ² of the evaluations since [`Self::begin`], with the smallest singular value σ of the
     /// rows.
     range: [f64; 2],
@@ -45,6 +49,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             gamma: SVector::zeros(),
             lambda: SVector::zeros(),
             inverse_pivot: SVector::zeros(),
+            weakness: SVector::zeros(),
             range: [f64::INFINITY, 0.0],
         }
     }
@@ -117,6 +122,9 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         q: &SVector<f64, Q>,
         v: &SVector<f64, N>,
     ) -> Result<SVector<f64, N>, Fault> {
+        if let Some(acceleration) = self.by_partition(bench, t, q, v) {
+            return Ok(acceleration);
+        }
         if let Some(acceleration) = self.by_plan(bench, t, q, v) {
             return Ok(acceleration);
         }
@@ -145,6 +153,30 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             self.note(1.0 / (now.least * now.least));
         }
         Ok(self.acceleration(bench, t, q, v))
+    }
+
+    /// v̇ by independent velocities; `None` where there is no such function, and where a block of it is weak.
+    #[inline(always)]
+    fn by_partition<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> Option<SVector<f64, N>> {
+        if const { !S::PARTITIONED } {
+            return None;
+        }
+        let correction = self.stabilisation(bench, t, q, v);
+        let (system, weakness) = (&bench.system, &mut self.weakness);
+        let mut acceleration = SVector::zeros();
+        system.partitioned_accelerations(t, q, v, &correction, &mut acceleration, weakness);
+        let most = largest(weakness);
+        if most <= WEAKEST {
+            self.note(most);
+            return Some(acceleration);
+        }
+        None
     }
 
     /// v̇ by the planned elimination; `None` where there is none, and where dense equations are needed.

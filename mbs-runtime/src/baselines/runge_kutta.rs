@@ -9,7 +9,7 @@ use super::tableau::Tableau;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{add_scaled, added, scaled};
+use crate::linear::{add_scaled, added, array, entries, scaled};
 use nalgebra::SVector;
 
 /// Room for the stages of a step.
@@ -17,8 +17,19 @@ use nalgebra::SVector;
 pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     pub(crate) tableau: &'static Tableau,
     /// θ̇ and v̇ of each stage.
-    slopes: Box<[[SVector<f64, N>; 2]]>,
+    slopes: Box<[[[f64; N]; 2]]>,
+    /// What is not zero of a, by stages from the second on, and of b: stages and coefficients.
+    sums: Box<[Terms]>,
+    /// The same of the embedded methods.
+    error: Terms,
+    embedded: Option<[Terms; 2]>,
 }
+
+/// Stages and their coefficients.
+type Terms = Box<[(usize, f64)]>;
+
+/// Stages that are added to an entry while it is in a register.
+const SEVERAL: usize = 4;
 
 /// Where a step ends.
 pub(crate) struct End<const Q: usize, const N: usize> {
@@ -28,9 +39,13 @@ pub(crate) struct End<const Q: usize, const N: usize> {
 
 impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
     pub(crate) fn new(tableau: &'static Tableau) -> Self {
+        let sums = tableau.stages.iter().copied().chain([tableau.weights]);
         RungeKutta {
             tableau,
-            slopes: vec![[SVector::zeros(); 2]; tableau.nodes.len()].into_boxed_slice(),
+            slopes: vec![[[0.0; N]; 2]; tableau.nodes.len()].into_boxed_slice(),
+            sums: sums.map(terms).collect(),
+            error: terms(tableau.error),
+            embedded: tableau.embedded.map(|two| two.map(terms)),
         }
     }
 
@@ -52,31 +67,28 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             let t = t0 + tableau.nodes[stage] * h;
             let (mut turn, mut q, mut v) = (SVector::zeros(), q0, v0);
             if stage > 0 {
-                self.combine(tableau.stages[stage - 1], h, &mut turn, &mut v);
+                [turn, v] = self.combine(&self.sums[stage - 1], h, &v0);
                 q = bench.system.advance(&q0, &turn, 1.0);
             }
             let acceleration = equations.evaluate(bench, t, &q, &v)?;
             let weight = h * tableau.weights[stage];
             bench.add_works(weight, bench.powers(t, &q, &v, &equations.lambda));
             unroll::<S, Q, N, R>(&turn, &mut v);
-            self.slopes[stage] = [v, acceleration];
+            self.slopes[stage] = [*entries(&v), *entries(&acceleration)];
         }
-        let (mut turn, mut v) = (SVector::zeros(), v0);
-        self.combine(tableau.weights, h, &mut turn, &mut v);
+        let [turn, v] = self.combine(&self.sums[tableau.stages.len()], h, &v0);
         let q = bench.system.advance(&q0, &turn, 1.0);
         Ok(End { q, v })
     }
 
     /// v̇ where the last step began.
-    pub(crate) fn first_acceleration(&self) -> &SVector<f64, N> {
-        &self.slopes[0][1]
+    pub(crate) fn first_acceleration(&self) -> SVector<f64, N> {
+        SVector::from(self.slopes[0][1])
     }
 
     /// h Σ (b − b̂)_i k_i of the last step: what its error in θ and v may be.
     pub(crate) fn error(&self, h: f64) -> [SVector<f64, N>; 2] {
-        let [mut turn, mut change] = [SVector::zeros(); 2];
-        self.combine(self.tableau.error, h, &mut turn, &mut change);
-        [turn, change]
+        self.combine(&self.error, h, &SVector::zeros())
     }
 
     /// An estimate of the error of the last step, as that of the code DOP853 (Hairer, Nørsett, Wanner: Solving Ordinary
@@ -87,9 +99,8 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         h: f64,
         size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
     ) -> Option<f64> {
-        let [fifth, third] = self.tableau.embedded?.map(|differences| {
-            let [mut turn, mut change] = [SVector::zeros(); 2];
-            self.combine(differences, h, &mut turn, &mut change);
+        let [fifth, third] = self.embedded.as_ref()?.each_ref().map(|differences| {
+            let [turn, change] = self.combine(differences, h, &SVector::zeros());
             size(&turn, &change)
         });
         let both = (fifth * fifth + 0.01 * third * third).sqrt();
@@ -100,22 +111,47 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         })
     }
 
-    /// θ and v ← + h Σ c_j k_j.
+    /// 0 and v₀ + h Σ c_j k_j.
     #[inline(always)]
     fn combine(
         &self,
-        coefficients: &[f64],
+        terms: &[(usize, f64)],
         h: f64,
-        turn: &mut SVector<f64, N>,
-        v: &mut SVector<f64, N>,
-    ) {
-        for (c, [rate, acceleration]) in coefficients.iter().zip(&*self.slopes) {
-            if *c != 0.0 {
-                add_scaled(turn, h * c, rate);
-                add_scaled(v, h * c, acceleration);
+        v0: &SVector<f64, N>,
+    ) -> [SVector<f64, N>; 2] {
+        let mut ends = [[0.0; N], *entries(v0)];
+        let several = terms.chunks_exact(SEVERAL);
+        let rest = several.remainder();
+        for terms in several {
+            self.add::<SEVERAL>(terms, h, &mut ends);
+        }
+        for term in rest.chunks_exact(1) {
+            self.add::<1>(term, h, &mut ends);
+        }
+        ends.map(SVector::from)
+    }
+
+    /// Adds K terms, one after the other, to each entry.
+    #[inline(always)]
+    fn add<const K: usize>(&self, terms: &[(usize, f64)], h: f64, ends: &mut [[f64; N]; 2]) {
+        let factors: [f64; K] = array(|k| h * terms[k].1);
+        let slopes: [&[[f64; N]; 2]; K] = std::array::from_fn(|k| &self.slopes[terms[k].0]);
+        for part in 0..2 {
+            for i in 0..N {
+                let mut sum = ends[part][i];
+                for k in 0..K {
+                    sum += factors[k] * slopes[k][part][i];
+                }
+                ends[part][i] = sum;
             }
         }
     }
+}
+
+/// The coefficients that are not zero.
+fn terms(coefficients: &[f64]) -> Terms {
+    let all = coefficients.iter().copied().enumerate();
+    all.filter(|&(_, c)| c != 0.0).collect()
 }
 
 /// The classical step of order 4, with its sums written out.

@@ -436,6 +436,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
 {
     const MODEL: &'static Model = S::MODEL;
     const STRUCTURE: Structure = S::STRUCTURE;
+    const PARTITIONED: bool = S::PARTITIONED;
 
     fn accelerations(
         &self,
@@ -465,6 +466,24 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
             true => inverse_pivot[i] / self.delassus_factor(i, i),
             false => inverse_pivot[i],
         });
+        generated
+    }
+
+    fn partitioned_accelerations(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        correction: &SVector<f64, R>,
+        acceleration: &mut SVector<f64, N>,
+        weakness: &mut SVector<f64, R>,
+    ) -> bool {
+        let (q, v) = (over(q, |i| self.q[i]), over(v, |i| self.v[i]));
+        let correction = over(correction, |i| self.rate[i] / self.time);
+        let t = t / self.time;
+        let generated =
+            (self.inner).partitioned_accelerations(t, &q, &v, &correction, acceleration, weakness);
+        *acceleration = times(acceleration, |i| self.v[i] / self.time);
         generated
     }
 }

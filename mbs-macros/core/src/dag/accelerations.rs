@@ -30,29 +30,29 @@ pub(super) fn accelerations(
     graph: &mut Graph,
     hoisted: &mut Hoisted,
     derived: &Derived,
+    demand: &Demand,
 ) -> Option<Function> {
     let (size, rows) = (derived.system.size, derived.system.rows.len());
     if size > LARGEST || rows > LARGEST {
         return None;
     }
-    let demand = demand(graph, derived);
     let mut code = Lowering::new(graph, hoisted);
     if derived.constant_mass {
-        with_inverse(&mut code, derived, &demand);
+        with_inverse(&mut code, derived, demand);
     } else {
-        with_factor(&mut code, derived, &demand);
+        with_factor(&mut code, derived, demand);
     }
     let function = code.finish("accelerations");
     (function.operations.len() <= LONGEST).then_some(function)
 }
 
 /// F − ṗ|_v, and −γ − correction of each row.
-struct Demand {
-    forces: Vec<Expr>,
-    rows: Vec<Expr>,
+pub(super) struct Demand {
+    pub(super) forces: Vec<Expr>,
+    pub(super) rows: Vec<Expr>,
 }
 
-fn demand(graph: &mut Graph, derived: &Derived) -> Demand {
+pub(super) fn demand(graph: &mut Graph, derived: &Derived) -> Demand {
     let rates = graph.rates_at_constant_velocity(&derived.momentum);
     let forces = derived
         .total_forces

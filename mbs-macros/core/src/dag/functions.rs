@@ -1,9 +1,10 @@
 //! Which functions a mechanism gets, and what each computes.
 
-use super::accelerations::accelerations;
+use super::accelerations::{accelerations, demand};
 use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
+use super::partitioned::partitioned_accelerations;
 use super::tangents::{all_tangents, turning};
 use super::{
     Constant, Function, Labels, Operand, Place, Program, RotationBlock, Sparse, Structure,
@@ -151,7 +152,19 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     functions
         .retain(|function| function.name != "affinities" || function.operations.len() <= LONGEST);
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
-    functions.extend(accelerations(&mut graph, &mut hoisted, derived));
+    let demand = demand(&mut graph, derived);
+    let with_multipliers = accelerations(&mut graph, &mut hoisted, derived, &demand);
+    if !structure.time_dependent {
+        let known = hoisted.count();
+        let longest = with_multipliers.as_ref().map(|code| code.cost().total());
+        match partitioned_accelerations(&mut graph, &mut hoisted, derived, &demand) {
+            Some(code) if longest.is_none_or(|most| code.cost().total() < most) => {
+                functions.push(code);
+            }
+            _ => hoisted.keep(known),
+        }
+    }
+    functions.extend(with_multipliers);
     // Long functions are lowered with a likeness.
     let all_tangents = likeness
         .and_then(|likeness| all_tangents(&mut graph, &mut hoisted, likeness, derived, &functions));

@@ -64,6 +64,17 @@ impl Hoisted {
         [known, varying]
     }
 
+    /// How many there are.
+    pub(super) fn count(&self) -> usize {
+        self.list.len()
+    }
+
+    /// Keeps the first ones: the others belong to a function that is not used.
+    pub(super) fn keep(&mut self, count: usize) {
+        self.list.truncate(count);
+        self.index = self.list.iter().copied().zip(0..).collect();
+    }
+
     fn slot(&mut self, expr: Expr) -> usize {
         *self.index.entry(expr).or_insert_with(|| {
             self.list.push(expr);
@@ -287,6 +298,19 @@ impl<'a> Lowering<'a> {
             square
         } else {
             self.push(Operation::Multiply(square, base))
+        }
+    }
+
+    /// −a.
+    pub(super) fn negative(&mut self, a: Operand) -> Operand {
+        match a {
+            Operand::Number(number) => Operand::number(-number.value()),
+            Operand::Value(slot) => match self.operations[slot] {
+                Operation::Negate(inner) => inner,
+                Operation::Subtract(x, y) => self.push(Operation::Subtract(y, x)),
+                _ => self.push(Operation::Negate(a)),
+            },
+            _ => self.push(Operation::Negate(a)),
         }
     }
 

@@ -12,6 +12,8 @@ mod functions;
 mod kernels;
 mod likeness;
 mod lower;
+mod partition;
+mod partitioned;
 mod parts;
 mod reciprocals;
 mod run;

@@ -302,6 +302,14 @@ pub(super) fn acceleration_level(program: &Program) -> &'static str {
     }
 }
 
+/// The constant that says that accelerations follow from independent velocities; nothing where they do not.
+pub(super) fn partitioned(program: &Program) -> &'static str {
+    match program.function("partitioned_accelerations") {
+        Some(_) => "const PARTITIONED: bool = true;\n",
+        None => "",
+    }
+}
+
 /// The constant `HELD`; nothing where no initial value is held.
 pub(super) fn held(held: &[Held]) -> String {
     if held.is_empty() {

@@ -80,7 +80,8 @@ pub(super) fn emit(
         (
             Capability::System,
             format!(
-                "const MODEL: &'static ::mbs_runtime::Model = MODEL;\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n"
+                "const MODEL: &'static ::mbs_runtime::Model = MODEL;\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n{}",
+                metadata::partitioned(program)
             ),
         ),
     ];

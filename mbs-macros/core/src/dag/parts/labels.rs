@@ -74,9 +74,8 @@ impl Labels {
     pub(super) fn of_output(&self, output: &Output) -> [u32; 2] {
         let at = |list: &[u32], i: usize| list.get(i).copied().unwrap_or(NONE);
         let (of_rows, of_columns): (&[u32], &[u32]) = match output.sink {
-            "phi" | "b" | "gamma" | "lambda" | "rates" | "pivot_loss" | "inverse_pivot" => {
-                (&self.rows, &[])
-            }
+            "phi" | "b" | "gamma" | "lambda" | "rates" | "pivot_loss" | "inverse_pivot"
+            | "weakness" => (&self.rows, &[]),
             "a" | "a_rate" | "w" => (&self.rows, &self.velocities),
             "delassus" => (&self.rows, &self.rows),
             "reactions" => (&self.reactions, &[]),
