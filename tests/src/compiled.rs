@@ -113,6 +113,14 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         table.vector("accelerations", "lambda", multipliers.as_slice());
     }
 
+    let (mut explicit, mut weakness) = (SVector::zeros(), SVector::zeros());
+    let into = (&mut explicit, &mut weakness);
+    if system.partitioned_accelerations(t, q, v, lambda, into.0, into.1) {
+        let name = "partitioned_accelerations";
+        table.vector(name, "acceleration", explicit.as_slice());
+        table.vector(name, "weakness", weakness.as_slice());
+    }
+
     table.insert(("kinetic_energy", "", [0; 3]), system.kinetic_energy(q, v));
     table.insert(("potential_energy", "", [0; 3]), system.potential_energy(q));
     table.insert(

@@ -380,7 +380,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
 {
     const MODEL: &'static Model = S::MODEL;
     const STRUCTURE: Structure = S::STRUCTURE;
-    const PARTITIONED: bool = S::PARTITIONED;
 
     fn accelerations(
         &self,
@@ -396,21 +395,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> System<
             (self.inner).accelerations(t, q, v, correction, acceleration, lambda, inverse_pivot);
         self.vector("accelerations", acceleration.as_mut_slice());
         self.vector("multipliers", lambda.as_mut_slice());
-        generated
-    }
-
-    fn partitioned_accelerations(
-        &self,
-        t: f64,
-        q: &SVector<f64, Q>,
-        v: &SVector<f64, N>,
-        correction: &SVector<f64, R>,
-        acceleration: &mut SVector<f64, N>,
-        weakness: &mut SVector<f64, R>,
-    ) -> bool {
-        let generated =
-            (self.inner).partitioned_accelerations(t, q, v, correction, acceleration, weakness);
-        self.vector("partitioned accelerations", acceleration.as_mut_slice());
         generated
     }
 }

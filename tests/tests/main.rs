@@ -30,6 +30,7 @@ mod friction;
 mod fuzz;
 mod held_starts;
 mod home;
+mod independent_velocities;
 mod integrability;
 mod large;
 mod layers;

@@ -82,7 +82,7 @@ impl Scales {
     /// `None` where M has no diagonal entry.
     fn new(graph: &mut Graph, derived: &Derived, rows: &Rows) -> Option<Scales> {
         let system = &derived.system;
-        let mut at_guess = Substitution::default();
+        let mut at_guess = Substitution::nameless();
         for (i, &slot) in system.layout.slots.iter().enumerate() {
             let guess = system.layout.coordinates[slot].guess;
             at_guess.insert(Symbol::Coordinate(i as u32), guess);

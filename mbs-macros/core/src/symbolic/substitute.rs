@@ -9,9 +9,19 @@ pub struct Substitution {
     /// Symbols that stand for a sum of other entries, with its terms.
     sums: Map<Symbol, Vec<(Expr, f64)>>,
     done: Map<Expr, Expr>,
+    /// Whether name suggestions stay behind.
+    nameless: bool,
 }
 
 impl Substitution {
+    /// One whose results have no suggested names: they are values at one pose.
+    pub fn nameless() -> Self {
+        Substitution {
+            nameless: true,
+            ..Substitution::default()
+        }
+    }
+
     /// Replaces `symbol` by `expr` from now on (to be called before the first use).
     pub fn insert(&mut self, symbol: Symbol, expr: Expr) {
         self.map.insert(symbol, expr);
@@ -36,7 +46,7 @@ impl Substitution {
 }
 
 impl Graph {
-    /// `expr` with all symbols of the substitution replaced. Name suggestions carry over.
+    /// `expr` with all symbols of the substitution replaced. Name suggestions carry over, unless it is nameless.
     pub fn substitute(&mut self, expr: Expr, substitution: &mut Substitution) -> Expr {
         if let Some(&known) = substitution.done.get(&expr) {
             return known;
@@ -98,7 +108,8 @@ impl Graph {
                 self.table(&table, order, x)
             }
         };
-        if let Some(name) = self.hints.get(&expr).cloned()
+        if !substitution.nameless
+            && let Some(name) = self.hints.get(&expr).cloned()
             && !matches!(self.node(result), Node::Symbol(_) | Node::Constant(_))
         {
             self.suggest_name(result, name);

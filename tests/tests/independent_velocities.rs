@@ -1,0 +1,101 @@
+//! Accelerations by independent velocities: which mechanisms have them, and that dead points do no harm.
+
+use mbs_runtime::{
+    BaselineStepper, BaumgarteSettings, Mechanism, Method, Settings, Simulation, State, System,
+    mechanism,
+};
+use mbs_tests::dense::Dense;
+
+// The rocker is declared first, so that its velocity is the independent one. Where crank and coupler are in line it does not
+// determine theirs: a dead point, though no singular pose. Lengths 1, 4, 3 and a base of 4; the crank begins at `start`.
+mechanism!(CrankRocker {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    start: Param(1.0_rad),
+    rate: Param(2.0_rad_per_s),
+    rocker: Bar(mass = 3.0_kg, length = 3.0_m, angle = 100.0_deg),
+    coupler: Bar(mass = 4.0_kg, length = 4.0_m, angle = 30.0_deg),
+    crank: Bar(
+        mass = 1.0_kg,
+        length = 1.0_m,
+        angle = Exactly(start),
+        rate = Exactly(rate)
+    ),
+    foot: Revolute(ground.point(4.0_m, 0.0), rocker.a),
+    shaft: Revolute(ground.origin, crank.a),
+    head: Revolute(coupler.b, rocker.b),
+    pin: Revolute(crank.b, coupler.a),
+});
+
+// Four velocities, two of them independent: M with its rows takes fewer operations.
+mechanism!(DoublePendulum {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    upper: Bar(mass = 1.0_kg, length = 1.0_m, angle = 10.0_deg),
+    lower: Bar(mass = 1.0_kg, length = 1.0_m, angle = -20.0_deg),
+    pivot: Revolute(ground.origin, upper.a),
+    elbow: Revolute(upper.b, lower.a),
+});
+
+fn is_partitioned<M, S, const Q: usize, const N: usize, const R: usize>(_: &M) -> bool
+where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    S::PARTITIONED
+}
+
+#[test]
+fn mechanisms_of_one_degree_of_freedom_have_them() {
+    assert!(is_partitioned(&CrankRocker::default()));
+    assert!(!is_partitioned(&DoublePendulum::default()));
+    assert!(!is_partitioned(&Dense(CrankRocker::default())));
+}
+
+/// What a Runge–Kutta step without terms of Baumgarte adds to the velocities of a state.
+fn gained<S, const Q: usize, const N: usize, const R: usize>(
+    system: S,
+    state: State<Q, N, R>,
+) -> Vec<f64>
+where
+    S: System<Q, N, R>,
+{
+    const STEP: f64 = 1e-5;
+    let settings = Settings {
+        method: Method::Baumgarte(BaumgarteSettings {
+            gain: 0.0,
+            ..BaumgarteSettings::default()
+        }),
+        order: 4,
+        step: STEP,
+        ..Settings::default()
+    };
+    let before = state.velocities;
+    let mut stepper = BaselineStepper::new(system, state, &settings).expect("a stepper");
+    stepper.step(STEP).expect("a step");
+    (stepper.state().velocities - before).as_slice().to_vec()
+}
+
+/// From a tenth of a radian beside the pose in which crank and coupler are in line to a hundred-millionth.
+#[test]
+fn dead_points_do_no_harm() {
+    // They are 5 m long there: a triangle with the base and the rocker.
+    let dead = ((25.0 + 16.0 - 9.0) / (2.0 * 5.0 * 4.0_f64)).acos();
+    for power in 1..=8 {
+        for side in [-1.0, 1.0] {
+            let start = dead + side * 0.1_f64.powi(power);
+            let rocker = CrankRocker {
+                start,
+                ..CrankRocker::default()
+            };
+            let simulation = Simulation::new(rocker.clone()).expect("assembled");
+            let state = simulation.state();
+            let partitioned = gained(rocker.prepare().expect("a system"), state.clone());
+            let rocker = Dense(rocker).prepare().expect("a system");
+            let dense = gained(rocker, state.clone());
+            let size = dense.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+            let errors = partitioned.iter().zip(&dense).map(|(a, b)| (a - b).abs());
+            let error = errors.fold(0.0, f64::max) / size;
+            println!("{:+.0e}: {error:.1e}", start - dead);
+            assert!(error < 1e-9, "{start}: {error:e}");
+        }
+    }
+}
