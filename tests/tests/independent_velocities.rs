@@ -86,7 +86,7 @@ fn dead_points_do_no_harm() {
                 start,
                 ..CrankRocker::default()
             };
-            let simulation = Simulation::new(rocker.clone()).expect("assembled");
+            let simulation = Simulation::new(rocker).expect("assembled");
             let state = simulation.state();
             let partitioned = gained(rocker.prepare().expect("a system"), state.clone());
             let rocker = Dense(rocker).prepare().expect("a system");
