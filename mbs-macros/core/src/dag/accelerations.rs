@@ -30,12 +30,13 @@ pub(super) fn accelerations(
     graph: &mut Graph,
     hoisted: &mut Hoisted,
     derived: &Derived,
-    demand: &Demand,
+    demand: &mut Option<Demand>,
 ) -> Option<Function> {
     let (size, rows) = (derived.system.size, derived.system.rows.len());
     if size > LARGEST || rows > LARGEST {
         return None;
     }
+    let demand = demand.get_or_insert_with(|| Demand::new(graph, derived));
     let mut code = Lowering::new(graph, hoisted);
     if derived.constant_mass {
         with_inverse(&mut code, derived, demand);
@@ -52,25 +53,27 @@ pub(super) struct Demand {
     pub(super) rows: Vec<Expr>,
 }
 
-pub(super) fn demand(graph: &mut Graph, derived: &Derived) -> Demand {
-    let rates = graph.rates_at_constant_velocity(&derived.momentum);
-    let forces = derived
-        .total_forces
-        .iter()
-        .zip(rates)
-        .map(|(&force, rate)| graph.sub(force, rate))
-        .collect();
-    let rows = derived
-        .convective
-        .iter()
-        .enumerate()
-        .map(|(r, &gamma)| {
-            let correction = graph.symbol(Symbol::Correction(r as u32));
-            let demand = graph.add(gamma, correction);
-            graph.neg(demand)
-        })
-        .collect();
-    Demand { forces, rows }
+impl Demand {
+    pub(super) fn new(graph: &mut Graph, derived: &Derived) -> Demand {
+        let rates = graph.rates_at_constant_velocity(&derived.momentum);
+        let forces = derived
+            .total_forces
+            .iter()
+            .zip(rates)
+            .map(|(&force, rate)| graph.sub(force, rate))
+            .collect();
+        let rows = derived
+            .convective
+            .iter()
+            .enumerate()
+            .map(|(r, &gamma)| {
+                let correction = graph.symbol(Symbol::Correction(r as u32));
+                let demand = graph.add(gamma, correction);
+                graph.neg(demand)
+            })
+            .collect();
+        Demand { forces, rows }
+    }
 }
 
 /// M is constant: its inverse is known, and S comes straight from q.

@@ -1,6 +1,6 @@
 //! Which functions a mechanism gets, and what each computes.
 
-use super::accelerations::{accelerations, demand};
+use super::accelerations::accelerations;
 use super::kernels::{LONGEST, kernels};
 use super::likeness::Likeness;
 use super::lower::{Hoisted, Lowering};
@@ -152,12 +152,13 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     functions
         .retain(|function| function.name != "affinities" || function.operations.len() <= LONGEST);
     functions.extend(kernels(&mut graph, &mut hoisted, derived));
-    let demand = demand(&mut graph, derived);
-    let with_multipliers = accelerations(&mut graph, &mut hoisted, derived, &demand);
+    // Derived for the first of them that needs it.
+    let mut demand = None;
+    let with_multipliers = accelerations(&mut graph, &mut hoisted, derived, &mut demand);
     if !structure.time_dependent {
         let known = hoisted.count();
         let longest = with_multipliers.as_ref().map(|code| code.cost().total());
-        match partitioned_accelerations(&mut graph, &mut hoisted, derived, &demand) {
+        match partitioned_accelerations(&mut graph, &mut hoisted, derived, &mut demand) {
             Some(code) if longest.is_none_or(|most| code.cost().total() < most) => {
                 functions.push(code);
             }

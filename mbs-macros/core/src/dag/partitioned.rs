@@ -10,6 +10,7 @@
 //! has to be used: `weakness` of a block is about the reciprocal of the square of its determinant, where that of the declared
 //! guess is usual.
 
+use super::accelerations::Demand;
 use super::elimination::{Factor, Rank, Sparse, Upper};
 use super::kernels::{Rows, rows};
 use super::lower::{Hoisted, Lowering};
@@ -27,7 +28,7 @@ pub(super) fn partitioned_accelerations(
     graph: &mut Graph,
     hoisted: &mut Hoisted,
     derived: &Derived,
-    demand: &super::accelerations::Demand,
+    demand: &mut Option<Demand>,
 ) -> Option<Function> {
     let system = &derived.system;
     let is_usable = derived.redundant.is_empty()
@@ -48,9 +49,9 @@ pub(super) fn partitioned_accelerations(
     let units: Vec<&str> = velocities.map(|velocity| velocity.unit.as_str()).collect();
     let blocks = partition(&pattern, &units)?;
     let scales = Scales::new(graph, derived, &rows)?;
-    let code = Lowering::new(graph, hoisted);
+    let demand: &Demand = demand.get_or_insert_with(|| Demand::new(graph, derived));
     let mut solution = Solution {
-        code,
+        code: Lowering::new(graph, hoisted),
         rows: &rows,
         particular: Sparse::new(),
         directions: Vec::new(),
@@ -68,8 +69,7 @@ pub(super) fn partitioned_accelerations(
     for (&i, &value) in &accelerations {
         code.write("acceleration", Place::Element(i), value);
     }
-    let function = code.finish("partitioned_accelerations");
-    Some(function)
+    Some(code.finish("partitioned_accelerations"))
 }
 
 /// Squared lengths of the rows and entries of M at the declared guess.
@@ -124,7 +124,7 @@ struct Solution<'a> {
 }
 
 impl Solution<'_> {
-    fn solve(&mut self, block: &Block, demand: &super::accelerations::Demand, scales: &Scales) {
+    fn solve(&mut self, block: &Block, demand: &Demand, scales: &Scales) {
         match block {
             Block::Free { column } => {
                 self.directions
@@ -168,7 +168,7 @@ impl Solution<'_> {
         rows: &[usize],
         columns: &[usize],
         matrix: &Matrix,
-        demand: &super::accelerations::Demand,
+        demand: &Demand,
         scales: &Scales,
     ) {
         let zero = Operand::number(0.0);
@@ -210,20 +210,21 @@ impl Solution<'_> {
     fn missing<const K: usize>(
         &mut self,
         rows: &[usize; K],
-        demand: &super::accelerations::Demand,
+        demand: &Demand,
     ) -> Vec<[Option<Operand>; K]> {
+        let mut entries = Vec::new();
         let whole = rows.map(|r| {
             let row = self.row(r);
             let wanted = self.code.operand(demand.rows[r]);
             let wanted = self.code.negative(wanted);
             let met = self.code.dot(&row, &self.particular);
+            entries.push(row);
             Some(self.code.less(wanted, met.unwrap_or(Operand::number(0.0))))
         });
         let mut list = vec![whole];
         for k in 0..self.directions.len() {
-            list.push(rows.map(|r| {
-                let row = self.row(r);
-                let met = self.code.dot(&row, &self.directions[k])?;
+            list.push(std::array::from_fn(|i| {
+                let met = self.code.dot(&entries[i], &self.directions[k])?;
                 Some(self.code.negative(met))
             }));
         }
@@ -312,7 +313,7 @@ impl Matrix {
 fn combine(
     code: &mut Lowering,
     derived: &Derived,
-    demand: &super::accelerations::Demand,
+    demand: &Demand,
     particular: Sparse,
     directions: &[Sparse],
 ) -> Sparse {
