@@ -35,12 +35,9 @@ pub(crate) fn work(
                 + elimination
                 + solution
                 + products;
-            (
-                of("accelerations")
-                    .filter(|&cost| cost > 0.0)
-                    .unwrap_or(dense),
-                constraints,
-            )
+            let written = ["partitioned_accelerations", "accelerations"].map(of);
+            let mut written = written.into_iter().flatten().filter(|&cost| cost > 0.0);
+            (written.next().unwrap_or(dense), constraints)
         }
         (_, Flow::Leapfrog) => (
             constraints + metric + cost("acceleration") + 3.0 * elimination + 2.0 * products,

@@ -22,6 +22,8 @@ use std::collections::BTreeMap;
 
 /// More rows make a function that is too long to be written as it is.
 const MOST_ROWS: usize = 4000;
+/// Squared lengths below this fraction of the largest one are round-off.
+const VANISHES: f64 = 1e-24;
 
 /// The function; `None` where blocks are large, degrees of freedom many, or the code would be long.
 pub(super) fn partitioned_accelerations(
@@ -79,7 +81,7 @@ struct Scales {
 }
 
 impl Scales {
-    /// `None` where M has no diagonal entry.
+    /// `None` where M has no diagonal entry, and where a row vanishes at the guess, which is then no usual pose.
     fn new(graph: &mut Graph, derived: &Derived, rows: &Rows) -> Option<Scales> {
         let system = &derived.system;
         let mut at_guess = Substitution::nameless();
@@ -101,6 +103,11 @@ impl Scales {
                 terms.push(graph.div(square, mass[j]));
             }
             lengths.push(graph.sum(terms));
+        }
+        let numbers = lengths.iter().filter_map(|&x| graph.as_constant(x));
+        let longest = numbers.clone().fold(0.0, f64::max);
+        if numbers.into_iter().any(|x| x <= VANISHES * longest) {
+            return None;
         }
         Some(Scales { lengths, mass })
     }
