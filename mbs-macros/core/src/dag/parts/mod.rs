@@ -11,6 +11,7 @@
 
 mod dominant;
 mod form;
+mod free_places;
 mod groups;
 mod kind;
 mod labels;

@@ -1,5 +1,6 @@
 //! The order in which groups are computed, and the places of values.
 
+use super::free_places::FreePlaces;
 use super::groups::Groups;
 use super::shape::{Member, Shape};
 use super::{Parts, Run};
@@ -207,7 +208,7 @@ struct Places {
     /// After which batch a value is needed no more.
     last: Vec<Vec<usize>>,
     batch: usize,
-    free: BTreeSet<u32>,
+    free: FreePlaces,
     /// Places of the batch, one after the other, so that those of alike groups grow by the same steps.
     next: Range<u32>,
     count: u32,
@@ -271,7 +272,7 @@ impl Places {
             of_values: vec![None; function.operations.len()],
             last: by_batch,
             batch: 0,
-            free: BTreeSet::new(),
+            free: FreePlaces::default(),
             next: 0..0,
         }
     }
@@ -286,24 +287,11 @@ impl Places {
 
     /// Takes places for the values that a batch leaves.
     fn begin_batch(&mut self, values: u32) {
-        let mut free = 0..0;
-        for &place in &self.free {
-            if free.end - free.start == values {
-                break;
-            }
-            match place == free.end {
-                true => free.end += 1,
-                false => free = place..place + 1,
-            }
-        }
-        if free.end - free.start < values {
-            free = self.count..self.count + values;
+        self.next = self.free.take(values).unwrap_or_else(|| {
+            let first = self.count;
             self.count += values;
-        }
-        free.clone().for_each(|place| {
-            self.free.remove(&place);
+            first..self.count
         });
-        self.next = free;
     }
 
     fn leave(&mut self, value: usize) -> u32 {
@@ -315,7 +303,9 @@ impl Places {
     /// The places of values that nothing needs after this batch are free for others.
     fn end_batch(&mut self) {
         for value in std::mem::take(&mut self.last[self.batch]) {
-            self.free.extend(self.of_values[value].take());
+            if let Some(place) = self.of_values[value].take() {
+                self.free.put(place);
+            }
         }
         self.batch += 1;
     }
