@@ -36,11 +36,18 @@ mechanism!(DoublePendulum {
     elbow: Revolute(upper.b, lower.a),
 });
 
-// Both lines through the origin, where the bead is declared: its row vanishes there, and no other pose can be compared
-// with that one.
+// The crank-rocker with a bead on both lines through the origin, where it is declared: its row vanishes there, and no other
+// pose can be compared with that one.
 mechanism!(Crossing {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    rocker: Bar(mass = 3.0_kg, length = 3.0_m, angle = 100.0_deg),
+    coupler: Bar(mass = 4.0_kg, length = 4.0_m, angle = 30.0_deg),
+    crank: Bar(mass = 1.0_kg, length = 1.0_m, angle = 1.0_rad),
     bead: Particle(mass = 1.0_kg),
+    foot: Revolute(ground.point(4.0_m, 0.0), rocker.a),
+    shaft: Revolute(ground.origin, crank.a),
+    head: Revolute(coupler.b, rocker.b),
+    pin: Revolute(crank.b, coupler.a),
     lines: Holonomic(bead.origin.x * bead.origin.x - bead.origin.y * bead.origin.y),
 });
 
