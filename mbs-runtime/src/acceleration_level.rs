@@ -1,6 +1,9 @@
 //! What follows from the equations at acceleration level, at one instant: v̇ and λ, and the outputs and reactions that
 //! read them.
 
+#[cfg(feature = "std")]
+mod eliminated;
+
 use crate::dynamics::Dynamics;
 use crate::fault::Fault;
 use crate::linear::zeros;
@@ -8,12 +11,16 @@ use crate::singular::WEAK_PIVOT;
 use crate::{State, System};
 use nalgebra::{SMatrix, SVector};
 
+#[cfg(feature = "std")]
+pub(crate) use eliminated::eliminated;
+
 /// The most velocities and rows of a mechanism that has a generated function of v̇ and λ.
 const LARGEST: usize = 16;
 
 /// v̇ and λ of M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0.
 ///
-/// By the generated function where there is one and all rows are clearly independent: this allocates nothing.
+/// By the generated function where there is one and all rows are clearly independent: this allocates nothing. Large
+/// mechanisms have their planned elimination, which allocates no dense arrays.
 ///
 /// # Errors
 /// A mass matrix that is not positive definite, or rows that admit no finite multiplier.
@@ -23,6 +30,10 @@ pub(crate) fn solve<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
 ) -> Result<(SVector<f64, N>, SVector<f64, R>), Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
     if let Some(found) = clearly(system, t, q, v)? {
+        return Ok(found);
+    }
+    #[cfg(feature = "std")]
+    if let Some(found) = eliminated(system, state) {
         return Ok(found);
     }
     let dynamics = Dynamics::of(system.clone(), t, q, v)?;

@@ -6,6 +6,7 @@ use crate::dynamics::Dynamics;
 use crate::fault::Fault;
 use crate::yardstick::Yardstick;
 use crate::{Reactions, State, System};
+use nalgebra::SVector;
 
 /// Maps λ of M v̇ + Γvv = f + Aᵀλ, A v̇ + γ = 0 to the joints.
 pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -14,15 +15,21 @@ pub(crate) fn reactions<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     step: f64,
 ) -> Result<Reactions, Fault> {
     let (t, q, v) = (state.time, &state.positions, &state.velocities);
+    let of = |acceleration: &SVector<f64, N>, lambda: &SVector<f64, R>, unique: bool| {
+        let mut values = vec![0.0; S::MODEL.reactions.len()];
+        system.reactions(t, q, v, acceleration, lambda, &mut values);
+        Reactions {
+            unique,
+            values,
+            multipliers: lambda.as_slice().to_vec(),
+        }
+    };
+    if let Some((acceleration, lambda)) = acceleration_level::eliminated(system, state) {
+        return Ok(of(&acceleration, &lambda, true));
+    }
     let dynamics = Dynamics::of(system.clone(), t, q, v)?;
-    let (acceleration, lambda) = (dynamics.accelerations(), dynamics.multipliers());
-    let mut values = vec![0.0; S::MODEL.reactions.len()];
-    system.reactions(t, q, v, acceleration, lambda, &mut values);
-    Ok(Reactions {
-        unique: is_unique(&dynamics, &Yardstick::new(system, step)),
-        values,
-        multipliers: lambda.as_slice().to_vec(),
-    })
+    let unique = is_unique(&dynamics, &Yardstick::new(system, step));
+    Ok(of(dynamics.accelerations(), dynamics.multipliers(), unique))
 }
 
 /// The most components of a mechanism whose reactions are evaluated on the stack.

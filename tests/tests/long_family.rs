@@ -82,7 +82,17 @@ fn it_moves_like_one_crank() {
         }
     }
     // The feet carry all, less what turns downwards: cranks stand upright with 1 rad/s.
-    let reactions = simulation.reactions().expect("reactions").values;
+    let reactions = simulation.reactions().expect("reactions");
+    assert!(reactions.unique);
+    let reactions = reactions.values;
+    // By elimination of rows, and by dense matrices.
+    let mut dynamics = simulation.dynamics().expect("dense equations");
+    for (of, &found) in Loops::MODEL.reactions.iter().zip(&reactions) {
+        let dense = dynamics.reaction(of.joint, of.component);
+        let dense = dense.expect("a component");
+        let error = (found - dense).abs();
+        assert!(error < 1e-9 * 9.81 * count, "{of:?}: {found} {dense}");
+    }
     let names = Loops::MODEL.reactions.iter();
     let feet = names
         .zip(&reactions)
