@@ -329,3 +329,18 @@ fn no_dense_array_is_allocated() {
     println!("{sparse} {dense} {dense_array}");
     assert!(sparse < dense_array && dense >= dense_array);
 }
+
+#[test]
+fn reactions_need_no_dense_array() {
+    let simulation = Simulation::new(Loops::default()).expect("assembled");
+    let velocities = Loops::MODEL.velocities.len();
+    let dense_array = velocities * velocities * size_of::<f64>();
+    let sparse = largest(|| {
+        simulation.reactions().expect("reactions");
+    });
+    let dense = largest(|| {
+        simulation.dynamics().expect("dense equations");
+    });
+    println!("{sparse} {dense} {dense_array}");
+    assert!(sparse < dense_array && dense >= dense_array);
+}
