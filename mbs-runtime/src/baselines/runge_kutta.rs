@@ -9,7 +9,7 @@ use super::tableau::Tableau;
 use crate::System;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{add_scaled, added, array, entries, scaled};
+use crate::linear::{add_scaled, added, array, entries, entries_mut, scaled};
 use nalgebra::SVector;
 
 /// Room for the stages of a step.
@@ -18,18 +18,37 @@ pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     pub(crate) tableau: &'static Tableau,
     /// θ̇ and v̇ of each stage.
     slopes: Box<[[[f64; N]; 2]]>,
-    /// What is not zero of a, by stages from the second on, and of b: stages and coefficients.
-    sums: Box<[Terms]>,
-    /// The same of the embedded methods.
-    error: Terms,
-    embedded: Option<[Terms; 2]>,
+    /// a from the second stage on, and b.
+    sums: Box<[Sum]>,
+    /// The differences of the embedded method, and of those of orders 5 and 3.
+    error: Sum,
+    embedded: Option<[Sum; 2]>,
 }
 
-/// Stages and their coefficients.
-type Terms = Box<[(usize, f64)]>;
+/// Σ c_j k_j over the first stage and a range of others: stages that a sum leaves out come next to the first.
+#[derive(Clone)]
+struct Sum {
+    first: f64,
+    from: usize,
+    others: Box<[f64]>,
+}
 
-/// Stages that are added to an entry while it is in a register.
-const SEVERAL: usize = 4;
+impl Sum {
+    fn new(coefficients: &[f64]) -> Self {
+        let used = |&j: &usize| coefficients[j] != 0.0;
+        let mut others = 1..coefficients.len().max(1);
+        let from = others.clone().find(used).unwrap_or(others.end);
+        let end = others.rfind(used).map_or(from, |last| last + 1);
+        Sum {
+            first: coefficients.first().copied().unwrap_or(0.0),
+            from,
+            others: coefficients.get(from..end).unwrap_or_default().into(),
+        }
+    }
+}
+
+/// Stages beside the first in the longest sum, that of order 8.
+const MOST: usize = 8;
 
 /// Where a step ends.
 pub(crate) struct End<const Q: usize, const N: usize> {
@@ -43,9 +62,9 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         RungeKutta {
             tableau,
             slopes: vec![[[0.0; N]; 2]; tableau.nodes.len()].into_boxed_slice(),
-            sums: sums.map(terms).collect(),
-            error: terms(tableau.error),
-            embedded: tableau.embedded.map(|two| two.map(terms)),
+            sums: sums.map(Sum::new).collect(),
+            error: Sum::new(tableau.error),
+            embedded: tableau.embedded.map(|two| two.map(Sum::new)),
         }
     }
 
@@ -63,21 +82,17 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             bench.state.velocities,
         );
         let tableau = self.tableau;
-        for stage in 0..tableau.nodes.len() {
-            let t = t0 + tableau.nodes[stage] * h;
-            let (mut turn, mut q, mut v) = (SVector::zeros(), q0, v0);
-            if stage > 0 {
-                [turn, v] = self.combine(&self.sums[stage - 1], h, &v0);
-                q = bench.system.advance(&q0, &turn, 1.0);
-            }
+        let stages = tableau.nodes.iter().zip(tableau.weights);
+        let (mut turn, mut q, mut v) = (SVector::zeros(), q0, v0);
+        for (stage, (&node, &weight)) in stages.enumerate() {
+            let t = t0 + node * h;
             let acceleration = equations.evaluate(bench, t, &q, &v)?;
-            let weight = h * tableau.weights[stage];
-            bench.add_works(weight, bench.powers(t, &q, &v, &equations.lambda));
+            bench.add_works(h * weight, bench.powers(t, &q, &v, &equations.lambda));
             unroll::<S, Q, N, R>(&turn, &mut v);
             self.slopes[stage] = [*entries(&v), *entries(&acceleration)];
+            self.combine(&self.sums[stage], h, &v0, [&mut turn, &mut v]);
+            q = bench.system.advance(&q0, &turn, 1.0);
         }
-        let [turn, v] = self.combine(&self.sums[tableau.stages.len()], h, &v0);
-        let q = bench.system.advance(&q0, &turn, 1.0);
         Ok(End { q, v })
     }
 
@@ -88,7 +103,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
 
     /// h Σ (b − b̂)_i k_i of the last step: what its error in θ and v may be.
     pub(crate) fn error(&self, h: f64) -> [SVector<f64, N>; 2] {
-        self.combine(&self.error, h, &SVector::zeros())
+        self.difference(&self.error, h)
     }
 
     /// An estimate of the error of the last step, as that of the code DOP853 (Hairer, Nørsett, Wanner: Solving Ordinary
@@ -100,7 +115,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
     ) -> Option<f64> {
         let [fifth, third] = self.embedded.as_ref()?.each_ref().map(|differences| {
-            let [turn, change] = self.combine(differences, h, &SVector::zeros());
+            let [turn, change] = self.difference(differences, h);
             size(&turn, &change)
         });
         let both = (fifth * fifth + 0.01 * third * third).sqrt();
@@ -111,47 +126,57 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         })
     }
 
-    /// 0 and v₀ + h Σ c_j k_j.
+    fn difference(&self, sum: &Sum, h: f64) -> [SVector<f64, N>; 2] {
+        let [mut turn, mut change] = [SVector::zeros(); 2];
+        self.combine(sum, h, &SVector::zeros(), [&mut turn, &mut change]);
+        [turn, change]
+    }
+
+    /// θ = h Σ c_j θ̇_j and v₀ + h Σ c_j v̇_j. (Each entry stays in a register while the terms are added to it, one after the
+    /// other: for this their number has to be known.)
     #[inline(always)]
-    fn combine(
+    fn combine(&self, sum: &Sum, h: f64, v0: &SVector<f64, N>, into: [&mut SVector<f64, N>; 2]) {
+        match sum.others.len() {
+            0 => self.add::<0>(sum, h, v0, into),
+            1 => self.add::<1>(sum, h, v0, into),
+            2 => self.add::<2>(sum, h, v0, into),
+            3 => self.add::<3>(sum, h, v0, into),
+            4 => self.add::<4>(sum, h, v0, into),
+            5 => self.add::<5>(sum, h, v0, into),
+            6 => self.add::<6>(sum, h, v0, into),
+            7 => self.add::<7>(sum, h, v0, into),
+            _ => self.add::<MOST>(sum, h, v0, into),
+        }
+    }
+
+    /// [`Self::combine`] with K stages beside the first.
+    #[inline(always)]
+    fn add<const K: usize>(
         &self,
-        terms: &[(usize, f64)],
+        sum: &Sum,
         h: f64,
         v0: &SVector<f64, N>,
-    ) -> [SVector<f64, N>; 2] {
-        let mut ends = [[0.0; N], *entries(v0)];
-        let several = terms.chunks_exact(SEVERAL);
-        let rest = several.remainder();
-        for terms in several {
-            self.add::<SEVERAL>(terms, h, &mut ends);
-        }
-        for term in rest.chunks_exact(1) {
-            self.add::<1>(term, h, &mut ends);
-        }
-        ends.map(SVector::from)
-    }
-
-    /// Adds K terms, one after the other, to each entry.
-    #[inline(always)]
-    fn add<const K: usize>(&self, terms: &[(usize, f64)], h: f64, ends: &mut [[f64; N]; 2]) {
-        let factors: [f64; K] = array(|k| h * terms[k].1);
-        let slopes: [&[[f64; N]; 2]; K] = std::array::from_fn(|k| &self.slopes[terms[k].0]);
-        for part in 0..2 {
-            for i in 0..N {
-                let mut sum = ends[part][i];
-                for k in 0..K {
-                    sum += factors[k] * slopes[k][part][i];
-                }
-                ends[part][i] = sum;
+        [turn, v]: [&mut SVector<f64, N>; 2],
+    ) {
+        let (first, others) = (&self.slopes[0], &self.slopes[sum.from..][..K]);
+        let coefficients = &sum.others[..K];
+        let scale = h * sum.first;
+        let scales: [f64; K] = array(|k| h * coefficients[k]);
+        let entry = |start: f64, part: usize, i: usize| {
+            let mut entry = start + scale * first[part][i];
+            for k in 0..K {
+                entry += scales[k] * others[k][part][i];
             }
+            entry
+        };
+        for (i, turned) in entries_mut(turn).iter_mut().enumerate() {
+            *turned = entry(0.0, 0, i);
+        }
+        let starts = entries(v0).iter().zip(entries_mut(v));
+        for (i, (&start, end)) in starts.enumerate() {
+            *end = entry(start, 1, i);
         }
     }
-}
-
-/// The coefficients that are not zero.
-fn terms(coefficients: &[f64]) -> Terms {
-    let all = coefficients.iter().copied().enumerate();
-    all.filter(|&(_, c)| c != 0.0).collect()
 }
 
 /// The classical step of order 4, with its sums written out.
