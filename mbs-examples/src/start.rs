@@ -1,11 +1,14 @@
 //! Which methods are compiled for the scenes.
 
-use mbs_runtime::{AnySimulation, Mechanism, Settings, Simulation, SimulationError, System};
+use mbs_runtime::{
+    AnySimulation, Mechanism, Settings, Simulation, SimulationError, System, methods,
+};
 
-/// A simulation of a scene: with any method in builds with the feature `laboratory`, otherwise with the two-level one.
+/// A simulation of a scene: with any method in builds with the feature `laboratory`, otherwise with those of which an
+/// accuracy chooses one.
 ///
 /// # Errors
-/// As [`Simulation::with_any_method`], or [`Simulation::with_settings`].
+/// As [`Simulation::with_methods`].
 pub fn start<M, S, const Q: usize, const N: usize, const R: usize>(
     mechanism: M,
     settings: Settings,
@@ -15,8 +18,9 @@ where
     S: System<Q, N, R>,
 {
     #[cfg(feature = "laboratory")]
-    let simulation = Simulation::with_any_method(mechanism, settings)?;
+    let compiled = methods::Any;
     #[cfg(not(feature = "laboratory"))]
-    let simulation = Simulation::with_settings(mechanism, settings)?;
+    let compiled = methods::Projected;
+    let simulation = Simulation::with_methods(mechanism, settings, compiled)?;
     Ok(Box::new(simulation))
 }

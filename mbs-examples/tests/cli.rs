@@ -107,7 +107,7 @@ fn simulate_prints_one_object_with_all_keys() {
     for scene in scenes() {
         let name = scene["scene"].as_str().expect("a name");
         let time = short(&scene);
-        let output = mbs(&["simulate", name, "--time", &time, "--json"]);
+        let output = mbs(&["simulate", name, "--time", &time, "--order", "2", "--json"]);
         assert!(output.status.success(), "{name}: {}", stderr(&output));
         let run: Value = serde_json::from_str(&stdout(&output)).expect("JSON");
         for key in KEYS {
@@ -133,6 +133,37 @@ fn simulate_prints_one_object_with_all_keys() {
             assert!(value.is_f64(), "{name}: no {output} in {run:#}");
         }
     }
+}
+
+/// Without options a run has an accuracy; a step, a method or an order is taken as it is.
+#[test]
+fn a_run_has_an_accuracy_unless_told_otherwise() {
+    let run = |more: &[&str]| -> Value {
+        let output = mbs(&[&["simulate", "slider-crank", "--time", "1", "--json"], more].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        serde_json::from_str(&stdout(&output)).expect("JSON")
+    };
+    let chosen = run(&[]);
+    assert_eq!(chosen["accuracy"], 1e-6);
+    assert_eq!(chosen["method"], "projected");
+    assert!(chosen["energy_error_J"].as_f64().expect("a number") < 1e-5);
+    assert_eq!(chosen["final"], run(&["--accuracy", "1e-6"])["final"]);
+    for (more, step, order) in [
+        (["--step", "0.002"], 0.002, 2),
+        (["--order", "4"], 0.001, 4),
+        (["--method", "two-level"], 0.001, 2),
+    ] {
+        let run = run(&more);
+        assert!(run["accuracy"].is_null() && run["tolerance"].is_null());
+        assert_eq!(run["method"], "two-level");
+        assert_eq!(
+            (&run["step_s"], &run["order"]),
+            (&step.into(), &order.into())
+        );
+    }
+    let text = stdout(&mbs(&["simulate", "slider-crank", "--time", "1"]));
+    assert!(text.contains("chosen for an accuracy of 1e-6"), "{text}");
+    assert!(text.contains("for samples between them"), "{text}");
 }
 
 #[test]
@@ -161,6 +192,8 @@ fn simulate_writes_its_files_and_says_where() {
             name,
             "--time",
             &short(&scene),
+            "--order",
+            "2",
             "--out",
             text(&out),
         ]);

@@ -100,7 +100,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// A simulation with default settings, assembled from the declared guess.
+    /// A simulation with default settings, assembled from the declared guess: steps of a millisecond with the two-level method
+    /// of order 2, as a control loop takes them. ([`Simulation::with_accuracy`] chooses method, order and steps.)
     ///
     /// # Errors
     /// Parameters that do not make a mechanism, or a guess that cannot be assembled.

@@ -7,6 +7,9 @@ use super::failure::Failure;
 use super::find::{absent, unknown};
 use super::simulate::Simulate;
 
+/// The accuracy of runs for which no method, order, step or tolerance is given.
+const ACCURACY: f64 = 1e-6;
+
 /// A run whose arguments were checked.
 pub struct Request {
     /// Up to this time, s.
@@ -22,10 +25,13 @@ impl Request {
     pub fn new(arguments: &Simulate, scene: &Scene) -> Result<Self, Failure> {
         let tolerance = arguments.tolerance.as_deref().map(tolerance).transpose()?;
         let accuracy = arguments.accuracy.as_deref().map(accuracy).transpose()?;
+        let chooses = [&arguments.step, &arguments.method, &arguments.order];
+        let chooses = chooses.into_iter().any(Option::is_some);
         let mut settings = match (tolerance, accuracy) {
             (Some(tolerance), _) => Settings::for_tolerance(tolerance),
             (None, Some(accuracy)) => Settings::accuracy(accuracy),
-            (None, None) => Settings::default(),
+            (None, None) if chooses => Settings::default(),
+            (None, None) => Settings::accuracy(ACCURACY),
         };
         if let Some(text) = &arguments.order {
             settings.order = order(text)?;
@@ -37,7 +43,9 @@ impl Request {
                 "--step {step:e} is too small for --time {duration:e}: time would not advance; take a longer step"
             )));
         }
-        settings.method = method(&arguments.method)?;
+        if let Some(name) = &arguments.method {
+            settings.method = method(name)?;
+        }
         settings.step = step;
         let mut request = Request {
             duration,
@@ -119,7 +127,7 @@ fn method(name: &str) -> Result<Method, Failure> {
     let known = Method::NAMES.iter().copied();
     let method = Method::by_name(name).ok_or_else(|| Failure(unknown("method", name, known)))?;
     match method {
-        Method::TwoLevel => Ok(method),
+        Method::TwoLevel | Method::Projected => Ok(method),
         _ if cfg!(feature = "laboratory") => Ok(method),
         _ => Err(Failure(absent(&format!("the method `{name}`")))),
     }

@@ -30,20 +30,20 @@ pub struct Simulate {
     /// Simulated time, s [default: the scene's].
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub time: Option<String>,
-    /// Step, s [default: the scene's]; with --tolerance the first step.
+    /// Step, s, of constant length; with --tolerance or --accuracy the first one [default: the scene's].
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub step: Option<String>,
     /// Chooses the steps, and the order too: the accuracy wanted, relative to the size of the mechanism, for example 1e-6.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
     /// Chooses method, order and steps: the largest error of a position over the run, relative to the size of the mechanism,
-    /// for example 1e-6.
+    /// for example 1e-9 [default: 1e-6, if there is no --step, --tolerance, --method and --order].
     #[arg(long, value_name = "X", allow_hyphen_values = true, conflicts_with_all = ["tolerance", "method", "order"])]
     pub accuracy: Option<String>,
     /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
-    /// penalty.
-    #[arg(long, value_name = "M", default_value = "two-level")]
-    pub method: String,
+    /// penalty [default: two-level, with a constant step unless there is --tolerance].
+    #[arg(long, value_name = "M")]
+    pub method: Option<String>,
     /// Order of the method: 2, 4, 6 or 8 [default: 2, or the order that fits --tolerance].
     #[arg(long, value_name = "N")]
     pub order: Option<String>,
@@ -64,10 +64,14 @@ pub struct Run {
     pub scene: &'static Scene,
     /// The simulation at its last instant.
     pub simulation: Box<dyn AnySimulation>,
+    /// The accuracy from which the method was chosen.
+    pub accuracy: Option<f64>,
     /// The recorded instants.
     pub frames: Vec<Frame>,
     /// Processor time of the integration alone, s: no sampling, no files.
     pub cpu: f64,
+    /// Stages of samples between steps.
+    pub sampling: u64,
     /// Why it ended before its end.
     pub stopped: Option<SimulationError>,
     /// The deviation from the reference of the scene; `Err` is the reason if it was not compared.
@@ -98,8 +102,10 @@ impl Simulate {
         let mut run = Run {
             scene,
             simulation,
+            accuracy: request.settings.accuracy,
             frames: Vec::new(),
             cpu: 0.0,
+            sampling: 0,
             stopped: None,
             reference: Ok(Vec::new()),
             files,
@@ -168,10 +174,12 @@ fn integrate(
         }
         let mut recorded = Ok(());
         let frames = &mut run.frames;
+        let before = run.simulation.report().stages;
         let looked = run.simulation.look_at(until, &mut |simulation| {
             recorded = record(frames, simulation);
         });
         recorded?;
+        run.sampling += run.simulation.report().stages - before;
         if let Err(error) = looked {
             run.stopped = Some(error);
             break;

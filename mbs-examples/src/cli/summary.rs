@@ -37,6 +37,7 @@ pub fn json(run: &Run) -> String {
         "order": settings.order,
         "step_s": step(run),
         "tolerance": settings.tolerance,
+        "accuracy": run.accuracy,
         "coordinates": model.coordinates.len(),
         "velocities": run.simulation.velocities().len(),
         "rows": model.rows.len(),
@@ -140,12 +141,22 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
         "  method       {method}, order {}, {steps}",
         settings.order
     )?;
+    if let Some(accuracy) = run.accuracy {
+        writeln!(
+            out,
+            "               chosen for an accuracy of {accuracy:e}: the fewest operations per second of motion"
+        )?;
+    }
+    let samples = match run.sampling {
+        0 => String::new(),
+        stages => format!(" and {stages} for samples between them"),
+    };
     writeln!(
         out,
-        "  run          {} s in {} steps and {} stages ({} rejected, {} placed), {:.3} ms of processor time",
+        "  run          {} s in {} steps, {} stages{samples} ({} rejected, {} placed), {:.3} ms of processor time",
         run.simulation.time(),
         report.steps,
-        report.stages,
+        report.stages - run.sampling,
         report.rejected_steps,
         report.placed_steps,
         1e3 * run.cpu
