@@ -108,9 +108,14 @@ impl<const N: usize, const R: usize> Index1<N, R> {
 
     #[inline(always)]
     fn note(&mut self, inverse_square: f64) {
+        // Comparisons, not `f64::min`: one instruction each.
         let [least, most] = &mut self.range;
-        *least = least.min(inverse_square);
-        *most = most.max(inverse_square);
+        if inverse_square < *least {
+            *least = inverse_square;
+        }
+        if inverse_square > *most {
+            *most = inverse_square;
+        }
     }
 
     /// v̇ at (t, q, v): by the planned elimination, or by the generated function, where there is one.
@@ -137,8 +142,15 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             if system.accelerations(t, q, v, &correction, into, lambda, inverse_pivot) {
                 let mut most: f64 = 0.0;
                 for (&inverse, &usual) in inverse_pivot.iter().zip(&self.delassus.usual) {
-                    let lost = inverse == 0.0;
-                    most = most.max(if lost { f64::INFINITY } else { inverse * usual });
+                    // The reciprocal of a lost row is zero.
+                    let ratio = if inverse > 0.0 {
+                        inverse * usual
+                    } else {
+                        f64::INFINITY
+                    };
+                    if ratio > most {
+                        most = ratio;
+                    }
                 }
                 if !self.delassus.needs_other_rows(most) {
                     if R > 0 {
