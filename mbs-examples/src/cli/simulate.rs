@@ -33,7 +33,7 @@ pub struct Simulate {
     /// Step, s, of constant length; with --tolerance or --accuracy the first one [default: the scene's].
     #[arg(long, value_name = "S", allow_hyphen_values = true)]
     pub step: Option<String>,
-    /// Chooses the steps, and the order too: the accuracy wanted, relative to the size of the mechanism, for example 1e-6.
+    /// Chooses the steps, and the order too, by their errors relative to the size of the mechanism, for example 1e-6.
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub tolerance: Option<String>,
     /// Chooses method, order and steps: the largest error of a position over the run, relative to the size of the mechanism,

@@ -28,7 +28,7 @@ mechanism!(FourBar {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     println!("{}", FourBar::MODEL.explain());
 
-    // Positions within 1e-6 of the size of the mechanism: method, order and steps follow from that.
+    // Position errors of about 1e-6 of the size of the mechanism: method, order and steps follow from that.
     let mut simulation = Simulation::with_accuracy(FourBar::default(), 1e-6)?;
     let recording = simulation.record(3.0).every(0.01).progress_bar().run()?;
     recording.save("out/four-bar")?;
