@@ -142,12 +142,9 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             if system.accelerations(t, q, v, &correction, into, lambda, inverse_pivot) {
                 let mut most: f64 = 0.0;
                 for (&inverse, &usual) in inverse_pivot.iter().zip(&self.delassus.usual) {
-                    // The reciprocal of a lost row is zero.
-                    let ratio = if inverse > 0.0 {
-                        inverse * usual
-                    } else {
-                        f64::INFINITY
-                    };
+                    // The reciprocal is 0 of a row that is lost, −1 of one that follows from others in every pose.
+                    let lost = inverse == 0.0;
+                    let ratio = if lost { f64::INFINITY } else { inverse * usual };
                     if ratio > most {
                         most = ratio;
                     }
