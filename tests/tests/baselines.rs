@@ -1,11 +1,13 @@
 //! The integrators of the literature agree with the references of scenes that they can integrate.
 
+use mbs_examples::scenes::bricard::Bricard;
 use mbs_examples::scenes::scenes;
 use mbs_runtime::{
-    BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method, PaperSettings,
-    PenaltySettings, Settings, SimulationError,
+    BaselineStepper, BaumgarteSettings, BdfSettings, GeneralizedAlphaSettings, Method,
+    PaperSettings, PenaltySettings, Settings, Simulation, SimulationError,
 };
 use mbs_tests::reference::{deviation, table};
+use mbs_tests::tampered::Tampered;
 use mbs_tests::with_room;
 
 /// A scene away from singular poses, with the step and the bounds of the position error of methods of order two, of order
@@ -175,4 +177,27 @@ fn check_gain(name: &str) {
             );
         }
     }
+}
+
+/// A row that follows from others in every pose is not a lost one: stages call the generated accelerations alone, and an error
+/// in what the dense equations need changes nothing.
+#[test]
+fn redundant_rows_need_no_dense_equations_in_stages() {
+    let end = |wrong: &'static str| {
+        let simulation = Simulation::new(Bricard::default()).expect("it can be assembled");
+        let settings = Settings {
+            method: Method::Projected,
+            order: 8,
+            ..Settings::default()
+        };
+        let system = Tampered::new(simulation.system().clone(), wrong);
+        let state = simulation.state().clone();
+        let mut stepper = BaselineStepper::new(system, state, &settings).expect("settings");
+        for _ in 0..5 {
+            stepper.step(0.1).expect("a step");
+        }
+        stepper.state().positions
+    };
+    assert_eq!(end("gamma"), end("nothing"));
+    assert_ne!(end("accelerations"), end("nothing"));
 }
