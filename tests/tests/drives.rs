@@ -1,6 +1,8 @@
 //! Drives that follow inputs.
 
+use mbs_examples::scenes::scenes;
 use mbs_runtime::{Settings, Simulation, SimulationError, mechanism};
+use mbs_tests::with_room;
 
 // A hoist of 2 kg, and a rotor of 3 kg m² whose speed is driven.
 mechanism!(Plant {
@@ -124,4 +126,30 @@ fn a_constant_speed_does_work() {
         tug.energy()
     );
     assert!(tug.energy().error.abs() < 1e-9, "{:?}", tug.energy());
+}
+
+/// Rows determine the whole motion, so that positions are exact with steps of any length. The work of the drive is not.
+#[test]
+fn the_work_of_a_drive_has_the_accuracy_of_the_run() {
+    with_room(|| {
+        let scene = scenes().iter();
+        let scene = scene.filter(|scene| scene.name == "driven-slider-crank");
+        let scene = scene.last().expect("it is in the list");
+        for accuracy in [1e-3, 1e-6, 1e-9] {
+            let settings = Settings {
+                step: scene.step,
+                ..Settings::accuracy(accuracy)
+            };
+            let mut simulation = (scene.build)(&[], settings).expect("it assembles");
+            let mut kinetic = 0.0_f64;
+            for instant in 1..=20 {
+                let time = f64::from(instant) / 20.0 * scene.duration;
+                simulation.run_until(time).expect("no pose is singular");
+                kinetic = kinetic.max(simulation.energy().kinetic);
+            }
+            let error = simulation.report().energy_error / kinetic;
+            println!("{accuracy:e}: {error:.1e} of {kinetic:.0} J");
+            assert!(error < accuracy, "{accuracy:e}: {error:e}");
+        }
+    });
 }

@@ -17,59 +17,59 @@ pub struct Case {
     pub size: f64,
 }
 
-/// All of them.
-pub const CASES: [Case; 8] = [
-    Case {
-        scene: "pendulum",
-        columns: &["x_m", "y_m"],
-        size: 1.0,
-    },
-    Case {
-        scene: "slider-crank",
-        columns: &["p1x_m", "p1y_m", "p2x_m"],
-        size: 2.0,
-    },
-    Case {
-        scene: "double-four-bar",
-        columns: &["b0x_m", "b0y_m"],
-        size: 2.0,
-    },
-    Case {
-        scene: "andrews",
-        columns: &[
-            "beta_rad",
-            "theta_rad",
-            "gamma_rad",
-            "phi_rad",
-            "delta_rad",
-            "omega_rad",
-            "epsilon_rad",
-        ],
-        size: 1.0,
-    },
-    Case {
-        scene: "bricard",
-        columns: &["p3x_m", "p3y_m", "p3z_m", "p2x_m", "p2z_m", "p5y_m"],
-        size: 1.0,
-    },
-    Case {
-        scene: "chaplygin-sleigh",
-        columns: &["edge_x_m", "edge_y_m", "theta_rad"],
-        size: 1.0,
-    },
-    Case {
-        scene: "heavy-top",
-        columns: &["x_m", "y_m", "z_m"],
-        size: 1.0,
-    },
-    Case {
-        scene: "flyball-governor",
-        columns: &["s_m", "ball1_x_m", "ball1_y_m", "ball1_z_m"],
-        size: 1.0,
-    },
+const PENDULUM: &[&str] = &["x_m", "y_m"];
+const ANDREWS: &[&str] = &[
+    "beta_rad",
+    "theta_rad",
+    "gamma_rad",
+    "phi_rad",
+    "delta_rad",
+    "omega_rad",
+    "epsilon_rad",
+];
+const BRICARD: &[&str] = &["p3x_m", "p3y_m", "p3z_m", "p2x_m", "p2z_m", "p5y_m"];
+const KNIFE_EDGE: &[&str] = &["x_m", "y_m", "phi_rad"];
+const ROLLING_DISK: &[&str] = &["cx_m", "cy_m", "cz_m"];
+
+/// All scenes with a reference.
+pub const CASES: [Case; 18] = [
+    Case::new("pendulum", PENDULUM, 1.0),
+    Case::new("pendulum-angle", PENDULUM, 1.0),
+    Case::new("slider-crank", &["p1x_m", "p1y_m", "p2x_m"], 2.0),
+    Case::new("driven-slider-crank", &["slider_x_m", "phi_rad"], 0.45),
+    Case::new("double-four-bar", &["b0x_m", "b0y_m"], 2.0),
+    Case::new("four-bar-40", &["b0x_m", "b0y_m"], 40.0),
+    Case::new("andrews", ANDREWS, 1.0),
+    Case::new("andrews-iftomm", ANDREWS, 1.0),
+    Case::new(
+        "chaplygin-sleigh",
+        &["edge_x_m", "edge_y_m", "theta_rad"],
+        1.0,
+    ),
+    Case::new("knife-edge", KNIFE_EDGE, 1.0),
+    Case::new("knife-edge-moving", KNIFE_EDGE, 1.0),
+    Case::new("heavy-top", &["x_m", "y_m", "z_m"], 1.0),
+    Case::new("bricard", BRICARD, 1.0),
+    Case::new("bricard-slender", BRICARD, 1.0),
+    Case::new("bricard-reference", BRICARD, 1.0),
+    Case::new(
+        "flyball-governor",
+        &["s_m", "ball1_x_m", "ball1_y_m", "ball1_z_m"],
+        1.0,
+    ),
+    Case::new("rolling-disk", ROLLING_DISK, 0.4),
+    Case::new("rolling-disk-tilted", ROLLING_DISK, 0.0375),
 ];
 
 impl Case {
+    const fn new(scene: &'static str, columns: &'static [&'static str], size: f64) -> Self {
+        Case {
+            scene,
+            columns,
+            size,
+        }
+    }
+
     /// The scene with its reference; `None` if there is none.
     ///
     /// # Errors

@@ -25,7 +25,7 @@ use super::Simulation;
 use super::pose::Passage;
 use super::step_controller::{TOO_LONG, notches};
 use crate::linear::vector;
-use crate::singular::RankMargin;
+use crate::singular::{ROUND_OFF, RankMargin};
 use crate::{Energy, SimulationError, StepController, System};
 use nalgebra::SVector;
 
@@ -57,7 +57,7 @@ const ATTEMPTS: u32 = 3;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
 /// Steps of any length agree about a motion that rows of time determine, and may agree about another branch beyond a singular
 /// pose. What tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, or of the work
-/// of forces without potential, …
+/// of forces without potential (in regular poses a driven mechanism has the tolerance instead of this part), …
 const BALANCED: f64 = 0.02;
 /// … and the velocities of a driven mechanism may change by this part of the speed past a singular pose, …
 const TURNED: f64 = 0.5;
@@ -134,7 +134,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         found.excess = TOO_LONG;
                     }
                     if found.excess <= 1.0 {
-                        found.excess = found.excess.max(self.imbalance(&balance, &found));
+                        let imbalance = self.imbalance(tolerance, &balance, &found);
+                        found.excess = found.excess.max(imbalance);
                     }
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
@@ -303,7 +304,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// The ratio of the error of the energy balance in the pair to the allowed one; [`TOO_LONG`] where a driven mechanism, whose
     /// balance does not show it, may have turned into another branch.
-    fn imbalance(&self, before: &Energy, found: &Found) -> f64 {
+    ///
+    /// Where rows of time determine the motion, positions are exact with steps of any length, but the work of the drives
+    /// is not: it is a sum over the stages.
+    fn imbalance(&self, tolerance: f64, before: &Energy, found: &Found) -> f64 {
         let [first, second] = found.passage.steps;
         if found.speed * (first + second) < NEARBY {
             return 0.0;
@@ -311,11 +315,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let now = &self.balance;
         let work = (now.nonconservative_work - before.nonconservative_work).abs();
         let turnover = before.kinetic.max(now.kinetic).max(work);
-        let excess = (now.error - before.error).abs() / (BALANCED * turnover);
-        match const { Self::DRIVEN } && found.passage.pose().is_some() && self.turns() {
-            true => TOO_LONG,
-            false => excess.min(TOO_LONG),
-        }
+        let error = (now.error - before.error).abs();
+        let excess = error / (BALANCED * turnover);
+        let excess = match (const { Self::DRIVEN }, found.passage.pose().is_some()) {
+            (true, true) if self.turns() => TOO_LONG,
+            (true, false) => {
+                let turnover = turnover.max((now.drive_work - before.drive_work).abs());
+                let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
+                excess.max(error / (tolerance * turnover + ROUND_OFF * whole))
+            }
+            _ => excess,
+        };
+        excess.min(TOO_LONG)
     }
 
     /// Whether the velocities change in the pair so much that it may have turned into another branch. A drive gives the
