@@ -118,14 +118,17 @@ fn every_snapshot_has_its_test() {
         .flat_map(|(name, _)| {
             let each = stages
                 .iter()
-                .map(move |stage| format!("all__snapshots__{name}-{stage}.snap"));
-            each.chain([format!("all__snapshots__constraints-of-{name}.snap")])
+                .map(move |stage| format!("declarations__snapshots__{name}-{stage}.snap"));
+            each.chain([format!(
+                "declarations__snapshots__constraints-of-{name}.snap"
+            )])
         })
         .collect();
     let scenes = small::SCENES.iter();
-    expected.extend(scenes.map(|name| format!("all__snapshots__formulas-of-{name}.snap")));
+    expected.extend(scenes.map(|name| format!("declarations__snapshots__formulas-of-{name}.snap")));
     let values = values::texts().into_iter();
-    expected.extend(values.map(|(name, _)| format!("all__snapshots__values-of-{name}.snap")));
+    expected
+        .extend(values.map(|(name, _)| format!("declarations__snapshots__values-of-{name}.snap")));
     expected.sort();
     let mut found: Vec<String> = std::fs::read_dir(directory)
         .expect("snapshots are checked in")
@@ -136,7 +139,7 @@ fn every_snapshot_has_its_test() {
                 .to_string_lossy()
                 .into_owned()
         })
-        .filter(|name| name.starts_with("all__snapshots__") && name.ends_with(".snap"))
+        .filter(|name| name.starts_with("declarations__snapshots__") && name.ends_with(".snap"))
         .collect();
     found.sort();
     assert_eq!(found, expected);

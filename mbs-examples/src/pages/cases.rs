@@ -11,7 +11,8 @@ use mbs_runtime::{Settings, SimulationError};
 pub struct Case {
     /// The name of the scene.
     pub scene: &'static str,
-    /// Columns of its reference.
+    /// Columns of its reference; without any the error is that of the energy balance, and its size the largest kinetic
+    /// energy.
     pub columns: &'static [&'static str],
     /// Its size in the unit of the columns.
     pub size: f64,
@@ -31,12 +32,16 @@ const BRICARD: &[&str] = &["p3x_m", "p3y_m", "p3z_m", "p2x_m", "p2z_m", "p5y_m"]
 const KNIFE_EDGE: &[&str] = &["x_m", "y_m", "phi_rad"];
 const ROLLING_DISK: &[&str] = &["cx_m", "cy_m", "cz_m"];
 
-/// All scenes with a reference.
-pub const CASES: [Case; 18] = [
+/// A drive determines the motion: positions are exact with steps of any length, and what has an error is its work.
+const WORK: &[&str] = &[];
+
+/// All scenes whose reference is that of the same mechanism. (That of `bricard-slender` is the limit of thin rods, 1.9e-5 m from
+/// the motion of the scene.)
+pub const CASES: [Case; 17] = [
     Case::new("pendulum", PENDULUM, 1.0),
     Case::new("pendulum-angle", PENDULUM, 1.0),
     Case::new("slider-crank", &["p1x_m", "p1y_m", "p2x_m"], 2.0),
-    Case::new("driven-slider-crank", &["slider_x_m", "phi_rad"], 0.45),
+    Case::new("driven-slider-crank", WORK, 1.0),
     Case::new("double-four-bar", &["b0x_m", "b0y_m"], 2.0),
     Case::new("four-bar-40", &["b0x_m", "b0y_m"], 40.0),
     Case::new("andrews", ANDREWS, 1.0),
@@ -50,7 +55,6 @@ pub const CASES: [Case; 18] = [
     Case::new("knife-edge-moving", KNIFE_EDGE, 1.0),
     Case::new("heavy-top", &["x_m", "y_m", "z_m"], 1.0),
     Case::new("bricard", BRICARD, 1.0),
-    Case::new("bricard-slender", BRICARD, 1.0),
     Case::new("bricard-reference", BRICARD, 1.0),
     Case::new(
         "flyball-governor",
@@ -103,6 +107,12 @@ impl Case {
                 false => simulation.run_until(time)?,
             }
             simulation.look_at(time, &mut |seen| frames.push(Frame::record(seen)))?;
+        }
+        if self.columns.is_empty() {
+            let kinetic = frames.iter().map(|frame| frame.energy.kinetic);
+            let error = |frame: &Frame| frame.energy.error.abs();
+            let error = frames.iter().map(error).fold(0.0, f64::max);
+            return Ok(error / kinetic.fold(0.0, f64::max));
         }
         let deviations = reference.compare(&frames);
         let positions = deviations

@@ -1,5 +1,6 @@
 //! Large mechanisms with sparse factors: `cargo test -p mbs-runtime --features sparse --test sparse`.
 
+mod beam;
 mod chains;
 mod crank;
 mod redundant;

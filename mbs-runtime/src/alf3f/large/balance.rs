@@ -114,11 +114,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             tangents,
             matrices,
             origin,
+            turns,
             current,
             ..
         } = &mut *self.step;
         tangents.evaluate(&self.context.system, self.t1, (&self.q, &self.vb));
         origin.step = 0.0;
+        turns.set(&self.q, &self.q);
         *current = matrices.factor_positions::<S, Q, N, R>(tangents, &turn, self.h);
         Ok(*current)
     }
@@ -126,6 +128,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
     fn solve(&mut self) -> bool {
         let SparseStep {
             matrices,
+            turns,
             x,
             current,
             ..
@@ -138,10 +141,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
                 false => -self.defect[i],
             };
         }
+        turns.undo(x);
         if !matrices.positions.lu.solve(x) {
             // The next residual is not finite, either, which ends the iteration.
             x.fill(f64::NAN);
         }
+        turns.redo(x);
         let change = SVector::from_column_slice(&x[..N]);
         self.vb += change;
         self.kappa += SVector::<f64, R>::from_column_slice(&x[N..]);

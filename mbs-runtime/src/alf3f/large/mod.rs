@@ -12,6 +12,8 @@ mod projection;
 mod step;
 #[cfg(feature = "sparse")]
 mod tangents;
+#[cfg(feature = "sparse")]
+mod turns;
 #[cfg(not(feature = "sparse"))]
 mod without;
 

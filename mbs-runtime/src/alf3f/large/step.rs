@@ -17,6 +17,7 @@
 use super::balance::Balance;
 use super::matrices::StepMatrices;
 use super::tangents::Tangents;
+use super::turns::Turns;
 use crate::alf3f::closing::{self, Limits};
 use crate::alf3f::step_context::{PROMPT, StepContext};
 use crate::fault::Fault;
@@ -40,6 +41,7 @@ pub(crate) struct SparseStep<const Q: usize, const N: usize, const R: usize> {
     pub(super) matrices: StepMatrices,
     /// Where the factors of `matrices` were made.
     pub(super) origin: FactorOrigin<Q, N>,
+    pub(super) turns: Turns,
     /// Right-hand side and solution: N velocities, R multipliers.
     pub(super) x: Vec<f64>,
     pub(super) force: SVector<f64, N>,
@@ -63,6 +65,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             matrices: StepMatrices::new::<S, Q, N, R>(&tangents)?,
             tangents,
             origin: FactorOrigin::none(),
+            turns: Turns::new::<S, Q, N, R>(),
             x: vec![0.0; N + R],
             force: zeros(),
             momentum: zeros(),
@@ -216,6 +219,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         };
         system.balance(*time, q0, v0, &mut self.momentum, &mut self.force);
         self.current = true;
+        self.turns.set(&self.origin.positions, q0);
         let mut rows = Balance::new(self, context, weights, (t1, h), guess);
         let closed = closing::close(&mut rows, limits, true)?;
         let (q, mut vb, kappa) = rows.end();

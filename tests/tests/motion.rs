@@ -1,0 +1,43 @@
+//! Tests of runs: references, singular poses, stops, drives, steps for a tolerance, allocations.
+
+#[path = "../../mbs-runtime/tests/common/alloc.rs"]
+mod alloc;
+#[allow(dead_code)]
+#[path = "../../mbs-examples/examples/compile_times/declarations.rs"]
+mod sizes;
+
+mod acceleration_outputs;
+mod allocations;
+mod baselines;
+mod damped_poses;
+mod driven_poses;
+mod drives;
+mod folding;
+mod friction;
+mod independent_velocities;
+mod long_family;
+mod marks;
+mod measured_tables;
+mod passages;
+mod planar_joints;
+mod planar_places;
+mod planned_accelerations;
+mod planned_poses;
+mod poses;
+mod references;
+mod rest;
+mod robust;
+mod rolling;
+mod scopes;
+mod slopes;
+mod solved_rows;
+mod spatial_scenes;
+mod starts_in_poses;
+mod states;
+mod stops;
+mod tolerances;
+mod tree_joints;
+mod undetermined;
+
+#[global_allocator]
+static ALLOCATOR: alloc::Counting = alloc::Counting;
