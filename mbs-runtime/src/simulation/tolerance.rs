@@ -42,6 +42,9 @@ const TELLING: f64 = 0.2;
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
 const WEAKEST: f64 = 1e-5;
+/// The part of the tolerance of the rows that their projection leaves at the end of an explicit step: its corrections end beyond
+/// the tolerance, as each squares what is left.
+const PROJECTED: f64 = 0.1;
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
 const UNSEEN: u32 = 15;
@@ -354,7 +357,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Round-off between instants with these rank margins, in sizes and radians.
     fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
-        self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST)
+        let left = if self.is_estimated { PROJECTED } else { 1.0 };
+        (left * self.settings.constraint_tolerance).max(exact)
+            / end.least.min(start.least).max(WEAKEST)
     }
 
     /// How far the rows are from losing their independence, 1 at most.
