@@ -42,9 +42,6 @@ const TELLING: f64 = 0.2;
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
 const WEAKEST: f64 = 1e-5;
-/// The part of the tolerance of the rows that their projection leaves at the end of an explicit step: its corrections end beyond
-/// the tolerance, as each squares what is left.
-const PROJECTED: f64 = 0.1;
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
 const UNSEEN: u32 = 15;
@@ -57,6 +54,9 @@ const TOO_MUCH: f64 = 1.0;
 /// to 20 times the round-off that is expected was found, at σ = 6e-4.)
 const BESIDE: f64 = 0.02;
 const ATTEMPTS: u32 = 3;
+/// In the first attempts of an explicit method this part of it is expected: corrections of its projection square what is left of
+/// the rows, and most end far below their tolerance.
+const PROJECTED: f64 = 0.1;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
 /// Steps of any length agree about a motion that rows of time determine, and may agree about another branch beyond a singular
 /// pose. What tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, or of the work
@@ -125,6 +125,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let allowance = if persists {
                 let more = INDULGENCE[0].powi((attempts - ATTEMPTS + 1) as i32);
                 (reach, more.min(INDULGENCE[1]))
+            } else if self.is_estimated && attempts < ATTEMPTS {
+                (0.0, PROJECTED)
             } else {
                 (0.0, 1.0)
             };
@@ -357,9 +359,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Round-off between instants with these rank margins, in sizes and radians.
     fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
-        let left = if self.is_estimated { PROJECTED } else { 1.0 };
-        (left * self.settings.constraint_tolerance).max(exact)
-            / end.least.min(start.least).max(WEAKEST)
+        self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST)
     }
 
     /// How far the rows are from losing their independence, 1 at most.
