@@ -42,6 +42,9 @@ const TELLING: f64 = 0.2;
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
 const WEAKEST: f64 = 1e-5;
+/// Corrections of explicit steps square what is left of the rows, and most end far below their tolerance: this part of it is
+/// expected, where σ is above the second number. Closer to a pose velocities have other errors.
+const PROJECTED: [f64; 2] = [0.1, 1e-3];
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
 const UNSEEN: u32 = 15;
@@ -54,9 +57,6 @@ const TOO_MUCH: f64 = 1.0;
 /// to 20 times the round-off that is expected was found, at σ = 6e-4.)
 const BESIDE: f64 = 0.02;
 const ATTEMPTS: u32 = 3;
-/// In the first attempts of an explicit method this part of it is expected: corrections of its projection square what is left of
-/// the rows, and most end far below their tolerance.
-const PROJECTED: f64 = 0.1;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
 /// Steps of any length agree about a motion that rows of time determine, and may agree about another branch beyond a singular
 /// pose. What tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, or of the work
@@ -125,8 +125,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let allowance = if persists {
                 let more = INDULGENCE[0].powi((attempts - ATTEMPTS + 1) as i32);
                 (reach, more.min(INDULGENCE[1]))
-            } else if self.is_estimated && attempts < ATTEMPTS {
-                (0.0, PROJECTED)
             } else {
                 (0.0, 1.0)
             };
@@ -359,7 +357,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Round-off between instants with these rank margins, in sizes and radians.
     fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
-        self.settings.constraint_tolerance.max(exact) / end.least.min(start.least).max(WEAKEST)
+        let least = end.least.min(start.least).max(WEAKEST);
+        let left = match self.is_estimated && least > PROJECTED[1] {
+            true => PROJECTED[0] * self.settings.constraint_tolerance,
+            false => self.settings.constraint_tolerance,
+        };
+        left.max(exact) / least
     }
 
     /// How far the rows are from losing their independence, 1 at most.
