@@ -103,5 +103,5 @@ fn every_file_of_tests_is_a_module() {
             }
         }
     }
-    assert_eq!(programs, 5);
+    assert_eq!(programs, 6);
 }
