@@ -146,6 +146,7 @@ fn a_run_has_an_accuracy_unless_told_otherwise() {
     let chosen = run(&[]);
     assert_eq!(chosen["accuracy"], 1e-6);
     assert_eq!(chosen["method"], "projected");
+    assert_eq!(chosen["method_changes"], Value::Array(Vec::new()));
     assert!(chosen["energy_error_J"].as_f64().expect("a number") < 1e-5);
     assert_eq!(chosen["final"], run(&["--accuracy", "1e-6"])["final"]);
     for (more, step, order) in [

@@ -1,8 +1,8 @@
 //! An object-safe trait for simulations, for programs that choose the mechanism at run time.
 
 use crate::{
-    AssemblyVerdict, Energy, Flow, Model, RankLoss, Reactions, Report, Sample, Settings,
-    SimulationError, UnknownName,
+    AssemblyVerdict, Energy, Flow, MethodChange, Model, RankLoss, Reactions, Report, Sample,
+    Settings, SimulationError, UnknownName,
 };
 
 /// Passes the methods of [`AnySimulation`] that every simulation has under the same name to a macro.
@@ -60,6 +60,8 @@ macro_rules! methods_of_any_simulation {
             fn report(&) -> Report;
             /// The singular poses passed so far.
             fn rank_losses(&) -> &[RankLoss];
+            /// The changes of the method so far.
+            fn method_changes(&) -> &[MethodChange];
             /// The result of assembly.
             fn assembly(&) -> &AssemblyVerdict;
         }

@@ -151,7 +151,7 @@ pub use model::{
     Redundancy, Row, RowKind, ScalarState, Segment, Structure, World,
 };
 pub use nalgebra;
-pub use report::{Energy, RankLoss, Report};
+pub use report::{Energy, MethodChange, RankLoss, Report};
 pub use settings::{
     BaumgarteSettings, BdfSettings, Flow, GeneralizedAlphaSettings, Method, MultiplierStart,
     PaperSettings, PenaltySettings, ProjectionSettings, RowDirection, Settings,

@@ -3,6 +3,8 @@
 #[cfg(feature = "std")]
 mod lists;
 
+use crate::Method;
+
 #[cfg(feature = "std")]
 pub use lists::{AssemblyVerdict, Change, HeldGap, Reactions, Sample};
 
@@ -50,6 +52,26 @@ pub struct Report {
     pub rank: usize,
     /// Singular poses passed; each is in [`Simulation::rank_losses`](crate::Simulation::rank_losses).
     pub rank_losses: usize,
+    /// Changes of the method for an accuracy; each is in [`Simulation::method_changes`](crate::Simulation::method_changes).
+    pub method_changes: usize,
+}
+
+/// A change of the method, for an [accuracy](crate::Settings::accuracy): the motion needs much shorter or longer steps than
+/// before, and the other method has less work with them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct MethodChange {
+    /// When, s.
+    pub time: f64,
+    /// The method until then, …
+    pub before: Method,
+    /// … the method from then on, …
+    pub method: Method,
+    /// … and its order.
+    pub order: u8,
+    /// Operations for a second of the motion from there on, of the method before, at least, and of this one; infinite for a
+    /// method that could not go on.
+    pub operations: [f64; 2],
 }
 
 /// A singular pose during the motion: rows that are generally independent were dependent there, or nearly so.

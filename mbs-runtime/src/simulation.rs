@@ -5,6 +5,7 @@ mod accuracy;
 mod advance;
 mod any;
 mod books;
+mod choice;
 mod debug;
 mod dense;
 mod drives;
@@ -17,6 +18,7 @@ mod parameters;
 mod passage;
 mod placement;
 mod pose;
+mod revision;
 mod run;
 mod singularity_detector;
 mod start;
@@ -24,8 +26,10 @@ mod state_errors;
 mod state_values;
 mod step_controller;
 mod tolerance;
+mod trial;
 
 use self::books::Books;
+use self::choice::Choice;
 use self::energy_guard::EnergyGuard;
 use self::known_poses::KnownPoses;
 use self::pose::{Foreseen, LastStep};
@@ -61,6 +65,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     integrator: Integrator<S, Q, N, R>,
     /// Makes the integrator again when parameters change, if its method is not the two-level one.
     other: Option<MakeStepper<S, Q, N, R>>,
+    /// For an accuracy: the candidates, and what is known about the one in use.
+    choice: Option<Box<Choice>>,
     assembly: AssemblyVerdict,
     books: Books,
     /// The work of integrators that other parameters have replaced.
@@ -269,6 +275,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             integrator,
             settings,
             other,
+            choice: None,
             assembly,
             books: Books::default(),
             counted: Counters::default(),
@@ -487,6 +494,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             velocity_error: self.books.velocity_error,
             rank: self.assembly.rank,
             rank_losses: self.singularities.losses().len(),
+            method_changes: self.method_changes().len(),
         }
     }
 }

@@ -18,6 +18,7 @@ mod independent_velocities;
 mod long_family;
 mod marks;
 mod measured_tables;
+mod method_changes;
 mod passages;
 mod planar_joints;
 mod planar_places;

@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 
 use serde_json::{Map, Value, json};
 
-use mbs_runtime::{Method, Model, RankLoss};
+use mbs_runtime::{Method, MethodChange, Model, RankLoss};
 
 use super::results::FILES;
 use super::simulate::Run;
 use super::table::{Align, table};
 
-/// Singular poses that are printed one by one.
+/// Singular poses, and changes of the method, that are printed one by one.
 const SHOWN: usize = 3;
 
 /// The one object of `--json`.
@@ -38,6 +38,7 @@ pub fn json(run: &Run) -> String {
         "step_s": step(run),
         "tolerance": settings.tolerance,
         "accuracy": run.accuracy,
+        "method_changes": method_changes(run.simulation.method_changes()),
         "coordinates": model.coordinates.len(),
         "velocities": run.simulation.velocities().len(),
         "rows": model.rows.len(),
@@ -75,6 +76,22 @@ fn events(losses: &[RankLoss]) -> Value {
         .map(
             |loss| json!({"time": loss.time, "sigma_min": loss.sigma_min, "joints": loss.joints(), "undetermined": loss.undetermined}),
         )
+        .collect()
+}
+
+/// Changes of the method, for an accuracy.
+fn method_changes(changes: &[MethodChange]) -> Value {
+    changes
+        .iter()
+        .map(|change| {
+            json!({
+                "time": change.time,
+                "before": change.before.name(),
+                "method": change.method.name(),
+                "order": change.order,
+                "operations_per_s": change.operations,
+            })
+        })
         .collect()
 }
 
@@ -147,6 +164,7 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
             "               chosen for an accuracy of {accuracy:e}: the fewest operations per second of motion"
         )?;
     }
+    write_method_changes(out, run.simulation.method_changes())?;
     let samples = match run.sampling {
         0 => String::new(),
         stages => format!(" and {stages} for samples between them"),
@@ -206,6 +224,25 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
         )?;
     }
     Ok(())
+}
+
+/// The first changes of the method, and how many there were.
+fn write_method_changes(out: &mut String, changes: &[MethodChange]) -> std::fmt::Result {
+    for change in changes.iter().take(SHOWN) {
+        let [before, after] = change.operations;
+        writeln!(
+            out,
+            "               from {:.6} s on {} of order {}: {after:.1e} operations per second of motion, {} {before:.1e}",
+            change.time,
+            change.method.name(),
+            change.order,
+            change.before.name()
+        )?;
+    }
+    match changes.len().checked_sub(SHOWN) {
+        None | Some(0) => Ok(()),
+        Some(more) => writeln!(out, "               and {more} more changes of the method"),
+    }
 }
 
 /// The first singular poses, and how many there were.

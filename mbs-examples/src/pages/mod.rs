@@ -17,6 +17,7 @@ pub mod data;
 mod derivation;
 mod instructions;
 pub mod markdown;
+pub mod method_changes;
 mod model_size;
 pub mod orders;
 mod others;

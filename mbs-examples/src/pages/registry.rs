@@ -3,8 +3,8 @@
 use super::data::Data;
 use super::{
     accuracies, calls, candidates, charts, compile_times, compositions, derivation, instructions,
-    model_size, orders, others, paper, phases, random_passages, rival, rows, scenes, springs,
-    sweep, symbolic, tolerances, tuning, which,
+    method_changes, model_size, orders, others, paper, phases, random_passages, rival, rows,
+    scenes, springs, sweep, symbolic, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -82,6 +82,7 @@ pub const ENTRIES: &[Entry] = &[
     block(README, "derivation", derivation::sentence),
     block(ACCURACY, "samples", orders::samples),
     block(ACCURACY, "accuracies", accuracies::table),
+    block(ACCURACY, "method changes", method_changes::table),
     block(ACCURACY, "looks", tolerances::looks),
     block(ACCURACY, "tolerances", tolerances::table),
     block(ACCURACY, "other orders", tolerances::others),

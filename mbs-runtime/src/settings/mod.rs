@@ -239,8 +239,9 @@ impl Settings {
     /// ([`Simulation::with_accuracy`](crate::Simulation::with_accuracy)) the simulation runs the beginning of the motion
     /// with it and with the two-level method, and takes the one that needs fewer operations for a second of it, from the
     /// start on; otherwise it takes the two-level one.
-    /// [`Simulation::settings`](crate::Simulation::settings) tells which. The choice is not revised on the way: the tolerance
-    /// holds all the same, but a motion that becomes stiff later takes more steps than it had to.
+    /// [`Simulation::settings`](crate::Simulation::settings) tells which. Where the motion changes its character on the way, as
+    /// when a block comes to stick, the choice is made again, which allocates;
+    /// [`Simulation::method_changes`](crate::Simulation::method_changes) lists the changes.
     ///
     /// ```
     /// # use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};

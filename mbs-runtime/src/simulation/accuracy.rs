@@ -6,22 +6,34 @@
 //! | two-level with a tolerance | free rotations, many rows, stiff dampers and springs |
 //! | explicit, projected, with a tolerance | most others: no Newton iteration in its stages |
 //!
-//! Operations are counted, not timed, so that the choice is the same in every run.
+//! Both are counted over the same time, so that they see the same motion: where a stop or a spring makes a part of it stiff,
+//! few steps of the one may go as far as many of the other. Operations are counted, not timed, so that the choice is the same
+//! in every run. It is made again where the motion has changed (`revision.rs`).
 
 use super::Simulation;
+use super::choice::Choice;
+use super::trial::Trial;
 use crate::stepper::MakeStepper;
-use crate::work::work;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, System};
 
 /// Errors of steps add up and grow with the motion's own instability: on the scenes with a reference the largest error was
 /// up to 48 tolerances with steps of the projected method, and 29 with two-level ones.
 const MARGIN: f64 = 0.125;
-/// Pairs of steps that are counted, after the first length of steps was found.
-const COUNTED: usize = 12;
-/// How often they are counted anew while steps grow.
-const WINDOWS: usize = 6;
-/// Pairs that a candidate has for finding it.
-const TRIED: usize = 60;
+
+/// The two-level method, and the explicit one.
+fn candidates(settings: Settings, accuracy: f64) -> [Settings; 2] {
+    let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
+    let two_level = Settings {
+        accuracy: None,
+        ..settings.with_tolerance(tolerance)
+    };
+    let projected = Settings {
+        method: Method::Projected,
+        order: 8,
+        ..two_level
+    };
+    [two_level, projected]
+}
 
 impl<S, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R>
 where
@@ -38,73 +50,36 @@ where
         let Some(accuracy) = settings.accuracy else {
             return Self::from_state(system, settings, state, assembly, other);
         };
-        let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
-        let two_level = Settings {
-            accuracy: None,
-            ..settings.with_tolerance(tolerance)
-        };
+        let candidates = candidates(settings, accuracy);
         if other.is_none() {
             // There is nothing to choose from.
-            return Self::from_state(system, two_level, state, assembly, None);
+            return Self::from_state(system, candidates[0], state, assembly, None);
         }
-        let projected = Settings {
-            method: Method::Projected,
-            order: 8,
-            ..two_level
-        };
-        let make = |candidate: Settings| {
+        let make = |candidate| {
             let (system, state, assembly) = (system.clone(), state.clone(), assembly.clone());
             Self::from_state(system, candidate, state, assembly, other)
         };
-        let mut best = (f64::INFINITY, two_level);
-        for candidate in [two_level, projected] {
-            // A candidate that cannot begin here is none.
-            let Ok(mut trial) = make(candidate) else {
-                continue;
-            };
-            let Ok(rate) = trial.rate_of_work() else {
-                continue;
-            };
-            if rate < best.0 {
-                let step = trial.nominal();
-                best = (rate, Settings { step, ..candidate });
-            }
-        }
-        make(best.1)
-    }
-
-    /// Operations for a second of the motion with the steps that the tolerance asks for.
-    fn rate_of_work(&mut self) -> Result<f64, SimulationError> {
-        for _ in 0..TRIED {
-            if self.state().step_controller.step > 0.0 && !self.state().step_controller.eager {
-                break;
-            }
-            self.forward(self.nominal(), f64::INFINITY)?;
-        }
-        // A transient at the start needs short steps: the count begins anew while they grow.
-        let mut rate = f64::INFINITY;
-        for _ in 0..WINDOWS {
-            let step = self.nominal();
-            rate = self.rate_over(COUNTED)?;
-            if self.nominal() <= step {
-                break;
-            }
-        }
-        Ok(rate)
-    }
-
-    fn rate_over(&mut self, pairs: usize) -> Result<f64, SimulationError> {
-        let (start, before) = (self.time(), self.report());
-        for _ in 0..pairs {
-            self.forward(self.nominal(), f64::INFINITY)?;
-        }
-        let done = self.report();
-        let stages = done.stages - before.stages;
-        let iterations = done.iterations - before.iterations;
-        let plan = S::ELIMINATION.filter(|_| self.integrator.is_sparse());
-        let planned = plan.map(|plan| plan.operations);
-        let flow = self.flow();
-        let operations = work(S::MODEL, &self.settings, flow, planned, stages, iterations);
-        Ok(operations / (self.time() - start))
+        // A candidate that cannot begin here is none.
+        let two_level =
+            make(candidates[0]).map_or(Trial::NONE, |mut run| run.run_trial(f64::INFINITY));
+        let projected =
+            make(candidates[1]).map_or(Trial::NONE, |mut run| run.run_beside(&two_level));
+        let trials = [two_level, projected];
+        let best = usize::from(trials[1].rate < trials[0].rate);
+        let chosen = match trials[best].rate.is_finite() {
+            true => Settings {
+                step: trials[best].step,
+                ..candidates[best]
+            },
+            // Neither can begin here: the first says why.
+            false => candidates[best],
+        };
+        let mut simulation = Self::from_state(system, chosen, state, assembly, other)?;
+        let operations = trials.map(|trial| trial.operations);
+        let operations = operations.iter().filter(|all| all.is_finite()).sum();
+        let start = simulation.time();
+        let choice = Choice::new(candidates, best, trials[best].way, start, operations);
+        simulation.choice = Some(Box::new(choice));
+        Ok(simulation)
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::any::methods_of_any_simulation;
 use crate::{
-    AnySimulation, AssemblyVerdict, Energy, Flow, Model, RankLoss, Reactions, Report, Sample,
-    Settings, Simulation, SimulationError, System, UnknownName,
+    AnySimulation, AssemblyVerdict, Energy, Flow, MethodChange, Model, RankLoss, Reactions, Report,
+    Sample, Settings, Simulation, SimulationError, System, UnknownName,
 };
 
 macro_rules! implement {

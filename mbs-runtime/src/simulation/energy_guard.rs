@@ -121,6 +121,16 @@ impl EnergyGuard {
         }
     }
 
+    /// What the motion has had before its method changed.
+    pub(super) fn take_over(&mut self, before: &Self) {
+        *self = EnergyGuard {
+            noise: self.noise,
+            method: self.method,
+            accepted: self.accepted,
+            ..*before
+        };
+    }
+
     /// Takes note of how far the works of a step may be from those of the forces, J.
     #[inline]
     pub(super) fn doubt(&mut self, works: f64) {

@@ -54,15 +54,25 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(verdict)
     }
 
+    /// After the method changed: the same, and what does not depend on it.
+    pub(super) fn take_over_motion(&mut self, before: &mut Self) {
+        self.take_over(before);
+        self.energy_guard.take_over(&before.energy_guard);
+        std::mem::swap(&mut self.singularities, &mut before.singularities);
+        std::mem::swap(&mut self.known_poses, &mut before.known_poses);
+        std::mem::swap(&mut self.behind, &mut before.behind);
+    }
+
     /// Sums over the run from before the parameters changed.
-    fn take_over(&mut self, before: &Self) {
+    fn take_over(&mut self, before: &mut Self) {
         let power = self.books.power;
         self.books = before.books;
         self.books.power = power;
         (self.rejected, self.placed) = (before.rejected, before.placed);
         self.counted = before.counters();
         self.singularities.take_over(before.rank_losses());
-        self.refused.clone_from(&before.refused);
+        self.refused = before.refused.take();
+        self.choice = before.choice.take();
     }
 }
 

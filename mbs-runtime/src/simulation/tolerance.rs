@@ -101,12 +101,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub(super) fn forward(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
         match self.settings.tolerance {
             None => self.place(h, left).map(drop),
-            Some(tolerance) => self.pair(tolerance, left),
+            Some(tolerance) => self.chosen_pair(tolerance, left),
         }
     }
 
     /// Two steps of h, and of shorter ones until their error is small enough.
-    fn pair(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
+    pub(super) fn pair(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
         let mut step_controller = self.state().step_controller;
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
@@ -352,6 +352,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .system()
             .difference(&self.pair.positions, self.positions());
         self.size(&moved) / length
+    }
+
+    /// The way that the last pair goes, or would have gone with steps as long as those in use, in sizes and radians.
+    pub(super) fn way(&self) -> f64 {
+        let length = self.time() - self.pair.time;
+        self.speed(length) * 2.0 * self.nominal()
     }
 
     /// Round-off between instants with these rank margins, in sizes and radians.

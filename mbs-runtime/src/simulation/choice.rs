@@ -1,0 +1,116 @@
+//! The method that was chosen for an accuracy, and when the choice is made again (`revision.rs`).
+
+use crate::{MethodChange, Report, Settings};
+
+/// The factor between ways for which the choice may be another.
+const UNLIKE: f64 = 8.0;
+/// Pairs in a row that go such ways.
+const IN_A_ROW: u32 = 16;
+/// The operations before the next trials, as a multiple of those of the last ones; this grows by the second factor where they
+/// have changed nothing.
+const WAIT: f64 = 4.0;
+const LONGER: f64 = 2.0;
+/// After as many times these operations trials are made in any case.
+const ANYWAY: f64 = 16.0;
+/// The part of the operations since the last trials that others may take, where ways are unlike and in any case.
+const PARTS: [f64; 2] = [0.25, 0.0625];
+/// Pairs between looks at this number of operations.
+const SELDOM: u64 = 256;
+
+/// The method that was chosen, and what is known about it.
+#[derive(Debug, Clone)]
+pub(super) struct Choice {
+    candidates: [Settings; 2],
+    current: usize,
+    /// The way of a pair at the choice, in sizes and radians.
+    way: f64,
+    /// Pairs in a row whose ways are not like this one.
+    unlike: u32,
+    /// Pairs since the choice.
+    pairs: u64,
+    /// Time and report at the choice, and the operations since then after which it may be made again.
+    start: (f64, Report),
+    wait: f64,
+    changes: Vec<MethodChange>,
+}
+
+impl Choice {
+    /// After trials with so many operations: that of the method that was chosen had pairs of this way.
+    pub(super) fn new(
+        candidates: [Settings; 2],
+        current: usize,
+        way: f64,
+        start: f64,
+        operations: f64,
+    ) -> Self {
+        Choice {
+            candidates,
+            current,
+            way,
+            unlike: 0,
+            pairs: 0,
+            start: (start, Report::default()),
+            wait: operations,
+            changes: Vec::new(),
+        }
+    }
+
+    /// Takes note of a pair that goes this way; whether it is time to look at the operations since the choice.
+    pub(super) fn note(&mut self, way: f64) -> bool {
+        let is_like = way * UNLIKE > self.way && way < UNLIKE * self.way;
+        self.unlike = if is_like { 0 } else { self.unlike + 1 };
+        self.pairs += 1;
+        self.unlike >= IN_A_ROW || self.pairs.is_multiple_of(SELDOM)
+    }
+
+    /// The operations that trials may take now, after so many since the choice; `None`: they may not be made yet.
+    pub(super) fn allowed(&self, done: f64) -> Option<f64> {
+        match self.unlike >= IN_A_ROW {
+            true => (done >= self.wait).then_some(PARTS[0] * done),
+            false => (done >= ANYWAY * self.wait).then_some(PARTS[1] * done),
+        }
+    }
+
+    /// After trials with so many operations, in which pairs went this way: the method stays.
+    pub(super) fn stay(&mut self, now: (f64, Report), spent: f64, way: f64) {
+        self.rest(now, (WAIT * spent).max(LONGER * self.wait), way);
+    }
+
+    /// After the same: the other method is taken.
+    pub(super) fn change(
+        &mut self,
+        now: (f64, Report),
+        spent: f64,
+        way: f64,
+        change: MethodChange,
+    ) {
+        self.current = 1 - self.current;
+        self.changes.push(change);
+        self.rest(now, WAIT * spent, way);
+    }
+
+    fn rest(&mut self, now: (f64, Report), wait: f64, way: f64) {
+        (self.start, self.wait, self.way) = (now, wait, way);
+        (self.unlike, self.pairs) = (0, 0);
+    }
+
+    /// The settings of the candidate that is not in use.
+    pub(super) fn other(&self) -> Settings {
+        self.candidates[1 - self.current]
+    }
+
+    /// Time and report at the choice.
+    pub(super) fn start(&self) -> &(f64, Report) {
+        &self.start
+    }
+
+    /// The way of a pair at the choice.
+    pub(super) fn way(&self) -> f64 {
+        self.way
+    }
+
+    /// The changes of the method so far.
+    pub(super) fn changes(&self) -> &[MethodChange] {
+        &self.changes
+    }
+}

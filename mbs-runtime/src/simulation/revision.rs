@@ -1,0 +1,116 @@
+//! The choice of a method, made again on the way ([`Settings::accuracy`](crate::Settings::accuracy)).
+//!
+//! A motion may change its character: a block that slides comes to stick, where friction is a stiff damper; a transient ends;
+//! an input starts a motor. In smooth motion the way that a pair of steps goes is about the same, fast or slow; where it becomes
+//! much shorter or longer and stays so, the candidates are tried again from that state on:
+//!
+//! ```text
+//! pair ─▶ way outside 1/8 to 8 times that at the choice, in 16 pairs in a row? ─▶ trials ─▶ the method with less work
+//! ```
+//!
+//! Trials cost as much as some hundred pairs. The next ones may be made after four times their operations, and later where they
+//! have changed nothing: in a periodic motion all of them together are a small part of a long run. Seldom they are made in any
+//! case, since those at the start may have seen another motion.
+
+use super::Simulation;
+use super::trial::{GAIN, Trial};
+use crate::{MethodChange, SimulationError, StepController, System};
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// The changes of the method so far, in the order of time: for an accuracy, if the motion has changed its character.
+    pub fn method_changes(&self) -> &[MethodChange] {
+        self.choice.as_ref().map_or(&[], |choice| choice.changes())
+    }
+
+    /// A pair of steps, with the method that was chosen or with another one if the motion has changed.
+    pub(super) fn chosen_pair(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
+        if let Some(most) = self.allowed_trials() {
+            self.choose_again(most)?;
+        }
+        self.pair(tolerance, left)
+    }
+
+    /// If the method is to be chosen again: the operations that this may take.
+    fn allowed_trials(&mut self) -> Option<f64> {
+        let way = match self.choice {
+            Some(_) => self.way(),
+            None => return None,
+        };
+        let choice = self.choice.as_mut()?;
+        if !choice.note(way) {
+            return None;
+        }
+        self.choice.as_ref()?.allowed(self.done())
+    }
+
+    /// The operations since the choice.
+    fn done(&self) -> f64 {
+        self.choice.as_ref().map_or(0.0, |choice| {
+            self.work().between(&choice.start().1, &self.report())
+        })
+    }
+
+    /// Tries both methods from here on, and takes the better one.
+    #[cold]
+    #[inline(never)]
+    fn choose_again(&mut self, most: f64) -> Result<(), SimulationError> {
+        let other = self
+            .with_other()
+            .map_or(Trial::NONE, |mut other| other.run_trial(most));
+        let mut current = Trial::NONE;
+        if other.rate.is_finite() {
+            let mut run = self.clone();
+            run.choice = None;
+            current = run.run_beside(&other);
+        }
+        let now = (self.time(), self.report());
+        let done = self.done();
+        if let Some(choice) = &mut self.choice {
+            // What is hard for both, as where a block slips for a moment, says nothing about the rest.
+            let mean = done / (now.0 - choice.start().0);
+            if other.rate < GAIN * current.rate.min(mean) {
+                return self.take_other([current, other]);
+            }
+            match other.rate.is_finite() && current.rate.is_finite() {
+                true => choice.stay(now, other.operations + current.operations, current.way),
+                // One of them fails, or needs a longer trial: the motion stays unlike that at the choice.
+                false => choice.stay(now, most, choice.way()),
+            }
+        }
+        Ok(())
+    }
+
+    /// A simulation with the other candidate from here on.
+    fn with_other(&self) -> Result<Self, SimulationError> {
+        let mut settings = self.settings;
+        if let Some(choice) = &self.choice {
+            settings = choice.other();
+        }
+        let mut state = self.state().clone();
+        state.forget_factors();
+        state.step_controller = StepController {
+            speed: state.step_controller.speed,
+            ..StepController::starting(settings.step)
+        };
+        let (system, assembly) = (self.system().clone(), self.assembly.clone());
+        Self::from_state(system, settings, state, assembly, self.other)
+    }
+
+    fn take_other(&mut self, [before, after]: [Trial; 2]) -> Result<(), SimulationError> {
+        let mut renewed = self.with_other()?;
+        let change = MethodChange {
+            time: self.time(),
+            before: self.settings.method,
+            method: renewed.settings.method,
+            order: renewed.settings.order,
+            operations: [before.rate, after.rate],
+        };
+        let now = (self.time(), self.report());
+        if let Some(choice) = &mut self.choice {
+            choice.change(now, after.operations, after.way, change);
+        }
+        renewed.take_over_motion(self);
+        *self = renewed;
+        Ok(())
+    }
+}

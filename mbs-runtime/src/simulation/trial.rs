@@ -1,0 +1,138 @@
+//! What a method needs for a motion: it runs ahead, and its operations are counted.
+
+use super::Simulation;
+use crate::work::Work;
+use crate::{SimulationError, System};
+
+/// Pairs of steps that are counted, after the first length of steps was found.
+const COUNTED: usize = 12;
+/// How often they are counted anew while steps grow.
+const WINDOWS: usize = 6;
+/// Pairs that a candidate has for finding it.
+const TRIED: usize = 60;
+
+/// The work of another method, as a part of that of the method in use, with which it is taken: a change costs a few steps
+/// until the new lengths are found.
+pub(super) const GAIN: f64 = 0.7;
+
+/// What a candidate needs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Trial {
+    /// Operations for a second of the motion; infinite if it cannot go on.
+    pub(super) rate: f64,
+    /// The times between which they were counted, s.
+    pub(super) span: [f64; 2],
+    /// All operations of the trial.
+    pub(super) operations: f64,
+    /// The length of its steps at the end of the trial, s.
+    pub(super) step: f64,
+    /// The mean way of its pairs, in sizes and radians.
+    pub(super) way: f64,
+}
+
+impl Trial {
+    /// Of a candidate that cannot go on.
+    pub(super) const NONE: Trial = Trial {
+        rate: f64::INFINITY,
+        span: [f64::INFINITY; 2],
+        operations: f64::INFINITY,
+        step: 0.0,
+        way: 0.0,
+    };
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// What the method needs from this state on: it runs until the length of the steps is found, and then counts. It ends with
+    /// [`Trial::NONE`] where it cannot go on, and after so many operations.
+    pub(super) fn run_trial(&mut self, most: f64) -> Trial {
+        self.tried(most).unwrap_or(Trial::NONE)
+    }
+
+    fn tried(&mut self, most: f64) -> Result<Trial, SimulationError> {
+        let (work, begin) = (self.work(), self.report());
+        for _ in 0..TRIED {
+            if self.state().step_controller.step > 0.0 && !self.state().step_controller.eager {
+                break;
+            }
+            self.forward(self.nominal(), f64::INFINITY)?;
+            if work.between(&begin, &self.report()) > most {
+                return Ok(Trial::NONE);
+            }
+        }
+        // A transient at the start needs short steps: the count begins anew while they grow.
+        let mut trial = Trial::NONE;
+        for _ in 0..WINDOWS {
+            let step = self.nominal();
+            trial = self.count(&work)?;
+            trial.operations = work.between(&begin, &self.report());
+            if trial.operations > most {
+                return Ok(Trial::NONE);
+            }
+            if trial.step <= step {
+                break;
+            }
+        }
+        Ok(trial)
+    }
+
+    /// What the method needs from this state on in the span of another trial. It ends earlier where it takes more operations
+    /// than that trial as a whole, by 1/[`GAIN`].
+    pub(super) fn run_beside(&mut self, other: &Trial) -> Trial {
+        if !other.rate.is_finite() {
+            return self.run_trial(f64::INFINITY);
+        }
+        let (begin, start, work) = (self.time(), self.report(), self.work());
+        let (mut before, mut way, mut pairs) = ((begin, 0.0), 0.0, 0.0);
+        let [from, to] = other.span;
+        loop {
+            if self.forward(self.nominal(), f64::INFINITY).is_err() {
+                return Trial {
+                    way: other.way,
+                    ..Trial::NONE
+                };
+            }
+            let (time, operations) = (self.time(), work.between(&start, &self.report()));
+            (way, pairs) = (way + self.way(), pairs + 1.0);
+            let trial = |rate| Trial {
+                rate,
+                span: [begin, time],
+                operations,
+                step: self.nominal(),
+                way: way / pairs,
+            };
+            if time >= to {
+                return trial((operations - before.1) / (time - before.0));
+            }
+            if operations > other.operations / GAIN {
+                return trial((operations / (time - begin)).max(other.rate / GAIN));
+            }
+            if time <= from {
+                before = (time, operations);
+            }
+        }
+    }
+
+    /// The operations of some pairs.
+    fn count(&mut self, work: &Work) -> Result<Trial, SimulationError> {
+        let (start, before) = (self.time(), self.report());
+        let mut way = 0.0;
+        for _ in 0..COUNTED {
+            self.forward(self.nominal(), f64::INFINITY)?;
+            way += self.way();
+        }
+        Ok(Trial {
+            rate: work.between(&before, &self.report()) / (self.time() - start),
+            span: [start, self.time()],
+            step: self.nominal(),
+            way: way / COUNTED as f64,
+            ..Trial::NONE
+        })
+    }
+
+    /// The operations of stages and corrections with the method in use.
+    pub(super) fn work(&self) -> Work {
+        let plan = S::ELIMINATION.filter(|_| self.integrator.is_sparse());
+        let planned = plan.map(|plan| plan.operations);
+        Work::of(S::MODEL, &self.settings, self.flow(), planned)
+    }
+}

@@ -1,0 +1,146 @@
+//! An accuracy chooses its method again where the motion has changed its character.
+
+use mbs_runtime::{AnySimulation, Method, Settings, Simulation, mechanism, methods};
+
+mechanism!(Block {
+    doc: "A block on a spring slides, and sticks where friction holds it: there friction is a stiff damper.",
+    world: Planar(),
+    pull: Input(0.0_N),
+    x: Coordinate(0.0_m, rate = 2.0_m_per_s),
+    block: Particle(mass = 1.0_kg, position = [x, 0.0_m]),
+    spring: SpringDamper(
+        ground.point(-1.0_m, 0.0_m),
+        block.origin,
+        stiffness = 2.0_N_per_m,
+        length = 1.0_m
+    ),
+    cable: Force(block.origin, value = [pull, 0.0_N]),
+    sole: Friction(
+        x.rate,
+        load = 9.81_N,
+        coefficient = 0.2,
+        static_coefficient = 0.4,
+        stribeck_velocity = 0.05_m_per_s,
+        regularization_velocity = 0.1_mm_per_s
+    ),
+    place: Output(x),
+});
+
+mechanism!(SliderCrank {
+    doc: "A motion of one character.",
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    crank: Bar(mass = 0.36_kg, length = 0.15_m, angle = 40.0_deg),
+    rod: Bar(mass = 0.15_kg, length = 0.40_m, angle = -14.0_deg),
+    bearing: Revolute(ground.origin, crank.a),
+    pin: Revolute(crank.b, rod.a),
+    guide: PointOnLine(rod.b, ground.origin, axis = X),
+});
+
+const ACCURACY: f64 = 1e-5;
+
+fn block() -> impl AnySimulation {
+    Simulation::with_accuracy(Block::default(), ACCURACY).expect("it assembles")
+}
+
+/// The same motion with another method all the time.
+fn alone(settings: Settings) -> impl AnySimulation {
+    Simulation::with_methods(Block::default(), settings, methods::Projected).expect("it assembles")
+}
+
+#[test]
+fn a_block_that_sticks_gets_the_two_level_method() {
+    let mut block = block();
+    assert_eq!(block.settings().method, Method::Projected);
+    block.run_until(10.0).expect("it runs");
+    let [change] = block.method_changes() else {
+        panic!("{:?}", block.method_changes())
+    };
+    assert_eq!(
+        [change.before, change.method],
+        [Method::Projected, Method::TwoLevel]
+    );
+    assert_eq!(block.settings().method, Method::TwoLevel);
+    assert_eq!(block.report().method_changes, 1);
+    assert!(change.time > 0.6 && change.time < 2.0, "{change:?}");
+    assert!(
+        change.operations[1] < 0.01 * change.operations[0],
+        "{change:?}"
+    );
+
+    let mut explicit = alone(Settings {
+        method: Method::Projected,
+        order: 8,
+        tolerance: block.settings().tolerance,
+        ..Settings::default()
+    });
+    explicit.run_until(10.0).expect("it runs");
+    let [changing, constant] = [&block, &explicit as &dyn AnySimulation].map(|s| s.report().stages);
+    assert!(10 * changing < constant, "{changing}, {constant}");
+}
+
+/// A change has no effect on the motion, on its energy balance, and on instants between steps.
+#[test]
+fn the_motion_goes_on() {
+    let mut fine = alone(Settings::for_tolerance(1e-9));
+    let mut block = block();
+    for tick in 1..=100 {
+        let time = 0.03 * f64::from(tick);
+        fine.run_until(time).expect("it runs");
+        block.run_past(time, 3.0).expect("it runs");
+        let exact = fine.output("place").expect("an output");
+        let mut seen = f64::NAN;
+        block
+            .look_at(time, &mut |block| {
+                seen = block.output("place").expect("an output");
+            })
+            .expect("an instant of the last step");
+        assert!((seen - exact).abs() < 3.0 * ACCURACY, "{time}: {seen}");
+    }
+    assert_eq!(block.method_changes().len(), 1);
+    let (energy, exact) = (block.energy(), fine.energy());
+    assert!(energy.error.abs() < 1e-4, "{energy:?}");
+    let works = energy.nonconservative_work / exact.nonconservative_work;
+    assert!((works - 1.0).abs() < 1e-4, "{energy:?}");
+}
+
+#[test]
+fn an_input_brings_the_explicit_method_back() {
+    let mut block = block();
+    block.run_until(5.0).expect("it runs");
+    assert_eq!(block.settings().method, Method::TwoLevel);
+    // It swings to and fro, and never sticks for long.
+    for tick in 0..400 {
+        let time = 5.0 + 0.1 * f64::from(tick);
+        block
+            .set_input("pull", 30.0 * (1.4 * time).sin())
+            .expect("an input");
+        block.run_until(time + 0.1).expect("it runs");
+    }
+    let methods: Vec<_> = block.method_changes().iter().map(|c| c.method).collect();
+    assert_eq!(methods, [Method::TwoLevel, Method::Projected]);
+}
+
+#[test]
+fn a_motion_of_one_character_keeps_its_method() {
+    let mut simulation =
+        Simulation::with_accuracy(SliderCrank::default(), ACCURACY).expect("it assembles");
+    let before = *simulation.settings();
+    simulation.run_until(100.0).expect("it runs");
+    assert!(simulation.method_changes().is_empty());
+    assert_eq!(*simulation.settings(), before);
+}
+
+/// Operations are counted, not timed.
+#[test]
+fn a_run_is_the_same_again() {
+    let end = || {
+        let mut block = block();
+        block.run_until(3.0).expect("it runs");
+        (
+            block.coordinates(),
+            block.report(),
+            block.method_changes().to_vec(),
+        )
+    };
+    assert_eq!(end(), end());
+}
