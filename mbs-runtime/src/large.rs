@@ -62,16 +62,52 @@ pub(crate) const fn starts_sparse<const N: usize, const R: usize>() -> bool {
 
 /// Refuses dense arrays that would not fit on a stack.
 pub(crate) fn check_dense(velocities: usize, flow: Flow) -> Result<(), SimulationError> {
-    if flow == Flow::Leapfrog || velocities <= MOST_DENSE {
-        return Ok(());
+    match flow == Flow::Leapfrog || velocities <= MOST_DENSE {
+        true => Ok(()),
+        false => Err(too_large(velocities, flow)),
     }
+}
+
+/// The same for a start: A and A M⁻¹ Aᵀ.
+#[cfg(feature = "std")]
+pub(crate) fn check_dense_start(velocities: usize, rows: usize) -> Result<(), SimulationError> {
+    match rows * (velocities + rows) <= MOST_DENSE * MOST_DENSE {
+        true => Ok(()),
+        false => Err(too_large(velocities, Flow::Implicit)),
+    }
+}
+
+fn too_large(velocities: usize, flow: Flow) -> SimulationError {
     let wanted = match cfg!(feature = "sparse") {
         true => "the sparse ones are of order 2, with the implicit flow or the runtime's choice",
         false => "sparse ones come with the feature `sparse` of `mbs-runtime`",
     };
-    Err(SimulationError::Large {
+    SimulationError::Large {
         velocities,
         flow,
         wanted,
-    })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A start on such arrays would overflow the stack of a program, which nothing reports.
+    #[test]
+    fn a_start_that_is_too_large_is_refused() {
+        assert_eq!(check_dense_start(400, 400), Ok(()));
+        assert_eq!(check_dense_start(3000, 0), Ok(()));
+        let refused = check_dense_start(1201, 600);
+        assert!(
+            matches!(
+                refused,
+                Err(SimulationError::Large {
+                    velocities: 1201,
+                    ..
+                })
+            ),
+            "{refused:?}"
+        );
+    }
 }

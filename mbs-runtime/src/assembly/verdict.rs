@@ -8,6 +8,7 @@ use super::large;
 use super::newton::{ASSEMBLED, close, project};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
+use crate::large::check_dense_start;
 use crate::linear::{Dependence, dependence, dot, largest, vector};
 use crate::report::HeldGap;
 use crate::row_scale::RowScale;
@@ -54,6 +55,7 @@ pub(crate) fn assemble<
     {
         return Ok(assembled);
     }
+    check_dense_start(N, R)?;
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;
     let mut phi = SVector::zeros();
     geometry
@@ -130,6 +132,7 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     {
         return Ok(judge(system, rows, (&phi, &scale), residual, [q, q]));
     }
+    check_dense_start(N, R)?;
     let mut geometry = ConstraintGeometry::new(system, q).map_err(fault)?;
     geometry
         .evaluate(system, state.time, q, &mut phi)
