@@ -78,7 +78,14 @@ where
         let operations = trials.map(|trial| trial.operations);
         let operations = operations.iter().filter(|all| all.is_finite()).sum();
         let start = simulation.time();
-        let choice = Choice::new(candidates, best, trials[best].way, start, operations);
+        let choice = Choice::new(
+            candidates,
+            best,
+            simulation.work(),
+            trials[best].way,
+            start,
+            operations,
+        );
         simulation.choice = Some(Box::new(choice));
         Ok(simulation)
     }

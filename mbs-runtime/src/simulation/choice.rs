@@ -1,5 +1,6 @@
 //! The method that was chosen for an accuracy, and when the choice is made again (`revision.rs`).
 
+use crate::work::Work;
 use crate::{MethodChange, Report, Settings};
 
 /// The factor between ways for which the choice may be another.
@@ -22,6 +23,8 @@ const SELDOM: u64 = 256;
 pub(super) struct Choice {
     candidates: [Settings; 2],
     current: usize,
+    /// What a stage of the method in use takes.
+    pub(super) work: Work,
     /// The way of a pair at the choice, in sizes and radians.
     way: f64,
     /// Pairs in a row whose ways are not like this one.
@@ -39,6 +42,7 @@ impl Choice {
     pub(super) fn new(
         candidates: [Settings; 2],
         current: usize,
+        work: Work,
         way: f64,
         start: f64,
         operations: f64,
@@ -46,6 +50,7 @@ impl Choice {
         Choice {
             candidates,
             current,
+            work,
             way,
             unlike: 0,
             pairs: 0,

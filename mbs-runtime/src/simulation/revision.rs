@@ -46,7 +46,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The operations since the choice.
     fn done(&self) -> f64 {
         self.choice.as_ref().map_or(0.0, |choice| {
-            self.work().between(&choice.start().1, &self.report())
+            choice.work.between(&choice.start().1, &self.report())
         })
     }
 
@@ -108,6 +108,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let now = (self.time(), self.report());
         if let Some(choice) = &mut self.choice {
             choice.change(now, after.operations, after.way, change);
+            choice.work = renewed.work();
         }
         renewed.take_over_motion(self);
         *self = renewed;
