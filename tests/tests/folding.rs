@@ -84,3 +84,64 @@ fn columns_on_different_branches_are_no_step() {
     assert!(simulation.energy().error.abs() < 1e-2);
     assert!(simulation.output("astray").expect("declared").abs() < 1e-6);
 }
+
+/// Rows of a start beside a singular pose were solved by the proximal solve, which left the velocity of another branch in them.
+#[test]
+fn a_start_beside_a_pose_has_the_velocities_of_its_branch() {
+    for phase in [3.141, 3.1413, 3.1415] {
+        let linkage = by_bodies::Spherical {
+            phase,
+            rate: -2.4,
+            damping: 0.2,
+        };
+        let settings = Settings {
+            order: 8,
+            step: 0.019,
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::with_settings(linkage, settings).expect("assembled");
+        assert!(simulation.report().velocity_error < 1e-12);
+        simulation.run_until(0.1).expect("no step is refused");
+        assert!(simulation.energy().error.abs() < 1e-9);
+        assert!(simulation.output("astray").expect("declared").abs() < 1e-9);
+    }
+}
+
+/// With redundant rows the explicit method left its rows open by 1e-9 beside a pose, and stopped there.
+#[test]
+fn explicit_steps_satisfy_redundant_rows_beside_a_pose() {
+    let linkage = by_bodies::Spherical {
+        phase: -0.3631044404722348,
+        rate: 2.6726622923076433,
+        damping: 0.0,
+    };
+    let settings = Settings::accuracy(2.2651201498471374e-6);
+    let mut simulation =
+        Simulation::with_methods(linkage, settings, methods::Projected).expect("assembled");
+    simulation.run_until(1.8).expect("no step is refused");
+    assert!(simulation.report().holonomic_error < 1e-12);
+    assert!(simulation.energy().error.abs() < 1e-6);
+    assert!(simulation.output("astray").expect("declared").abs() < 1e-6);
+}
+
+/// The last step to an instant, 4e-7 s long and beside a pose: round-off of positions, divided by σ and by the step, is no small
+/// correction of velocities.
+#[test]
+fn a_remainder_beside_a_pose_is_a_step() {
+    let mechanism = SliderCrank {
+        phase: -1.1967281747973761,
+        rate: -3.4383429382743866,
+        damping: 0.002626362454258937,
+    };
+    let settings = Settings {
+        step: 0.0007818904926369348,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::with_settings(mechanism, settings).expect("assembled");
+    for piece in 1..=502 {
+        let end = f64::from(piece) * 0.006255508407803829;
+        simulation.run_until(end).expect("no step is refused");
+    }
+    assert!(simulation.energy().error.abs() < 1e-4);
+    assert!(simulation.output("astray").expect("declared").abs() < 1e-6);
+}

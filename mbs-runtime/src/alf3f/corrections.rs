@@ -6,7 +6,7 @@ use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::yardstick::Yardstick;
 use nalgebra::SVector;
 
-/// Corrections that stall below this multiple of round-off are round-off that the rows amplify.
+/// Corrections that stall below this multiple of round-off are round-off that the rows amplify, …
 const AMPLIFIED: f64 = 10.0;
 
 /// The sizes of corrections in a step.
@@ -15,6 +15,8 @@ pub(super) struct Corrections {
     pub(super) size: f64,
     /// Whether it was round-off.
     pub(super) settled: bool,
+    /// … and beside a singular pose below this one.
+    amplified: f64,
 }
 
 /// What follows from a correction.
@@ -54,7 +56,18 @@ impl Corrections {
         Corrections {
             size: f64::NAN,
             settled: false,
+            amplified: AMPLIFIED,
         }
+    }
+
+    /// After a factorisation of rows whose smallest relative pivot is σ²: they amplify the round-off of positions by 1/σ.
+    #[inline(always)]
+    pub(super) fn amplify(&mut self, pivot: f64) {
+        let least = AMPLIFIED.powi(-2);
+        self.amplified = match pivot > 0.0 && pivot < least {
+            true => 1.0 / pivot.sqrt(),
+            false => AMPLIFIED,
+        };
     }
 
     /// Adds a correction of v_b, in a step of h seconds that ends at q.
@@ -76,7 +89,7 @@ impl Corrections {
         let rate = (size / last).min(1.0);
         let next = size * rate;
         let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(q, h));
-        let noise = (STILL * speed).max(AMPLIFIED * round_off);
+        let noise = (STILL * speed).max(self.amplified * round_off);
         let stalled = has_stalled(size, last) && size <= noise;
         self.settled = size <= round_off || stalled;
         Verdict {

@@ -147,14 +147,15 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         Ok(Outcome::Done)
     }
 
-    /// Factors A₁J⁻¹½(A₀ + A₁)ᵀ; false where it has lost a direction that A₁J⁻¹A₁ᵀ has.
+    /// Factors A₁J⁻¹½(A₀ + A₁)ᵀ; its smallest pivot, relative to `usual` of a row that is shorter, or `None` where it has lost a
+    /// direction that A₁J⁻¹A₁ᵀ has.
     fn factor<S: System<Q, N, R>>(
         &mut self,
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
         turn: &SVector<f64, N>,
-        projection: &mut ProjectionLu<R>,
-    ) -> bool {
+        (projection, usual): (&mut ProjectionLu<R>, &SVector<f64, R>),
+    ) -> Option<f64> {
         let lengths = self.factor_end(system, end, Along::Position);
         for i in 0..R {
             self.along_mean[i] = self.mean[i];
@@ -165,9 +166,10 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             self.turn_holonomic(system, end, turn);
         }
         projection.factor(&self.metric, &lengths, None);
-        self.end_projection.regularised
-            || projection.smallest_pivot(&lengths)
-                >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths)
+        let pivot = projection.smallest_pivot(&lengths);
+        let keeps = || pivot >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths);
+        let is_kept = self.end_projection.regularised || keeps();
+        is_kept.then(|| projection.smallest_pivot(&lengths.sup(usual)))
     }
 
     /// Computes A₁TJ⁻¹½(A₀ + A₁)ᵀ for the holonomic rows, with T the tangent of ⊕.
@@ -317,14 +319,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
             state,
             end,
             work,
+            scale,
             counters,
             ..
         } = &mut *self.context;
         let step = &mut *self.step;
         (step.solver).refresh(system, &self.q, &state.velocities, &self.vb)?;
-        if !step.factor(system, end, &turn, &mut work.projection) {
+        let into = (&mut work.projection, &scale.usual);
+        let Some(pivot) = step.factor(system, end, &turn, into) else {
             return Ok(false);
-        }
+        };
+        self.corrections.amplify(pivot);
         counters.regularised += u64::from(work.projection.regularised);
         Ok(true)
     }

@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::linear::{DelassusFactor, accumulate, negative};
 use crate::memory::Box;
 use crate::row_scale::RowScale;
+use crate::singular::Thresholds;
 use nalgebra::SVector;
 
 /// Newton steps of the position problem; each is damped until it reduces the residual.
@@ -81,7 +82,8 @@ fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     Ok(())
 }
 
-/// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows.
+/// v ← v − M⁻¹Aᵀ(A M⁻¹ Aᵀ)⁻¹(A v + b): the nearest velocity that satisfies the rows, also beside a singular pose, where the
+/// proximal solve would leave a part of A v in the direction that is nearly lost.
 pub(super) fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     geometry: &ConstraintGeometry<S, Q, N, R>,
@@ -90,7 +92,8 @@ pub(super) fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     speed: f64,
 ) {
     let mut solver = Box::new(DelassusFactor::new());
-    solver.factor(&geometry.delassus);
+    solver.thresholds = Thresholds::ELIMINATED;
+    solver.expect_redundancy(&geometry.delassus);
     for _ in 0..3 {
         let rates = geometry.velocity_rows(system, v);
         // Velocities that satisfy the rows are left as they are.
