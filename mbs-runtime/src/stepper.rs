@@ -27,6 +27,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn counters(&self) -> Counters;
     fn is_sparse(&self) -> bool;
     fn estimate(&self) -> Option<f64>;
+    fn foresee(&self, length: f64) -> f64;
 }
 
 /// A copy of a method behind a box; every method that can be cloned has it.
@@ -146,6 +147,10 @@ where
     fn estimate(&self) -> Option<f64> {
         None
     }
+
+    fn foresee(&self, _length: f64) -> f64 {
+        f64::NAN
+    }
 }
 
 impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
@@ -220,5 +225,9 @@ where
 
     fn estimate(&self) -> Option<f64> {
         BaselineStepper::estimate(self)
+    }
+
+    fn foresee(&self, length: f64) -> f64 {
+        BaselineStepper::foresee(self, length)
     }
 }

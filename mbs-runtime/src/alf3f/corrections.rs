@@ -1,6 +1,8 @@
 //! The corrections of velocities in Newton's method for an implicit step: when they are small enough.
 
 use crate::ScalarState;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::scalar_state;
 use crate::singular::{ROUND_OFF, STILL, has_stalled};
 use crate::yardstick::Yardstick;
@@ -63,8 +65,7 @@ impl Corrections {
     /// After a factorisation of rows whose smallest relative pivot is σ²: they amplify the round-off of positions by 1/σ.
     #[inline(always)]
     pub(super) fn amplify(&mut self, pivot: f64) {
-        let least = AMPLIFIED.powi(-2);
-        self.amplified = match pivot > 0.0 && pivot < least {
+        self.amplified = match pivot > 0.0 && AMPLIFIED * AMPLIFIED * pivot < 1.0 {
             true => 1.0 / pivot.sqrt(),
             false => AMPLIFIED,
         };

@@ -138,6 +138,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.equations.clearance()
     }
 
+    fn foresee(&self, length: f64) -> f64 {
+        self.stages.poses.foresee(length)
+    }
+
     /// After the state or an input was changed.
     fn refresh(&mut self) {
         self.placed = false;

@@ -36,6 +36,8 @@ pub(crate) struct Index1<const N: usize, const R: usize> {
     /// The least and the largest 1/σ² of the evaluations since [`Self::begin`], with the smallest singular value σ of the
     /// rows.
     range: [f64; 2],
+    /// 1/σ² of the last of them.
+    pub(crate) last: f64,
 }
 
 impl<const N: usize, const R: usize> Index1<N, R> {
@@ -51,6 +53,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             inverse_pivot: SVector::zeros(),
             weakness: SVector::zeros(),
             range: [f64::INFINITY, 0.0],
+            last: f64::NAN,
         }
     }
 
@@ -91,7 +94,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
 
     /// A step begins.
     pub(crate) fn begin(&mut self) {
-        self.range = [f64::INFINITY, 0.0];
+        (self.range, self.last) = ([f64::INFINITY, 0.0], f64::NAN);
         if let Some(planned) = &mut self.planned {
             planned.begin();
         }
@@ -111,6 +114,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
     #[inline(always)]
     fn note(&mut self, inverse_square: f64) {
         // Comparisons, not `f64::min`: one instruction each.
+        self.last = inverse_square;
         let [least, most] = &mut self.range;
         if inverse_square < *least {
             *least = inverse_square;

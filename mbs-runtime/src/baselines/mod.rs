@@ -20,6 +20,7 @@ pub(crate) mod registry;
 mod rule;
 mod runge_kutta;
 mod saddle;
+mod stage_poses;
 mod stepper;
 mod tableau;
 

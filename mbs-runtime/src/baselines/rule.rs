@@ -42,6 +42,11 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     fn clearance(&self) -> f64 {
         f64::INFINITY
     }
+
+    /// The clearance of a step of this length, as a fraction of the last one; NaN if it is not known.
+    fn foresee(&self, _length: f64) -> f64 {
+        f64::NAN
+    }
 }
 
 /// A copy of a rule behind a box; every rule that can be cloned has it.

@@ -5,6 +5,7 @@
 
 use super::bench::Bench;
 use super::index1::Index1;
+use super::stage_poses::StagePoses;
 use super::tableau::Tableau;
 use crate::System;
 use crate::fault::Fault;
@@ -23,6 +24,8 @@ pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     /// The differences of the embedded method, and of those of orders 5 and 3.
     error: Sum,
     embedded: Option<[Sum; 2]>,
+    /// How near the stages of the last step were to singular poses.
+    pub(crate) poses: StagePoses,
 }
 
 /// Σ c_j k_j over the first stage and a range of others: stages that a sum leaves out come next to the first.
@@ -65,6 +68,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             sums: sums.map(Sum::new).collect(),
             error: Sum::new(tableau.error),
             embedded: tableau.embedded.map(|two| two.map(Sum::new)),
+            poses: StagePoses::new(tableau.nodes),
         }
     }
 
@@ -84,9 +88,11 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         let tableau = self.tableau;
         let stages = tableau.nodes.iter().zip(tableau.weights);
         let (mut turn, mut q, mut v) = (SVector::zeros(), q0, v0);
+        self.poses.begin();
         for (stage, (&node, &weight)) in stages.enumerate() {
             let t = t0 + node * h;
             let acceleration = equations.evaluate(bench, t, &q, &v)?;
+            self.poses.note(stage, equations.last);
             bench.add_works(h * weight, bench.powers(t, &q, &v, &equations.lambda));
             unroll::<S, Q, N, R>(&turn, &mut v);
             self.slopes[stage] = [*entries(&v), *entries(&acceleration)];

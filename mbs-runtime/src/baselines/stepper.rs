@@ -149,6 +149,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.rule.clearance()
     }
 
+    /// See [`Rule::foresee`](super::rule::Rule::foresee).
+    pub(crate) fn foresee(&self, length: f64) -> f64 {
+        self.rule.foresee(length)
+    }
+
     /// Results of the last step: its works, and the rows at its end.
     pub(crate) fn take_stock(&mut self) -> Result<Works, SimulationError> {
         let time = self.bench.state.time;

@@ -165,7 +165,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Err(_) => (f64::NEG_INFINITY, h),
         };
         let (mut taken, mut aims) = (h, 0);
-        for factor in LENGTHS {
+        for factor in self.promising_lengths() {
             // After one attempt with all its stages the position of the pose is known, and the length of a composed
             // step can be computed.
             let bounds = [BOUNDS[0] * h, (BOUNDS[1] * h).min(left)].map(|bound| bound / taken);
@@ -199,6 +199,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.placed += u64::from(length != h);
         Ok(length)
+    }
+
+    /// [`LENGTHS`]; after an explicit step, whose stages tell where the pose is, those with the largest expected clearance come
+    /// first.
+    fn promising_lengths(&self) -> [f64; LENGTHS.len()] {
+        let mut lengths = LENGTHS.map(|factor| (factor, self.integrator.foresee(factor)));
+        if lengths.iter().all(|(_, clearance)| clearance.is_finite()) {
+            lengths.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
+        }
+        lengths.map(|(factor, _)| factor)
     }
 
     /// Restores the state before the step.
