@@ -166,9 +166,9 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             self.turn_holonomic(system, end, turn);
         }
         projection.factor(&self.metric, &lengths, None);
-        let pivot = projection.smallest_pivot(&lengths);
-        let keeps = || pivot >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths);
-        let is_kept = self.end_projection.regularised || keeps();
+        let is_kept = self.end_projection.regularised
+            || projection.smallest_pivot(&lengths)
+                >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths);
         is_kept.then(|| projection.smallest_pivot(&lengths.sup(usual)))
     }
 
