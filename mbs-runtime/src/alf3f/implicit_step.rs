@@ -71,6 +71,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         context: &mut StepContext<S, Q, N, R>,
         h: f64,
     ) -> Result<Outcome, Fault> {
+        context.settle_redundant();
         let (q0, v0, t1) = (
             context.state.positions,
             context.state.velocities,
@@ -137,7 +138,8 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
 
         end.metric(system, t1, &q)?;
         let before = vb;
-        work.impulse[1] = self.project(system, end, &mut vb, &scale.weights)?;
+        let skipped = work.delassus.skipped();
+        work.impulse[1] = self.project(system, end, &mut vb, &scale.weights, skipped)?;
         if closed.iterations > PROMPT {
             context.check_way(0.5 * h, &(vb - before))?;
         }
@@ -155,8 +157,9 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         end: &ConstraintGeometry<S, Q, N, R>,
         turn: &SVector<f64, N>,
         (projection, usual): (&mut ProjectionLu<R>, &SVector<f64, R>),
+        skipped: Option<&[bool; R]>,
     ) -> Option<f64> {
-        let lengths = self.factor_end(system, end, Along::Position);
+        let lengths = self.factor_end(system, end, Along::Position, skipped);
         for i in 0..R {
             self.along_mean[i] = self.mean[i];
             self.solver.jacobian.solve(&mut self.along_mean[i]);
@@ -165,7 +168,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         if !S::ROTATIONS.is_empty() {
             self.turn_holonomic(system, end, turn);
         }
-        projection.factor(&self.metric, &lengths, None);
+        projection.factor(&self.metric, &lengths, skipped);
         let is_kept = self.end_projection.regularised
             || projection.smallest_pivot(&lengths)
                 >= MEAN_LOST * self.end_projection.smallest_pivot(&lengths);
@@ -194,6 +197,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         system: &S,
         end: &ConstraintGeometry<S, Q, N, R>,
         along: Along,
+        skipped: Option<&[bool; R]>,
     ) -> SVector<f64, R> {
         let metric = match along {
             Along::Position => &self.solver.jacobian,
@@ -205,7 +209,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         }
         system.delassus(&end.a, &self.along_end, &mut self.metric);
         let lengths = vector(|i| self.metric[i][i].abs());
-        self.end_projection.factor(&self.metric, &lengths, None);
+        self.end_projection.factor(&self.metric, &lengths, skipped);
         lengths
     }
 
@@ -216,9 +220,10 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         end: &ConstraintGeometry<S, Q, N, R>,
         v: &mut SVector<f64, N>,
         weights: &SVector<f64, R>,
+        skipped: Option<&[bool; R]>,
     ) -> Result<SVector<f64, R>, Fault> {
         self.solver.velocity_metric(&mut self.velocity_metric)?;
-        self.factor_end(system, end, Along::Velocity);
+        self.factor_end(system, end, Along::Velocity, skipped);
         let passes = match self.end_projection.regularised {
             true => REFINEMENTS,
             false => 1,
@@ -325,8 +330,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         } = &mut *self.context;
         let step = &mut *self.step;
         (step.solver).refresh(system, &self.q, &state.velocities, &self.vb)?;
-        let into = (&mut work.projection, &scale.usual);
-        let Some(pivot) = step.factor(system, end, &turn, into) else {
+        let work = &mut **work;
+        let (into, skipped) = (
+            (&mut work.projection, &scale.usual),
+            work.delassus.skipped(),
+        );
+        let Some(pivot) = step.factor(system, end, &turn, into, skipped) else {
             return Ok(false);
         };
         self.corrections.amplify(pivot);

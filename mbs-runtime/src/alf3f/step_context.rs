@@ -276,6 +276,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         }
     }
 
+    /// Chooses the redundant rows that are left out where a step begins, if there are any, and moves what they carry to the
+    /// others: for steps that do not factor the rows at their end.
+    #[inline]
+    pub(crate) fn settle_redundant(&mut self) {
+        if self.work.delassus.has_redundant() {
+            self.work.delassus.factor(&self.start.delassus);
+            self.relieve_redundant();
+        }
+    }
+
     /// Moves what redundant rows carry at the beginning of a step to the rows that they follow from: the same force
     /// Aᵀκ. A step beside a singular pose leaves multipliers on them; as no row answers to a combination without force,
     /// the extrapolation of multipliers would let it grow, a thousand times the forces in some hundred short steps.

@@ -102,6 +102,12 @@ impl<const K: usize> DelassusFactor<K> {
         self.unusual = UNUSUAL * least;
     }
 
+    /// Whether rows follow from others in all poses so far.
+    #[inline(always)]
+    pub(crate) fn has_redundant(&self) -> bool {
+        self.redundant.is_some()
+    }
+
     /// Rows that get no multiplier, where there are any.
     #[inline(always)]
     pub(crate) fn skipped(&self) -> Option<&[bool; K]> {

@@ -6,7 +6,8 @@
 //! | two-level with a tolerance | free rotations, many rows, stiff dampers and springs |
 //! | explicit, projected, with a tolerance | most others: no Newton iteration in its stages |
 //!
-//! Both are counted over the same time, so that they see the same motion: where a stop or a spring makes a part of it stiff,
+//! The explicit one begins, as its trials take the least. If the two-level one is hopeless beside it, that is all; otherwise
+//! both are counted over the same time, so that they see the same motion: where a stop or a spring makes a part of it stiff,
 //! few steps of the one may go as far as many of the other. Operations are counted, not timed, so that the choice is the same
 //! in every run. It is made again where the motion has changed (`revision.rs`).
 
@@ -35,6 +36,16 @@ fn candidates(settings: Settings, accuracy: f64) -> [Settings; 2] {
     [two_level, projected]
 }
 
+/// The candidate with steps that are not longer than those of another one which follow the motion: attempts with much too long
+/// steps take the most of a trial.
+fn shortened(candidate: Settings, other: &Trial) -> Settings {
+    let step = match other.follows_the_motion() {
+        true => candidate.step.min(other.step),
+        false => candidate.step,
+    };
+    Settings { step, ..candidate }
+}
+
 impl<S, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R>
 where
     S: System<Q, N, R> + Clone,
@@ -60,10 +71,15 @@ where
             Self::from_state(system, candidate, state, assembly, other)
         };
         // A candidate that cannot begin here is none.
-        let two_level =
-            make(candidates[0]).map_or(Trial::NONE, |mut run| run.run_trial(f64::INFINITY));
-        let projected =
-            make(candidates[1]).map_or(Trial::NONE, |mut run| run.run_beside(&two_level));
+        let alone = |candidate, other: &Trial| {
+            make(candidate).map_or(Trial::NONE, |mut run| run.run_trial(f64::INFINITY, other))
+        };
+        let first = alone(candidates[1], &Trial::NONE);
+        let two_level = alone(shortened(candidates[0], &first), &first);
+        let projected = match two_level.rate.is_finite() {
+            true => make(candidates[1]).map_or(Trial::NONE, |mut run| run.run_beside(&two_level)),
+            false => first,
+        };
         let trials = [two_level, projected];
         let best = usize::from(trials[1].rate < trials[0].rate);
         let chosen = match trials[best].rate.is_finite() {

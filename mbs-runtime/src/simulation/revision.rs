@@ -56,7 +56,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn choose_again(&mut self, most: f64) -> Result<(), SimulationError> {
         let other = self
             .with_other()
-            .map_or(Trial::NONE, |mut other| other.run_trial(most));
+            .map_or(Trial::NONE, |mut other| other.run_trial(most, &Trial::NONE));
         let mut current = Trial::NONE;
         if other.rate.is_finite() {
             let mut run = self.clone();

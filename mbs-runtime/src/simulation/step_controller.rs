@@ -29,7 +29,9 @@ const TREND: [f64; 2] = [0.5, 0.3];
 /// The change of the difficulty that is taken as one, at most, in powers of 2: from a larger one nothing follows.
 const STEEP: f64 = 20.0;
 /// Factors from one length to the next, at least and at most, where it follows the motion, and after a pair was too long.
-const FACTORS: [f64; 2] = [0.3, 2.0];
+const FACTORS: [f64; 2] = [0.3, 1.5];
+/// The factor at most until a length is found.
+const EAGER: f64 = 2.0;
 const RETREATS: [f64; 2] = [0.2, 0.9];
 /// The least factor of an embedded estimate that is believed: where the error is far below what is allowed, as in a start
 /// from rest, factors of a millionth were found, and one of a tenth a few steps later.
@@ -125,10 +127,11 @@ impl StepController {
         };
         let trend = TREND[usize::from(change < 0.0)] * change;
         let wanted = (AIM.log2() - difficulty - trend) / order;
-        let factor = (wanted.exp2() / h).clamp(FACTORS[0], FACTORS[1]);
+        let most = if self.eager { EAGER } else { FACTORS[1] };
+        let factor = (wanted.exp2() / h).clamp(FACTORS[0], most);
         self.difficulty = Some(difficulty);
         self.step = h * factor;
-        self.eager &= factor == FACTORS[1];
+        self.eager &= factor == EAGER;
     }
 
     /// After steps of h were too long by an embedded method. If they were before, too, `again`, the factor of its estimate

@@ -22,6 +22,7 @@
 //! A pair that leaps over a pose that is nearly singular is not kept, though its error seems small (`passage.rs`).
 
 use super::Simulation;
+use super::known_poses::SAME;
 use super::pose::Passage;
 use super::step_controller::{TOO_LONG, notches};
 use crate::linear::vector;
@@ -36,6 +37,8 @@ const UNLIKE: f64 = 0.3;
 /// The steps with which a pair is compared: one of its whole length, otherwise two unequal ones, divided at these
 /// fractions.
 const PARTITIONS: [f64; 4] = [1.0, 0.3, 0.7, 0.2];
+/// As many of them where an embedded method estimates the error: the others have hardly ever led to a pair that was kept.
+const ESTIMATED: usize = 2;
 /// Other steps whose error is not larger than that of the pair by at least this fraction give no estimate.
 const TELLING: f64 = 0.2;
 /// Lengths of pairs, as fractions of h, that are tried if a singular pose spoils every comparison.
@@ -45,6 +48,8 @@ const WEAKEST: f64 = 1e-5;
 /// Corrections of explicit steps square what is left of the rows, and most end far below their tolerance: this part of it is
 /// expected, where σ is above the second number. Closer to a pose velocities have other errors.
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
+/// σ at the ends of steps past a known singular pose, at least, for an embedded estimate to be believed.
+const FAR: f64 = 0.1;
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
 const UNSEEN: u32 = 15;
@@ -143,14 +148,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
                         step_controller.note(found.gauge, found.excess);
-                        match h == step_controller.step && found.even {
-                            true if found.is_embedded => {
-                                step_controller.follow(order, h, found.excess);
-                            }
-                            true if !self.is_estimated => {
-                                step_controller.lengthen(notches(order, found.excess));
-                            }
-                            _ => {}
+                        if h == step_controller.step && found.is_embedded {
+                            let [first, second] = found.passage.steps;
+                            step_controller.follow(order, 0.5 * (first + second), found.excess);
+                        } else if h == step_controller.step && found.even && !self.is_estimated {
+                            step_controller.lengthen(notches(order, found.excess));
                         }
                         self.integrator.state_mut().step_controller = step_controller;
                         return Ok(());
@@ -251,10 +253,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let way = length.max(reach) * found.speed.max(controller.speed);
         let allowed = (SHARE * tolerance * way).max(noise);
-        // Steps about a singular pose have errors of their own, which no embedded method sees.
-        let passage = &found.passage;
-        let is_regular = passage.has_same_rows() && found.even && passage.pose().is_none();
-        found.is_embedded = self.is_estimated && is_regular;
+        // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
+        found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
         let estimate = estimate.filter(|_| found.is_embedded);
         found.excess = controller.foresees(estimate, allowed);
         let is_clear = found.excess <= CLEARLY && controller.unseen < UNSEEN;
@@ -270,7 +270,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let paced = controller.step >= PACED * self.settings.step;
         let still = if paced { noise } else { 0.0 };
         let mut converged = false;
-        for fraction in PARTITIONS {
+        let partitions = if self.is_estimated {
+            ESTIMATED
+        } else {
+            PARTITIONS.len()
+        };
+        for fraction in PARTITIONS.into_iter().take(partitions) {
             let steps = [fraction * length, (1.0 - fraction) * length];
             let ratio = error(steps) / error([first, second]) - 1.0;
             if ratio < TELLING {
@@ -330,6 +335,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             _ => excess,
         };
         excess.min(TOO_LONG)
+    }
+
+    /// Whether the pair passes no singular pose, or one that is known, with steps that end far from it. Their velocities then
+    /// are those of one branch.
+    fn keeps_its_branch(&self, found: &Found) -> bool {
+        let passage = &found.passage;
+        if !passage.has_same_rows() {
+            return false;
+        }
+        let length: f64 = passage.steps.into_iter().sum();
+        match passage.pose() {
+            None if found.even => true,
+            pose => {
+                let is_known = |pose: f64| self.is_known(&self.pair, pose / length, SAME);
+                passage.margins.iter().all(|margin| margin.least > FAR) && pose.is_none_or(is_known)
+            }
+        }
     }
 
     /// Whether the velocities change in the pair so much that it may have turned into another branch. A drive gives the

@@ -6,14 +6,22 @@ use crate::{SimulationError, System};
 
 /// Pairs of steps that are counted, after the first length of steps was found.
 const COUNTED: usize = 12;
-/// How often they are counted anew while steps grow.
+/// How often they are counted anew while steps grow, and by which factor at least they do so in the time of a count where their
+/// length follows the motion.
 const WINDOWS: usize = 6;
+const GROWN: f64 = 2.0;
 /// Pairs that a candidate has for finding it.
 const TRIED: usize = 60;
 
 /// The work of another method, as a part of that of the method in use, with which it is taken: a change costs a few steps
 /// until the new lengths are found.
 pub(super) const GAIN: f64 = 0.7;
+/// A candidate is not counted further when it has taken as many operations as the whole trial of another one, and takes this
+/// many times its operations for a second: where its steps grow once more they become four times as long at most.
+const HOPELESS: f64 = 4.0;
+/// Pairs of explicit steps that go a shorter way, in sizes and radians, are short for another reason than the motion: a stiff
+/// damper, or a tolerance near round-off. Then steps of the other candidate may grow a hundred times longer.
+const MOVING: f64 = 0.01;
 
 /// What a candidate needs.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +30,7 @@ pub(super) struct Trial {
     pub(super) rate: f64,
     /// The times between which they were counted, s.
     pub(super) span: [f64; 2],
-    /// All operations of the trial.
+    /// All operations of the trial; if it was hopeless, those that it would have taken.
     pub(super) operations: f64,
     /// The length of its steps at the end of the trial, s.
     pub(super) step: f64,
@@ -39,16 +47,27 @@ impl Trial {
         step: 0.0,
         way: 0.0,
     };
+
+    /// Whether the lengths of its steps are those that the motion needs.
+    pub(super) fn follows_the_motion(&self) -> bool {
+        self.rate.is_finite() && self.way > MOVING
+    }
+
+    /// Whether a candidate that has taken so many operations, at this rate, need not be tried further.
+    fn outdoes(&self, operations: f64, rate: f64) -> bool {
+        self.follows_the_motion() && operations > self.operations && rate > HOPELESS * self.rate
+    }
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// What the method needs from this state on: it runs until the length of the steps is found, and then counts. It ends with
-    /// [`Trial::NONE`] where it cannot go on, and after so many operations.
-    pub(super) fn run_trial(&mut self, most: f64) -> Trial {
-        self.tried(most).unwrap_or(Trial::NONE)
+    /// [`Trial::NONE`] where it cannot go on, and after so many operations; without a finite rate where it is hopeless beside
+    /// the other one.
+    pub(super) fn run_trial(&mut self, most: f64, other: &Trial) -> Trial {
+        self.tried(most, other).unwrap_or(Trial::NONE)
     }
 
-    fn tried(&mut self, most: f64) -> Result<Trial, SimulationError> {
+    fn tried(&mut self, most: f64, other: &Trial) -> Result<Trial, SimulationError> {
         let (work, begin) = (self.work(), self.report());
         for _ in 0..TRIED {
             if self.state().step_controller.step > 0.0 && !self.state().step_controller.eager {
@@ -60,15 +79,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
         }
         // A transient at the start needs short steps: the count begins anew while they grow.
+        let grown = if self.is_estimated { GROWN } else { 1.0 };
         let mut trial = Trial::NONE;
         for _ in 0..WINDOWS {
             let step = self.nominal();
-            trial = self.count(&work)?;
-            trial.operations = work.between(&begin, &self.report());
+            let before = work.between(&begin, &self.report());
+            trial = self.count(&work, before, other)?;
             if trial.operations > most {
                 return Ok(Trial::NONE);
             }
-            if trial.step <= step {
+            if trial.rate.is_infinite() {
+                break;
+            }
+            if trial.step <= grown * step {
                 break;
             }
         }
@@ -79,7 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// than that trial as a whole, by 1/[`GAIN`].
     pub(super) fn run_beside(&mut self, other: &Trial) -> Trial {
         if !other.rate.is_finite() {
-            return self.run_trial(f64::INFINITY);
+            return self.run_trial(f64::INFINITY, &Trial::NONE);
         }
         let (begin, start, work) = (self.time(), self.report(), self.work());
         let (mut before, mut way, mut pairs) = ((begin, 0.0), 0.0, 0.0);
@@ -112,20 +135,29 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// The operations of some pairs.
-    fn count(&mut self, work: &Work) -> Result<Trial, SimulationError> {
-        let (start, before) = (self.time(), self.report());
-        let mut way = 0.0;
-        for _ in 0..COUNTED {
+    /// The operations of some pairs, after those `before` them.
+    fn count(&mut self, work: &Work, before: f64, other: &Trial) -> Result<Trial, SimulationError> {
+        let (start, begin) = (self.time(), self.report());
+        let (mut way, mut operations) = (0.0, 0.0);
+        for pairs in 1..=COUNTED {
             self.forward(self.nominal(), f64::INFINITY)?;
             way += self.way();
+            operations = work.between(&begin, &self.report());
+            let rate = operations / (self.time() - start);
+            if other.outdoes(before + operations, rate) {
+                let all = operations * (COUNTED as f64 / pairs as f64);
+                return Ok(Trial {
+                    operations: before + all,
+                    ..Trial::NONE
+                });
+            }
         }
         Ok(Trial {
-            rate: work.between(&before, &self.report()) / (self.time() - start),
+            rate: operations / (self.time() - start),
             span: [start, self.time()],
+            operations: before + operations,
             step: self.nominal(),
             way: way / COUNTED as f64,
-            ..Trial::NONE
         })
     }
 
