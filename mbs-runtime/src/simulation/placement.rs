@@ -165,7 +165,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Err(_) => (f64::NEG_INFINITY, h),
         };
         let (mut taken, mut aims) = (h, 0);
-        for factor in self.promising_lengths() {
+        for (factor, expected) in self.promising_lengths() {
             // After one attempt with all its stages the position of the pose is known, and the length of a composed
             // step can be computed.
             let bounds = [BOUNDS[0] * h, (BOUNDS[1] * h).min(left)].map(|bound| bound / taken);
@@ -173,6 +173,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let trial = match aimed {
                 Some((_, clearance)) if aims >= AIMS || !(clearance > best) => break,
                 Some((factor, _)) => (factor * taken).min(left),
+                None if expected <= best => break,
                 None => factor * h,
             };
             if trial > left {
@@ -201,14 +202,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(length)
     }
 
-    /// [`LENGTHS`]; after an explicit step, whose stages tell where the pose is, those with the largest expected clearance come
-    /// first.
-    fn promising_lengths(&self) -> [f64; LENGTHS.len()] {
+    /// [`LENGTHS`] in their order; after an explicit step, whose stages tell where the pose is, with the expected clearances, the
+    /// largest first.
+    fn promising_lengths(&self) -> [(f64, f64); LENGTHS.len()] {
         let mut lengths = LENGTHS.map(|factor| (factor, self.integrator.foresee(factor)));
-        if lengths.iter().all(|(_, clearance)| clearance.is_finite()) {
-            lengths.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
+        match lengths.iter().all(|(_, clearance)| clearance.is_finite()) {
+            true => lengths.sort_unstable_by(|a, b| b.1.total_cmp(&a.1)),
+            false => lengths = LENGTHS.map(|factor| (factor, f64::NAN)),
         }
-        lengths.map(|(factor, _)| factor)
+        lengths
     }
 
     /// Restores the state before the step.

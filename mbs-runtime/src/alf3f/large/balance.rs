@@ -28,6 +28,9 @@ pub(super) struct Balance<'a, S: System<Q, N, R>, const Q: usize, const N: usize
     /// What is missing of the momentum balance.
     change: SVector<f64, N>,
     corrections: Corrections,
+    /// The first correction takes back what multipliers have along combinations without force. No row answers to it: its
+    /// round-off would grow from step to step by the extrapolation of the multipliers.
+    is_first: bool,
 }
 
 impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -56,6 +59,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             defect: zeros(),
             change: zeros(),
             corrections: Corrections::none(),
+            is_first: true,
         }
     }
 
@@ -140,7 +144,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
                 true => -2.0 / self.h * self.defect[i],
                 false => -self.defect[i],
             };
+            if self.is_first {
+                *x -= matrices.positions.proximal(i) * self.kappa[i];
+            }
         }
+        self.is_first = false;
         turns.undo(x);
         if !matrices.positions.lu.solve(x) {
             // The next residual is not finite, either, which ends the iteration.

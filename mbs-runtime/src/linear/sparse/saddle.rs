@@ -97,6 +97,11 @@ impl Saddle {
         }
     }
 
+    /// The diagonal entry ε D of a row.
+    pub(crate) fn proximal(&self, row: usize) -> f64 {
+        PROXIMAL * self.lengths[row]
+    }
+
     /// Adds A of these rows below, and −Aᵀ beside.
     pub(crate) fn add_rows(&mut self, a: &Entries, rows: std::ops::Range<usize>) {
         let values = self.lu.values();
