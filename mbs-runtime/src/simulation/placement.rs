@@ -202,8 +202,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(length)
     }
 
-    /// [`LENGTHS`] in their order; after an explicit step, whose stages tell where the pose is, with the expected clearances, the
-    /// largest first.
+    /// [`LENGTHS`] in their order, with NaN; after an explicit step, whose stages tell where the pose is, with the expected
+    /// clearances, the largest first.
     fn promising_lengths(&self) -> [(f64, f64); LENGTHS.len()] {
         let mut lengths = LENGTHS.map(|factor| (factor, self.integrator.foresee(factor)));
         match lengths.iter().all(|(_, clearance)| clearance.is_finite()) {
