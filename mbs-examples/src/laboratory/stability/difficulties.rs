@@ -105,7 +105,7 @@ pub(super) fn maps(phases: usize) -> Vec<Map> {
         ),
         by_step(
             "rest-in-pose",
-            "Start from rest in a singular pose, where any branch is right: the same",
+            "Start from rest in a singular pose: double four-bar, redundant row, shaken base, in space",
             &STEPS,
             at_rest(level(starts(
                 &[&DOUBLE_FOUR_BAR, &REDUNDANT, &SHAKEN, &IN_SPACE],
