@@ -331,10 +331,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         let step = &mut *self.step;
         (step.solver).refresh(system, &self.q, &state.velocities, &self.vb)?;
         let work = &mut **work;
-        let (into, skipped) = (
-            (&mut work.projection, &scale.usual),
-            work.delassus.skipped(),
-        );
+        let skipped = work.delassus.skipped();
+        let into = (&mut work.projection, &scale.usual);
         let Some(pivot) = step.factor(system, end, &turn, into, skipped) else {
             return Ok(false);
         };

@@ -88,9 +88,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if trial.operations > most {
                 return Ok(Trial::NONE);
             }
-            if trial.rate.is_infinite() {
-                break;
-            }
+            // A hopeless trial has no length.
             if trial.step <= grown * step {
                 break;
             }
@@ -98,12 +96,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(trial)
     }
 
-    /// What the method needs from this state on in the span of another trial. It ends earlier where it takes more operations
-    /// than that trial as a whole, by 1/[`GAIN`].
+    /// What the method needs from this state on in the span of another trial, whose rate is finite. It ends earlier where it
+    /// takes more operations than that trial as a whole, by 1/[`GAIN`].
     pub(super) fn run_beside(&mut self, other: &Trial) -> Trial {
-        if !other.rate.is_finite() {
-            return self.run_trial(f64::INFINITY, &Trial::NONE);
-        }
         let (begin, start, work) = (self.time(), self.report(), self.work());
         let (mut before, mut way, mut pairs) = ((begin, 0.0), 0.0, 0.0);
         let [from, to] = other.span;
