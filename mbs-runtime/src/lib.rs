@@ -159,7 +159,7 @@ pub use settings::{
 pub use simulation_error::SimulationError;
 pub use sink::{MatrixSink, TensorSink};
 #[cfg(feature = "sparse")]
-pub use state::{FactorOrigin, Renewal};
+pub use state::{BackwardDifferences, FactorOrigin, Renewal};
 pub use state::{Ledger, State, StepController, ThreeFields};
 #[cfg(feature = "std")]
 pub use {

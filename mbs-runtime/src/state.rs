@@ -1,6 +1,8 @@
 //! The state of a simulation: all data to continue it bit for bit.
 
 #[cfg(feature = "sparse")]
+mod backward_differences;
+#[cfg(feature = "sparse")]
 mod factor_origin;
 
 #[cfg(feature = "sparse")]
@@ -11,6 +13,8 @@ use crate::memory::Box;
 use crate::memory::StageList;
 use crate::row_scale::RowScale;
 use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
+#[cfg(feature = "sparse")]
+pub use backward_differences::BackwardDifferences;
 #[cfg(feature = "sparse")]
 pub(crate) use factor_origin::COST;
 #[cfg(feature = "sparse")]
@@ -45,6 +49,10 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     #[cfg(feature = "sparse")]
     #[cfg_attr(feature = "serde", serde(default))]
     pub factors: Option<Box<FactorOrigin<Q, N>>>,
+    /// What its steps begin their corrections with.
+    #[cfg(feature = "sparse")]
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub differences: Option<Box<BackwardDifferences<N>>>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
@@ -112,14 +120,17 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         }
     }
 
-    /// Makes room for the origin of factors, where steps keep any.
+    /// Makes room for the origin of factors and for differences, where steps keep any.
     #[cfg(feature = "sparse")]
     pub(crate) fn keep_factors(&mut self, keep: bool) {
         if !keep {
-            self.factors = None;
-        } else if self.factors.is_none() {
-            self.factors = Some(Box::new(FactorOrigin::none()));
+            (self.factors, self.differences) = (None, None);
+            return;
         }
+        self.factors
+            .get_or_insert_with(|| Box::new(FactorOrigin::none()));
+        self.differences
+            .get_or_insert_with(|| Box::new(BackwardDifferences::none()));
     }
 
     /// The next step of a large mechanism makes new factors: an input has changed, which the state does not have.
@@ -162,6 +173,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         #[cfg(feature = "sparse")]
         if const { is_large::<N, R>() } {
             self.factors.clone_from(&other.factors);
+            self.differences.clone_from(&other.differences);
         }
     }
 
@@ -203,6 +215,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             fields: ThreeFields::default(),
             #[cfg(feature = "sparse")]
             factors: None,
+            #[cfg(feature = "sparse")]
+            differences: None,
         }
     }
 }

@@ -23,8 +23,6 @@ pub struct FactorOrigin<const Q: usize, const N: usize> {
     pub velocities: SVector<f64, N>,
     /// What the factors have saved and cost since.
     pub renewal: Renewal,
-    /// The mean rate of change of v in the last step: the next one begins its corrections with it.
-    pub change: SVector<f64, N>,
 }
 
 /// When factors are renewed.
@@ -48,7 +46,6 @@ impl<const Q: usize, const N: usize> FactorOrigin<Q, N> {
             positions: SVector::zeros(),
             velocities: SVector::zeros(),
             renewal: Renewal::default(),
-            change: SVector::zeros(),
         }
     }
 

@@ -105,8 +105,9 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
     ) -> Result<(), Fault> {
         let before = context.state.velocities;
         let kept = self.take_up(context, h)?;
-        let change = context.state.factors.as_ref().map_or(zeros(), |f| f.change);
-        let taken = match self.attempt(context, h, before + change * h) {
+        let differences = context.state.differences.as_ref();
+        let expected = differences.map_or(before, |known| known.predict(&before, h));
+        let taken = match self.attempt(context, h, expected) {
             // As the first step of a run.
             Err(_) => {
                 self.begin_anew(context, h)?;
@@ -116,8 +117,12 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
         };
         let (corrections, kept) = taken?;
         self.keep(&mut context.state, corrections, kept);
-        if let Some(factors) = &mut context.state.factors {
-            factors.change = (context.state.velocities - before) / h;
+        let StepContext {
+            state, yardstick, ..
+        } = context;
+        if let Some(differences) = &mut state.differences {
+            let change = state.velocities - before;
+            differences.add(&change, h, |x| yardstick.measure(x));
         }
         let Tangents { start, end, .. } = &mut self.tangents;
         std::mem::swap(start, end);
