@@ -24,6 +24,7 @@ mod names;
 mod parameters;
 mod parts;
 mod progressions;
+mod row_layout;
 mod size;
 mod sparse;
 mod system;

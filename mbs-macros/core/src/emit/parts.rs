@@ -2,14 +2,15 @@
 //! computed with which values.
 //!
 //! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
-//! and the rows, which are the places of values, or [groups](even_rows) of them. It is written as a string of bytes, because
-//! rustc reads that as one token.
+//! and the rows, which are [places of values](row_layout), or [groups](even_rows) of them. It is written as a string of bytes,
+//! because rustc reads that as one token.
 
 use super::body::{Body, source};
 use super::copies::copies;
 use super::even_rows;
 use super::long_array;
 use super::member_loops;
+use super::row_layout::{BEYOND, RowLayout};
 use super::size::Size;
 use crate::contract::{Method, Origin, Returns, Shape as Argument};
 use crate::dag::{ALL_TANGENTS, Function, Operation, Output, Parts, Place, Program, of_tangents};
@@ -27,7 +28,9 @@ pub(super) struct LongFunctions {
     numbers: Vec<Vec<usize>>,
     /// The different shapes, as (function, index).
     shapes: Vec<(usize, usize)>,
-    /// For each function the length of its array of values: a power of two, so that no index needs a check.
+    /// For each shape of each function the words of its rows.
+    layouts: Vec<Vec<RowLayout>>,
+    /// For each function the number of places that words can name: a power of two, so that no index needs a check.
     lengths: Vec<usize>,
     /// Whether a method computes them by tables.
     has_tables: Vec<Cell<bool>>,
@@ -53,7 +56,15 @@ impl LongFunctions {
             .iter()
             .map(|(_, parts)| parts.places.next_power_of_two())
             .collect();
-        let mut known: Map<(usize, &[Operation], &[Output]), usize> = Map::default();
+        let layouts: Vec<Vec<RowLayout>> = functions
+            .iter()
+            .map(|(_, parts)| {
+                let tables = parts.shapes.iter().map(|shape| &shape.table);
+                tables.map(|table| RowLayout::of(table)).collect()
+            })
+            .collect();
+        type Code<'a> = (usize, &'a [Operation], &'a [Output], &'a RowLayout);
+        let mut known: Map<Code, usize> = Map::default();
         let mut shapes = Vec::new();
         let mut numbers = Vec::new();
         for (at, (_, parts)) in functions.iter().enumerate() {
@@ -64,7 +75,12 @@ impl LongFunctions {
                     return shapes.len() - 1;
                 }
                 *known
-                    .entry((lengths[at], &code.operations, &code.outputs))
+                    .entry((
+                        lengths[at],
+                        &code.operations,
+                        &code.outputs,
+                        &layouts[at][index],
+                    ))
                     .or_insert_with(|| {
                         shapes.push((at, index));
                         shapes.len() - 1
@@ -76,6 +92,7 @@ impl LongFunctions {
         LongFunctions {
             numbers,
             shapes,
+            layouts,
             has_tables: vec![Cell::new(false); lengths.len()],
             lengths,
             word: Word {
@@ -116,7 +133,7 @@ impl LongFunctions {
             return Some(loops);
         }
         self.has_tables[at].set(true);
-        let mut out = long_array::declaration(self.lengths[at]);
+        let mut out = long_array::declaration(self.array(at));
         let sources = parts.inputs.iter().map(|&input| source(graph, input));
         out.push_str(&copies("values", &sources.collect::<Vec<_>>()));
         let _ = writeln!(
@@ -207,11 +224,15 @@ impl LongFunctions {
             return String::new();
         }
         let mut out = String::new();
-        let runs = self.tabled().flat_map(|(_, (_, parts))| parts.rows());
-        let even = even_rows::pays(runs.map(|(_, rows)| rows));
+        let runs = self.tabled().flat_map(|(at, (_, parts))| {
+            let rows = parts.rows().filter(|(_, rows)| rows.len() > 1);
+            rows.map(move |(shape, rows)| self.words(at, shape, rows))
+        });
+        let runs: Vec<Vec<Vec<u32>>> = runs.collect();
+        let even = even_rows::pays(&runs);
         for (at, (name, parts)) in self.tabled() {
             // Each function has its own list: a program that does not call the function does not compile its parts.
-            let (list, length) = (self.list(at), self.lengths[at]);
+            let (list, length) = (self.list(at), self.array(at));
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
             let table = self.table(at, &list, even);
@@ -251,24 +272,31 @@ impl LongFunctions {
     fn write_part(&self, out: &mut String, graph: &Graph, number: usize, even: bool) {
         let (at, index) = self.shapes[number];
         let shape = &self.functions[at].1.shapes[index];
-        let (length, word) = (self.lengths[at], self.word.name());
-        let function = &shape.function;
+        let (length, word) = (self.array(at), self.word.name());
+        let (function, layout) = (&shape.function, &self.layouts[at][index]);
         let only = match shape.table.as_slice() {
             [row] => Some(row.as_slice()),
             _ => None,
         };
-        let width = shape.table.first().map_or(0, Vec::len);
-        let place = |k: usize| match only {
-            Some(row) => format!("values[{}]", row[k]),
-            None => format!("values[at[{k}] as usize & {}]", length - 1),
+        let place = |k: usize| match (only, layout.columns[k]) {
+            (Some(row), _) => format!("values[{}]", row[k]),
+            (None, (base, 0)) => format!("values[p{base}]"),
+            (None, (base, distance)) => format!("values[p{base} + {distance}]"),
         };
         let body = Body::of_part(graph, function, place);
         let values = body.values().into_iter().enumerate();
         let writes = values.fold(String::new(), |text, (k, value)| {
-            let place = place(width - function.outputs.len() + k);
+            let place = place(layout.columns.len() - function.outputs.len() + k);
             text + &format!("{place} = {value};\n")
         });
         let code = body.statements() + &writes;
+        let width = layout.width();
+        let mask = self.lengths[at] - 1;
+        let bases = (0..width).map(|k| format!("let p{k} = at[{k}] as usize & {mask};\n"));
+        let code = match only {
+            Some(_) => code,
+            None => bases.collect::<String>() + &code,
+        };
         let code = match only {
             Some(_) => code,
             None if even => format!(
@@ -281,6 +309,17 @@ impl LongFunctions {
             "/// {}\nfn part_{number}(&self, values: &mut [f64; {length}], rows: &[{word}]) {{ {code} }}",
             function.cost(),
         );
+    }
+
+    /// The length of the array of a function.
+    fn array(&self, at: usize) -> usize {
+        self.lengths[at] + BEYOND
+    }
+
+    /// The words of rows of a function.
+    fn words(&self, at: usize, shape: usize, rows: &[Vec<u32>]) -> Vec<Vec<u32>> {
+        let layout = &self.layouts[at][shape];
+        rows.iter().map(|row| layout.words(row)).collect()
     }
 
     /// The numbers of the shapes of a function, in order.
@@ -296,11 +335,11 @@ impl LongFunctions {
         for run in &parts.runs {
             let rows = &parts.shapes[run.shape].table;
             let rows = match rows.len() {
-                1 => &[],
-                _ => &rows[run.first..run.first + run.count],
+                1 => Vec::new(),
+                _ => self.words(at, run.shape, &rows[run.first..run.first + run.count]),
             };
             let words = match even {
-                true => even_rows::words(rows),
+                true => even_rows::words(&rows),
                 false => rows.concat(),
             };
             let length = words.len();

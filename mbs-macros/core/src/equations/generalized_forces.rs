@@ -28,6 +28,13 @@ pub(super) struct Elements {
     pub loads: Vec<Vec<Load>>,
 }
 
+/// A load by its element.
+#[derive(Clone, Copy)]
+struct Along {
+    element: usize,
+    at: usize,
+}
+
 impl Elements {
     /// A sum of one element.
     fn own(&self, graph: &mut Graph, sum: Expr) -> Expr {
@@ -35,6 +42,22 @@ impl Elements {
             true => graph.function(Function::Apart, sum),
             false => sum,
         }
+    }
+
+    /// For each velocity the loads whose rates change along it, in order: all derivatives together take time in proportion
+    /// to the loads.
+    fn loads_along(&self, graph: &Graph, size: usize) -> Vec<Vec<Along>> {
+        let mut along = vec![Vec::new(); size];
+        for (element, loads) in self.loads.iter().enumerate() {
+            for (at, load) in loads.iter().enumerate() {
+                for symbol in graph.directions([load.rate]) {
+                    if let Symbol::Velocity(j) = symbol {
+                        along[j as usize].push(Along { element, at });
+                    }
+                }
+            }
+        }
+        along
     }
 
     /// V in one of its forms, where that of gravity is known.
@@ -68,9 +91,12 @@ impl ForceParts {
         elements: &Elements,
     ) -> ForceParts {
         let velocities = 0..size as u32;
+        let along = elements.loads_along(graph, size);
         let load = |graph: &mut Graph, j: u32| {
-            let sums = elements.loads.iter().map(|loads| {
-                let terms = loads.iter().map(|load| {
+            let loads = along[j as usize].chunk_by(|a, b| a.element == b.element);
+            let sums = loads.map(|own| {
+                let terms = own.iter().map(|&Along { element, at }| {
+                    let load = &elements.loads[element][at];
                     let lever = graph.derivative(load.rate, Symbol::Velocity(j));
                     graph.mul(load.force, lever)
                 });
