@@ -278,10 +278,13 @@ impl LongFunctions {
             [row] => Some(row.as_slice()),
             _ => None,
         };
+        let mask = self.lengths[at] - 1;
         let place = |k: usize| match (only, layout.columns[k]) {
             (Some(row), _) => format!("values[{}]", row[k]),
-            (None, (base, 0)) => format!("values[p{base}]"),
-            (None, (base, distance)) => format!("values[p{base} + {distance}]"),
+            (None, (word, 0)) => format!("values[at[{word}] as usize & {mask}]"),
+            (None, (word, distance)) => {
+                format!("values[(at[{word}] as usize & {mask}) + {distance}]")
+            }
         };
         let body = Body::of_part(graph, function, place);
         let values = body.values().into_iter().enumerate();
@@ -291,12 +294,6 @@ impl LongFunctions {
         });
         let code = body.statements() + &writes;
         let width = layout.width();
-        let mask = self.lengths[at] - 1;
-        let bases = (0..width).map(|k| format!("let p{k} = at[{k}] as usize & {mask};\n"));
-        let code = match only {
-            Some(_) => code,
-            None => bases.collect::<String>() + &code,
-        };
         let code = match only {
             Some(_) => code,
             None if even => format!(
