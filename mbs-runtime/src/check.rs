@@ -41,9 +41,12 @@ impl Settings {
         if let Some(wished) = self.tolerance {
             let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&wished);
             require("tolerance", wished, possible, "a value from 1e-12 to 0.1")?;
-            let paced = matches!(self.method, Method::TwoLevel | Method::Projected);
+            let paced = matches!(
+                self.method,
+                Method::TwoLevel | Method::Projected | Method::Radau
+            );
             let wanted =
-                "`None` with this method: the two-level and the projected one choose their steps";
+                "`None` with this method: `two-level`, `projected` and `radau` choose their steps";
             require("tolerance", wished, paced, wanted)?;
         }
         match &self.method {
@@ -54,6 +57,7 @@ impl Settings {
             | Method::Index3Projections(_)
             | Method::GeneralizedAlpha(_)
             | Method::Bdf(_)
+            | Method::Radau
                 if self.order > 2 =>
             {
                 Err(SimulationError::Order {
@@ -61,7 +65,7 @@ impl Settings {
                     because: "the method has an order of its own",
                 })
             }
-            Method::Rattle => Ok(()),
+            Method::Rattle | Method::Radau => Ok(()),
             Method::Penalty(penalty) => penalty.check(),
             Method::Index3Projections(projections) => positive("penalty", projections.penalty),
             Method::GeneralizedAlpha(alpha) => require(

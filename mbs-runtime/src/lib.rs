@@ -43,6 +43,7 @@
 //! | [`Method::Index3Projections`] | augmented Lagrangian of index 3 with projections of velocities and accelerations |
 //! | [`Method::GeneralizedAlpha`] | the generalized-α method of index 3, or of the stabilised index 2 |
 //! | [`Method::Bdf`] | backward differentiation of index 3, of variable order and step |
+//! | [`Method::Radau`] | Radau IIA of order 5 with the rows of velocities at its stages, positions and velocities projected onto the rows after each step: stiff forces of velocity |
 //! | [`Method::Penalty`] | rows as stiff springs and dampers |
 //!
 //! All except the first are methods of the literature for comparison, on the same generated equations and with the same

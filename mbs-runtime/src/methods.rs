@@ -72,6 +72,7 @@ baselines! {
     Index3Projections: baselines::Index3::rule;
     GeneralizedAlpha: baselines::GeneralizedAlpha::rule;
     Bdf: baselines::Bdf::rule;
+    Radau: baselines::Radau::rule;
 }
 
 /// Algorithm 1 of the paper and the modified augmented Lagrangian: [`Method::Paper`], [`Method::MAlf`].

@@ -25,6 +25,7 @@ mod names;
 mod near_singular;
 mod other_assemblies;
 mod paper;
+mod radau;
 mod rank_losses;
 mod redundant_short_steps;
 mod references;

@@ -161,6 +161,7 @@ fn named_methods_run_and_no_others() {
     run(methods::Index3Projections, &["index3-projections"]);
     run(methods::GeneralizedAlpha, &["generalized-alpha"]);
     run(methods::Bdf, &["bdf"]);
+    run(methods::Radau, &["radau"]);
     run(methods::Paper, &["alf3f-paper", "m-alf"]);
     let adaptive = Settings {
         method: Method::Baumgarte(BaumgarteSettings {

@@ -35,6 +35,13 @@ const METHODS: [(&str, &[&str]); 9] = [
     ("Baumgarte", &["mbs_runtime::baselines::baumgarte"]),
     ("backward differentiation", &["mbs_runtime::baselines::bdf"]),
     (
+        "Radau IIA",
+        &[
+            "mbs_runtime::baselines::radau",
+            "mbs_runtime::baselines::complex_saddle",
+        ],
+    ),
+    (
         "generalized α",
         &["mbs_runtime::baselines::generalized_alpha"],
     ),

@@ -107,6 +107,7 @@ pub fn entries() -> Vec<Entry> {
         named("generalized-alpha", "generalized-alpha", 2, 1),
         Some(of("generalized-alpha stab.", stabilised, 2, false, 1)),
         named("bdf", "bdf", 2, 1),
+        named("radau", "radau", 2, 1),
         named("rattle", "rattle", 2, 1),
         named("baumgarte 4", "baumgarte", 4, 1),
         named("baumgarte 8", "baumgarte", 8, 1),

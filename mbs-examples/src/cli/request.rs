@@ -45,6 +45,10 @@ impl Request {
         }
         if let Some(name) = &arguments.method {
             settings.method = method(name)?;
+            // The order that fits a tolerance is for methods of several orders.
+            if settings.method == Method::Radau && arguments.order.is_none() {
+                settings.order = Settings::default().order;
+            }
         }
         settings.step = step;
         let mut request = Request {

@@ -40,8 +40,8 @@ pub struct Simulate {
     /// for example 1e-9 [default: 1e-6, if there is no --step, --tolerance, --method and --order].
     #[arg(long, value_name = "X", allow_hyphen_values = true, conflicts_with_all = ["tolerance", "method", "order"])]
     pub accuracy: Option<String>,
-    /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, rattle, baumgarte, projected or
-    /// penalty [default: two-level, with a constant step unless there is --tolerance].
+    /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, radau, rattle, baumgarte,
+    /// projected or penalty [default: two-level, with a constant step unless there is --tolerance].
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     /// Order of the method: 2, 4, 6 or 8 [default: 2, or the order that fits --tolerance].

@@ -34,7 +34,7 @@ pub fn json(run: &Run) -> String {
         "method": run.simulation.settings().method.name(),
         // Algorithm 1 has its own discretisation.
         "flow": matches!(settings.method, Method::TwoLevel).then(|| run.simulation.flow().name()),
-        "order": settings.order,
+        "order": settings.true_order(),
         "step_s": step(run),
         "tolerance": settings.tolerance,
         "accuracy": run.accuracy,
@@ -156,7 +156,7 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
     writeln!(
         out,
         "  method       {method}, order {}, {steps}",
-        settings.order
+        settings.true_order()
     )?;
     if let Some(accuracy) = run.accuracy {
         writeln!(

@@ -66,6 +66,7 @@ fn looks(label: &str) -> (&'static str, Marker, &'static str, f64) {
         "generalized-alpha" => ("#7b4b9e", Marker::Frame, "", 1.8),
         "generalized-alpha stab." => ("#7b4b9e", Marker::Plus, "6 3", 1.8),
         "bdf" => ("#2f8a3d", Marker::Funnel, "", 1.8),
+        "radau" => ("#2f8a3d", Marker::Diamond, "5 3", 2.0),
         _ => ("#a9a294", Marker::Plus, "", 1.6),
     }
 }

@@ -167,6 +167,7 @@ pub fn entries() -> Vec<Entry> {
         Entry::named("generalized-alpha", "generalized-alpha", 2),
         with("generalized-alpha stab.", stabilised),
         Entry::named("bdf", "bdf", 2),
+        Entry::named("radau", "radau", 2),
         Entry::named("rattle", "rattle", 2),
         Entry::named("projected 4", "projected", 4),
         Entry::named("projected 6", "projected", 6),

@@ -73,14 +73,29 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         bench: &Bench<S, Q, N, R>,
         usual: SVector<f64, R>,
     ) -> Result<Self, Fault> {
+        Index1::planned(bench, 0.0).expecting(bench, usual)
+    }
+
+    /// The same without planned elimination, for methods that need A in any case.
+    pub(crate) fn detecting_densely<S: System<Q, N, R>, const Q: usize>(
+        bench: &Bench<S, Q, N, R>,
+        usual: SVector<f64, R>,
+    ) -> Result<Self, Fault> {
+        Index1::new(0.0).expecting(bench, usual)
+    }
+
+    fn expecting<S: System<Q, N, R>, const Q: usize>(
+        mut self,
+        bench: &Bench<S, Q, N, R>,
+        usual: SVector<f64, R>,
+    ) -> Result<Self, Fault> {
         let (system, state) = (&bench.system, &bench.state);
-        let mut equations = Index1::planned(bench, 0.0);
-        let delassus = &mut equations.delassus;
+        let delassus = &mut self.delassus;
         // Projections leave rows open that count as lost: by 1e-9 in poses of a spherical linkage with σ² < 1e-6.
         delassus.thresholds = Thresholds::SECOND_ORDER_PLACED;
         delassus.usual = usual;
         // Without redundant rows there is nothing to expect.
-        let planned = equations.planned.as_ref();
+        let planned = self.planned.as_ref();
         if planned.is_none_or(|planned| planned.leaves_rows_out()) {
             let mut geometry = ConstraintGeometry::new(system, &state.positions)?;
             let mut phi = SVector::zeros();
@@ -89,7 +104,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
             delassus.expect_pivots(&ConstraintGeometry::at_guess(system)?.delassus);
         }
         delassus.follows = REDUNDANT_OFF_ROWS;
-        Ok(equations)
+        Ok(self)
     }
 
     /// A step begins.

@@ -185,6 +185,23 @@ impl Progress {
         Ok(false)
     }
 
+    /// The same where corrections shrink at a constant rate: whether the next one, at the rate of this one, is at most `enough`
+    /// of the speed.
+    pub(crate) fn will_settle(
+        &mut self,
+        [size, speed]: [f64; 2],
+        (floor, enough): (f64, f64),
+        most: usize,
+    ) -> Result<bool, Fault> {
+        let rate = match self.last.is_finite() {
+            true => (size / self.last).min(1.0),
+            false => 1.0,
+        };
+        let enough = (enough.max(CONVERGED) * speed).max(floor);
+        let settled = self.settles([size, speed], floor, most)?;
+        Ok(settled || size * rate <= enough)
+    }
+
     /// The matrix of the iteration is singular or not finite.
     pub(crate) fn lost(&self) -> Fault {
         Fault::Flow {

@@ -7,6 +7,7 @@ use super::bench::Bench;
 use super::generalized_alpha::GeneralizedAlpha;
 use super::index3_projections::Index3;
 use super::penalty::Penalty;
+use super::radau::Radau;
 use super::rattle::Rattle;
 use super::rule::{AnyRule, MakeRule};
 use crate::fault::Fault;
@@ -25,7 +26,7 @@ pub(crate) fn any<S: System<Q, N, R>, const Q: usize, const N: usize, const R: u
     bench: &Bench<S, Q, N, R>,
     settings: &Settings,
 ) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
-    let makes: [MakeRule<S, Q, N, R>; 7] = [
+    let makes: [MakeRule<S, Q, N, R>; 8] = [
         Explicit::projected,
         baumgarte,
         Rattle::rule,
@@ -33,6 +34,7 @@ pub(crate) fn any<S: System<Q, N, R>, const Q: usize, const N: usize, const R: u
         Index3::rule,
         GeneralizedAlpha::rule,
         Bdf::rule,
+        Radau::rule,
     ];
     makes.iter().find_map(|make| make(bench, settings))
 }

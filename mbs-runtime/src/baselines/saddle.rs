@@ -116,6 +116,22 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         R - self.rank
     }
 
+    /// The rows that the last factorisation kept, and those whose multipliers it has, as many.
+    pub(crate) fn kept(&self) -> [([usize; R], usize); 2] {
+        self.order.map(|exchanges| {
+            let mut order: [usize; R] = std::array::from_fn(|row| row);
+            for k in 0..self.rank {
+                order.swap(k, exchanges[k]);
+            }
+            (order, self.rank)
+        })
+    }
+
+    /// About 1/|a| of each row, in the metric of J⁻¹.
+    pub(crate) fn row_scale(&self, row: usize) -> f64 {
+        self.scale[row]
+    }
+
     /// r becomes x, −g becomes λ.
     pub(crate) fn solve(
         &self,

@@ -47,6 +47,9 @@ pub enum Method {
     GeneralizedAlpha(GeneralizedAlphaSettings),
     /// Backward differentiation of variable order and step with position rows. [`Settings::step`] bounds its steps.
     Bdf(BdfSettings),
+    /// Radau IIA of three stages and order 5, with the rows of velocities at its stages and those of positions at its ends: stiff
+    /// forces of velocity.
+    Radau,
 }
 
 impl Method {
@@ -58,6 +61,7 @@ impl Method {
         "index3-projections",
         "generalized-alpha",
         "bdf",
+        "radau",
         "rattle",
         "baumgarte",
         "projected",
@@ -77,6 +81,7 @@ impl Method {
             "index3-projections" => Method::Index3Projections(ProjectionSettings::default()),
             "generalized-alpha" => Method::GeneralizedAlpha(GeneralizedAlphaSettings::default()),
             "bdf" => Method::Bdf(BdfSettings::default()),
+            "radau" => Method::Radau,
             _ => return None,
         })
     }
@@ -94,6 +99,7 @@ impl Method {
             Method::Index3Projections(_) => "index3-projections",
             Method::GeneralizedAlpha(_) => "generalized-alpha",
             Method::Bdf(_) => "bdf",
+            Method::Radau => "radau",
         }
     }
 }
@@ -224,10 +230,11 @@ impl Settings {
     /// The least tolerance: smaller ones are below round-off.
     pub(crate) const LEAST_TOLERANCE: f64 = 1e-12;
 
-    /// The order of the method: the explicit methods have 4 at least.
-    pub(crate) fn true_order(&self) -> u8 {
+    /// The order that the method has with these settings: the explicit methods have 4 at least, others one of their own.
+    pub fn true_order(&self) -> u8 {
         match self.method {
             Method::Projected | Method::Baumgarte(_) => self.order.max(4),
+            Method::Radau => 5,
             _ => self.order,
         }
     }
