@@ -21,7 +21,7 @@ const SHARED: [(&str, &[&str]); 3] = [
 ];
 
 /// The methods that only `with_any_method` compiles, with their modules.
-const METHODS: [(&str, &[&str]); 9] = [
+const METHODS: [(&str, &[&str]); 10] = [
     ("Algorithm 1, M-ALF", &["mbs_runtime::alf3f::paper"]),
     ("RATTLE", &["mbs_runtime::baselines::rattle"]),
     (

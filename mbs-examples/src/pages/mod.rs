@@ -13,6 +13,7 @@ pub mod cases;
 pub mod charts;
 mod compile_times;
 mod compositions;
+mod damped;
 pub mod data;
 mod derivation;
 mod instructions;

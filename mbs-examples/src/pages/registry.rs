@@ -2,9 +2,9 @@
 
 use super::data::Data;
 use super::{
-    accuracies, calls, candidates, charts, compile_times, compositions, derivation, instructions,
-    method_changes, model_size, orders, others, paper, phases, random_passages, rival, rows,
-    scenes, springs, sweep, symbolic, tolerances, tuning, which,
+    accuracies, calls, candidates, charts, compile_times, compositions, damped, derivation,
+    instructions, method_changes, model_size, orders, others, paper, phases, random_passages,
+    rival, rows, scenes, springs, sweep, symbolic, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -51,6 +51,7 @@ const ACCURACY: &str = "book/src/accuracy.md";
 const COORDINATES: &str = "book/src/coordinates.md";
 const COMMAND_LINE: &str = "book/src/command-line.md";
 const TWO_LEVELS: &str = "book/src/theory/two-levels.md";
+const COLLOCATION: &str = "book/src/theory/collocation.md";
 const FIGURES: [&str; 7] = [
     "book/src/results/paper/figure-1.md",
     "book/src/results/paper/figure-2.md",
@@ -77,6 +78,7 @@ pub const ENTRIES: &[Entry] = &[
     block(README, "orders", orders::table),
     block(README, "samples", orders::samples),
     block(README, "rival", rival::table),
+    block(COLLOCATION, "damped", damped::table),
     block(README, "stiff springs", springs::sentence),
     block(README, "instructions", instructions::beside_hand),
     block(README, "derivation", derivation::sentence),

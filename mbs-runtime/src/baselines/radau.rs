@@ -157,7 +157,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             stage.turn = vector(|k| h * NODES[i] * v0[k]);
         }
         if !is_kept && !self.factor(bench, h) {
-            return Err(Fault::Mass);
+            return Err(Progress::new().lost());
         }
         let mut progress = Progress::new();
         let (mut last, mut enough) = (f64::INFINITY, 0.0);

@@ -17,8 +17,9 @@ mod spherical;
 
 use crate::scene::Scene;
 use bricard::Threefold;
-use bushing::OnBushing;
-use cranks::{DoubleFourBar, Pushed, Redundant};
+pub use bushing::OnBushing;
+pub use cranks::DoubleFourBar;
+use cranks::{Pushed, Redundant};
 use in_space::{ParallelogramByBodies, ParallelogramInSpace};
 use mbs_runtime::{
     AnySimulation, Mechanism, Settings, Simulation, SimulationError, System, methods,
@@ -26,7 +27,8 @@ use mbs_runtime::{
 use on_sleigh::OnSleigh;
 use rotor::FastRotor;
 use shaken::Shaken;
-use slider_crank::{Driven, SliderCrank};
+use slider_crank::Driven;
+pub use slider_crank::SliderCrank;
 
 spherical::spherical!(Spherical, Auto);
 spherical::spherical!(SphericalByBodies, Reference);
