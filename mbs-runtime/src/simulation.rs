@@ -178,7 +178,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The same with methods beside the two-level one, if they have no memory besides the state.
-    /// ([`Method::Bdf`](crate::Method::Bdf), generalized α and index-3 projections do, and begin anew.)
+    /// ([`Method::Bdf`](crate::Method::Bdf), `Radau`, generalized α and index-3 projections do, and begin anew.)
     ///
     /// # Errors
     /// As [`Simulation::with_methods`], and a state that is not finite or violates the constraints.

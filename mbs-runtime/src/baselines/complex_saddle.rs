@@ -47,7 +47,7 @@ impl<const N: usize, const R: usize> ComplexSaddle<N, R> {
         a: &RowMatrix<N, R>,
         real: &Saddle<N, R>,
     ) -> bool {
-        let [(rows, rank), (multipliers, _)] = real.kept();
+        let (rank, [rows, multipliers]) = real.kept();
         self.kept = [rows, multipliers];
         self.size = N + rank;
         let size = self.size;

@@ -27,6 +27,8 @@ use nalgebra::{Complex, SVector};
 
 /// Factors are kept after steps of so few corrections.
 const FEW: u64 = 5;
+/// Factors serve for steps whose lengths differ by this part.
+const EQUAL: f64 = 1e-9;
 /// Corrections with kept factors that do not shrink to this fraction end in new factors.
 const SLOW: f64 = 0.3;
 /// Corrections end at this part of the error of the step. The polynomial of the last step, with which they begin, is wrong by
@@ -117,7 +119,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
     ) -> Result<(), Fault> {
         self.placed = false;
         let known = (self.length != 0.0).then_some(*self.stages);
-        let is_kept = self.factored != 0.0 && (self.factored - h).abs() <= 1e-9 * h.abs();
+        let is_kept = self.factored != 0.0 && (self.factored - h).abs() <= EQUAL * h.abs();
         let mut corrections = self.attempt(bench, h, known.as_ref(), is_kept);
         if is_kept && corrections.is_err() {
             corrections = self.attempt(bench, h, known.as_ref(), false);

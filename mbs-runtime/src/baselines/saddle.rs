@@ -116,15 +116,17 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         R - self.rank
     }
 
-    /// The rows that the last factorisation kept, and those whose multipliers it has, as many.
-    pub(crate) fn kept(&self) -> [([usize; R], usize); 2] {
-        self.order.map(|exchanges| {
+    /// The number of rows that the last factorisation kept; these rows and those whose multipliers it has come first in the
+    /// two lists.
+    pub(crate) fn kept(&self) -> (usize, [[usize; R]; 2]) {
+        let lists = self.order.map(|exchanges| {
             let mut order: [usize; R] = std::array::from_fn(|row| row);
             for k in 0..self.rank {
                 order.swap(k, exchanges[k]);
             }
-            (order, self.rank)
-        })
+            order
+        });
+        (self.rank, lists)
     }
 
     /// About 1/|a| of each row, in the metric of J⁻¹.
