@@ -29,7 +29,7 @@ use nalgebra::{Complex, SVector};
 const FEW: u64 = 5;
 /// Factors serve for steps whose lengths differ by this part.
 const EQUAL: f64 = 1e-9;
-/// Corrections with kept factors that do not shrink to this fraction end in new factors.
+/// Corrections that do not shrink to this fraction end in new factors.
 const SLOW: f64 = 0.3;
 /// Corrections end at this part of the error of the step. The polynomial of the last step, with which they begin, is wrong by
 /// h⁴, and the step by h⁶: by the power 3/2 of what the first correction takes back.
@@ -119,13 +119,13 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
     ) -> Result<(), Fault> {
         self.placed = false;
         let known = (self.length != 0.0).then_some(*self.stages);
-        let is_kept = self.factored != 0.0 && (self.factored - h).abs() <= EQUAL * h.abs();
-        let mut corrections = self.attempt(bench, h, known.as_ref(), is_kept);
-        if is_kept && corrections.is_err() {
-            corrections = self.attempt(bench, h, known.as_ref(), false);
+        if !((self.factored - h).abs() <= EQUAL * h.abs()) {
+            self.factored = 0.0;
         }
+        let mut corrections = self.attempt(bench, h, known.as_ref());
         if known.is_some() && corrections.is_err() {
-            corrections = self.attempt(bench, h, None, false);
+            self.factored = 0.0;
+            corrections = self.attempt(bench, h, None);
         }
         if corrections.is_err() {
             (self.length, self.factored) = (0.0, 0.0);
@@ -145,7 +145,6 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
         known: Option<&[Stage<Q, N, R>; 3]>,
-        is_kept: bool,
     ) -> Result<u64, Fault> {
         let (q0, v0) = (bench.state.positions, bench.state.velocities);
         let mut p0 = zeros();
@@ -158,13 +157,14 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             stage.lambda = known.map_or(zeros(), |last| last[2].lambda);
             stage.turn = vector(|k| h * NODES[i] * v0[k]);
         }
-        if !is_kept && !self.factor(bench, h) {
-            return Err(Progress::new().lost());
-        }
         let mut progress = Progress::new();
         let (mut last, mut enough) = (f64::INFINITY, 0.0);
         loop {
             self.evaluate(bench, h);
+            let fresh = self.factored == 0.0;
+            if fresh && !self.factor(bench, h) {
+                return Err(progress.lost());
+            }
             let change = self.correct(&p0, h);
             let size = bench.yardstick.measure(&change);
             let end = &self.stages[2];
@@ -176,20 +176,20 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             if progress.will_settle(sizes, (floor, enough), bench.max_iterations)? {
                 return Ok(progress.count());
             }
-            if is_kept && size > SLOW * last {
-                return Err(progress.lost());
+            if size > SLOW * last {
+                if fresh && !(size < last) {
+                    return Err(progress.lost());
+                }
+                self.factored = 0.0;
             }
             last = size;
         }
     }
 
-    /// Factors both systems at the beginning of the step; false if one is singular or not finite.
+    /// Factors both systems at the second stage, as the one in the middle; false if one is singular or not finite.
     fn factor<S: System<Q, N, R>>(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> bool {
-        let (t, q, v) = (
-            bench.state.time,
-            bench.state.positions,
-            bench.state.velocities,
-        );
+        let t = bench.state.time + NODES[1] * h;
+        let Stage { q, v, .. } = self.stages[1];
         let motion = &mut self.motion;
         motion.tangents(&bench.system, t, &q, &v);
         let (phi, b) = (&mut SVector::zeros(), &mut SVector::zeros());
