@@ -141,11 +141,11 @@ where
     Ok(())
 }
 
-/// A run of this many steps, or for BDF of a tolerance that falls with their square.
+/// A run of this many steps, or for BDF of a tolerance that falls with their fourth power.
 fn settings(method: Method, order: u8, steps: f64) -> Settings {
     let (method, step) = match method {
         Method::Bdf(bdf) => {
-            let tolerance = 0.1 * (FEWEST / steps).powi(3);
+            let tolerance = 0.1 * (FEWEST / steps).powi(4);
             (
                 Method::Bdf(BdfSettings { tolerance, ..bdf }),
                 DURATION / 50.0,
