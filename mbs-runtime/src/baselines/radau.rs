@@ -34,6 +34,8 @@ const SLOW: f64 = 0.3;
 /// Corrections end at this part of the error of the step. The polynomial of the last step, with which they begin, is wrong by
 /// h⁴, and the step by h⁶: by the power 3/2 of what the first correction takes back.
 const LOOSE: f64 = 1e-4;
+/// … of the speed, and at this one at most: where a stiff force has just begun to act, the prediction tells nothing.
+const LOOSEST: f64 = 1e-6;
 /// Rates of change of θ, from one correction to the next: each evaluation shrinks their error by the angle of a step.
 const TURNS: usize = 3;
 
@@ -171,7 +173,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             let (sizes, floor) = Progress::sizes(bench, &change, (&end.q, &end.v), h);
             if last.is_infinite() && known.is_some() {
                 let [size, speed] = sizes;
-                enough = LOOSE * (size / speed).powf(1.5);
+                enough = (LOOSE * (size / speed).powf(1.5)).min(LOOSEST);
             }
             if progress.will_settle(sizes, (floor, enough), bench.max_iterations)? {
                 return Ok(progress.count());
