@@ -21,6 +21,12 @@ pub(crate) use factor_origin::COST;
 pub use factor_origin::{FactorOrigin, Renewal};
 use nalgebra::SVector;
 
+/// Whether a step of h is as long as an earlier one, which is zero if there was none.
+#[cfg(feature = "sparse")]
+fn is_equal(step: f64, h: f64) -> bool {
+    step != 0.0 && (step - h).abs() <= 1e-6 * h.abs()
+}
+
 /// The state of a simulation; plain data, so that it can be kept, compared and resumed from.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

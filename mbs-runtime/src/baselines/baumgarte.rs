@@ -96,25 +96,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         if !self.watches() {
             return None;
         }
-        if !self.placed {
-            let (t, q) = (bench.state.time, bench.state.positions);
-            self.equations.settle(bench, t, &q).ok()?;
-            self.placed = true;
-        }
-        self.equations.rank_margin(bench)
+        self.equations.margin_here(bench, &mut self.placed)
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
     fn weakest_rows(&mut self, bench: &Bench<S, Q, N, R>) -> SVector<f64, R> {
-        let rows = S::STRUCTURE.holonomic_rows;
-        if let Some(planned) = &mut self.equations.planned
-            && planned.is_sound()
-        {
-            return planned.weakest_rows();
-        }
-        self.equations
-            .delassus
-            .combination(&bench.geometry.delassus, rows)
+        self.equations.weakest_rows(bench)
     }
 
     fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<f64> {

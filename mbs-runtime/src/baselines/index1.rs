@@ -256,6 +256,34 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         (rows > 0).then(|| self.delassus.rank_margin(&bench.geometry.delassus, rows))
     }
 
+    /// The same at the state of the bench, where the rows are factored unless they are; `placed`: whether they are.
+    pub(crate) fn margin_here<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        placed: &mut bool,
+    ) -> Option<RankMargin> {
+        if !*placed {
+            let (t, q) = (bench.state.time, bench.state.positions);
+            self.settle(bench, t, &q).ok()?;
+            *placed = true;
+        }
+        self.rank_margin(bench)
+    }
+
+    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::rank_margin`].
+    pub(crate) fn weakest_rows<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &Bench<S, Q, N, R>,
+    ) -> SVector<f64, R> {
+        let rows = S::STRUCTURE.holonomic_rows;
+        if let Some(planned) = &mut self.planned
+            && planned.is_sound()
+        {
+            return planned.weakest_rows();
+        }
+        self.delassus.combination(&bench.geometry.delassus, rows)
+    }
+
     /// 2α (A v + b) + β² φ.
     #[inline(always)]
     fn stabilisation<S: System<Q, N, R>, const Q: usize>(

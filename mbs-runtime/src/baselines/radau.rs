@@ -188,14 +188,13 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         }
     }
 
-    /// Factors both systems at the second stage, as the one in the middle; false if one is singular or not finite.
+    /// Factors both systems at the second stage, as the one in the middle, which was evaluated last; false if one is singular or not finite.
     fn factor<S: System<Q, N, R>>(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> bool {
         let t = bench.state.time + NODES[1] * h;
         let Stage { q, v, .. } = self.stages[1];
         let motion = &mut self.motion;
         motion.tangents(&bench.system, t, &q, &v);
-        let (phi, b) = (&mut SVector::zeros(), &mut SVector::zeros());
-        (bench.system).constraints(t, &q, phi, self.a.entries_mut(), b);
+        self.a.overwrite(&bench.geometry.a);
         motion.combine(h * REAL, h * REAL * h * REAL);
         self.factored = 0.0;
         if !self.saddle.factor(&motion.jacobian, &self.a, &self.a) {
@@ -227,8 +226,9 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
                 stage.turn = weighted(h, weights, &rates);
             }
         }
-        for (stage, node) in stages.iter_mut().zip(NODES) {
-            let t = t0 + node * h;
+        // The second one last: there the factors are made.
+        for i in [0, 2, 1] {
+            let (stage, t) = (&mut stages[i], t0 + NODES[i] * h);
             stage.q = bench.system.advance(&q0, &stage.turn, 1.0);
             let Bench {
                 system,
@@ -347,17 +347,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {
-        if !self.placed {
-            let (t, q) = (bench.state.time, bench.state.positions);
-            self.equations.settle(bench, t, &q).ok()?;
-            self.placed = true;
-        }
-        self.equations.rank_margin(bench)
+        self.equations.margin_here(bench, &mut self.placed)
     }
 
     fn weakest_rows(&mut self, bench: &Bench<S, Q, N, R>) -> SVector<f64, R> {
-        let rows = S::STRUCTURE.holonomic_rows;
-        let delassus = &mut self.equations.delassus;
-        delassus.combination(&bench.geometry.delassus, rows)
+        self.equations.weakest_rows(bench)
     }
 }

@@ -1,12 +1,10 @@
 //! The velocities that a step begins its corrections with: extrapolated from the last steps.
 
+use super::is_equal;
 use nalgebra::SVector;
 
 /// The most differences that are known; predictions use one less.
 const MOST: usize = 5;
-
-/// Steps whose lengths differ by this part are equal.
-const EQUAL: f64 = 1e-6;
 
 /// Backward differences ∇v, ∇²v, … of the velocities at the ends of equal steps.
 ///
@@ -37,14 +35,10 @@ impl<const N: usize> BackwardDifferences<N> {
         }
     }
 
-    fn is_equal(&self, h: f64) -> bool {
-        self.step != 0.0 && (self.step - h).abs() <= EQUAL * h.abs()
-    }
-
     /// The velocities at the end of a step of h seconds that begins with v.
     pub(crate) fn predict(&self, v: &SVector<f64, N>, h: f64) -> SVector<f64, N> {
         let mut end = *v;
-        if self.is_equal(h) {
+        if is_equal(self.step, h) {
             for difference in self.differences.iter().take(self.used) {
                 end += difference;
             }
@@ -61,7 +55,7 @@ impl<const N: usize> BackwardDifferences<N> {
         h: f64,
         measure: impl Fn(&SVector<f64, N>) -> f64,
     ) {
-        if !self.is_equal(h) {
+        if !is_equal(self.step, h) {
             (self.step, self.known) = (h, 0);
         }
         let mut difference = *change;

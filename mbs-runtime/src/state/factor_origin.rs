@@ -1,5 +1,6 @@
 //! Where the factors of a large mechanism were made.
 
+use super::is_equal;
 use nalgebra::SVector;
 
 /// What a new factor costs, in corrections: more in a plane grid, half of it in a chain. The best number of steps with one
@@ -51,7 +52,7 @@ impl<const Q: usize, const N: usize> FactorOrigin<Q, N> {
 
     /// Whether there are factors, for steps of h seconds.
     pub(crate) fn fits(&self, h: f64) -> bool {
-        self.step != 0.0 && (self.step - h).abs() <= 1e-6 * h.abs()
+        is_equal(self.step, h)
     }
 
     /// Whether both are the same factors.

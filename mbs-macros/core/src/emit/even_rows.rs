@@ -48,9 +48,9 @@ fn is_followed(row: &[u32], next: &[u32], steps: &[u32]) -> bool {
 }
 
 /// Whether tables of such groups are at most half as long as those of the rows.
-pub(super) fn pays(runs: &[Vec<Vec<u32>>]) -> bool {
+pub(super) fn pays<'a>(runs: impl Iterator<Item = &'a [Vec<u32>]>) -> bool {
     let (mut whole, mut even) = (0, 0);
-    for rows in runs {
+    for rows in runs.filter(|rows| rows.len() > 1) {
         let width = rows[0].len();
         whole += rows.len() * width;
         even += grouped(rows).len() * (1 + 2 * width);

@@ -37,6 +37,9 @@ pub(super) struct LongFunctions {
     word: Word,
 }
 
+/// The words of rows.
+type Rows = Vec<Vec<u32>>;
+
 /// A word of a table: u16, or u32 where the array is longer than u16 can count.
 #[derive(Clone, Copy)]
 struct Word {
@@ -224,18 +227,14 @@ impl LongFunctions {
             return String::new();
         }
         let mut out = String::new();
-        let runs = self.tabled().flat_map(|(at, (_, parts))| {
-            let rows = parts.rows().filter(|(_, rows)| rows.len() > 1);
-            rows.map(move |(shape, rows)| self.words(at, shape, rows))
-        });
-        let runs: Vec<Vec<Vec<u32>>> = runs.collect();
-        let even = even_rows::pays(&runs);
-        for (at, (name, parts)) in self.tabled() {
+        let words: Vec<Vec<Rows>> = self.tabled().map(|(at, _)| self.words(at)).collect();
+        let even = even_rows::pays(words.iter().flatten().map(Vec::as_slice));
+        for ((at, (name, parts)), words) in self.tabled().zip(&words) {
             // Each function has its own list: a program that does not call the function does not compile its parts.
             let (list, length) = (self.list(at), self.array(at));
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
-            let table = self.table(at, &list, even);
+            let table = self.table(at, &list, words, even);
             let patience = patience(&table);
             let _ = writeln!(
                 out,
@@ -313,10 +312,17 @@ impl LongFunctions {
         self.lengths[at] + BEYOND
     }
 
-    /// The words of rows of a function.
-    fn words(&self, at: usize, shape: usize, rows: &[Vec<u32>]) -> Vec<Vec<u32>> {
-        let layout = &self.layouts[at][shape];
-        rows.iter().map(|row| layout.words(row)).collect()
+    /// The words of the rows of each run of a function; none of a shape with one row, whose places are written out.
+    fn words(&self, at: usize) -> Vec<Rows> {
+        let parts = &self.functions[at].1;
+        let runs = parts.rows().map(|(shape, rows)| {
+            let layout = &self.layouts[at][shape];
+            match parts.shapes[shape].table.len() {
+                1 => Vec::new(),
+                _ => rows.iter().map(|row| layout.words(row)).collect(),
+            }
+        });
+        runs.collect()
     }
 
     /// The numbers of the shapes of a function, in order.
@@ -327,16 +333,11 @@ impl LongFunctions {
         list
     }
 
-    fn table(&self, at: usize, list: &[usize], even: bool) -> Vec<u8> {
+    fn table(&self, at: usize, list: &[usize], words: &[Rows], even: bool) -> Vec<u8> {
         let (parts, mut table) = (&self.functions[at].1, Vec::new());
-        for run in &parts.runs {
-            let rows = &parts.shapes[run.shape].table;
-            let rows = match rows.len() {
-                1 => Vec::new(),
-                _ => self.words(at, run.shape, &rows[run.first..run.first + run.count]),
-            };
+        for (run, rows) in parts.runs.iter().zip(words) {
             let words = match even {
-                true => even_rows::words(&rows),
+                true => even_rows::words(rows),
                 false => rows.concat(),
             };
             let length = words.len();
