@@ -59,7 +59,7 @@ fn main() -> Result<(), String> {
                 (Some(other), Some(times)) if times[1] < times[0] => (other.name.as_str(), times),
                 _ => ("this", [time, time]),
             };
-            let chosen = format!("{} {}", chosen.method.name(), chosen.order);
+            let chosen = format!("{} {}", chosen.method.name(), chosen.true_order());
             println!(
                 "{:18} {accuracy:.0e} {chosen:12} error {:.3} accuracies, {:.3} ms, choice {:.3} ms; {name} {:.3} ms, ratio {:.2}",
                 case.scene,
@@ -129,10 +129,10 @@ struct Other {
 /// All runs of the search that come to their end, and are not much longer than the longest with an accuracy.
 fn others(case: &Case, scene: &Scene, reference: &ReferenceTable, longest: f64) -> Vec<Other> {
     let mut found = Vec::new();
-    for (method, order) in METHODS
+    let by_order = METHODS
         .iter()
-        .flat_map(|method| ORDERS.map(|order| (*method, order)))
-    {
+        .flat_map(|method| ORDERS.map(|order| (*method, order)));
+    for (method, order) in by_order.chain([(Method::Radau, 2)]) {
         let base = Settings {
             method,
             order,

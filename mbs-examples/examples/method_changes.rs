@@ -126,7 +126,7 @@ where
         let mut last = None;
         for _ in 0..REPEATED {
             let mut simulation =
-                Simulation::with_methods(mechanism.clone(), settings, methods::Projected)
+                Simulation::with_methods(mechanism.clone(), settings, methods::Accuracy)
                     .map_err(|error| error.to_string())?;
             let start = ProcessTime::now();
             simulation

@@ -20,7 +20,7 @@ where
     #[cfg(feature = "laboratory")]
     let compiled = methods::Any;
     #[cfg(not(feature = "laboratory"))]
-    let compiled = methods::Projected;
+    let compiled = methods::Accuracy;
     let simulation = Simulation::with_methods(mechanism, settings, compiled)?;
     Ok(Box::new(simulation))
 }

@@ -18,6 +18,7 @@
 //! ```
 
 use crate::baselines::{self, registry};
+use crate::simulation::has_radau;
 use crate::stepper::AnyStepper;
 use crate::{BaselineStepper, Method, PaperStepper, Settings, SimulationError, State, System};
 
@@ -73,6 +74,27 @@ baselines! {
     GeneralizedAlpha: baselines::GeneralizedAlpha::rule;
     Bdf: baselines::Bdf::rule;
     Radau: baselines::Radau::rule;
+}
+
+/// The candidates of [`Settings::accuracy`]: [`Method::Projected`] and, where forces depend on velocities and the mechanism is
+/// small, [`Method::Radau`].
+#[derive(Debug, Clone, Copy)]
+pub struct Accuracy;
+
+impl compiled::Make for Accuracy {
+    #[allow(private_interfaces)]
+    fn make<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        system: S,
+        state: State<Q, N, R>,
+        settings: &Settings,
+    ) -> Result<AnyStepper<S, Q, N, R>, SimulationError> {
+        match settings.method {
+            Method::Radau if const { has_radau::<S, Q, N, R>() } => {
+                Radau::make(system, state, settings)
+            }
+            _ => Projected::make(system, state, settings),
+        }
+    }
 }
 
 /// Algorithm 1 of the paper and the modified augmented Lagrangian: [`Method::Paper`], [`Method::MAlf`].

@@ -51,6 +51,7 @@ use crate::{
 use nalgebra::SVector;
 
 pub use self::access::InputsMut;
+pub(crate) use self::accuracy::has_radau;
 pub use self::start::Start;
 
 /// A mechanism with its integrator: Q coordinates, N velocities, R constraint rows.
@@ -154,7 +155,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// One number instead of settings: the largest error of a position over the run, in sizes of the mechanism and radians
-    /// ([`Settings::accuracy`]). Compiles the two candidates, the two-level and the projected explicit method.
+    /// ([`Settings::accuracy`]). Compiles the candidates: the two-level method and those of [`methods::Accuracy`].
     ///
     /// # Errors
     /// As [`Simulation::new`], and an accuracy that is not between 1e-11 and 0.1.
@@ -162,7 +163,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         accuracy: f64,
     ) -> Result<Self, SimulationError> {
-        Self::with_methods(mechanism, Settings::accuracy(accuracy), methods::Projected)
+        Self::with_methods(mechanism, Settings::accuracy(accuracy), methods::Accuracy)
     }
 
     /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same.

@@ -218,6 +218,16 @@ impl SimulationError {
         matches!(self, NotConverged { .. } | Astray { .. } | Mass { .. })
     }
 
+    /// Whether other steps, or those of another method, may succeed.
+    pub(crate) fn is_due_to_steps(&self) -> bool {
+        use SimulationError::{EnergyGain, EnergyLoss, NonFinite, Tolerance};
+        let of_step = matches!(
+            self,
+            NonFinite { .. } | EnergyGain { .. } | EnergyLoss { .. } | Tolerance { .. }
+        );
+        of_step || self.asks_for_less()
+    }
+
     /// Adds names and time to the reason for which a step failed.
     #[cold]
     pub(crate) fn from_fault(fault: Fault, model: &'static Model, time: f64, step: f64) -> Self {

@@ -4,7 +4,7 @@ use crate::common::planar::SliderCrank;
 use crate::common::spatial::Sprung;
 use crate::common::{Hand, Parameters, Scene, distance};
 use crate::composition::{run, settings};
-use mbs_runtime::{Method, Settings, Simulation, SimulationError};
+use mbs_runtime::{Method, Settings, Simulation, SimulationError, methods};
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 
@@ -24,12 +24,32 @@ fn a_few_rows_take_the_explicit_method() {
 }
 
 #[test]
-fn stiff_dampers_take_the_two_level_method() {
+fn stiff_dampers_take_collocation() {
+    let stiff = || Sprung::<true> {
+        damping: 1e5,
+        ..Sprung::default()
+    };
+    let exact = run(stiff(), settings(8, 2e-4), 0.5);
+    for accuracy in [1e-4, 1e-6, 1e-8] {
+        let mut simulation = with_accuracy(stiff(), accuracy);
+        assert_eq!(simulation.settings().method, Method::Radau);
+        simulation.run_until(0.5).unwrap();
+        let error = distance(simulation.positions(), exact.positions());
+        println!("{accuracy:e}: {error:.1e}, {:?}", simulation.report());
+        assert!(error < 3.0 * accuracy, "{accuracy:e}: {error:e}");
+    }
+}
+
+/// Each is compiled by its name; those that an accuracy has beside the two-level one are there together.
+#[test]
+fn candidates_that_are_not_compiled_are_left_out() {
     let stiff = Sprung::<true> {
         damping: 1e5,
         ..Sprung::default()
     };
-    let simulation = with_accuracy(stiff, 1e-4);
+    let settings = Settings::accuracy(1e-4);
+    let simulation =
+        Simulation::with_methods(Parameters(stiff), settings, methods::Projected).unwrap();
     assert_eq!(simulation.settings().method, Method::TwoLevel);
 }
 

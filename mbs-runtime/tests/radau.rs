@@ -6,7 +6,7 @@ use crate::common::scenes::{DampedSleigh, Shaken, SliderCrankAngles};
 use crate::common::spatial::Sprung;
 use crate::common::{Parameters, Scene, distance};
 use crate::composition::Run;
-use mbs_runtime::{Method, RankLoss, Settings, Simulation, SimulationError, methods};
+use mbs_runtime::{Method, RankLoss, Settings, Simulation, SimulationError, mechanism, methods};
 
 fn settings(step: f64) -> Settings {
     Settings {
@@ -157,11 +157,63 @@ fn a_tolerance_chooses_the_steps() {
         };
         run(DampedSleigh::default(), settings, 2.0)
     };
-    let fine = end(1e-10);
-    for tolerance in [1e-4, 1e-6] {
-        let apart = distance(end(tolerance).positions(), fine.positions());
-        println!("{tolerance:e}: {apart:.1e}");
-        assert!(apart < 10.0 * tolerance, "{tolerance:e}: {apart:e}");
+    let fine = end(1e-11);
+    let mut last = None;
+    for tolerance in [1e-4, 1e-6, 1e-8] {
+        let end = end(tolerance);
+        let apart = distance(end.positions(), fine.positions());
+        let report = end.report();
+        println!("{tolerance:e}: {apart:.1e}, {report:?}");
+        assert!(apart < 3.0 * tolerance, "{tolerance:e}: {apart:e}");
+        // Of order 5: 2.5 times as many for a hundredth of the error.
+        let most = last.map_or(f64::INFINITY, |last| 3.5 * last);
+        assert!((report.steps as f64) < most, "{report:?}");
+        last = Some(report.steps as f64);
+        // The embedded formula sees most pairs, a comparison the others.
+        let kept = 3 * report.steps;
+        assert!(10 * (report.stages - kept) < 3 * kept, "{report:?}");
+    }
+}
+
+mechanism!(Disk {
+    doc: "A disk that rolls on a plane and leans: its rows turn with it.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    lean: Let(0.2_rad),
+    upward: Let([0.0, -sin(lean), cos(lean)]),
+    omega: Let([0.0, -5.0 * cos(lean), 1.2 - 5.0 * sin(lean)] * 1.0_rad_per_s),
+    disk: Body(
+        mass = 2.5_kg,
+        inertia = diag(0.1, 0.2, 0.1),
+        at = [0.0, 0.0, 0.4_m * cos(lean)],
+        orientation = turn(X, lean),
+        velocity = cross(omega, 0.4_m * upward),
+        angular_velocity = omega
+    ),
+    down: Let(-unit(reject(ground.z, disk.y))),
+    contact: Let(disk.origin + 0.4_m * down),
+    slip: Let(disk.velocity_at(contact)),
+    touch: Holonomic(dot(contact, ground.z)),
+    no_slip: Nonholonomic([dot(slip, ground.x), dot(slip, ground.y)]),
+});
+
+/// Corrections that end too early would add up.
+#[test]
+fn many_short_steps_have_no_error() {
+    let end = |method: Method, order: u8, step: f64| {
+        let settings = Settings {
+            method,
+            order,
+            ..settings(step)
+        };
+        let mut simulation = Simulation::with_any_method(Disk {}, settings).unwrap();
+        simulation.run_until(4.0).unwrap();
+        *simulation.positions()
+    };
+    let exact = end(Method::Projected, 8, 1e-2);
+    for (step, most) in [(2e-2, 2e-7), (5e-3, 2e-9), (1.25e-3, 5e-10)] {
+        let apart = distance(&end(Method::Radau, 2, step), &exact);
+        println!("{step}: {apart:.1e}");
+        assert!(apart < most, "{step}: {apart:e}");
     }
 }
 

@@ -112,6 +112,16 @@ fn estimates_take_the_place_of_comparisons() {
     assert!(report.stages < 7000 && error < 1e-7);
 }
 
+mechanism!(HangingPendulum {
+    world: Planar(),
+    torque: Param(0.0_N_m),
+    bar: Bar(length = 1.0_m, angle = -90.0_deg),
+    bob: Particle(mass = 1.0_kg),
+    pivot: Revolute(ground.origin, bar.a),
+    joint: Revolute(bar.b, bob.origin),
+    motor: Torque(bar, value = torque),
+});
+
 mechanism!(PendulumAtRest {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     bar: Bar(length = 1.0_m, angle = 180.0_deg),
@@ -119,6 +129,21 @@ mechanism!(PendulumAtRest {
     pivot: Revolute(ground.origin, bar.a),
     joint: Revolute(bar.b, bob.origin),
 });
+
+/// Steps of a mechanism at rest grow without end. A run that is a millionth of one of them is a run.
+#[test]
+fn a_rest_has_no_end() {
+    let settings = Settings {
+        method: Method::Projected,
+        ..settings(8, 1e-6)
+    };
+    let hanging = HangingPendulum { torque: 0.0 };
+    let mut simulation = Simulation::with_methods(hanging, settings, methods::Projected).unwrap();
+    simulation.run_until(1e6).unwrap();
+    let before = simulation.report().steps;
+    simulation.run_until(1e6 + 1e-3).unwrap();
+    assert!(simulation.report().steps > before);
+}
 
 /// A start at rest: there the error is a millionth of the estimate, a few steps later a tenth.
 #[test]

@@ -13,6 +13,11 @@ const CONVERGED: f64 = 1e-12;
 /// … or below this one, when they no longer shrink.
 const STILL: f64 = 1e-7;
 
+/// Corrections that shrink at a constant rate end at this part of both: what many short steps leave adds up.
+const FINEST: f64 = 0.1;
+/// … or where they no longer shrink, below so many times that.
+const STIRRED: f64 = 1e3;
+
 /// p, F and the tangents at one instant.
 #[derive(Clone)]
 pub(crate) struct Motion<const N: usize> {
@@ -169,9 +174,13 @@ impl Progress {
         floor: f64,
         most: usize,
     ) -> Result<bool, Fault> {
-        self.count += 1;
         let settled = size <= (CONVERGED * speed).max(floor)
             || (size >= 0.5 * self.last && size <= (STILL * speed).max(8.0 * floor));
+        self.go_on(size, settled, most)
+    }
+
+    fn go_on(&mut self, size: f64, settled: bool, most: usize) -> Result<bool, Fault> {
+        self.count += 1;
         self.last = size;
         if settled {
             return Ok(true);
@@ -197,9 +206,13 @@ impl Progress {
             true => (size / self.last).min(1.0),
             false => 1.0,
         };
-        let enough = (enough.max(CONVERGED) * speed).max(floor);
-        let settled = self.settles([size, speed], floor, most)?;
-        Ok(settled || size * rate <= enough)
+        let round_off = FINEST * (CONVERGED * speed).max(floor);
+        let is_still = rate >= 0.5 && size <= STIRRED * round_off;
+        self.go_on(
+            size,
+            size * rate <= round_off.max(enough * speed) || is_still,
+            most,
+        )
     }
 
     /// The matrix of the iteration is singular or not finite.

@@ -9,12 +9,15 @@
 //! have. Newton's corrections are those of one real and one complex system, of the size of the mechanism: the basis in which
 //! (a_ij) is diagonal. They neglect how A and p change along a step, so that they converge with the way of a step as their
 //! rate; factors are kept from step to step while they converge fast.
+//!
+//! With a tolerance each step has the estimate of its error by the embedded formula of order 3, IV.8 (8.19) there.
 
 use super::bench::Bench;
 use super::complex_saddle::ComplexSaddle;
 use super::index1::Index1;
 use super::motion::{Motion, Progress};
-use super::radau_coefficients::{COMPLEX, FROM_BASIS, INTO_BASIS, NODES, REAL, WEIGHTS};
+use super::radau_coefficients::{COMPLEX, EMBEDDED, FROM_BASIS, INTO_BASIS, NODES, REAL, WEIGHTS};
+use super::radau_memory::{Known, Memory};
 use super::rule::{AnyRule, Rule};
 use super::saddle::Saddle;
 use crate::fault::Fault;
@@ -22,6 +25,7 @@ use crate::flow::unroll;
 use crate::linear::{RowMatrix, accumulate, add_scaled, dot, vector, zeros};
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
+use crate::yardstick::Yardstick;
 use crate::{Method, Settings, System};
 use nalgebra::{Complex, SVector};
 
@@ -36,28 +40,70 @@ const SLOW: f64 = 0.3;
 const LOOSE: f64 = 1e-4;
 /// … of the speed, and at this one at most: where a stiff force has just begun to act, the prediction tells nothing.
 const LOOSEST: f64 = 1e-6;
+/// … and at this part of a tolerance: the steps may use twenty times as much.
+const TIGHT: f64 = 1e-3;
+/// The error of a step has the order 6 in h, what its embedded formula gives 4, and as a part of the way 3.
+const ORDERS: f64 = 2.0 / 3.0;
+/// Without a prediction the first correction may move the end of a step so far, in sizes or radians: from farther away the rows
+/// can be satisfied on another branch.
+const NEARBY: f64 = 0.3;
 /// Rates of change of θ, from one correction to the next: each evaluation shrinks their error by the angle of a step.
 const TURNS: usize = 3;
 
 #[derive(Clone)]
 pub(crate) struct Radau<const Q: usize, const N: usize, const R: usize> {
     motion: Motion<N>,
-    /// A where the factors were made.
-    a: RowMatrix<N, R>,
-    saddle: Saddle<N, R>,
-    complex: ComplexSaddle<N, R>,
-    /// The step for which there are factors, s; zero: for none.
-    factored: f64,
+    /// The factors in use, and those for steps of the last other length.
+    factors: Box<[Factors<N, R>; 2]>,
     /// The rows at the end of the step, …
     equations: Index1<N, R>,
     /// … and whether they are factored at the current state.
     placed: bool,
     scale: Box<RowScale<R>>,
     stages: Box<[Stage<Q, N, R>; 3]>,
-    /// The length of the step that the stages belong to, s; zero: there was none.
+    memory: Memory<Q, N, R>,
+    /// The part of the speed at which corrections may end, at most.
+    loosest: f64,
+    /// What the estimate of the error of the last step needs: with a tolerance.
+    errors: Option<Box<Errors<N>>>,
+    /// The length of that step, s.
     length: f64,
-    /// The velocities at its beginning.
-    before: SVector<f64, N>,
+}
+
+/// Of the last step, at its end.
+#[derive(Clone, Copy)]
+struct Errors<const N: usize> {
+    /// The estimates of the errors of θ and v by the embedded formula.
+    turn: SVector<f64, N>,
+    change: SVector<f64, N>,
+    /// θ.
+    way: SVector<f64, N>,
+}
+
+/// The factors of both systems.
+#[derive(Clone)]
+struct Factors<const N: usize, const R: usize> {
+    /// The length of the steps that they are for, s; zero: there are none.
+    length: f64,
+    /// A where they were made.
+    a: RowMatrix<N, R>,
+    real: Saddle<N, R>,
+    complex: ComplexSaddle<N, R>,
+}
+
+impl<const N: usize, const R: usize> Factors<N, R> {
+    fn none() -> Self {
+        Factors {
+            length: 0.0,
+            a: RowMatrix::zeros(),
+            real: Saddle::new(),
+            complex: ComplexSaddle::new(),
+        }
+    }
+
+    fn are_for(&self, h: f64) -> bool {
+        (self.length - h).abs() <= EQUAL * h.abs()
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -99,16 +145,21 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             };
             Ok(Box::new(Radau {
                 motion: Motion::new(),
-                a: RowMatrix::zeros(),
-                saddle: Saddle::new(),
-                complex: ComplexSaddle::new(),
-                factored: 0.0,
+                factors: Box::new([Factors::none(), Factors::none()]),
                 equations: Index1::detecting_densely(bench, scale.final_lengths())?,
                 placed: false,
                 scale,
                 stages: Box::new([stage; 3]),
+                memory: Memory::new(),
+                loosest: (settings.tolerance).map_or(LOOSEST, |part| LOOSEST.min(TIGHT * part)),
+                errors: settings.tolerance.map(|_| {
+                    Box::new(Errors {
+                        turn: zeros(),
+                        change: zeros(),
+                        way: zeros(),
+                    })
+                }),
                 length: 0.0,
-                before: zeros(),
             }))
         };
         Some(make())
@@ -120,69 +171,78 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         h: f64,
     ) -> Result<(), Fault> {
         self.placed = false;
-        let known = (self.length != 0.0).then_some(*self.stages);
-        if !((self.factored - h).abs() <= EQUAL * h.abs()) {
-            self.factored = 0.0;
+        if !self.factors[0].are_for(h) {
+            self.factors.swap(0, 1);
         }
+        if !self.factors[0].are_for(h) {
+            self.factors[0].length = 0.0;
+        }
+        let known = self.memory.before(&bench.state);
         let mut corrections = self.attempt(bench, h, known.as_ref());
         if known.is_some() && corrections.is_err() {
-            self.factored = 0.0;
+            self.factors[0].length = 0.0;
             corrections = self.attempt(bench, h, None);
         }
         if corrections.is_err() {
-            (self.length, self.factored) = (0.0, 0.0);
+            self.factors[0].length = 0.0;
         }
         let corrections = corrections?;
-        if corrections > FEW {
-            self.factored = 0.0;
-        }
         bench.counters.iterations += corrections;
         bench.counters.stages += NODES.len() as u64;
-        self.end(bench, h)
+        self.end(bench, h)?;
+        if corrections > FEW {
+            self.factors[0].length = 0.0;
+        }
+        Ok(())
     }
 
-    /// The stages of a step of h; returns the number of corrections. `known`: those of the last step.
+    /// The stages of a step of h; returns the number of corrections. `known`: the last step.
     fn attempt<S: System<Q, N, R>>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
-        known: Option<&[Stage<Q, N, R>; 3]>,
+        known: Option<&Known<N, R>>,
     ) -> Result<u64, Fault> {
-        let (q0, v0) = (bench.state.positions, bench.state.velocities);
-        let mut p0 = zeros();
-        bench.system.momentum(&q0, &v0, &mut p0);
+        let v0 = bench.state.velocities;
+        let start = start(bench);
         for (i, stage) in self.stages.iter_mut().enumerate() {
-            stage.v = match known {
-                Some(last) => extrapolated(&self.before, last, 1.0 + NODES[i] * h / self.length),
-                None => v0,
+            (stage.v, stage.lambda) = match known {
+                Some(last) => {
+                    let place = 1.0 + NODES[i] * h / last.length;
+                    (last.velocities_at(place), last.multipliers_at(place))
+                }
+                None => (v0, zeros()),
             };
-            stage.lambda = known.map_or(zeros(), |last| last[2].lambda);
             stage.turn = vector(|k| h * NODES[i] * v0[k]);
         }
         let mut progress = Progress::new();
         let (mut last, mut enough) = (f64::INFINITY, 0.0);
         loop {
             self.evaluate(bench, h);
-            let fresh = self.factored == 0.0;
+            let fresh = self.factors[0].length == 0.0;
             if fresh && !self.factor(bench, h) {
                 return Err(progress.lost());
             }
-            let change = self.correct(&p0, h);
+            let change = self.correct(&start[0], h);
             let size = bench.yardstick.measure(&change);
+            if last.is_infinite() && known.is_none() && R > 0 && !(h.abs() * size < NEARBY) {
+                return Err(progress.lost());
+            }
             let end = &self.stages[2];
             let (sizes, floor) = Progress::sizes(bench, &change, (&end.q, &end.v), h);
             if last.is_infinite() && known.is_some() {
                 let [size, speed] = sizes;
-                enough = (LOOSE * (size / speed).powf(1.5)).min(LOOSEST);
+                enough = (LOOSE * (size / speed).powf(1.5)).min(self.loosest);
             }
             if progress.will_settle(sizes, (floor, enough), bench.max_iterations)? {
+                self.arrive(bench, h, &start);
                 return Ok(progress.count());
             }
             if size > SLOW * last {
                 if fresh && !(size < last) {
                     return Err(progress.lost());
                 }
-                self.factored = 0.0;
+                self.factors[0].length = 0.0;
             }
             last = size;
         }
@@ -194,10 +254,11 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         let Stage { q, v, .. } = self.stages[1];
         let motion = &mut self.motion;
         motion.tangents(&bench.system, t, &q, &v);
-        self.a.overwrite(&bench.geometry.a);
         motion.combine(h * REAL, h * REAL * h * REAL);
-        self.factored = 0.0;
-        if !self.saddle.factor(&motion.jacobian, &self.a, &self.a) {
+        let factors = &mut self.factors[0];
+        factors.a.overwrite(&bench.geometry.a);
+        factors.length = 0.0;
+        if !(factors.real).factor(&motion.jacobian, &factors.a, &factors.a) {
             return false;
         }
         let of = h * COMPLEX;
@@ -205,16 +266,15 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         let entry = |i: usize, j: usize| {
             Complex::from(mass[i][j]) + of * (p_q[i][j] - f_v[i][j]) - of * of * f_q[i][j]
         };
-        if !self.complex.factor(entry, &self.a, &self.saddle) {
+        if !(factors.complex).factor(entry, &factors.a, &factors.real) {
             return false;
         }
-        self.factored = h;
+        factors.length = h;
         true
     }
 
-    /// The equations at the stages.
-    fn evaluate<S: System<Q, N, R>>(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) {
-        let (t0, q0) = (bench.state.time, bench.state.positions);
+    /// θ at the stages.
+    fn turn<S: System<Q, N, R>>(&mut self, h: f64) {
         let stages = &mut *self.stages;
         for _ in 0..if S::ROTATIONS.is_empty() { 1 } else { TURNS } {
             let rates = stages.map(|stage| {
@@ -226,6 +286,49 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
                 stage.turn = weighted(h, weights, &rates);
             }
         }
+    }
+
+    /// After the last correction: the positions that belong to it and, with a tolerance, the estimate of the error.
+    fn arrive<S: System<Q, N, R>>(
+        &mut self,
+        bench: &Bench<S, Q, N, R>,
+        h: f64,
+        [p0, f0]: &[SVector<f64, N>; 2],
+    ) {
+        self.turn::<S>(h);
+        let Bench { system, state, .. } = bench;
+        for stage in &mut *self.stages {
+            stage.q = system.advance(&state.positions, &stage.turn, 1.0);
+        }
+        let Some(errors) = &mut self.errors else {
+            return;
+        };
+        for stage in &mut *self.stages {
+            system.momentum(&stage.q, &stage.v, &mut stage.p);
+        }
+        let stages = &*self.stages;
+        let moved = weighted(1.0, &EMBEDDED, &stages.each_ref().map(|stage| stage.turn));
+        let gained = weighted(1.0, &EMBEDDED, &stages.each_ref().map(|stage| stage.p - p0));
+        let (of, v0) = (h * REAL, &state.velocities);
+        let moved: SVector<f64, N> = vector(|k| of * v0[k] + moved[k]);
+        let Motion { f_q, p_q, .. } = &self.motion;
+        let mut change: SVector<f64, N> =
+            vector(|k| of * (f0[k] + dot(&f_q[k], &moved)) - dot(&p_q[k], &moved) + gained[k]);
+        let factors = &self.factors[0];
+        factors.real.solve(&mut change, &mut zeros(), &factors.a);
+        **errors = Errors {
+            turn: vector(|k| moved[k] + of * change[k]),
+            change,
+            way: stages[2].turn,
+        };
+        self.length = h;
+    }
+
+    /// The equations at the stages.
+    fn evaluate<S: System<Q, N, R>>(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) {
+        let (t0, q0) = (bench.state.time, bench.state.positions);
+        self.turn::<S>(h);
+        let stages = &mut *self.stages;
         // The second one last: there the factors are made.
         for i in [0, 2, 1] {
             let (stage, t) = (&mut stages[i], t0 + NODES[i] * h);
@@ -255,12 +358,13 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         let open = stages.map(|stage| -stage.rates);
         let mut x: SVector<f64, N> = weighted(1.0, &INTO_BASIS[0], &missing);
         let mut mu: SVector<f64, R> = weighted(1.0, &INTO_BASIS[0], &open);
-        self.saddle.solve(&mut x, &mut mu, &self.a);
+        let factors = &mut self.factors[0];
+        factors.real.solve(&mut x, &mut mu, &factors.a);
         let [re, im] = [1, 2].map(|k| weighted::<N>(1.0, &INTO_BASIS[k], &missing));
         let mut z: [Complex<f64>; N] = std::array::from_fn(|i| Complex::new(re[i], im[i]));
         let [re, im] = [1, 2].map(|k| weighted::<R>(1.0, &INTO_BASIS[k], &open));
         let mut nu: [Complex<f64>; R] = std::array::from_fn(|i| Complex::new(re[i], im[i]));
-        self.complex.solve(&mut z, &mut nu, &self.saddle);
+        factors.complex.solve(&mut z, &mut nu, &factors.real);
         // μ = h a λ in this basis.
         let (real, complex) = (1.0 / (h * REAL), 1.0 / (h * COMPLEX));
         let mut change = zeros();
@@ -293,7 +397,12 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             lambda,
             ..
         } = self.stages[2];
-        (self.length, self.before) = (h, bench.state.velocities);
+        let [first, second, third] = self.stages.each_ref().map(|stage| stage.v);
+        let known = Known {
+            length: h,
+            velocities: [bench.state.velocities, first, second, third],
+            multipliers: self.stages.each_ref().map(|stage| stage.lambda),
+        };
         bench.multipliers = Some(lambda);
         let t1 = t0 + h;
         if R > 0 {
@@ -302,9 +411,21 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             self.equations.project(bench, &mut v);
         }
         bench.commit(t1, q, v, R > 0)?;
+        self.memory.keep(&bench.state, known);
         self.placed = R > 0;
         Ok(())
     }
+}
+
+/// p and F at the beginning of a step.
+fn start<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    bench: &Bench<S, Q, N, R>,
+) -> [SVector<f64, N>; 2] {
+    let state = &bench.state;
+    let (mut p, mut f) = (zeros(), zeros());
+    let (q, v) = (&state.positions, &state.velocities);
+    (bench.system).balance(state.time, q, v, &mut p, &mut f);
+    [p, f]
 }
 
 /// h Σ c_j x_j.
@@ -317,23 +438,6 @@ fn weighted<const K: usize>(
     vector(|k| a * x[0][k] + b * x[1][k] + c * x[2][k])
 }
 
-/// The velocities of the last step, with those at its beginning, as a polynomial at a place of its length.
-fn extrapolated<const Q: usize, const N: usize, const R: usize>(
-    before: &SVector<f64, N>,
-    last: &[Stage<Q, N, R>; 3],
-    place: f64,
-) -> SVector<f64, N> {
-    let nodes = [0.0, NODES[0], NODES[1], NODES[2]];
-    let weights: [f64; 4] = std::array::from_fn(|k| {
-        let others = nodes.iter().enumerate().filter(|&(other, _)| other != k);
-        let factors = others.map(|(_, node)| (place - node) / (nodes[k] - node));
-        factors.product()
-    });
-    let [zero, a, b, c] = weights;
-    let [first, second, third] = last;
-    vector(|k| zero * before[k] + a * first.v[k] + b * second.v[k] + c * third.v[k])
-}
-
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
     for Radau<Q, N, R>
 {
@@ -342,8 +446,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
     }
 
     fn refresh(&mut self) {
-        (self.length, self.factored) = (0.0, 0.0);
         self.placed = false;
+    }
+
+    /// The formula has the order 3. A power of what it gives, as a part of the way, has the order of the step.
+    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<f64> {
+        let errors = self.errors.as_ref()?;
+        let h = self.length.abs();
+        let error = yardstick
+            .measure(&errors.turn)
+            .max(h * yardstick.measure(&errors.change));
+        let part = error / yardstick.measure(&errors.way);
+        Some(match part < 1.0 {
+            true => error * part.powf(ORDERS),
+            false => error,
+        })
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

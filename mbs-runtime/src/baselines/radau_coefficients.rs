@@ -23,6 +23,13 @@ pub(super) const WEIGHTS: [[f64; 3]; 3] = [
     [(16.0 - ROOT) / 36.0, (16.0 + ROOT) / 36.0, 1.0 / 9.0],
 ];
 
+/// γ₀ dᵢ of the embedded formula of order 3, with γ₀ = [`REAL`]: (8.19) there.
+pub(super) const EMBEDDED: [f64; 3] = [
+    -REAL * (13.0 + 7.0 * ROOT) / 3.0,
+    -REAL * (13.0 - 7.0 * ROOT) / 3.0,
+    -REAL / 3.0,
+];
+
 /// The eigenvalues of (a_ij): the real one, …
 pub(super) const REAL: f64 = 1.0 / 3.637_834_252_744_496;
 
@@ -85,6 +92,17 @@ mod tests {
         let diagonal = Matrix3::new(REAL, 0.0, 0.0, 0.0, re, -im, 0.0, im, re);
         let difference = into * matrix(WEIGHTS) * from - diagonal;
         assert!(difference.amax() < 1e-14, "{difference}");
+    }
+
+    #[test]
+    fn the_embedded_formula_has_order_three() {
+        for degree in 1..5 {
+            // x' = degree · t^(degree − 1): its derivative at the start, and x at the nodes.
+            let start = if degree == 1 { REAL } else { 0.0 };
+            let terms = EMBEDDED.iter().zip(NODES);
+            let sum: f64 = terms.map(|(d, node)| d * node.powi(degree)).sum();
+            assert_eq!((start + sum).abs() < 1e-14, degree < 4, "{degree}");
+        }
     }
 
     #[test]

@@ -3,13 +3,17 @@
 //!
 //! | candidate | where it has the least |
 //! |---|---|
-//! | two-level with a tolerance | free rotations, many rows, stiff dampers and springs |
+//! | two-level with a tolerance | free rotations, many rows, stiff springs |
+//! | Radau with a tolerance | stiff dampers, friction |
 //! | explicit, projected, with a tolerance | most others: no Newton iteration in its stages |
 //!
-//! The explicit one begins, as its trials take the least. If the two-level one is hopeless beside it, that is all; otherwise
+//! The explicit one begins, as its trials take the least. If another one is hopeless beside it, that is all; otherwise
 //! both are counted over the same time, so that they see the same motion: where a stop or a spring makes a part of it stiff,
 //! few steps of the one may go as far as many of the other. Operations are counted, not timed, so that the choice is the same
 //! in every run. It is made again where the motion has changed (`revision.rs`).
+//!
+//! Radau is a candidate where forces depend on velocities: it damps the vibration of stiff springs, which the two-level method
+//! does not. Its matrices are dense, so that it serves small mechanisms.
 
 use super::Simulation;
 use super::choice::Choice;
@@ -21,8 +25,19 @@ use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, System};
 /// up to 48 tolerances with steps of the projected method, and 29 with two-level ones.
 const MARGIN: f64 = 0.125;
 
-/// The two-level method, and the explicit one.
-fn candidates(settings: Settings, accuracy: f64) -> [Settings; 2] {
+/// Velocities and rows of a mechanism for which Radau is a candidate, at most.
+const SMALL: usize = 48;
+
+/// Whether Radau is a candidate.
+pub(crate) const fn has_radau<S, const Q: usize, const N: usize, const R: usize>() -> bool
+where
+    S: System<Q, N, R>,
+{
+    S::STRUCTURE.velocity_forces && N + R <= SMALL
+}
+
+/// The candidates in the order of their trials.
+fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Settings> {
     let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
     let two_level = Settings {
         accuracy: None,
@@ -33,7 +48,15 @@ fn candidates(settings: Settings, accuracy: f64) -> [Settings; 2] {
         order: 8,
         ..two_level
     };
-    [two_level, projected]
+    let radau = Settings {
+        method: Method::Radau,
+        order: 2,
+        ..two_level
+    };
+    match has_radau {
+        true => vec![projected, radau, two_level],
+        false => vec![projected, two_level],
+    }
 }
 
 /// The candidate with steps that are not longer than those of another one which follow the motion: attempts with much too long
@@ -61,44 +84,54 @@ where
         let Some(accuracy) = settings.accuracy else {
             return Self::from_state(system, settings, state, assembly, other);
         };
-        let candidates = candidates(settings, accuracy);
+        let candidates = candidates(settings, accuracy, const { has_radau::<S, Q, N, R>() });
+        let last = candidates.len() - 1;
         if other.is_none() {
             // There is nothing to choose from.
-            return Self::from_state(system, candidates[0], state, assembly, None);
+            return Self::from_state(system, candidates[last], state, assembly, None);
         }
         let make = |candidate| {
             let (system, state, assembly) = (system.clone(), state.clone(), assembly.clone());
             Self::from_state(system, candidate, state, assembly, other)
         };
-        // A candidate that cannot begin here is none.
-        let alone = |candidate, other: &Trial| {
-            make(candidate).map_or(Trial::NONE, |mut run| run.run_trial(f64::INFINITY, other))
-        };
-        let first = alone(candidates[1], &Trial::NONE);
-        let two_level = alone(shortened(candidates[0], &first), &first);
-        let projected = match two_level.rate.is_finite() {
-            true => make(candidates[1]).map_or(Trial::NONE, |mut run| run.run_beside(&two_level)),
-            false => first,
-        };
-        let trials = [two_level, projected];
-        let best = usize::from(trials[1].rate < trials[0].rate);
-        let chosen = match trials[best].rate.is_finite() {
+        // If none can begin here, the two-level one says why.
+        let (mut best, mut leader) = (last, Trial::NONE);
+        let mut operations = vec![0.0; candidates.len()];
+        for (index, &candidate) in candidates.iter().enumerate() {
+            // A candidate that cannot begin here is none.
+            let trial = make(shortened(candidate, &leader))
+                .map_or(Trial::NONE, |mut run| run.run_trial(f64::INFINITY, &leader));
+            operations[index] = trial.operations;
+            if !trial.rate.is_finite() {
+                continue;
+            }
+            if leader.rate.is_finite() {
+                let beside =
+                    make(candidates[best]).map_or(Trial::NONE, |mut run| run.run_beside(&trial));
+                operations[best] = beside.operations;
+                if beside.rate < trial.rate {
+                    leader = beside;
+                    continue;
+                }
+            }
+            (best, leader) = (index, trial);
+        }
+        // Long steps of Radau are those after a transient of the beginning.
+        let chosen = match leader.rate.is_finite() && candidates[best].method != Method::Radau {
             true => Settings {
-                step: trials[best].step,
+                step: leader.step,
                 ..candidates[best]
             },
-            // Neither can begin here: the first says why.
             false => candidates[best],
         };
         let mut simulation = Self::from_state(system, chosen, state, assembly, other)?;
-        let operations = trials.map(|trial| trial.operations);
         let operations = operations.iter().filter(|all| all.is_finite()).sum();
         let start = simulation.time();
         let choice = Choice::new(
             candidates,
             best,
             simulation.work(),
-            trials[best].way,
+            leader.way,
             start,
             operations,
         );

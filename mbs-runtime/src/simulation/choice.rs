@@ -21,7 +21,7 @@ const SELDOM: u64 = 256;
 /// The method that was chosen, and what is known about it.
 #[derive(Debug, Clone)]
 pub(super) struct Choice {
-    candidates: [Settings; 2],
+    candidates: Vec<Settings>,
     current: usize,
     /// What a stage of the method in use takes.
     pub(super) work: Work,
@@ -40,7 +40,7 @@ pub(super) struct Choice {
 impl Choice {
     /// After trials with so many operations: that of the method that was chosen had pairs of this way.
     pub(super) fn new(
-        candidates: [Settings; 2],
+        candidates: Vec<Settings>,
         current: usize,
         work: Work,
         way: f64,
@@ -81,17 +81,32 @@ impl Choice {
         self.rest(now, (WAIT * spent).max(LONGER * self.wait), way);
     }
 
-    /// After the same: the other method is taken.
+    /// After the same, or where the method cannot go on: another candidate is taken.
     pub(super) fn change(
         &mut self,
+        candidate: usize,
         now: (f64, Report),
         spent: f64,
         way: f64,
         change: MethodChange,
     ) {
-        self.current = 1 - self.current;
+        self.current = candidate;
         self.changes.push(change);
-        self.rest(now, WAIT * spent, way);
+        match spent.is_finite() {
+            true => self.rest(now, WAIT * spent, way),
+            false => self.rest(now, self.wait, self.way),
+        }
+    }
+
+    /// A candidate that is not in use is none any more.
+    pub(super) fn leave_out(&mut self, candidate: usize) {
+        self.candidates.remove(candidate);
+        self.current -= usize::from(candidate < self.current);
+    }
+
+    /// The candidate in use.
+    pub(super) fn current(&self) -> usize {
+        self.current
     }
 
     fn rest(&mut self, now: (f64, Report), wait: f64, way: f64) {
@@ -99,9 +114,15 @@ impl Choice {
         (self.unlike, self.pairs) = (0, 0);
     }
 
-    /// The settings of the candidate that is not in use.
-    pub(super) fn other(&self) -> Settings {
-        self.candidates[1 - self.current]
+    /// The candidates that are not in use.
+    pub(super) fn others(&self) -> impl DoubleEndedIterator<Item = usize> + use<> {
+        let current = self.current;
+        (0..self.candidates.len()).filter(move |&candidate| candidate != current)
+    }
+
+    /// The settings of a candidate.
+    pub(super) fn settings_of(&self, candidate: usize) -> Settings {
+        self.candidates[candidate]
     }
 
     /// Time and report at the choice.

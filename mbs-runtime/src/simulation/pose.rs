@@ -6,6 +6,7 @@
 //!
 //! with g = 0 at a singular pose.
 
+use super::tolerance::FAR;
 use crate::singular::RankMargin;
 
 /// A pose is looked for up to this multiple of a step away from its end: σ is not quite linear in time.
@@ -77,6 +78,12 @@ impl Passage {
         let early = falls(end.least, second, first);
         let late = falls(start.least, first, second);
         (self.has_same_rows() && (early || late)).then(|| self.crossing(early, late))
+    }
+
+    /// Whether no singular pose is in or near the pair.
+    pub(super) fn is_far_from_poses(&self) -> bool {
+        let is_far = |margin: &RankMargin| margin.least > FAR;
+        self.has_same_rows() && self.pose().is_none() && self.margins.iter().all(is_far)
     }
 
     /// Whether as many rows are dependent at all three instants: of other rows σ cannot be compared.

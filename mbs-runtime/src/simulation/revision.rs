@@ -14,7 +14,7 @@
 
 use super::Simulation;
 use super::trial::{GAIN, Trial};
-use crate::{MethodChange, SimulationError, StepController, System};
+use crate::{Method, MethodChange, SimulationError, StepController, System};
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The changes of the method so far, in the order of time: for an accuracy, if the motion has changed its character.
@@ -27,7 +27,37 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if let Some(most) = self.allowed_trials() {
             self.choose_again(most)?;
         }
-        self.pair(tolerance, left)
+        match self.settings.method {
+            Method::Radau if self.choice.is_some() => self.pair_far_from_poses(tolerance, left),
+            _ => self.pair(tolerance, left).map(drop),
+        }
+    }
+
+    /// A pair of steps of Radau, whose steps are not placed: near a singular pose, or where they cannot go on, another candidate
+    /// takes it, and Radau is none from there on.
+    fn pair_far_from_poses(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
+        let kept = self.keep();
+        match self.pair(tolerance, left) {
+            Ok(passage) if passage.is_far_from_poses() => return Ok(()),
+            Err(error) if !error.is_due_to_steps() => return Err(error),
+            _ => {}
+        }
+        self.integrator.state_mut().copy_from(&self.pair);
+        self.restore(kept)?;
+        self.leave_candidate()?;
+        self.pair(tolerance, left).map(drop)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn leave_candidate(&mut self) -> Result<(), SimulationError> {
+        let left = self.choice.as_ref().map(|choice| choice.current());
+        let (best, trial, _) = self.best_other(f64::INFINITY);
+        self.take_candidate(best, [Trial::NONE, trial])?;
+        if let (Some(choice), Some(left)) = (&mut self.choice, left) {
+            choice.leave_out(left);
+        }
+        Ok(())
     }
 
     /// If the method is to be chosen again: the operations that this may take.
@@ -50,18 +80,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         })
     }
 
-    /// Tries both methods from here on, and takes the better one.
+    /// Tries the methods from here on, and takes the best one.
     #[cold]
     #[inline(never)]
     fn choose_again(&mut self, most: f64) -> Result<(), SimulationError> {
-        let other = self
-            .with_other()
-            .map_or(Trial::NONE, |mut other| other.run_trial(most, &Trial::NONE));
+        let (best, other, mut spent) = self.best_other(most);
         let mut current = Trial::NONE;
         if other.rate.is_finite() {
             let mut run = self.clone();
             run.choice = None;
             current = run.run_beside(&other);
+            spent += current.operations;
         }
         let now = (self.time(), self.report());
         let done = self.done();
@@ -69,10 +98,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             // What is hard for both, as where a block slips for a moment, says nothing about the rest.
             let mean = done / (now.0 - choice.start().0);
             if other.rate < GAIN * current.rate.min(mean) {
-                return self.take_other([current, other]);
+                return self.take_candidate(best, [current, other]);
             }
             match other.rate.is_finite() && current.rate.is_finite() {
-                true => choice.stay(now, other.operations + current.operations, current.way),
+                true => choice.stay(now, spent, current.way),
                 // One of them fails, or needs a longer trial: the motion stays unlike that at the choice.
                 false => choice.stay(now, most, choice.way()),
             }
@@ -80,11 +109,29 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(())
     }
 
-    /// A simulation with the other candidate from here on.
-    fn with_other(&self) -> Result<Self, SimulationError> {
+    /// The best of the candidates that are not in use, its trial, and the operations of all trials, at most `most`. If none can
+    /// go on, it is the last one, the two-level method.
+    fn best_other(&self, most: f64) -> (usize, Trial, f64) {
+        let (mut best, mut leader, mut spent) = (0, Trial::NONE, 0.0);
+        let candidates = self.choice.as_ref().map(|choice| choice.others());
+        for candidate in candidates.into_iter().flatten() {
+            let trial = (self.with_candidate(candidate))
+                .map_or(Trial::NONE, |mut run| run.run_trial(most - spent, &leader));
+            if trial.operations.is_finite() {
+                spent += trial.operations.min(most - spent);
+            }
+            if trial.rate < leader.rate || !leader.rate.is_finite() {
+                (best, leader) = (candidate, trial);
+            }
+        }
+        (best, leader, spent)
+    }
+
+    /// A simulation with this candidate from here on.
+    fn with_candidate(&self, candidate: usize) -> Result<Self, SimulationError> {
         let mut settings = self.settings;
         if let Some(choice) = &self.choice {
-            settings = choice.other();
+            settings = choice.settings_of(candidate);
         }
         let mut state = self.state().clone();
         state.forget_factors();
@@ -96,18 +143,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::from_state(system, settings, state, assembly, self.other)
     }
 
-    fn take_other(&mut self, [before, after]: [Trial; 2]) -> Result<(), SimulationError> {
-        let mut renewed = self.with_other()?;
+    fn take_candidate(
+        &mut self,
+        candidate: usize,
+        [before, after]: [Trial; 2],
+    ) -> Result<(), SimulationError> {
+        let mut renewed = self.with_candidate(candidate)?;
         let change = MethodChange {
             time: self.time(),
             before: self.settings.method,
             method: renewed.settings.method,
-            order: renewed.settings.order,
+            order: renewed.settings.true_order(),
             operations: [before.rate, after.rate],
         };
         let now = (self.time(), self.report());
         if let Some(choice) = &mut self.choice {
-            choice.change(now, after.operations, after.way, change);
+            choice.change(candidate, now, after.operations, after.way, change);
             choice.work = renewed.work();
         }
         renewed.take_over_motion(self);

@@ -6,7 +6,7 @@ use super::hermite::Hermite;
 use crate::{SimulationError, System, UnknownName};
 use nalgebra::SVector;
 
-/// A remainder below this fraction of a step is added to the last step. It is larger than the rounding error of a sum
+/// A remainder below this fraction of a given step is added to the last step. It is larger than the rounding error of a sum
 /// of 1e8 steps.
 const SLIVER: f64 = 1e-6;
 /// Bisections on the cubic of a step: its own error is larger than what they leave.
@@ -35,7 +35,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub(super) fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
         let now = self.time();
         let step = self.nominal();
-        if !(wanted.is_finite() && wanted >= now - SLIVER * step) {
+        if !(wanted.is_finite() && wanted >= now - self.sliver(now)) {
             return Err(SimulationError::Time { now, wanted });
         }
         // Such a run would not end: its steps are below the round-off of the time.
@@ -54,9 +54,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub(super) fn next_step(&self, time: f64) -> Option<f64> {
         let left = time - self.time();
         let step = self.nominal();
-        // At large times the round-off of the time is larger than such a remainder.
-        let rounding = 4.0 * f64::EPSILON * time.abs();
-        let sliver = (SLIVER * step).max(rounding);
+        let (rounding, sliver) = (rounding(time), self.sliver(time));
         if left <= sliver {
             None
         } else if (left - step).abs() <= rounding {
@@ -66,6 +64,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Some(left)
         } else {
             Some(step)
+        }
+    }
+
+    /// The remainder that is no step, s. With a tolerance the last steps end at the time that was asked for, and a mechanism at
+    /// rest may have steps of any length.
+    fn sliver(&self, time: f64) -> f64 {
+        match self.settings.tolerance {
+            // At large times the round-off of the time is larger than such a remainder.
+            None => (SLIVER * self.settings.step).max(rounding(time)),
+            Some(_) => rounding(time),
         }
     }
 
@@ -214,4 +222,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.events = values;
         self.events.get(index).copied().unwrap_or(0.0)
     }
+}
+
+/// The round-off of a time, s.
+fn rounding(time: f64) -> f64 {
+    4.0 * f64::EPSILON * time.abs()
 }

@@ -33,6 +33,8 @@ const FACTORS: [f64; 2] = [0.3, 1.5];
 /// The factor at most until a length is found.
 const EAGER: f64 = 2.0;
 const RETREATS: [f64; 2] = [0.2, 0.9];
+/// Factors with which the length is not changed where factors of matrices are kept for it.
+const SAME: [f64; 2] = [0.8, 1.25];
 /// The least factor of an embedded estimate that is believed: where the error is far below what is allowed, as in a start
 /// from rest, factors of a millionth were found, and one of a tenth a few steps later.
 const LEAST_GAUGE: f64 = 0.02;
@@ -115,10 +117,11 @@ impl StepController {
         self.eager = false;
     }
 
-    /// After steps of h with this excess: the length with which the next one comes to [`AIM`].
+    /// After steps of h with this excess: the length with which the next one comes to [`AIM`], or about this if the method
+    /// `keeps` factors.
     ///
     /// With order p the excess is d hᵖ; the difficulty d of the motion goes on to change as it did.
-    pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64) {
+    pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64, keeps: bool) {
         let order = f64::from(order);
         let difficulty = excess.max(ROUND_OFF).log2() - order * h.log2();
         let change = match self.difficulty {
@@ -130,7 +133,8 @@ impl StepController {
         let most = if self.eager { EAGER } else { FACTORS[1] };
         let factor = (wanted.exp2() / h).clamp(FACTORS[0], most);
         self.difficulty = Some(difficulty);
-        self.step = h * factor;
+        let is_same = keeps && (SAME[0]..SAME[1]).contains(&factor);
+        self.step = if is_same { h } else { h * factor };
         self.eager &= factor == EAGER;
     }
 
@@ -160,7 +164,7 @@ mod tests {
             let excess = d(time + h) * h.powi(8);
             match excess <= 1.0 {
                 true => {
-                    controller.follow(8, h, excess);
+                    controller.follow(8, h, excess, false);
                     time += 2.0 * h;
                 }
                 false => controller.retreat(8, h, excess, false),

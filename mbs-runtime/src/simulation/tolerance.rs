@@ -27,7 +27,7 @@ use super::pose::Passage;
 use super::step_controller::{TOO_LONG, notches};
 use crate::linear::vector;
 use crate::singular::{ROUND_OFF, RankMargin};
-use crate::{Energy, SimulationError, StepController, System};
+use crate::{Energy, Method, SimulationError, StepController, System};
 use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
@@ -49,7 +49,7 @@ const WEAKEST: f64 = 1e-5;
 /// expected, where σ is above the second number. Closer to a pose velocities have other errors.
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
 /// σ at the ends of steps past a known singular pose, at least, for an embedded estimate to be believed.
-const FAR: f64 = 0.1;
+pub(super) const FAR: f64 = 0.1;
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
 const UNSEEN: u32 = 15;
@@ -111,7 +111,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Two steps of h, and of shorter ones until their error is small enough.
-    pub(super) fn pair(&mut self, tolerance: f64, left: f64) -> Result<(), SimulationError> {
+    pub(super) fn pair(&mut self, tolerance: f64, left: f64) -> Result<Passage, SimulationError> {
         let mut step_controller = self.state().step_controller;
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
@@ -150,12 +150,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         step_controller.note(found.gauge, found.excess);
                         if h == step_controller.step && found.is_embedded {
                             let [first, second] = found.passage.steps;
-                            step_controller.follow(order, 0.5 * (first + second), found.excess);
+                            let keeps = self.settings.method == Method::Radau;
+                            let mean = 0.5 * (first + second);
+                            step_controller.follow(order, mean, found.excess, keeps);
                         } else if h == step_controller.step && found.even && !self.is_estimated {
                             step_controller.lengthen(notches(order, found.excess));
                         }
                         self.integrator.state_mut().step_controller = step_controller;
-                        return Ok(());
+                        return Ok(found.passage);
                     }
                     let velocity = S::MODEL.velocities.get(found.worst);
                     let error = SimulationError::Tolerance {
@@ -167,14 +169,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     };
                     (found.excess, found.is_embedded, error)
                 }
-                Err(
-                    error @ (SimulationError::NotConverged { .. }
-                    | SimulationError::Astray { .. }
-                    | SimulationError::Mass { .. }
-                    | SimulationError::NonFinite { .. }
-                    | SimulationError::EnergyGain { .. }
-                    | SimulationError::EnergyLoss { .. }),
-                ) => (TOO_LONG, false, error),
+                Err(error) if error.is_due_to_steps() => (TOO_LONG, false, error),
                 Err(error) => return Err(error),
             };
             self.rejected += 1;

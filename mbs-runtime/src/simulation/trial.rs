@@ -1,8 +1,9 @@
 //! What a method needs for a motion: it runs ahead, and its operations are counted.
 
 use super::Simulation;
+use super::tolerance::FAR;
 use crate::work::Work;
-use crate::{SimulationError, System};
+use crate::{Method, SimulationError, System};
 
 /// Pairs of steps that are counted, after the first length of steps was found.
 const COUNTED: usize = 12;
@@ -36,6 +37,8 @@ pub(super) struct Trial {
     pub(super) step: f64,
     /// The mean way of its pairs, in sizes and radians.
     pub(super) way: f64,
+    /// Whether stiff dampers do not shorten its steps.
+    damps: bool,
 }
 
 impl Trial {
@@ -46,11 +49,12 @@ impl Trial {
         operations: f64::INFINITY,
         step: 0.0,
         way: 0.0,
+        damps: false,
     };
 
     /// Whether the lengths of its steps are those that the motion needs.
     pub(super) fn follows_the_motion(&self) -> bool {
-        self.rate.is_finite() && self.way > MOVING
+        self.rate.is_finite() && (self.damps || self.way > MOVING)
     }
 
     /// Whether a candidate that has taken so many operations, at this rate, need not be tried further.
@@ -69,6 +73,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     fn tried(&mut self, most: f64, other: &Trial) -> Result<Trial, SimulationError> {
         let (work, begin) = (self.work(), self.report());
+        if self.damps() && !(self.margin().least > FAR) {
+            return Ok(Trial::NONE);
+        }
         for _ in 0..TRIED {
             if self.state().step_controller.step > 0.0 && !self.state().step_controller.eager {
                 break;
@@ -78,18 +85,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 return Ok(Trial::NONE);
             }
         }
-        // A transient at the start needs short steps: the count begins anew while they grow.
+        // A transient at the start needs short steps: the count begins anew while they grow, and until the other candidate has
+        // been counted, too, where this takes less than that trial.
         let grown = if self.is_estimated { GROWN } else { 1.0 };
         let mut trial = Trial::NONE;
-        for _ in 0..WINDOWS {
+        for window in 1.. {
             let step = self.nominal();
             let before = work.between(&begin, &self.report());
             trial = self.count(&work, before, other)?;
             if trial.operations > most {
                 return Ok(Trial::NONE);
             }
+            let is_behind = self.time() < other.span[1] && trial.operations < other.operations;
             // A hopeless trial has no length.
-            if trial.step <= grown * step {
+            let goes_on = trial.step > grown * step && window < WINDOWS
+                || other.rate.is_finite() && trial.rate.is_finite() && is_behind;
+            if !goes_on {
                 break;
             }
         }
@@ -117,6 +128,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 operations,
                 step: self.nominal(),
                 way: way / pairs,
+                damps: self.damps(),
             };
             if time >= to {
                 return trial((operations - before.1) / (time - before.0));
@@ -153,7 +165,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             operations: before + operations,
             step: self.nominal(),
             way: way / COUNTED as f64,
+            damps: self.damps(),
         })
+    }
+
+    /// Whether the method is Radau, which is a candidate far from singular poses.
+    fn damps(&self) -> bool {
+        self.settings.method == Method::Radau
     }
 
     /// The operations of stages and corrections with the method in use.

@@ -72,7 +72,7 @@ where
             .set_parameter(name, *value)
             .map_err(SimulationError::UnknownName)?;
     }
-    let simulation = Simulation::with_methods(mechanism, settings, methods::Projected)?;
+    let simulation = Simulation::with_methods(mechanism, settings, methods::Accuracy)?;
     Ok(Box::new(simulation))
 }
 
