@@ -14,8 +14,8 @@ use mbs_runtime::{Method, Settings, SimulationError};
 const ACCURACIES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 const METHODS: [Method; 2] = [Method::TwoLevel, Method::Projected];
 const ORDERS: [u8; 3] = [4, 6, 8];
-/// Steps between two instants of the reference, from one on, and tolerances, from the largest on, by these factors.
-const PARTS: (f64, f64, f64) = (1.0, 1.25, 2e3);
+/// Steps between two instants of the reference, from a twentieth on, and tolerances, from the largest on, by these factors.
+const PARTS: (f64, f64, f64) = (0.05, 1.25, 2e3);
 const TOLERANCES: (f64, f64, f64) = (3e-2, 0.5, 1e-12);
 /// Errors below this are round-off.
 const ROUND_OFF: f64 = 1e-11;
@@ -139,10 +139,13 @@ fn others(case: &Case, scene: &Scene, reference: &ReferenceTable, longest: f64) 
             step: scene.step,
             ..Settings::default()
         };
-        // Whole numbers of steps between the instants, so that both runs take the same.
+        // Whole numbers of steps between the instants, or of instants in a step, so that both runs take the same.
         let interval = reference.interval().unwrap_or(scene.duration);
         let by_steps = geometric(PARTS).map(|parts| {
-            let step = interval / parts.round();
+            let step = match parts < 1.0 {
+                true => interval * parts.recip().round(),
+                false => interval / parts.round(),
+            };
             (format!("step {step:.2e} s"), Settings { step, ..base })
         });
         found.extend(search((case, scene, reference), longest, by_steps));

@@ -25,14 +25,19 @@ const STEADY: usize = 3;
 const FURTHER: f64 = 30.0;
 const REPEATS: usize = 5;
 
+const BY_TOLERANCE: &str = "radau, tolerance";
+/// Of settings.
+const LEAST_TOLERANCE: f64 = 1e-12;
+
 /// Label, method and order.
-const METHODS: [(&str, Method, u8); 7] = [
+const METHODS: [(&str, Method, u8); 8] = [
     ("two-level 2", Method::TwoLevel, 2),
     ("two-level 4", Method::TwoLevel, 4),
     ("two-level 6", Method::TwoLevel, 6),
     ("two-level 8", Method::TwoLevel, 8),
     ("projected 8", Method::Projected, 8),
     ("radau", Method::Radau, 2),
+    (BY_TOLERANCE, Method::Radau, 2),
     (
         "bdf",
         Method::Bdf(BdfSettings {
@@ -105,7 +110,13 @@ where
         while steps < MOST
             && (found.iter()).any(|found| found.is_none_or(|(first, ..)| steps < FURTHER * first))
         {
-            let settings = settings(method, order, steps);
+            let settings = match label {
+                BY_TOLERANCE => Settings {
+                    tolerance: Some(tolerance(steps).max(LEAST_TOLERANCE)),
+                    ..settings(method, order, DURATION * 1e3)
+                },
+                _ => settings(method, order, steps),
+            };
             let error = match run(&mechanism, settings) {
                 Ok((end, _)) => distance(&end, &reference),
                 Err(_) => f64::INFINITY,
@@ -141,11 +152,11 @@ where
     Ok(())
 }
 
-/// A run of this many steps, or for BDF of a tolerance that falls with their fourth power.
+/// A run of this many steps, or for BDF of such a tolerance.
 fn settings(method: Method, order: u8, steps: f64) -> Settings {
     let (method, step) = match method {
         Method::Bdf(bdf) => {
-            let tolerance = 0.1 * (FEWEST / steps).powi(4);
+            let tolerance = tolerance(steps);
             (
                 Method::Bdf(BdfSettings { tolerance, ..bdf }),
                 DURATION / 50.0,
@@ -161,11 +172,16 @@ fn settings(method: Method, order: u8, steps: f64) -> Settings {
     }
 }
 
+/// One that falls with the fourth power of steps.
+fn tolerance(steps: f64) -> f64 {
+    0.1 * (FEWEST / steps).powi(4)
+}
+
 /// The step, s, or the tolerance.
 fn control(settings: &Settings) -> f64 {
     match settings.method {
         Method::Bdf(bdf) => bdf.tolerance,
-        _ => settings.step,
+        _ => settings.tolerance.unwrap_or(settings.step),
     }
 }
 

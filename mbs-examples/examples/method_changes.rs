@@ -150,6 +150,11 @@ where
             tolerance: Some(tolerance),
             ..Settings::default()
         })?;
+        let radau = run(Settings {
+            method: Method::Radau,
+            tolerance: Some(tolerance),
+            ..Settings::default()
+        });
         let (_, two_level) = run(Settings::for_tolerance(tolerance))?;
         let error = (changing.positions() - fine.positions()).amax();
         let row = vec![
@@ -159,6 +164,7 @@ where
             format!("{:.3}", error / accuracy),
             format!("{time:.3}"),
             format!("{explicit:.3}"),
+            radau.map_or("-".to_owned(), |(_, time)| format!("{time:.3}")),
             format!("{two_level:.3}"),
         ];
         println!("{}", row.join(", "));

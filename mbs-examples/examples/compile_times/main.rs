@@ -35,9 +35,11 @@ const DISSECTED: [(&str, usize); 4] = [("chain", 10), ("platform", 6), ("frame",
 
 /// The method that every program has.
 const TWO_LEVEL: &str = "TwoLevel";
-/// The types of `mbs_runtime::methods` that stand for one method.
-const ONE: [&str; 8] = [
+/// The types of `mbs_runtime::methods` that stand for one method, and for the candidates of an accuracy.
+const ONE: [&str; 10] = [
     "Projected",
+    "Radau",
+    "Accuracy",
     "Baumgarte",
     "Rattle",
     "Paper",

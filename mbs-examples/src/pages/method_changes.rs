@@ -5,13 +5,14 @@ use super::markdown::{significant, table as markdown};
 
 const FILE: &str = "readme/method_changes.csv";
 /// Columns of the file; the first two identify a run.
-pub const COLUMNS: [&str; 7] = [
+pub const COLUMNS: [&str; 8] = [
     "mechanism",
     "accuracy",
     "methods",
     "error_over_accuracy",
     "time_ms",
     "projected_ms",
+    "radau_ms",
     "two_level_ms",
 ];
 /// How many of them identify a run.
@@ -32,6 +33,7 @@ pub fn table(data: &Data) -> Result<String, String> {
             significant(line.number("error_over_accuracy")?, 2),
             significant(line.number("time_ms")?, 2),
             significant(line.number("projected_ms")?, 2),
+            of_radau(line.text("radau_ms")?),
             significant(line.number("two_level_ms")?, 2),
         ]);
     }
@@ -42,7 +44,14 @@ pub fn table(data: &Data) -> Result<String, String> {
         "error / accuracy",
         "run, ms",
         "projected 8 alone",
+        "radau alone",
         "two-level alone",
     ];
     Ok(markdown(&head, &rows))
+}
+
+/// It is no candidate of every mechanism.
+fn of_radau(time: &str) -> String {
+    time.parse()
+        .map_or("–".to_owned(), |time| significant(time, 2))
 }

@@ -242,10 +242,11 @@ impl Settings {
     /// An accuracy and nothing else: the largest error of a position over the run, in sizes of the mechanism and radians,
     /// between 1e-11 and 0.1.
     ///
-    /// The tolerance is an eighth of the accuracy. Where the projected explicit method is compiled
+    /// The tolerance is an eighth of the accuracy. Where other candidates are compiled
     /// ([`Simulation::with_accuracy`](crate::Simulation::with_accuracy)) the simulation runs the beginning of the motion
-    /// with it and with the two-level method, and takes the one that needs fewer operations for a second of it, from the
-    /// start on; otherwise it takes the two-level one.
+    /// with the projected explicit method, with Radau where forces depend on velocities, and with the two-level method, and
+    /// takes the one that needs the fewest operations for a second of it, from the start on; otherwise it takes the two-level
+    /// one.
     /// [`Simulation::settings`](crate::Simulation::settings) tells which. Where the motion changes its character on the way, as
     /// when a block comes to stick, the choice is made again, which allocates;
     /// [`Simulation::method_changes`](crate::Simulation::method_changes) lists the changes.
