@@ -86,7 +86,7 @@ impl Case {
         Ok(reference(scene)?.map(|reference| (scene, reference)))
     }
 
-    /// The largest error at the instants of the reference; with given steps that are longer, at their ends.
+    /// The largest error at the instants of the reference.
     ///
     /// # Errors
     /// A run that does not come to its end.
@@ -97,14 +97,11 @@ impl Case {
         settings: Settings,
     ) -> Result<f64, SimulationError> {
         let mut simulation = (scene.build)(&[], settings)?;
-        let paced = simulation.settings().tolerance.is_some();
-        let mut frames = vec![Frame::record(simulation.as_ref())];
         let interval = reference.interval().unwrap_or(scene.duration);
-        let interval = match paced {
-            true => interval,
-            false => interval * (settings.step / interval).round().max(1.0),
-        };
-        for instant in 1..=(scene.duration / interval + 1e-9).floor() as u32 {
+        // Steps that end between the instants; what is at these is sampled.
+        let paced = simulation.settings().tolerance.is_some() || settings.step > interval;
+        let mut frames = vec![Frame::record(simulation.as_ref())];
+        for instant in 1..=(scene.duration / interval).round() as u32 {
             let time = f64::from(instant) * interval;
             match paced {
                 true => simulation.run_past(time, scene.duration)?,

@@ -16,6 +16,10 @@ use super::Simulation;
 use super::trial::{GAIN, Trial};
 use crate::{Method, MethodChange, SimulationError, StepController, System};
 
+/// The same as [`GAIN`] where Radau is in use: explicit steps would take a hundred times its work where a part of the motion
+/// becomes stiff again.
+const RETURN: f64 = 0.3;
+
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The changes of the method so far, in the order of time: for an accuracy, if the motion has changed its character.
     pub fn method_changes(&self) -> &[MethodChange] {
@@ -97,7 +101,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if let Some(choice) = &mut self.choice {
             // What is hard for both, as where a block slips for a moment, says nothing about the rest.
             let mean = done / (now.0 - choice.start().0);
-            if other.rate < GAIN * current.rate.min(mean) {
+            let gain = match self.settings.method {
+                Method::Radau => RETURN,
+                _ => GAIN,
+            };
+            if other.rate < gain * current.rate.min(mean) {
                 return self.take_candidate(best, [current, other]);
             }
             match other.rate.is_finite() && current.rate.is_finite() {
