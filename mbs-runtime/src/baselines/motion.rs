@@ -13,8 +13,11 @@ const CONVERGED: f64 = 1e-12;
 /// … or below this one, when they no longer shrink.
 const STILL: f64 = 1e-7;
 
-/// Corrections that shrink at a constant rate end at this part of both: what many short steps leave adds up.
+/// Corrections that shrink at a constant rate end at a part of both that is as small as the way of the step, in sizes or radians,
+/// and this one at least: what many short steps leave adds up.
 const FINEST: f64 = 0.1;
+/// The first one has no rate; what it leaves has been found as large as it is.
+const UNKNOWN: f64 = 100.0;
 /// … or where they no longer shrink, below so many times that.
 const STIRRED: f64 = 1e3;
 
@@ -195,19 +198,21 @@ impl Progress {
     }
 
     /// The same where corrections shrink at a constant rate: whether the next one, at the rate of this one, is at most `enough`
-    /// of the speed.
+    /// of the speed, or round-off in a step of h.
     pub(crate) fn will_settle(
         &mut self,
         [size, speed]: [f64; 2],
         (floor, enough): (f64, f64),
+        h: f64,
         most: usize,
     ) -> Result<bool, Fault> {
         let rate = match self.last.is_finite() {
             true => (size / self.last).min(1.0),
-            false => 1.0,
+            false => UNKNOWN,
         };
-        let round_off = FINEST * (CONVERGED * speed).max(floor);
-        let is_still = rate >= 0.5 && size <= STIRRED * round_off;
+        let part = (h.abs() * speed).clamp(FINEST, 1.0);
+        let round_off = part * (CONVERGED * speed).max(floor);
+        let is_still = (0.5..=1.0).contains(&rate) && size <= STIRRED * round_off;
         self.go_on(
             size,
             size * rate <= round_off.max(enough * speed) || is_still,

@@ -234,7 +234,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
                 let [size, speed] = sizes;
                 enough = (LOOSE * (size / speed).powf(1.5)).min(self.loosest);
             }
-            if progress.will_settle(sizes, (floor, enough), bench.max_iterations)? {
+            if progress.will_settle(sizes, (floor, enough), h, bench.max_iterations)? {
                 self.arrive(bench, h, &start);
                 return Ok(progress.count());
             }

@@ -10,6 +10,9 @@ use nalgebra::SVector;
 /// Steps that are kept: a pair, and the one with which it is compared.
 const KEPT: usize = 3;
 
+/// Times are the same up to this part of a step: the clock of a simulation makes up for the rounding of their sum.
+const ROUNDING: f64 = 1e-6;
+
 /// The inside of a step.
 #[derive(Clone, Copy)]
 pub(super) struct Known<const N: usize, const R: usize> {
@@ -83,7 +86,7 @@ impl<const Q: usize, const N: usize, const R: usize> Memory<Q, N, R> {
     /// The step that ended in this state.
     pub(super) fn before(&self, state: &State<Q, N, R>) -> Option<Known<N, R>> {
         let ended_here = |step: &&Remembered<Q, N, R>| {
-            step.time == state.time
+            (step.time - state.time).abs() <= ROUNDING * step.known.length.abs()
                 && step.positions == state.positions
                 && step.velocities == state.velocities
         };
