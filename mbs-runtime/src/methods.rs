@@ -18,7 +18,6 @@
 //! ```
 
 use crate::baselines::{self, registry};
-use crate::simulation::has_radau;
 use crate::stepper::AnyStepper;
 use crate::{BaselineStepper, Method, PaperStepper, Settings, SimulationError, State, System};
 
@@ -95,6 +94,17 @@ impl compiled::Make for Accuracy {
             _ => Projected::make(system, state, settings),
         }
     }
+}
+
+/// Velocities and rows of a mechanism for which Radau is a candidate, at most.
+const SMALL: usize = 48;
+
+/// Whether Radau is a candidate of an accuracy.
+pub(crate) const fn has_radau<S, const Q: usize, const N: usize, const R: usize>() -> bool
+where
+    S: System<Q, N, R>,
+{
+    S::STRUCTURE.velocity_forces && N + R <= SMALL
 }
 
 /// Algorithm 1 of the paper and the modified augmented Lagrangian: [`Method::Paper`], [`Method::MAlf`].

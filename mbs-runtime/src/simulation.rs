@@ -51,7 +51,6 @@ use crate::{
 use nalgebra::SVector;
 
 pub use self::access::InputsMut;
-pub(crate) use self::accuracy::has_radau;
 pub use self::start::Start;
 
 /// A mechanism with its integrator: Q coordinates, N velocities, R constraint rows.

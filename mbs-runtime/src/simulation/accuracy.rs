@@ -18,23 +18,13 @@
 use super::Simulation;
 use super::choice::Choice;
 use super::trial::Trial;
+use crate::methods::has_radau;
 use crate::stepper::MakeStepper;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, System};
 
 /// Errors of steps add up and grow with the motion's own instability: on the scenes with a reference the largest error was
 /// up to 48 tolerances with steps of the projected method, and 29 with two-level ones.
 const MARGIN: f64 = 0.125;
-
-/// Velocities and rows of a mechanism for which Radau is a candidate, at most.
-const SMALL: usize = 48;
-
-/// Whether Radau is a candidate.
-pub(crate) const fn has_radau<S, const Q: usize, const N: usize, const R: usize>() -> bool
-where
-    S: System<Q, N, R>,
-{
-    S::STRUCTURE.velocity_forces && N + R <= SMALL
-}
 
 /// The candidates in the order of their trials.
 fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Settings> {

@@ -6,9 +6,10 @@
 //!
 //! with g = 0 at a singular pose.
 
-use super::tolerance::FAR;
 use crate::singular::RankMargin;
 
+/// σ at the ends of steps past a known singular pose, at least, for an embedded estimate to be believed, and of a pair of Radau.
+pub(super) const FAR: f64 = 0.1;
 /// A pose is looked for up to this multiple of a step away from its end: σ is not quite linear in time.
 const AHEAD: f64 = 1.5;
 /// The same multiple where σ is below this value: beside a pose that is nearly singular it falls more slowly.

@@ -23,7 +23,7 @@
 
 use super::Simulation;
 use super::known_poses::SAME;
-use super::pose::Passage;
+use super::pose::{FAR, Passage};
 use super::step_controller::{TOO_LONG, notches};
 use crate::linear::vector;
 use crate::singular::{ROUND_OFF, RankMargin};
@@ -48,8 +48,6 @@ const WEAKEST: f64 = 1e-5;
 /// Corrections of explicit steps square what is left of the rows, and most end far below their tolerance: this part of it is
 /// expected, where σ is above the second number. Closer to a pose velocities have other errors.
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
-/// σ at the ends of steps past a known singular pose, at least, for an embedded estimate to be believed.
-pub(super) const FAR: f64 = 0.1;
 /// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
 /// factor of the estimate is that of another part of the motion.
 const UNSEEN: u32 = 15;

@@ -1,7 +1,7 @@
 //! What a method needs for a motion: it runs ahead, and its operations are counted.
 
 use super::Simulation;
-use super::tolerance::FAR;
+use super::pose::FAR;
 use crate::work::Work;
 use crate::{Method, SimulationError, System};
 
