@@ -43,9 +43,9 @@ pub(crate) mod compiled {
 
 /// Methods by a rule of the baselines.
 macro_rules! baselines {
-    ($($name:ident: $rule:path;)+) => {
+    ($($(#[doc = $doc:literal])+ $name:ident: $rule:path;)+) => {
         $(
-            #[doc = concat!("[`Method::", stringify!($name), "`].")]
+            $(#[doc = $doc])+
             #[derive(Debug, Clone, Copy)]
             pub struct $name;
 
@@ -65,46 +65,25 @@ macro_rules! baselines {
 }
 
 baselines! {
+    /// [`Method::Projected`].
     Projected: baselines::Explicit::projected;
+    /// [`Method::Baumgarte`].
     Baumgarte: registry::baumgarte;
+    /// [`Method::Rattle`].
     Rattle: baselines::Rattle::rule;
+    /// [`Method::Penalty`].
     Penalty: baselines::Penalty::rule;
+    /// [`Method::Index3Projections`].
     Index3Projections: baselines::Index3::rule;
+    /// [`Method::GeneralizedAlpha`].
     GeneralizedAlpha: baselines::GeneralizedAlpha::rule;
+    /// [`Method::Bdf`].
     Bdf: baselines::Bdf::rule;
+    /// [`Method::Radau`].
     Radau: baselines::Radau::rule;
-}
-
-/// The candidates of [`Settings::accuracy`]: [`Method::Projected`] and, where forces depend on velocities and the mechanism is
-/// small, [`Method::Radau`].
-#[derive(Debug, Clone, Copy)]
-pub struct Accuracy;
-
-impl compiled::Make for Accuracy {
-    #[allow(private_interfaces)]
-    fn make<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-        system: S,
-        state: State<Q, N, R>,
-        settings: &Settings,
-    ) -> Result<AnyStepper<S, Q, N, R>, SimulationError> {
-        match settings.method {
-            Method::Radau if const { has_radau::<S, Q, N, R>() } => {
-                Radau::make(system, state, settings)
-            }
-            _ => Projected::make(system, state, settings),
-        }
-    }
-}
-
-/// Velocities and rows of a mechanism for which Radau is a candidate, at most.
-const SMALL: usize = 48;
-
-/// Whether Radau is a candidate of an accuracy.
-pub(crate) const fn has_radau<S, const Q: usize, const N: usize, const R: usize>() -> bool
-where
-    S: System<Q, N, R>,
-{
-    S::STRUCTURE.velocity_forces && N + R <= SMALL
+    /// The candidates of [`Settings::accuracy`]: [`Method::Projected`] and, where forces depend on velocities and the mechanism is
+    /// small, [`Method::Radau`].
+    Accuracy: registry::accuracy;
 }
 
 /// Algorithm 1 of the paper and the modified augmented Lagrangian: [`Method::Paper`], [`Method::MAlf`].

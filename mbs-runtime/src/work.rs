@@ -42,6 +42,8 @@ impl Work {
             Some([factor, solution]) => (0.0, factor as f64, solution as f64, 0.0),
             None => (metric(), r * r * r / 3.0, 2.0 * r * r, 4.0 * n * r),
         };
+        let tangents = || of("balance_tangents").unwrap_or(cost("force_tangents"));
+        let balance = || of("balance").unwrap_or(cost("forces"));
         let (stage, correction) = match (settings.method, flow) {
             (Method::Projected, _) => {
                 let dense = constraints
@@ -56,14 +58,12 @@ impl Work {
                 (written.next().unwrap_or(dense), constraints)
             }
             (Method::Radau, _) => {
-                let tangents = of("balance_tangents").unwrap_or(cost("force_tangents"));
-                let balance = of("balance").unwrap_or(cost("forces"));
                 let size = n + r;
                 let real = 2.0 / 3.0 * n * n * n + 2.0 * n * r * (n + r) + elimination;
-                let factors = tangents + real + 8.0 / 3.0 * size * size * size;
+                let factors = tangents() + real + 8.0 / 3.0 * size * size * size;
                 let end = constraints + metric + elimination + 2.0 * solution + products;
                 let stage = (RENEWED * factors + end) / 3.0;
-                let correction = 3.0 * (constraints + balance) + 10.0 * size * size + products;
+                let correction = 3.0 * (constraints + balance()) + 10.0 * size * size + products;
                 (COLLOCATION * stage, COLLOCATION * correction)
             }
             (_, Flow::Leapfrog) => (
@@ -71,12 +71,14 @@ impl Work {
                 constraints + solution + 0.5 * products,
             ),
             _ => {
-                let tangents = of("balance_tangents").unwrap_or(cost("force_tangents"));
-                let balance = of("balance").unwrap_or(cost("forces"));
                 let factor = 2.0 / 3.0 * n * n * n;
-                let stage =
-                    constraints + metric + tangents + factor + 2.0 * n * n * r + 3.0 * elimination;
-                let correction = constraints + balance + 2.0 * n * n + solution + products;
+                let stage = constraints
+                    + metric
+                    + tangents()
+                    + factor
+                    + 2.0 * n * n * r
+                    + 3.0 * elimination;
+                let correction = constraints + balance() + 2.0 * n * n + solution + products;
                 (IMPLICIT * stage, IMPLICIT * correction)
             }
         };

@@ -204,7 +204,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         known: Option<&Known<N, R>>,
     ) -> Result<u64, Fault> {
         let v0 = bench.state.velocities;
-        let start = start(bench);
+        let start = start(bench, self.errors.is_some());
         for (i, stage) in self.stages.iter_mut().enumerate() {
             (stage.v, stage.lambda) = match known {
                 Some(last) => {
@@ -248,7 +248,8 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         }
     }
 
-    /// Factors both systems at the second stage, as the one in the middle, which was evaluated last; false if one is singular or not finite.
+    /// Factors both systems at the second stage, as the one in the middle, which was evaluated last; false if one is singular or
+    /// not finite.
     fn factor<S: System<Q, N, R>>(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> bool {
         let t = bench.state.time + NODES[1] * h;
         let Stage { q, v, .. } = self.stages[1];
@@ -417,14 +418,18 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
     }
 }
 
-/// p and F at the beginning of a step.
+/// p at the beginning of a step, and F if it is wanted.
 fn start<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     bench: &Bench<S, Q, N, R>,
+    with_forces: bool,
 ) -> [SVector<f64, N>; 2] {
     let state = &bench.state;
     let (mut p, mut f) = (zeros(), zeros());
     let (q, v) = (&state.positions, &state.velocities);
-    (bench.system).balance(state.time, q, v, &mut p, &mut f);
+    match with_forces {
+        true => (bench.system).balance(state.time, q, v, &mut p, &mut f),
+        false => bench.system.momentum(q, v, &mut p),
+    }
     [p, f]
 }
 

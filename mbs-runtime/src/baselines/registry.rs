@@ -21,6 +21,28 @@ pub(crate) fn baumgarte<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     Explicit::stabilised(bench, settings).or_else(|| Adaptive::rule(bench, settings))
 }
 
+/// Velocities and rows of a mechanism for which Radau is a candidate, at most.
+const SMALL: usize = 48;
+
+/// Whether Radau is a candidate of an accuracy.
+pub(crate) const fn has_radau<S, const Q: usize, const N: usize, const R: usize>() -> bool
+where
+    S: System<Q, N, R>,
+{
+    S::STRUCTURE.velocity_forces && N + R <= SMALL
+}
+
+/// The rule of a candidate of an accuracy.
+pub(crate) fn accuracy<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    bench: &Bench<S, Q, N, R>,
+    settings: &Settings,
+) -> Option<Result<AnyRule<S, Q, N, R>, Fault>> {
+    match const { has_radau::<S, Q, N, R>() } {
+        true => Explicit::projected(bench, settings).or_else(|| Radau::rule(bench, settings)),
+        false => Explicit::projected(bench, settings),
+    }
+}
+
 /// The rule of any baseline.
 pub(crate) fn any<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     bench: &Bench<S, Q, N, R>,

@@ -18,7 +18,7 @@
 use super::Simulation;
 use super::choice::Choice;
 use super::trial::Trial;
-use crate::methods::has_radau;
+use crate::baselines::registry::has_radau;
 use crate::stepper::MakeStepper;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, System};
 
