@@ -18,10 +18,7 @@ pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
 pub use constant_mass::{
     ConstantMass, FactoredMass, LongMass, factored_mass, multiply, multiply_rows,
 };
-pub use parts::{
-    Word, advance, compute_parts, even_rows, pairs_of, rows_of, triples_of, words_of_u16,
-    words_of_u32,
-};
+pub use parts::{compute_parts, pairs_of, rows_of, triples_of, words_of_u16, words_of_u32};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 pub use table::{Beyond, Interpolation, MeasuredTable, Table};

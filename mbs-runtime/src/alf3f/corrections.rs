@@ -19,17 +19,22 @@ pub(super) struct Corrections {
     pub(super) settled: bool,
     /// … and beside a singular pose below this one.
     amplified: f64,
+    /// The size that is as good as round-off.
+    enough: f64,
 }
 
 /// What follows from a correction.
 pub(super) struct Verdict {
-    /// The next correction would be round-off.
+    /// The next correction would be round-off, or small enough.
     pub(super) converged: bool,
     /// The factor should be renewed.
     pub(super) slow: bool,
     /// The size of this one, as a multiple of round-off …
     #[cfg(feature = "sparse")]
     above: f64,
+    /// … as a multiple of what is small enough …
+    #[cfg(feature = "sparse")]
+    excess: f64,
     /// … and as a multiple of the last one.
     #[cfg(feature = "sparse")]
     rate: f64,
@@ -42,7 +47,7 @@ impl Verdict {
     /// Whether this number of further corrections would not be enough, where a new factor costs as much as they do.
     #[cfg(feature = "sparse")]
     pub(super) fn is_slow_for(&self, corrections: i32) -> bool {
-        self.slow && !(self.above * self.rate.powi(corrections) <= 1.0)
+        self.slow && !(self.excess * self.rate.powi(corrections) <= 1.0)
     }
 
     /// Whether the corrections of this number of unknowns have ended. The round-off of their rows adds up, as from link to
@@ -59,6 +64,16 @@ impl Corrections {
             size: f64::NAN,
             settled: false,
             amplified: AMPLIFIED,
+            enough: 0.0,
+        }
+    }
+
+    /// Corrections that end where the next one would be below this size.
+    #[cfg(feature = "sparse")]
+    pub(super) fn down_to(enough: f64) -> Self {
+        Corrections {
+            enough,
+            ..Self::none()
         }
     }
 
@@ -90,16 +105,19 @@ impl Corrections {
         let rate = (size / last).min(1.0);
         let next = size * rate;
         let round_off = (ROUND_OFF * speed).max(yardstick.imperceptible(q, h));
+        let enough = round_off.max(self.enough);
         let noise = (STILL * speed).max(self.amplified * round_off);
         let stalled = has_stalled(size, last) && size <= noise;
         self.settled = size <= round_off || stalled;
         Verdict {
-            converged: next <= round_off || stalled,
+            converged: next <= enough || stalled,
             slow: size > 0.1 * last
                 || !size.is_finite()
                 || scalar_state::changes_much(states, change, vb),
             #[cfg(feature = "sparse")]
             above: size / round_off,
+            #[cfg(feature = "sparse")]
+            excess: size / enough,
             #[cfg(feature = "sparse")]
             rate,
             #[cfg(feature = "sparse")]

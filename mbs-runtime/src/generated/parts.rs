@@ -23,50 +23,6 @@ pub fn compute_parts<System, const LENGTH: usize, Word: Copy + Into<u32>>(
     }
 }
 
-/// A word of a table.
-pub trait Word: Copy + Into<u32> {
-    /// The sum, modulo what a word counts to.
-    #[must_use]
-    fn plus(self, step: Self) -> Self;
-}
-
-impl Word for u16 {
-    #[inline(always)]
-    fn plus(self, step: u16) -> u16 {
-        self.wrapping_add(step)
-    }
-}
-
-impl Word for u32 {
-    #[inline(always)]
-    fn plus(self, step: u32) -> u32 {
-        self.wrapping_add(step)
-    }
-}
-
-/// Groups of rows that grow by even steps: the number of rows, the first one, and the steps.
-#[inline]
-pub fn even_rows<const WIDTH: usize, W: Word>(
-    mut table: &[W],
-) -> impl Iterator<Item = (u32, [W; WIDTH], [W; WIDTH])> {
-    core::iter::from_fn(move || {
-        let (&count, rest) = table.split_first()?;
-        let (&first, rest) = rest.split_first_chunk()?;
-        let (&steps, rest) = rest.split_first_chunk()?;
-        table = rest;
-        Some((count.into(), first, steps))
-    })
-}
-
-/// The next row of such a group. Inlined, it is slower: the compiler keeps places in vector registers and takes each out
-/// of them again, which made a step of 20 × 20 bodies on bushings a tenth longer.
-#[inline(never)]
-pub fn advance<const WIDTH: usize, W: Word>(row: &mut [W; WIDTH], steps: &[W; WIDTH]) {
-    for (place, step) in row.iter_mut().zip(steps) {
-        *place = place.plus(*step);
-    }
-}
-
 /// A value that is computed when the program is compiled.
 #[doc(hidden)]
 #[macro_export]

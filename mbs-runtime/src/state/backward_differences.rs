@@ -22,6 +22,8 @@ pub struct BackwardDifferences<const N: usize> {
     pub known: usize,
     /// … and this number used for the next step.
     pub used: usize,
+    /// The size of ∇³v, of which the error of a step is a twelfth; zero while it is not known.
+    pub third: f64,
 }
 
 impl<const N: usize> BackwardDifferences<N> {
@@ -32,6 +34,7 @@ impl<const N: usize> BackwardDifferences<N> {
             differences: [SVector::zeros(); MOST],
             known: 0,
             used: 0,
+            third: 0.0,
         }
     }
 
@@ -56,12 +59,15 @@ impl<const N: usize> BackwardDifferences<N> {
         measure: impl Fn(&SVector<f64, N>) -> f64,
     ) {
         if !is_equal(self.step, h) {
-            (self.step, self.known) = (h, 0);
+            (self.step, self.known, self.third) = (h, 0, 0.0);
         }
         let mut difference = *change;
         let mut least = f64::INFINITY;
         for (order, known) in self.differences.iter_mut().enumerate() {
             let error = measure(&difference);
+            if order == 2 {
+                self.third = error;
+            }
             if error < least {
                 (least, self.used) = (error, order);
             }

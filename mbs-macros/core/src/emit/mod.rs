@@ -10,7 +10,6 @@ mod body;
 mod checks;
 mod copies;
 mod editor;
-mod even_rows;
 mod fallback;
 mod fields;
 mod items;

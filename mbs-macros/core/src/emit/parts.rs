@@ -2,12 +2,12 @@
 //! computed with which values.
 //!
 //! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
-//! and the rows, which are [places of values](row_layout), or [groups](even_rows) of them. It is written as a string of bytes,
-//! because rustc reads that as one token.
+//! and the rows, which are [places of values](row_layout). It is written as a string of bytes, because rustc reads that as one
+//! token. Rows that grow by even steps, as those of a grid, were tried as a first row and steps: tables are shorter, and a step
+//! of 20 × 20 bodies on bushings takes 1.3 times as long.
 
 use super::body::{Body, source};
 use super::copies::copies;
-use super::even_rows;
 use super::long_array;
 use super::member_loops;
 use super::row_layout::{BEYOND, RowLayout};
@@ -34,11 +34,7 @@ pub(super) struct LongFunctions {
     lengths: Vec<usize>,
     /// Whether a method computes them by tables.
     has_tables: Vec<Cell<bool>>,
-    word: Word,
 }
-
-/// The words of rows.
-type Rows = Vec<Vec<u32>>;
 
 /// A word of a table: u16, or u32 where the array is longer than u16 can count.
 #[derive(Clone, Copy)]
@@ -91,16 +87,12 @@ impl LongFunctions {
             });
             numbers.push(own.collect());
         }
-        let longest = lengths.iter().max().copied().unwrap_or(0);
         LongFunctions {
             numbers,
             shapes,
             layouts,
             has_tables: vec![Cell::new(false); lengths.len()],
             lengths,
-            word: Word {
-                bytes: if longest > 1 << 16 { 4 } else { 2 },
-            },
             functions,
         }
     }
@@ -144,17 +136,18 @@ impl LongFunctions {
             "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, values, Self::{0}_TABLE);",
             function.name.to_uppercase()
         );
-        self.write_outputs(&mut out, self.lengths[at], outputs, method);
+        self.write_outputs(&mut out, at, outputs, method);
         Some(out)
     }
 
     fn write_outputs(
         &self,
         out: &mut String,
-        length: usize,
+        at: usize,
         outputs: Vec<(Output, usize)>,
         method: &Method,
     ) {
+        let (length, word) = (self.lengths[at], self.word(at));
         let mut sinks: Vec<(&str, usize, Vec<u8>)> = Vec::new();
         for (output, place) in outputs {
             let indices: &[usize] = match output.place {
@@ -176,7 +169,7 @@ impl LongFunctions {
                 indices
                     .iter()
                     .chain([&place])
-                    .for_each(|&index| self.word.put(table, index));
+                    .for_each(|&index| word.put(table, index));
             }
         }
         let last = method.arguments.last().map(|last| last.shape);
@@ -207,7 +200,7 @@ impl LongFunctions {
                 out,
                 "{}for {pattern} in ::mbs_runtime::generated::rows_of(::mbs_runtime::generated::constant!({})) {{ {statement} }}",
                 patience(&table),
-                self.word.list(&table)
+                word.list(&table)
             );
         }
         if method.returns == Returns::Available {
@@ -221,20 +214,18 @@ impl LongFunctions {
         functions.filter(|&(at, _)| self.has_tables[at].get())
     }
 
-    /// The functions of the parts and the tables, of rows or of groups of even ones, for the methods that have been written; nothing if none needs them.
+    /// The functions of the parts and the tables for the methods that have been written; nothing if none needs them.
     pub(super) fn items(&self, graph: &Graph, size: &mut Size) -> String {
         if self.functions.is_empty() {
             return String::new();
         }
         let mut out = String::new();
-        let words: Vec<Vec<Rows>> = self.tabled().map(|(at, _)| self.words(at)).collect();
-        let even = even_rows::pays(words.iter().flatten().map(Vec::as_slice));
-        for ((at, (name, parts)), words) in self.tabled().zip(&words) {
+        for (at, (name, parts)) in self.tabled() {
             // Each function has its own list: a program that does not call the function does not compile its parts.
-            let (list, length) = (self.list(at), self.array(at));
+            let (list, length, word) = (self.list(at), self.array(at), self.word(at));
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
-            let table = self.table(at, &list, words, even);
+            let table = self.table(at, &list);
             let patience = patience(&table);
             let _ = writeln!(
                 out,
@@ -247,8 +238,8 @@ impl LongFunctions {
                 name.to_uppercase(),
                 names.len(),
                 names.join(", "),
-                self.word.list(&table),
-                self.word.name()
+                word.list(&table),
+                word.name()
             );
         }
         let mut needed = vec![false; self.shapes.len()];
@@ -259,7 +250,7 @@ impl LongFunctions {
         }
         for number in (0..self.shapes.len()).filter(|&number| needed[number]) {
             let start = out.len();
-            self.write_part(&mut out, graph, number, even);
+            self.write_part(&mut out, graph, number);
             // What several functions share is counted for the first of them.
             let (first, _) = self.shapes[number];
             size.add(self.functions[first].0, &out[start..]);
@@ -268,10 +259,10 @@ impl LongFunctions {
     }
 
     /// The code of one shape: a loop over rows of places, or a block if there is one row.
-    fn write_part(&self, out: &mut String, graph: &Graph, number: usize, even: bool) {
+    fn write_part(&self, out: &mut String, graph: &Graph, number: usize) {
         let (at, index) = self.shapes[number];
         let shape = &self.functions[at].1.shapes[index];
-        let (length, word) = (self.array(at), self.word.name());
+        let (length, word) = (self.array(at), self.word(at).name());
         let (function, layout) = (&shape.function, &self.layouts[at][index]);
         let only = match shape.table.as_slice() {
             [row] => Some(row.as_slice()),
@@ -295,9 +286,6 @@ impl LongFunctions {
         let width = layout.width();
         let code = match only {
             Some(_) => code,
-            None if even => format!(
-                "for (count, mut at, steps) in ::mbs_runtime::generated::even_rows::<{width}, _>(rows) {{ for _ in 0..count {{ {code} ::mbs_runtime::generated::advance(&mut at, &steps); }} }}"
-            ),
             None => format!("for at in rows.as_chunks::<{width}>().0 {{ {code} }}"),
         };
         let _ = writeln!(
@@ -312,17 +300,11 @@ impl LongFunctions {
         self.lengths[at] + BEYOND
     }
 
-    /// The words of the rows of each run of a function; none of a shape with one row, whose places are written out.
-    fn words(&self, at: usize) -> Vec<Rows> {
-        let parts = &self.functions[at].1;
-        let runs = parts.rows().map(|(shape, rows)| {
-            let layout = &self.layouts[at][shape];
-            match parts.shapes[shape].table.len() {
-                1 => Vec::new(),
-                _ => rows.iter().map(|row| layout.words(row)).collect(),
-            }
-        });
-        runs.collect()
+    /// The words of the tables of a function.
+    fn word(&self, at: usize) -> Word {
+        Word {
+            bytes: if self.lengths[at] > 1 << 16 { 4 } else { 2 },
+        }
     }
 
     /// The numbers of the shapes of a function, in order.
@@ -333,20 +315,22 @@ impl LongFunctions {
         list
     }
 
-    fn table(&self, at: usize, list: &[usize], words: &[Rows], even: bool) -> Vec<u8> {
-        let (parts, mut table) = (&self.functions[at].1, Vec::new());
-        for (run, rows) in parts.runs.iter().zip(words) {
-            let words = match even {
-                true => even_rows::words(rows),
-                false => rows.concat(),
+    fn table(&self, at: usize, list: &[usize]) -> Vec<u8> {
+        let (word, mut table) = (self.word(at), Vec::new());
+        let parts = &self.functions[at].1;
+        for (shape, rows) in parts.rows() {
+            let layout = &self.layouts[at][shape];
+            let words: Vec<u32> = match parts.shapes[shape].table.len() {
+                // The places of the only row are written out.
+                1 => Vec::new(),
+                _ => rows.iter().flat_map(|row| layout.words(row)).collect(),
             };
-            let length = words.len();
-            let index = list.binary_search(&self.numbers[at][run.shape]);
-            self.word.put(&mut table, index.unwrap_or_default());
-            self.word.put(&mut table, length & 0xffff);
-            self.word.put(&mut table, length >> 16);
+            let index = list.binary_search(&self.numbers[at][shape]);
+            word.put(&mut table, index.unwrap_or_default());
+            word.put(&mut table, words.len() & 0xffff);
+            word.put(&mut table, words.len() >> 16);
             let words = words.iter();
-            words.for_each(|&word| self.word.put(&mut table, word as usize));
+            words.for_each(|&number| word.put(&mut table, number as usize));
         }
         table
     }

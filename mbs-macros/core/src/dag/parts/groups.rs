@@ -1,7 +1,7 @@
 //! Operations → groups, the pieces of which code is made.
 
 use super::kind::fingerprint;
-use super::labels::{Labels, NONE};
+use super::labels::Labels;
 use super::shape::Member;
 use super::signature;
 use crate::dag::{Function, Operand, Operation};
@@ -113,33 +113,6 @@ impl Groups {
             });
         }
         consumers
-    }
-
-    /// How far the parts and joints that each group depends on are from each other, in the order of the declaration.
-    pub(super) fn spans(&self, function: &Function, labels: &Labels) -> Vec<u32> {
-        let mut ends: Vec<[u32; 2]> = Vec::with_capacity(function.operations.len());
-        let mut of_groups = vec![[u32::MAX, 0]; self.members.len()];
-        for (operation, &group) in function.operations.iter().zip(&self.of) {
-            let mut own = [u32::MAX, 0];
-            operation.for_each_operand(|operand| {
-                let [first, last] = match operand {
-                    Operand::Value(value) => ends[value],
-                    Operand::Symbol(symbol) => match labels.of_symbol(symbol) {
-                        NONE => return,
-                        label => [label, label],
-                    },
-                    _ => return,
-                };
-                own = [own[0].min(first), own[1].max(last)];
-            });
-            let whole = &mut of_groups[group];
-            *whole = [whole[0].min(own[0]), whole[1].max(own[1])];
-            ends.push(own);
-        }
-        let spans = of_groups.into_iter();
-        spans
-            .map(|[first, last]| last.saturating_sub(first))
-            .collect()
     }
 
     /// Joins the rare groups that follow each other in an order of computation.

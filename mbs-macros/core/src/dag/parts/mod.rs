@@ -66,14 +66,12 @@ impl Parts {
         let pieces = pieces.join(function, &members, &rare);
         let (shapes, members) = shape::of(&mut forms, &pieces);
         let rare = schedule::rare(&members, shapes.len());
-        let spans = pieces.spans(function, labels);
-        let order = schedule::ordered(&pieces, &members, &rare, &spans);
+        let order = schedule::ordered(&pieces, &members, &rare);
         let groups = pieces.gather(&order, |group| rare[members[group].shape]);
         let (mut shapes, mut members) = shape::of(&mut forms, &groups);
         literals::write(&mut shapes, &mut members);
         let rare = schedule::rare(&members, shapes.len());
-        let spans = groups.spans(function, labels);
-        let order = schedule::ordered(&groups, &members, &rare, &spans);
+        let order = schedule::ordered(&groups, &members, &rare);
         schedule::of(function, &groups, shapes, members, order)
     }
 

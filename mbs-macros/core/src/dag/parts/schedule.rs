@@ -7,7 +7,6 @@ use super::{Parts, Run};
 use crate::dag::{Function, Operand, Output, Place};
 use crate::symbolic::{Map, Set};
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// A shape of fewer groups is rare.
@@ -79,13 +78,8 @@ pub(super) fn rare(members: &[Member], shapes: usize) -> Vec<bool> {
     uses.into_iter().map(|uses| uses < OFTEN).collect()
 }
 
-/// Batches of independent groups of one shape each; `spans` are those of the groups.
-pub(super) fn ordered(
-    groups: &Groups,
-    members: &[Member],
-    rare: &[bool],
-    spans: &[u32],
-) -> Vec<Vec<usize>> {
+/// Batches of independent groups of one shape each.
+pub(super) fn ordered(groups: &Groups, members: &[Member], rare: &[bool]) -> Vec<Vec<usize>> {
     let count = groups.members.len();
     let mut waiting = vec![0_usize; count];
     let mut users: Vec<Vec<usize>> = vec![Vec::new(); count];
@@ -111,8 +105,7 @@ pub(super) fn ordered(
     for group in (0..count).filter(|&group| waiting[group] == 0) {
         ready.push(members[group].shape, group, height[group]);
     }
-    while let Some(mut batch) = ready.pop() {
-        sort(&mut batch, spans);
+    while let Some(batch) = ready.pop() {
         for &group in &batch {
             for &user in &users[group] {
                 waiting[user] -= 1;
@@ -124,21 +117,6 @@ pub(super) fn ordered(
         list.push(batch);
     }
     list
-}
-
-/// Families that take turns, as the joints along and across a grid, one after the other: the places of their groups then
-/// grow by even steps.
-fn sort(batch: &mut [usize], spans: &[u32]) {
-    let changes = batch.windows(2);
-    let changes = changes.filter(|pair| spans[pair[0]] != spans[pair[1]]);
-    let changes = changes.count();
-    if changes == 0 {
-        return;
-    }
-    let different: BTreeSet<u32> = batch.iter().map(|&group| spans[group]).collect();
-    if changes > 2 * different.len() {
-        batch.sort_by_key(|&group| spans[group]);
-    }
 }
 
 /// The groups that can be computed, by shape.
