@@ -36,7 +36,7 @@ pub(super) struct LongFunctions {
     has_tables: Vec<Cell<bool>>,
 }
 
-/// A word of a table: u16, or u32 where the array is longer than u16 can count.
+/// A word of a table: u16, or u32 where a number is longer.
 #[derive(Clone, Copy)]
 struct Word {
     bytes: usize,
@@ -147,8 +147,8 @@ impl LongFunctions {
         outputs: Vec<(Output, usize)>,
         method: &Method,
     ) {
-        let (length, word) = (self.lengths[at], self.word(at));
-        let mut sinks: Vec<(&str, usize, Vec<u8>)> = Vec::new();
+        let length = self.lengths[at];
+        let mut sinks: Vec<(&str, usize, Vec<usize>)> = Vec::new();
         for (output, place) in outputs {
             let indices: &[usize] = match output.place {
                 Place::Value | Place::Constant(_) => {
@@ -165,15 +165,13 @@ impl LongFunctions {
             {
                 sinks.push((output.sink, indices.len(), Vec::new()));
             }
-            if let Some((_, _, table)) = sinks.last_mut() {
-                indices
-                    .iter()
-                    .chain([&place])
-                    .for_each(|&index| word.put(table, index));
+            if let Some((_, _, numbers)) = sinks.last_mut() {
+                numbers.extend(indices.iter().chain([&place]));
             }
         }
         let last = method.arguments.last().map(|last| last.shape);
-        for (sink, count, table) in sinks {
+        for (sink, count, numbers) in sinks {
+            let (word, table) = Word::of(&numbers);
             let value = "values[place % LENGTH]".replace("LENGTH", &length.to_string());
             let (pattern, statement) = match (count, last) {
                 (1, Some(Argument::Values)) => (
@@ -302,9 +300,7 @@ impl LongFunctions {
 
     /// The words of the tables of a function.
     fn word(&self, at: usize) -> Word {
-        Word {
-            bytes: if self.lengths[at] > 1 << 16 { 4 } else { 2 },
-        }
+        Word::up_to(self.lengths[at] - 1)
     }
 
     /// The numbers of the shapes of a function, in order.
@@ -361,6 +357,27 @@ fn call_of_whole(function: &Function) -> Option<&'static str> {
 }
 
 impl Word {
+    /// For numbers up to this one.
+    fn up_to(most: usize) -> Word {
+        Word {
+            bytes: if most < 1 << 16 { 2 } else { 4 },
+        }
+    }
+
+    /// The shortest words for these numbers, and the table of them.
+    fn of(numbers: &[usize]) -> (Word, Vec<u8>) {
+        let word = Word::up_to(numbers.iter().copied().max().unwrap_or(0));
+        (word, word.table(numbers))
+    }
+
+    fn table(self, numbers: &[usize]) -> Vec<u8> {
+        let mut table = Vec::with_capacity(self.bytes * numbers.len());
+        numbers
+            .iter()
+            .for_each(|&number| self.put(&mut table, number));
+        table
+    }
+
     fn name(self) -> String {
         format!("u{}", 8 * self.bytes)
     }
@@ -380,11 +397,8 @@ impl Word {
 
 /// Words of four bytes as an expression.
 pub(super) fn words_of_u32(numbers: &[usize]) -> String {
-    let (word, mut table) = (Word { bytes: 4 }, Vec::new());
-    numbers
-        .iter()
-        .for_each(|&number| word.put(&mut table, number));
-    word.list(&table)
+    let word = Word { bytes: 4 };
+    word.list(&word.table(numbers))
 }
 
 const HEXADECIMAL: &[u8; 16] = b"0123456789abcdef";
