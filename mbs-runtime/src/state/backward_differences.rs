@@ -22,7 +22,8 @@ pub struct BackwardDifferences<const N: usize> {
     pub known: usize,
     /// … and this number used for the next step.
     pub used: usize,
-    /// The size of ∇³v, of which the error of a step is a twelfth; zero while it is not known.
+    /// The size of ∇³v, of which the error of a step is a twelfth, in sizes of the mechanism per second or rad/s; zero while it
+    /// is not known.
     pub third: f64,
 }
 

@@ -136,74 +136,8 @@ impl LongFunctions {
             "::mbs_runtime::generated::compute_parts(self, &Self::{0}_PARTS, values, Self::{0}_TABLE);",
             function.name.to_uppercase()
         );
-        self.write_outputs(&mut out, at, outputs, method);
+        write_outputs(&mut out, self.lengths[at], outputs, method);
         Some(out)
-    }
-
-    fn write_outputs(
-        &self,
-        out: &mut String,
-        at: usize,
-        outputs: Vec<(Output, usize)>,
-        method: &Method,
-    ) {
-        let length = self.lengths[at];
-        let mut sinks: Vec<(&str, usize, Vec<usize>)> = Vec::new();
-        for (output, place) in outputs {
-            let indices: &[usize] = match output.place {
-                Place::Value | Place::Constant(_) => {
-                    let _ = write!(out, "values[{place}]");
-                    continue;
-                }
-                Place::Element(i) => &[i],
-                Place::Entry(i, j) => &[i, j],
-                Place::Tensor(i, j, k) => &[i, j, k],
-            };
-            if sinks
-                .last()
-                .is_none_or(|(sink, count, _)| (*sink, *count) != (output.sink, indices.len()))
-            {
-                sinks.push((output.sink, indices.len(), Vec::new()));
-            }
-            if let Some((_, _, numbers)) = sinks.last_mut() {
-                numbers.extend(indices.iter().chain([&place]));
-            }
-        }
-        let last = method.arguments.last().map(|last| last.shape);
-        for (sink, count, numbers) in sinks {
-            let (word, table) = Word::of(&numbers);
-            let value = "values[place % LENGTH]".replace("LENGTH", &length.to_string());
-            let (pattern, statement) = match (count, last) {
-                (1, Some(Argument::Values)) => (
-                    "[i, place]",
-                    format!(
-                        "if let ::core::option::Option::Some(value) = {sink}.get_mut(i) {{ *value = {value}; }}"
-                    ),
-                ),
-                (2, Some(Argument::Points)) => (
-                    "[i, axis, place]",
-                    format!(
-                        "if let ::core::option::Option::Some(point) = {sink}.get_mut(i) {{ point[axis] = {value}; }}"
-                    ),
-                ),
-                (1, _) => ("[i, place]", format!("{sink}[i] = {value};")),
-                (2, _) if sink == "w" || sink == "delassus" => {
-                    ("[i, j, place]", format!("{sink}[i][j] = {value};"))
-                }
-                (2, _) => ("[i, j, place]", format!("{sink}.set(i, j, {value});")),
-                _ => ("[i, j, k, place]", format!("{sink}.set(i, j, k, {value});")),
-            };
-            // The table is read when the program is compiled, not at each evaluation.
-            let _ = writeln!(
-                out,
-                "{}for {pattern} in ::mbs_runtime::generated::rows_of(::mbs_runtime::generated::constant!({})) {{ {statement} }}",
-                patience(&table),
-                word.list(&table)
-            );
-        }
-        if method.returns == Returns::Available {
-            out.push_str("true");
-        }
     }
 
     /// The functions that a method computes by tables.
@@ -316,19 +250,80 @@ impl LongFunctions {
         let parts = &self.functions[at].1;
         for (shape, rows) in parts.rows() {
             let layout = &self.layouts[at][shape];
-            let words: Vec<u32> = match parts.shapes[shape].table.len() {
+            let rows = match parts.shapes[shape].table.len() {
                 // The places of the only row are written out.
-                1 => Vec::new(),
-                _ => rows.iter().flat_map(|row| layout.words(row)).collect(),
+                1 => &[],
+                _ => rows,
             };
+            let length = rows.len() * layout.width();
             let index = list.binary_search(&self.numbers[at][shape]);
             word.put(&mut table, index.unwrap_or_default());
-            word.put(&mut table, words.len() & 0xffff);
-            word.put(&mut table, words.len() >> 16);
-            let words = words.iter();
-            words.for_each(|&number| word.put(&mut table, number as usize));
+            word.put(&mut table, length & 0xffff);
+            word.put(&mut table, length >> 16);
+            let places = rows.iter().flat_map(|row| layout.words(row));
+            places.for_each(|place| word.put(&mut table, place as usize));
         }
         table
+    }
+}
+
+/// Writes the outputs from their places in an array of this length.
+fn write_outputs(out: &mut String, length: usize, outputs: Vec<(Output, usize)>, method: &Method) {
+    let mut sinks: Vec<(&str, usize, Vec<usize>)> = Vec::new();
+    for (output, place) in outputs {
+        let indices: &[usize] = match output.place {
+            Place::Value | Place::Constant(_) => {
+                let _ = write!(out, "values[{place}]");
+                continue;
+            }
+            Place::Element(i) => &[i],
+            Place::Entry(i, j) => &[i, j],
+            Place::Tensor(i, j, k) => &[i, j, k],
+        };
+        if sinks
+            .last()
+            .is_none_or(|(sink, count, _)| (*sink, *count) != (output.sink, indices.len()))
+        {
+            sinks.push((output.sink, indices.len(), Vec::new()));
+        }
+        if let Some((_, _, numbers)) = sinks.last_mut() {
+            numbers.extend(indices.iter().chain([&place]));
+        }
+    }
+    let last = method.arguments.last().map(|last| last.shape);
+    for (sink, count, numbers) in sinks {
+        let (word, table) = Word::of(&numbers);
+        let value = "values[place % LENGTH]".replace("LENGTH", &length.to_string());
+        let (pattern, statement) = match (count, last) {
+            (1, Some(Argument::Values)) => (
+                "[i, place]",
+                format!(
+                    "if let ::core::option::Option::Some(value) = {sink}.get_mut(i) {{ *value = {value}; }}"
+                ),
+            ),
+            (2, Some(Argument::Points)) => (
+                "[i, axis, place]",
+                format!(
+                    "if let ::core::option::Option::Some(point) = {sink}.get_mut(i) {{ point[axis] = {value}; }}"
+                ),
+            ),
+            (1, _) => ("[i, place]", format!("{sink}[i] = {value};")),
+            (2, _) if sink == "w" || sink == "delassus" => {
+                ("[i, j, place]", format!("{sink}[i][j] = {value};"))
+            }
+            (2, _) => ("[i, j, place]", format!("{sink}.set(i, j, {value});")),
+            _ => ("[i, j, k, place]", format!("{sink}.set(i, j, k, {value});")),
+        };
+        // The table is read when the program is compiled, not at each evaluation.
+        let _ = writeln!(
+            out,
+            "{}for {pattern} in ::mbs_runtime::generated::rows_of(::mbs_runtime::generated::constant!({})) {{ {statement} }}",
+            patience(&table),
+            word.list(&table)
+        );
+    }
+    if method.returns == Returns::Available {
+        out.push_str("true");
     }
 }
 

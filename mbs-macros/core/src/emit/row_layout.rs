@@ -55,7 +55,7 @@ impl RowLayout {
     }
 
     /// The words of a row.
-    pub(super) fn words(&self, row: &[u32]) -> Vec<u32> {
-        self.bases.iter().map(|&column| row[column]).collect()
+    pub(super) fn words(&self, row: &[u32]) -> impl Iterator<Item = u32> {
+        self.bases.iter().map(|&column| row[column])
     }
 }
