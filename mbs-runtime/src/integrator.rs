@@ -76,7 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     /// The error of the last step by an embedded method, in sizes of the mechanism and radians; `None` without one.
     pub(crate) fn estimate(&self) -> Option<f64> {
         match self {
-            Integrator::TwoLevel(_) => None,
+            Integrator::TwoLevel(stepper) => stepper.estimate(),
             Integrator::Other(stepper) => stepper.estimate(),
         }
     }

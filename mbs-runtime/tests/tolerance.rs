@@ -3,6 +3,7 @@
 use crate::common::alloc::count;
 use crate::common::planar::{DampedSliderCrank, FourBar, SliderCrank};
 use crate::common::scenes::*;
+use crate::common::spatial::{HeavyTop, Sprung};
 use crate::common::{Hand, Parameters, Scene, distance, structure};
 use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
@@ -110,6 +111,29 @@ fn estimates_take_the_place_of_comparisons() {
     let error = distance(simulation.positions(), &exact);
     println!("{} calls, error {error:.1e}", report.stages);
     assert!(report.stages < 7000 && error < 1e-7);
+}
+
+/// Two steps of a pair, and one of twice their length, have three times the stages of a step.
+fn keeps_most_pairs_without_comparison<
+    T: Scene<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    scene: T,
+    stages_of_a_step: u64,
+) {
+    let mut simulation = begin(scene, settings(8, 1e-8));
+    simulation.run_until(10.0).unwrap();
+    let report = simulation.report();
+    let each = report.stages as f64 / (report.steps * stages_of_a_step) as f64;
+    assert!(each < 1.3, "{each}: {report:?}");
+}
+
+#[test]
+fn stages_take_the_place_of_comparisons() {
+    keeps_most_pairs_without_comparison(HeavyTop, 17);
+    keeps_most_pairs_without_comparison(Sprung::<true>::default(), 20);
 }
 
 mechanism!(HangingPendulum {

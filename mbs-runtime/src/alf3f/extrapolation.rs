@@ -55,6 +55,9 @@ pub(super) struct Taken<const R: usize> {
     pub(super) alike: bool,
     /// The least σ where a part ends on the way.
     pub(super) nearest: f64,
+    /// H times the distance of its velocities from those of the mean without the last column, in sizes of the mechanism and
+    /// radians.
+    pub(super) apart: f64,
 }
 
 /// Sums over the columns, with their weights.
@@ -98,6 +101,12 @@ impl Extrapolation {
         let start = *monitor;
         let mut finest = start;
         let mut stage = 0;
+        // Without the last column.
+        let coarser = match self.weights.len() {
+            2 => &[1.0],
+            columns => WEIGHTS[columns - 3],
+        };
+        let mut apart: SVector<f64, N> = crate::linear::zeros();
         let (mut alike, mut last, mut nearest) = (true, None, f64::INFINITY);
         let speed = context.yardstick.measure(&before.velocities);
         for (column, &weight) in self.weights.iter().enumerate() {
@@ -135,6 +144,8 @@ impl Extrapolation {
             }
             mean.moved += moved * weight;
             mean.velocities += context.state.velocities * weight;
+            let less = coarser.get(column).unwrap_or(&0.0);
+            apart += context.state.velocities * (weight - less);
             mean.work += weight * (works.nonconservative_work - start.nonconservative_work);
             mean.drive_work += weight * (works.drive_work - start.drive_work);
             finest = works;
@@ -156,6 +167,7 @@ impl Extrapolation {
             impulse: mean.impulse,
             alike,
             nearest,
+            apart: h.abs() * context.yardstick.measure(&apart),
         })
     }
 }

@@ -3,6 +3,7 @@
 pub(crate) mod closing;
 mod composition;
 mod corrections;
+mod embedded;
 mod extrapolation;
 mod implicit_step;
 mod kick_flow_kick;

@@ -1,5 +1,6 @@
 //! The two-level ALF-3F integrator: the default.
 
+use super::embedded::Embedded;
 use super::extrapolation::Extrapolation;
 use super::implicit_step::{ImplicitStep, Outcome};
 use super::kick_flow_kick::kick_flow_kick;
@@ -35,6 +36,10 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     stages: &'static [f64],
     /// Instead of a composition, where forces depend on velocities.
     extrapolation: Option<Extrapolation>,
+    /// With a tolerance, for a composition.
+    embedded: Option<Box<Embedded<N>>>,
+    /// The distance of the means of two orders of the last extrapolated step.
+    apart: f64,
     /// The state before a step of several stages.
     before: State<Q, N, R>,
     placement: StagePlacement,
@@ -113,6 +118,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 because: "`mbs-runtime` was built without its feature `std`, and has room for one stage",
             });
         }
+        let embedded = match (settings.tolerance, &extrapolation) {
+            (Some(_), None) => Embedded::new(settings.order).map(Box::new),
+            _ => None,
+        };
         let mut state = state;
         state.make_room(count);
         let large = match is_sparse::<S, Q, N, R>(settings) {
@@ -165,6 +174,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             placement: StagePlacement::new(stages),
             stages,
             extrapolation,
+            embedded,
+            apart: 0.0,
             before,
             impulse: SVector::zeros(),
             length: 0.0,
@@ -221,6 +232,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// clearance from the singular pose found in it, and this clearance; `None` if there was none.
     pub(crate) fn aim(&self, bounds: [f64; 2]) -> Option<(f64, f64)> {
         self.placement.aim(bounds)
+    }
+
+    /// A measure of the error of the last step, in sizes of the mechanism and radians; `None` without a tolerance or stages.
+    pub(crate) fn estimate(&self) -> Option<f64> {
+        match &self.embedded {
+            Some(embedded) => Some(embedded.measure(self.length, &self.context.yardstick)),
+            None => self.extrapolation.as_ref().map(|_| self.apart),
+        }
     }
 
     /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
@@ -280,6 +299,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             }
             self.impulse = SVector::zeros();
             self.before.copy_from(&self.context.state);
+            if let Some(embedded) = &mut self.embedded {
+                embedded.begin(&self.context.state.velocities);
+            }
             if let Some(start) = monitor.as_ref().and_then(|monitor| monitor.rank_margin) {
                 self.placement.begin(start);
             }
@@ -299,6 +321,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 self.context.state.keep_stage(index);
                 let [first, second] = &self.context.work.impulse;
                 add(&mut self.impulse, &added(first, 1.0, second));
+                if let Some(embedded) = &mut self.embedded {
+                    embedded.add(index + 1, &self.context.state.velocities);
+                }
             }
             if let Some(monitor) = monitor.as_deref_mut() {
                 monitor.add(&self.context, fraction * h);
@@ -354,7 +379,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
         let nearest = match taken {
             Ok(taken) => {
-                self.impulse = taken.impulse;
+                (self.impulse, self.apart) = (taken.impulse, taken.apart);
                 taken.nearest
             }
             Err(fault) => {

@@ -60,14 +60,17 @@ impl StepController {
         }
     }
 
-    /// Takes note of the factor of the estimate in a comparison with this excess, or of a pair that was not compared.
-    pub(super) fn note(&mut self, gauge: Option<f64>, excess: f64) {
+    /// Takes note of the factor of the estimate in a comparison with this excess, or of a pair that was not compared; `follows`
+    /// if lengths follow the motion.
+    pub(super) fn note(&mut self, gauge: Option<f64>, excess: f64, follows: bool) {
         let Some(gauge) = gauge else {
             self.unseen = self.unseen.saturating_add(1);
             return;
         };
         self.unseen = 0;
-        if excess > TELLING {
+        if !follows {
+            self.gauge = gauge.max(0.5 * self.gauge);
+        } else if excess > TELLING {
             self.gauge = gauge.max(0.5 * self.gauge).max(LEAST_GAUGE);
         } else if self.gauge == 0.0 && !self.eager {
             self.gauge = 1.0;
@@ -102,6 +105,7 @@ impl StepController {
         self.allowed = self.allowed.min(notches - 1.0);
         if self.eager || self.quiet >= self.patience {
             self.step *= (self.allowed / NOTCHES).exp2();
+            self.gauge = 0.0;
             if std::mem::replace(&mut self.raised, !self.eager) {
                 self.patience = (self.patience / 2).max(PATIENCE[0]);
             }

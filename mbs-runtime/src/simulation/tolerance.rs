@@ -12,9 +12,13 @@
 //! follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
 //! powers of 2^¼ times the first one.
 //!
-//! A method with an embedded estimate is not compared in every pair: a comparison tells by which factor the estimate
-//! differs from the error, and the pairs that follow use this factor. Such a method is not symmetric, and gains nothing by
-//! constant steps: h follows the motion (`step_controller.rs`).
+//! Not every pair is compared: a comparison tells by which factor an estimate from the stages differs from the error, and the
+//! pairs that follow use this factor.
+//!
+//! | method | estimate | lengths |
+//! |---|---|---|
+//! | two-level, orders 4 to 8 | `alf3f/embedded.rs`; where forces depend on velocities, the distance of two means of `alf3f/extrapolation.rs`. It shows only that the motion is still the one of the last comparison: the factor counts for pairs of the same length, and no pair is rejected without a comparison | constant |
+//! | explicit, Radau | embedded method | follow the motion (`step_controller.rs`): they are not symmetric, and gain nothing by constant steps |
 //!
 //! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
 //! unequal steps, and after these with a shorter pair.
@@ -41,6 +45,8 @@ const PARTITIONS: [f64; 4] = [1.0, 0.3, 0.7, 0.2];
 const ESTIMATED: usize = 2;
 /// Other steps whose error is not larger than that of the pair by at least this fraction give no estimate.
 const TELLING: f64 = 0.2;
+/// Where steps have constant lengths, an excess below this counts as this: it is mostly round-off.
+const TOO_SMALL: f64 = 1e-3;
 /// Lengths of pairs, as fractions of h, that are tried if a singular pose spoils every comparison.
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 /// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
@@ -48,12 +54,12 @@ const WEAKEST: f64 = 1e-5;
 /// Corrections of explicit steps square what is left of the rows, and most end far below their tolerance: this part of it is
 /// expected, where σ is above the second number. Closer to a pose velocities have other errors.
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
-/// Pairs without a comparison in a row, at most, where an embedded method estimates the error. With more of them the
-/// factor of the estimate is that of another part of the motion.
-const UNSEEN: u32 = 15;
+/// Pairs without a comparison in a row, at most, where lengths follow the motion and where they are constant. With more of them
+/// the factor of the estimate is that of another part of the motion.
+const UNSEEN: [u32; 2] = [15, 7];
 /// The excess of an estimate, times the last factor, up to which a pair is kept without a comparison, …
 const CLEARLY: f64 = 0.5;
-/// … and from which on it is not kept.
+/// … and from which on it is not kept, where lengths follow the motion.
 const TOO_MUCH: f64 = 1.0;
 /// Where σ is below this, velocities have errors from the pose that no shorter step removes. After so many attempts from one
 /// instant, and each further one, this factor more of round-off is allowed, and the error of the first pair that was tried. (Up
@@ -86,7 +92,7 @@ struct Found {
     even: bool,
     /// The factor of the embedded estimate, if the pair was compared.
     gauge: Option<f64>,
-    /// Whether an embedded method estimates the error of this pair.
+    /// Whether the stages give an estimate of the error of this pair.
     is_embedded: bool,
     passage: Passage,
 }
@@ -145,13 +151,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
-                        step_controller.note(found.gauge, found.excess);
-                        if h == step_controller.step && found.is_embedded {
+                        step_controller.note(found.gauge, found.excess, self.follows());
+                        if h == step_controller.step && found.is_embedded && self.follows() {
                             let [first, second] = found.passage.steps;
                             let keeps = self.settings.method == Method::Radau;
                             let mean = 0.5 * (first + second);
                             step_controller.follow(order, mean, found.excess, keeps);
-                        } else if h == step_controller.step && found.even && !self.is_estimated {
+                        } else if h == step_controller.step && found.even && !self.follows() {
                             step_controller.lengthen(notches(order, found.excess));
                         }
                         self.integrator.state_mut().step_controller = step_controller;
@@ -180,7 +186,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             sidestep = 0;
             let excess = if excess.is_nan() { TOO_LONG } else { excess };
-            match is_embedded {
+            match is_embedded && self.follows() {
                 true => step_controller.retreat(order, h, excess, attempts > 0),
                 false => step_controller.shorten(h, notches(order, excess)),
             }
@@ -219,7 +225,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 margins: [start, middle, middle],
             },
         };
-        if found.even && self.is_estimated {
+        if found.even && self.follows() {
             let way = first.max(reach) * self.speed(first).max(controller.speed);
             let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
             found.excess = controller.foresees(estimate, allowed);
@@ -250,8 +256,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
         let estimate = estimate.filter(|_| found.is_embedded);
         found.excess = controller.foresees(estimate, allowed);
-        let is_clear = found.excess <= CLEARLY && controller.unseen < UNSEEN;
-        if is_clear || found.excess > TOO_MUCH {
+        let unseen = UNSEEN[usize::from(!self.follows())];
+        let is_clear = found.excess <= CLEARLY && controller.unseen < unseen;
+        if is_clear || found.excess > TOO_MUCH && self.follows() {
             return Ok(found);
         }
         found.excess = f64::NAN;
@@ -263,7 +270,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let paced = controller.step >= PACED * self.settings.step;
         let still = if paced { noise } else { 0.0 };
         let mut converged = false;
-        let partitions = if self.is_estimated {
+        let partitions = if self.follows() {
             ESTIMATED
         } else {
             PARTITIONS.len()
@@ -290,7 +297,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             if excess <= 1.0 || last || !(clearance < self.clear()) {
                 (found.excess, found.worst) = (excess, worst);
-                let gauge = estimate.map(|estimate| apart / (ratio * estimate));
+                let error = match self.follows() {
+                    true => apart / ratio,
+                    false => excess.max(TOO_SMALL) * allowed,
+                };
+                let gauge = estimate.map(|estimate| error / estimate);
                 found.gauge = gauge.filter(|gauge| gauge.is_finite());
                 break;
             }
@@ -358,7 +369,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Whether steps are controlled by the estimates of an embedded method. A step that fails is then as one whose estimate is
     /// too large: no other lengths are tried, and no halves.
     pub(super) fn is_paced_by_estimates(&self) -> bool {
-        self.is_estimated && self.settings.tolerance.is_some()
+        self.follows() && self.settings.tolerance.is_some()
+    }
+
+    /// Whether lengths of steps follow the motion: those of methods with an estimate that are not symmetric.
+    pub(super) fn follows(&self) -> bool {
+        self.is_estimated && self.settings.method != Method::TwoLevel
     }
 
     /// The mean speed from the beginning of the pair, `length` seconds ago, in sizes and radians a second.
@@ -379,7 +395,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
         let least = end.least.min(start.least).max(WEAKEST);
-        let left = match self.is_estimated && least > PROJECTED[1] {
+        let left = match self.follows() && least > PROJECTED[1] {
             true => PROJECTED[0] * self.settings.constraint_tolerance,
             false => self.settings.constraint_tolerance,
         };

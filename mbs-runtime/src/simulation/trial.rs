@@ -87,7 +87,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         // A transient at the start needs short steps: the count begins anew while they grow, and until the other candidate has
         // been counted, too, where this takes less than that trial.
-        let grown = if self.is_estimated { GROWN } else { 1.0 };
+        let grown = if self.follows() { GROWN } else { 1.0 };
         let mut trial = Trial::NONE;
         for window in 1.. {
             let step = self.nominal();
