@@ -15,11 +15,11 @@ const STILL: f64 = 1e-7;
 
 /// Corrections that shrink at a constant rate end at a part of both that is as small as the way of the step, in sizes or radians,
 /// and this one at least: what many short steps leave adds up.
-const FINEST: f64 = 0.1;
+const FINEST: f64 = 0.01;
 /// The first one has no rate; what it leaves has been found as large as it is.
 const UNKNOWN: f64 = 100.0;
 /// … or where they no longer shrink, below so many times that.
-const STIRRED: f64 = 1e3;
+const STIRRED: f64 = 1e4;
 
 /// p, F and the tangents at one instant.
 #[derive(Clone)]

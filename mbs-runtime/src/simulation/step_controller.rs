@@ -26,6 +26,8 @@ const PROMISE: f64 = 2.0;
 const AIM: f64 = 0.1;
 /// The parts of the last change of the difficulty that the next one is expected to have, where it grew and where it fell.
 const TREND: [f64; 2] = [0.5, 0.3];
+/// By so much the difficulty of an erratic error is expected to fall from one pair to the next, in powers of 2.
+const FADING: f64 = 1.0;
 /// The change of the difficulty that is taken as one, at most, in powers of 2: from a larger one nothing follows.
 const STEEP: f64 = 20.0;
 /// Factors from one length to the next, at least and at most, where it follows the motion, and after a pair was too long.
@@ -46,6 +48,17 @@ const ROUND_OFF: f64 = 1e-12;
 /// How much longer a step could be with this error, as a power of 2^¼.
 pub(super) fn notches(order: u8, excess: f64) -> f64 {
     (NOTCHES / f64::from(order) * -excess.log2()).floor()
+}
+
+/// How lengths follow the motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Pace {
+    /// The difficulty goes on to change as it did.
+    Steady,
+    /// The same, but small changes are left out: factors of matrices are kept for a length.
+    Kept,
+    /// Errors have a sign, and vanish now and then: the largest of the last ones counts, less and less.
+    Erratic,
 }
 
 impl StepController {
@@ -121,11 +134,10 @@ impl StepController {
         self.eager = false;
     }
 
-    /// After steps of h with this excess: the length with which the next one comes to [`AIM`], or about this if the method
-    /// `keeps` factors.
+    /// After steps of h with this excess: the length with which the next one comes to [`AIM`].
     ///
-    /// With order p the excess is d hᵖ; the difficulty d of the motion goes on to change as it did.
-    pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64, keeps: bool) {
+    /// With order p the excess is d hᵖ, with the difficulty d of the motion.
+    pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64, pace: Pace) {
         let order = f64::from(order);
         let difficulty = excess.max(ROUND_OFF).log2() - order * h.log2();
         let change = match self.difficulty {
@@ -133,21 +145,31 @@ impl StepController {
             None => 0.0,
         };
         let trend = TREND[usize::from(change < 0.0)] * change;
-        let wanted = (AIM.log2() - difficulty - trend) / order;
+        let (known, expected) = match (pace, self.difficulty) {
+            (Pace::Erratic, Some(last)) if !self.eager => {
+                let known = difficulty.max(last - FADING);
+                (known, known)
+            }
+            _ => (difficulty, difficulty + trend),
+        };
+        let wanted = (AIM.log2() - expected) / order;
         let most = if self.eager { EAGER } else { FACTORS[1] };
         let factor = (wanted.exp2() / h).clamp(FACTORS[0], most);
-        self.difficulty = Some(difficulty);
-        let is_same = keeps && (SAME[0]..SAME[1]).contains(&factor);
+        self.difficulty = Some(known);
+        let is_same = pace == Pace::Kept && (SAME[0]..SAME[1]).contains(&factor);
         self.step = if is_same { h } else { h * factor };
         self.eager &= factor == EAGER;
     }
 
     /// After steps of h were too long by an embedded method. If they were before, too, `again`, the factor of its estimate
     /// is no longer trusted.
-    pub(super) fn retreat(&mut self, order: u8, h: f64, excess: f64, again: bool) {
+    pub(super) fn retreat(&mut self, order: u8, h: f64, excess: f64, (again, pace): (bool, Pace)) {
         let factor = (AIM / excess).powf(1.0 / f64::from(order));
         self.step = h * factor.clamp(RETREATS[0], RETREATS[1]);
-        self.difficulty = None;
+        self.difficulty = match pace {
+            Pace::Erratic => Some(excess.log2() - f64::from(order) * h.log2()),
+            _ => None,
+        };
         self.eager = false;
         if again {
             self.gauge = 0.0;
@@ -168,10 +190,10 @@ mod tests {
             let excess = d(time + h) * h.powi(8);
             match excess <= 1.0 {
                 true => {
-                    controller.follow(8, h, excess, false);
+                    controller.follow(8, h, excess, Pace::Steady);
                     time += 2.0 * h;
                 }
-                false => controller.retreat(8, h, excess, false),
+                false => controller.retreat(8, h, excess, (false, Pace::Steady)),
             }
             pairs.push((h, excess));
         }

@@ -28,7 +28,7 @@
 use super::Simulation;
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
-use super::step_controller::{TOO_LONG, notches};
+use super::step_controller::{Pace, TOO_LONG, notches};
 use crate::linear::vector;
 use crate::singular::{ROUND_OFF, RankMargin};
 use crate::{Energy, Method, SimulationError, StepController, System};
@@ -94,6 +94,8 @@ struct Found {
     gauge: Option<f64>,
     /// Whether the stages give an estimate of the error of this pair.
     is_embedded: bool,
+    /// The error of the energy balance after the first step, J.
+    imbalance: f64,
     passage: Passage,
 }
 
@@ -154,9 +156,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         step_controller.note(found.gauge, found.excess, self.follows());
                         if h == step_controller.step && found.is_embedded && self.follows() {
                             let [first, second] = found.passage.steps;
-                            let keeps = self.settings.method == Method::Radau;
                             let mean = 0.5 * (first + second);
-                            step_controller.follow(order, mean, found.excess, keeps);
+                            step_controller.follow(order, mean, found.excess, self.pace());
                         } else if h == step_controller.step && found.even && !self.follows() {
                             step_controller.lengthen(notches(order, found.excess));
                         }
@@ -187,7 +188,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             sidestep = 0;
             let excess = if excess.is_nan() { TOO_LONG } else { excess };
             match is_embedded && self.follows() {
-                true => step_controller.retreat(order, h, excess, attempts > 0),
+                true => step_controller.retreat(order, h, excess, (attempts > 0, self.pace())),
                 false => step_controller.shorten(h, notches(order, excess)),
             }
             attempts += 1;
@@ -220,12 +221,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             even: first == h,
             gauge: None,
             is_embedded: false,
+            imbalance: self.balance.error,
             passage: Passage {
                 steps: [first, first],
                 margins: [start, middle, middle],
             },
         };
-        if found.even && self.follows() {
+        if found.even && self.follows() && !self.is_determined() {
             let way = first.max(reach) * self.speed(first).max(controller.speed);
             let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
             found.excess = controller.foresees(estimate, allowed);
@@ -257,6 +259,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let estimate = estimate.filter(|_| found.is_embedded);
         found.excess = controller.foresees(estimate, allowed);
         let unseen = UNSEEN[usize::from(!self.follows())];
+        if found.is_embedded && self.is_determined() {
+            found.excess = 0.0;
+            return Ok(found);
+        }
         let is_clear = found.excess <= CLEARLY && controller.unseen < unseen;
         if is_clear || found.excess > TOO_MUCH && self.follows() {
             return Ok(found);
@@ -327,7 +333,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let now = &self.balance;
         let work = (now.nonconservative_work - before.nonconservative_work).abs();
         let turnover = before.kinetic.max(now.kinetic).max(work);
-        let error = (now.error - before.error).abs();
+        let of = |error: f64| (error - before.error).abs();
+        let error = of(now.error).max(of(found.imbalance));
         let excess = error / (BALANCED * turnover);
         let excess = match (const { Self::DRIVEN }, found.passage.pose().is_some()) {
             (true, true) if self.turns() => TOO_LONG,
@@ -370,6 +377,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// too large: no other lengths are tried, and no halves.
     pub(super) fn is_paced_by_estimates(&self) -> bool {
         self.follows() && self.settings.tolerance.is_some()
+    }
+
+    /// Whether rows of time determine the motion: then only the work of drives has an error.
+    fn is_determined(&self) -> bool {
+        (const { Self::DRIVEN }) && self.assembly.rank == N
+    }
+
+    fn pace(&self) -> Pace {
+        match self.settings.method {
+            Method::Radau => Pace::Kept,
+            _ if self.is_determined() => Pace::Erratic,
+            _ => Pace::Steady,
+        }
     }
 
     /// Whether lengths of steps follow the motion: those of methods with an estimate that are not symmetric.
