@@ -42,6 +42,7 @@ fn main() -> Result<(), String> {
         let others = others(case, scene, &reference, longest);
         for (run, accuracy) in runs.into_iter().zip(ACCURACIES) {
             let Own {
+                settings,
                 chosen,
                 error,
                 time,
@@ -53,7 +54,7 @@ fn main() -> Result<(), String> {
             let rival = fastest.filter(|other| other.time < time);
             // Once more, one after the other: the machine was another one while others were searched.
             let again = |settings| self::time(scene, settings, f64::INFINITY);
-            let times = rival.map(|other| Ok([again(chosen)?, again(other.settings)?]));
+            let times = rival.map(|other| Ok([again(settings)?, again(other.settings)?]));
             let times: Option<[f64; 2]> = times.transpose().map_err(failed)?;
             let (name, [time, least]) = match (rival, times) {
                 (Some(other), Some(times)) if times[1] < times[0] => (other.name.as_str(), times),
@@ -86,6 +87,7 @@ fn main() -> Result<(), String> {
 
 /// A run with an accuracy.
 struct Own {
+    settings: Settings,
     chosen: Settings,
     error: f64,
     /// Processor time of the run and of the choice, s.
@@ -110,9 +112,10 @@ impl Own {
         let start = begun.elapsed().as_secs_f64();
         let chosen = *built.settings();
         Ok(Own {
+            settings,
             chosen,
             error,
-            time: time(scene, chosen, f64::INFINITY)?,
+            time: time(scene, settings, f64::INFINITY)?,
             start,
         })
     }

@@ -50,6 +50,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     /// The rank margin of the rows; `None` if there are no rows, or if the method does not compute
     /// it.
     pub(crate) fn rank_margin(&mut self) -> Option<RankMargin> {
+        if const { S::STRUCTURE.holonomic_rows == 0 } {
+            return None;
+        }
         match self {
             Integrator::TwoLevel(stepper) => stepper.rank_margin(),
             Integrator::Other(stepper) => stepper.rank_margin(),

@@ -105,12 +105,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
     }
 
     fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<f64> {
-        let h = self.length;
-        self.stages.estimate(h, |turn, change| {
-            yardstick
-                .measure(turn)
-                .max(h.abs() * yardstick.measure(change))
-        })
+        let h = self.length.abs();
+        let size = |turn: &SVector<f64, N>, change: &SVector<f64, N>| {
+            (yardstick.measure(turn)).max(h * yardstick.measure(change))
+        };
+        Some(h * self.stages.estimate(size)?)
     }
 
     fn is_sparse(&self) -> bool {

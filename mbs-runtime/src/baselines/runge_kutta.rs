@@ -21,9 +21,10 @@ pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     slopes: Box<[[[f64; N]; 2]]>,
     /// a from the second stage on, and b.
     sums: Box<[Sum]>,
-    /// The differences of the embedded method, and of those of orders 5 and 3.
+    /// The differences of the embedded method, …
     error: Sum,
-    embedded: Option<[Sum; 2]>,
+    /// … and of those of orders 5 and 3.
+    embedded: Option<Embedded>,
     /// How near the stages of the last step were to singular poses.
     pub(crate) poses: StagePoses,
 }
@@ -50,6 +51,25 @@ impl Sum {
     }
 }
 
+/// Two sums over the same stages.
+#[derive(Clone)]
+struct Embedded {
+    stages: [usize; MOST],
+    factors: [[f64; 2]; MOST],
+}
+
+impl Embedded {
+    fn new([one, other]: [&[f64]; 2]) -> Self {
+        let all = one.iter().zip(other).map(|(&one, &other)| [one, other]);
+        let used = all.enumerate().filter(|(_, both)| *both != [0.0; 2]);
+        let (mut stages, mut factors) = ([0; MOST], [[0.0; 2]; MOST]);
+        for (term, (stage, both)) in used.enumerate() {
+            (stages[term], factors[term]) = (stage, both);
+        }
+        Embedded { stages, factors }
+    }
+}
+
 /// Stages beside the first in the longest sum, that of order 8.
 const MOST: usize = 8;
 
@@ -67,7 +87,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             slopes: vec![[[0.0; N]; 2]; tableau.nodes.len()].into_boxed_slice(),
             sums: sums.map(Sum::new).collect(),
             error: Sum::new(tableau.error),
-            embedded: tableau.embedded.map(|two| two.map(Sum::new)),
+            embedded: tableau.embedded.map(Embedded::new),
             poses: StagePoses::new(tableau.nodes),
         }
     }
@@ -109,33 +129,38 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
 
     /// h Σ (b − b̂)_i k_i of the last step: what its error in θ and v may be.
     pub(crate) fn error(&self, h: f64) -> [SVector<f64, N>; 2] {
-        self.difference(&self.error, h)
+        let [mut turn, mut change] = [SVector::zeros(); 2];
+        self.combine(&self.error, h, &SVector::zeros(), [&mut turn, &mut change]);
+        [turn, change]
     }
 
     /// An estimate of the error of the last step, as that of the code DOP853 (Hairer, Nørsett, Wanner: Solving Ordinary
-    /// Differential Equations I, II.10), e₅²/√(e₅² + e₃²/100), with `size` of a change of θ and v; `None` where the method
-    /// has none.
+    /// Differential Equations I, II.10), e₅²/√(e₅² + e₃²/100), with `size` of a change of θ and v, divided by h; `None` where
+    /// the method has none.
     pub(crate) fn estimate(
         &self,
-        h: f64,
         size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
     ) -> Option<f64> {
-        let [fifth, third] = self.embedded.as_ref()?.each_ref().map(|differences| {
-            let [turn, change] = self.difference(differences, h);
-            size(&turn, &change)
-        });
+        let Embedded { stages, factors } = self.embedded.as_ref()?;
+        let slopes: [&[[f64; N]; 2]; MOST] = stages.map(|stage| &self.slopes[stage]);
+        let mut sums = [[[0.0; N]; 2]; 2];
+        for part in 0..2 {
+            for i in 0..N {
+                let mut both = [0.0; 2];
+                for (slope, [one, other]) in slopes.iter().zip(factors) {
+                    both[0] += one * slope[part][i];
+                    both[1] += other * slope[part][i];
+                }
+                [sums[0][part][i], sums[1][part][i]] = both;
+            }
+        }
+        let [fifth, third] = sums.map(|[turn, change]| size(&turn.into(), &change.into()));
         let both = (fifth * fifth + 0.01 * third * third).sqrt();
         Some(if both > 0.0 {
             fifth * fifth / both
         } else {
             0.0
         })
-    }
-
-    fn difference(&self, sum: &Sum, h: f64) -> [SVector<f64, N>; 2] {
-        let [mut turn, mut change] = [SVector::zeros(); 2];
-        self.combine(sum, h, &SVector::zeros(), [&mut turn, &mut change]);
-        [turn, change]
     }
 
     /// θ = h Σ c_j θ̇_j and v₀ + h Σ c_j v̇_j. (Each entry stays in a register while the terms are added to it, one after the

@@ -76,6 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline(never)]
     fn look_between(&mut self, passage: &Passage, pose: f64) -> Result<bool, SimulationError> {
         let kept = self.keep();
+        self.before.copy_from(self.integrator.state());
         let [first, second] = passage.steps;
         let pose = self.find(passage, pose, [0.0, first + second]);
         self.integrator.state_mut().copy_from(&self.before);

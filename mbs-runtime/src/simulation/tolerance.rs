@@ -228,13 +228,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             },
         };
         if found.even && self.follows() && !self.is_determined() {
-            let way = first.max(reach) * self.speed(first).max(controller.speed);
-            let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
-            found.excess = controller.foresees(estimate, allowed);
-            found.is_embedded = true;
-            // The second step would not make it better.
-            if found.excess > TOO_MUCH {
-                return Ok(found);
+            // In most pairs a part of what is allowed is enough.
+            let some = SHARE * tolerance * first.max(reach) * controller.speed;
+            if controller.foresees(estimate, some) > TOO_MUCH {
+                let way = first.max(reach) * self.speed(first).max(controller.speed);
+                let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
+                found.excess = controller.foresees(estimate, allowed);
+                found.is_embedded = true;
+                // The second step would not make it better.
+                if found.excess > TOO_MUCH {
+                    return Ok(found);
+                }
             }
         }
         let second = self.place(h.min(left - first), left - first)?;
@@ -242,9 +246,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         estimate = estimate.zip(later).map(|(first, second)| first + second);
         let end = self.margin();
         let noise = indulgence * self.noise(start, end);
-        self.before.copy_from(self.integrator.state());
-        let kept = self.keep();
-
         let length = first + second;
         found.speed = self.speed(length);
         found.even = first == h && second == h;
@@ -267,6 +268,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if is_clear || found.excess > TOO_MUCH && self.follows() {
             return Ok(found);
         }
+        self.before.copy_from(self.integrator.state());
+        let kept = self.keep();
         found.excess = f64::NAN;
         let order = i32::from(self.settings.true_order());
         // Relative to the length: powers of a short step vanish.
@@ -394,7 +397,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// Whether lengths of steps follow the motion: those of methods with an estimate that are not symmetric.
     pub(super) fn follows(&self) -> bool {
-        self.is_estimated && self.settings.method != Method::TwoLevel
+        self.is_estimated && !matches!(self.settings.method, Method::TwoLevel)
     }
 
     /// The mean speed from the beginning of the pair, `length` seconds ago, in sizes and radians a second.
