@@ -45,9 +45,15 @@ pub(super) enum Pose {
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// Whether it has no position rows, and with that no singular pose.
+    pub(super) const UNBRANCHED: bool = S::STRUCTURE.holonomic_rows == 0;
+
     /// Whether the pair of steps that has just been taken passes a pose that is nearly singular as if it were singular.
     #[inline]
     pub(super) fn leaps(&mut self, passage: &Passage) -> Result<bool, SimulationError> {
+        if const { Self::UNBRANCHED } {
+            return Ok(false);
+        }
         match passage.pose() {
             Some(pose) => {
                 let [first, second] = passage.steps;

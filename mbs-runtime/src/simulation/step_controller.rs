@@ -138,8 +138,8 @@ impl StepController {
     ///
     /// With order p the excess is d hᵖ, with the difficulty d of the motion.
     pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64, pace: Pace) {
+        let difficulty = (excess.max(ROUND_OFF) / h.powi(i32::from(order))).log2();
         let order = f64::from(order);
-        let difficulty = excess.max(ROUND_OFF).log2() - order * h.log2();
         let change = match self.difficulty {
             Some(last) => (difficulty - last).clamp(-STEEP, STEEP),
             None => 0.0,

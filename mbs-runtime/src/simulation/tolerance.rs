@@ -354,6 +354,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Whether the pair passes no singular pose, or one that is known, with steps that end far from it. Their velocities then
     /// are those of one branch.
     fn keeps_its_branch(&self, found: &Found) -> bool {
+        if const { Self::UNBRANCHED } {
+            return true;
+        }
         let passage = &found.passage;
         if !passage.has_same_rows() {
             return false;
