@@ -3,9 +3,9 @@
 use mbs_runtime::{AnySimulation, Method, Settings, Simulation, mechanism, methods};
 
 mechanism!(Block {
-    doc: "A block on a spring slides, and sticks where friction holds it: there friction is a stiff damper.",
+    doc: "A block on a spring is pulled, slides, and sticks where friction holds it: there friction is a stiff damper.",
     world: Planar(),
-    pull: Input(0.0_N),
+    pull: Input(5.0_N),
     x: Coordinate(0.0_m, rate = 2.0_m_per_s),
     block: Particle(mass = 1.0_kg, position = [x, 0.0_m]),
     spring: SpringDamper(
@@ -47,11 +47,18 @@ fn alone(settings: Settings) -> impl AnySimulation {
     Simulation::with_methods(Block::default(), settings, methods::Projected).expect("it assembles")
 }
 
+/// It is pulled for two seconds.
+fn let_go(block: &mut dyn AnySimulation) {
+    block.run_until(2.0).expect("it runs");
+    block.set_input("pull", 0.0).expect("an input");
+}
+
 #[test]
 fn a_block_that_sticks_gets_an_implicit_method() {
     let mut block = block();
     assert_eq!(block.settings().method, Method::Projected);
-    block.run_until(10.0).expect("it runs");
+    let_go(&mut block);
+    block.run_until(12.0).expect("it runs");
     let [change] = block.method_changes() else {
         panic!("{:?}", block.method_changes())
     };
@@ -61,7 +68,7 @@ fn a_block_that_sticks_gets_an_implicit_method() {
     );
     assert_eq!(block.settings().method, Method::Radau);
     assert_eq!(block.report().method_changes, 1);
-    assert!(change.time > 0.6 && change.time < 2.0, "{change:?}");
+    assert!(change.time > 2.0 && change.time < 5.0, "{change:?}");
     assert!(
         change.operations[1] < 0.01 * change.operations[0],
         "{change:?}"
@@ -73,7 +80,8 @@ fn a_block_that_sticks_gets_an_implicit_method() {
         tolerance: block.settings().tolerance,
         ..Settings::default()
     });
-    explicit.run_until(10.0).expect("it runs");
+    let_go(&mut explicit);
+    explicit.run_until(12.0).expect("it runs");
     let [changing, constant] = [&block, &explicit as &dyn AnySimulation].map(|s| s.report().stages);
     assert!(10 * changing < constant, "{changing}, {constant}");
 }
@@ -83,10 +91,12 @@ fn a_block_that_sticks_gets_an_implicit_method() {
 fn the_motion_goes_on() {
     let mut fine = alone(Settings::for_tolerance(1e-9));
     let mut block = block();
+    let_go(&mut fine);
+    let_go(&mut block);
     for tick in 1..=100 {
-        let time = 0.03 * f64::from(tick);
+        let time = 2.0 + 0.05 * f64::from(tick);
         fine.run_until(time).expect("it runs");
-        block.run_past(time, 3.0).expect("it runs");
+        block.run_past(time, 7.0).expect("it runs");
         let exact = fine.output("place").expect("an output");
         let mut seen = f64::NAN;
         block
@@ -107,13 +117,14 @@ fn the_motion_goes_on() {
 #[test]
 fn an_input_brings_the_explicit_method_back() {
     let mut block = alone(Settings::accuracy(ACCURACY));
-    block.run_until(5.0).expect("it runs");
+    let_go(&mut block);
+    block.run_until(7.0).expect("it runs");
     assert_eq!(block.settings().method, Method::TwoLevel);
     // It swings to and fro, and never sticks for long.
     for tick in 0..400 {
-        let time = 5.0 + 0.1 * f64::from(tick);
+        let time = 7.0 + 0.1 * f64::from(tick);
         block
-            .set_input("pull", 30.0 * (1.4 * time).sin())
+            .set_input("pull", 100.0 * (1.4 * time).sin())
             .expect("an input");
         block.run_until(time + 0.1).expect("it runs");
     }
@@ -166,7 +177,7 @@ fn collocation_leaves_a_motion_that_comes_to_a_singular_pose() {
         ..Settings::default()
     };
     // Rods that hang, an early pose, and one from which they sink for minutes.
-    for (start, damping, poses) in [(-20.0_f64, 30.0, 1), (10.0, 30.0, 1), (80.0, 300.0, 0)] {
+    for (start, damping, poses) in [(-20.0_f64, 40.0, 1), (10.0, 30.0, 1), (80.0, 300.0, 0)] {
         let creeping = || Creeping {
             start: start.to_radians(),
             damping,

@@ -17,7 +17,7 @@
 
 use super::Simulation;
 use super::choice::Choice;
-use super::trial::Trial;
+use super::trial::{GAIN, Trial};
 use crate::baselines::registry::has_radau;
 use crate::stepper::MakeStepper;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, System};
@@ -46,6 +46,15 @@ fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Setting
     match has_radau {
         true => vec![projected, radau, two_level],
         false => vec![projected, two_level],
+    }
+}
+
+/// The part of the work of this candidate that another one may take to be chosen in its place: motions with friction and stiff
+/// dampers become stiff now and then, where others take many times the work of Radau.
+fn lead(candidate: Settings) -> f64 {
+    match candidate.method {
+        Method::Radau => GAIN,
+        _ => 1.0,
     }
 }
 
@@ -85,7 +94,7 @@ where
             Self::from_state(system, candidate, state, assembly, other)
         };
         // If none can begin here, the two-level one says why.
-        let (mut best, mut leader) = (last, Trial::NONE);
+        let (mut second, mut best, mut leader) = (last, last, Trial::NONE);
         let mut operations = vec![0.0; candidates.len()];
         for (index, &candidate) in candidates.iter().enumerate() {
             // A candidate that cannot begin here is none.
@@ -99,12 +108,23 @@ where
                 let beside =
                     make(candidates[best]).map_or(Trial::NONE, |mut run| run.run_beside(&trial));
                 operations[best] = beside.operations;
-                if beside.rate < trial.rate {
+                if lead(candidates[best]) * beside.rate < trial.rate {
                     leader = beside;
                     continue;
                 }
             }
-            (best, leader) = (index, trial);
+            (second, best, leader) = (best, index, trial);
+        }
+        // Radau has seen another part of the motion than the two-level method where both were compared with the explicit one.
+        let damps = |index: usize| candidates[index].method == Method::Radau;
+        let radau = (0..last).find(|&index| damps(index) && operations[index].is_finite());
+        if let Some(radau) = radau.filter(|_| best == last && !damps(second)) {
+            let beside =
+                make(candidates[radau]).map_or(Trial::NONE, |mut run| run.run_beside(&leader));
+            operations[radau] += beside.operations;
+            if lead(candidates[radau]) * beside.rate < leader.rate {
+                (best, leader) = (radau, beside);
+            }
         }
         // Long steps of Radau are those after a transient of the beginning.
         let chosen = match leader.rate.is_finite() && candidates[best].method != Method::Radau {
