@@ -1,7 +1,7 @@
 //! Drives that follow inputs.
 
 use mbs_examples::scenes::scenes;
-use mbs_runtime::{Settings, Simulation, SimulationError, mechanism};
+use mbs_runtime::{AnySimulation, Settings, Simulation, SimulationError, mechanism};
 use mbs_tests::with_room;
 
 // A hoist of 2 kg, and a rotor of 3 kg m² whose speed is driven.
@@ -154,6 +154,36 @@ fn the_work_of_a_drive_has_the_accuracy_of_the_run() {
             let error = simulation.report().energy_error / kinetic;
             println!("{accuracy:e}: {error:.1e} of {kinetic:.0} J");
             assert!(error < accuracy, "{accuracy:e}: {error:e}");
+        }
+    });
+}
+
+/// Where steps are long, those to instants between their ends are others.
+#[test]
+fn the_work_of_a_drive_is_right_between_the_ends_of_two_level_steps() {
+    with_room(|| {
+        let mut scenes = scenes().iter();
+        let scene = scenes.find(|scene| scene.name == "driven-slider-crank");
+        let scene = scene.expect("it is in the list");
+        for tolerance in [1e-4, 1e-5] {
+            let settings = Settings {
+                step: scene.step,
+                order: 8,
+                tolerance: Some(tolerance),
+                ..Settings::default()
+            };
+            let mut simulation = (scene.build)(&[], settings).expect("it assembles");
+            for instant in 1..100 {
+                let time = f64::from(instant) / 100.0 * scene.duration;
+                let end = scene.duration;
+                simulation.run_past(time, end).expect("it runs");
+                let mut look = |seen: &dyn AnySimulation| {
+                    let energy = seen.energy();
+                    let error = energy.error.abs() / energy.kinetic;
+                    assert!(error < 10.0 * tolerance, "{time}: {energy:?}");
+                };
+                simulation.look_at(time, &mut look).expect("an instant");
+            }
         }
     });
 }
