@@ -5,7 +5,8 @@
 //! themselves do not depend on it.
 
 use super::Simulation;
-use crate::{AnySimulation, SimulationError, System};
+use crate::singular::ROUND_OFF;
+use crate::{AnySimulation, Energy, SimulationError, System};
 
 /// An end of a step.
 #[derive(Clone, Copy)]
@@ -103,21 +104,49 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         shown
     }
 
-    /// Moves to an instant of the last step, by the first of the ways with enough clearance, otherwise by the best.
+    /// Moves to an instant of the last step, by the first of the ways with enough clearance and a balance like that at the end of
+    /// the step, otherwise by the best.
     fn show(&mut self, time: f64) -> Result<(), SimulationError> {
+        let end = self.balance;
         let mut best = (f64::NEG_INFINITY, WAYS[0]);
         let mut error = None;
         for way in WAYS {
             match self.approach(time, way) {
-                Ok(clearance) if clearance >= self.clear() => return Ok(()),
-                Ok(clearance) if clearance > best.0 => best = (clearance, way),
-                Ok(_) => {}
+                Ok(clearance) => {
+                    let imbalance = self.imbalance_since(&end);
+                    if clearance >= self.clear() && imbalance <= 1.0 {
+                        return Ok(());
+                    }
+                    let merit = if imbalance <= 1.0 {
+                        clearance
+                    } else {
+                        -imbalance
+                    };
+                    if merit > best.0 {
+                        best = (merit, way);
+                    }
+                }
                 Err(other) => error = Some(other),
             }
         }
         match error {
             Some(error) if best.0 == f64::NEG_INFINITY => Err(error),
             _ => self.approach(time, best.1).map(drop),
+        }
+    }
+
+    /// The change of the error of the balance, as a multiple of what the tolerance allows, of a driven mechanism: in steps that
+    /// are nearly too long the work of a drive is right for some lengths, and far off for others.
+    fn imbalance_since(&self, end: &Energy) -> f64 {
+        let (true, Some(tolerance)) = (const { Self::DRIVEN }, self.settings.tolerance) else {
+            return 0.0;
+        };
+        let now = &self.balance;
+        let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
+        let allowed = tolerance * now.kinetic.max(end.kinetic) + ROUND_OFF * whole;
+        match (now.error - end.error).abs() {
+            error if error <= allowed => 0.0,
+            error => error / allowed,
         }
     }
 
