@@ -105,8 +105,7 @@ where
                 continue;
             }
             if leader.rate.is_finite() {
-                let beside =
-                    make(candidates[best]).map_or(Trial::NONE, |mut run| run.run_beside(&trial));
+                let beside = Self::trial_beside(&make, candidates[best], &trial);
                 operations[best] = beside.operations;
                 if lead(candidates[best]) * beside.rate < trial.rate {
                     leader = beside;
@@ -119,8 +118,7 @@ where
         let damps = |index: usize| candidates[index].method == Method::Radau;
         let radau = (0..last).find(|&index| damps(index) && operations[index].is_finite());
         if let Some(radau) = radau.filter(|_| best == last && !damps(second)) {
-            let beside =
-                make(candidates[radau]).map_or(Trial::NONE, |mut run| run.run_beside(&leader));
+            let beside = Self::trial_beside(&make, candidates[radau], &leader);
             operations[radau] += beside.operations;
             if lead(candidates[radau]) * beside.rate < leader.rate {
                 (best, leader) = (radau, beside);
@@ -147,5 +145,15 @@ where
         );
         simulation.choice = Some(Box::new(choice));
         Ok(simulation)
+    }
+
+    /// The trial of a candidate in the span of another one. Here, so that its simulation is on the stack only while it runs.
+    #[inline(never)]
+    fn trial_beside(
+        make: &dyn Fn(Settings) -> Result<Self, SimulationError>,
+        candidate: Settings,
+        other: &Trial,
+    ) -> Trial {
+        make(candidate).map_or(Trial::NONE, |mut run| run.run_beside(other))
     }
 }
