@@ -1,5 +1,6 @@
 //! Drives that follow inputs.
 
+use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
 use mbs_runtime::{AnySimulation, Settings, Simulation, SimulationError, mechanism};
 use mbs_tests::with_room;
@@ -128,13 +129,17 @@ fn a_constant_speed_does_work() {
     assert!(tug.energy().error.abs() < 1e-9, "{:?}", tug.energy());
 }
 
+fn driven_slider_crank() -> &'static Scene {
+    let mut scenes = scenes().iter();
+    let scene = scenes.find(|scene| scene.name == "driven-slider-crank");
+    scene.expect("it is in the list")
+}
+
 /// Rows determine the whole motion, so that positions are exact with steps of any length. The work of the drive is not.
 #[test]
 fn the_work_of_a_drive_has_the_accuracy_of_the_run() {
     with_room(|| {
-        let mut scenes = scenes().iter();
-        let scene = scenes.find(|scene| scene.name == "driven-slider-crank");
-        let scene = scene.expect("it is in the list");
+        let scene = driven_slider_crank();
         for (accuracy, stages) in [(1e-3, 240), (1e-6, 480), (1e-9, 1000)] {
             let settings = Settings {
                 step: scene.step,
@@ -162,9 +167,7 @@ fn the_work_of_a_drive_has_the_accuracy_of_the_run() {
 #[test]
 fn the_work_of_a_drive_is_right_between_the_ends_of_two_level_steps() {
     with_room(|| {
-        let mut scenes = scenes().iter();
-        let scene = scenes.find(|scene| scene.name == "driven-slider-crank");
-        let scene = scene.expect("it is in the list");
+        let scene = driven_slider_crank();
         for tolerance in [1e-4, 1e-5] {
             let settings = Settings {
                 step: scene.step,

@@ -50,6 +50,11 @@ pub(super) fn notches(order: u8, excess: f64) -> f64 {
     (NOTCHES / f64::from(order) * -excess.log2()).floor()
 }
 
+/// log₂ of the difficulty d of the motion: with order p the excess of steps of h is d hᵖ.
+fn difficulty(order: u8, h: f64, excess: f64) -> f64 {
+    (excess.max(ROUND_OFF) / h.powi(i32::from(order))).log2()
+}
+
 /// How lengths follow the motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Pace {
@@ -135,10 +140,8 @@ impl StepController {
     }
 
     /// After steps of h with this excess: the length with which the next one comes to [`AIM`].
-    ///
-    /// With order p the excess is d hᵖ, with the difficulty d of the motion.
     pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64, pace: Pace) {
-        let difficulty = (excess.max(ROUND_OFF) / h.powi(i32::from(order))).log2();
+        let difficulty = difficulty(order, h, excess);
         let order = f64::from(order);
         let change = match self.difficulty {
             Some(last) => (difficulty - last).clamp(-STEEP, STEEP),
@@ -167,7 +170,7 @@ impl StepController {
         let factor = (AIM / excess).powf(1.0 / f64::from(order));
         self.step = h * factor.clamp(RETREATS[0], RETREATS[1]);
         self.difficulty = match pace {
-            Pace::Erratic => Some(excess.log2() - f64::from(order) * h.log2()),
+            Pace::Erratic => Some(difficulty(order, h, excess)),
             _ => None,
         };
         self.eager = false;

@@ -259,11 +259,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
         let estimate = estimate.filter(|_| found.is_embedded);
         found.excess = controller.foresees(estimate, allowed);
-        let unseen = UNSEEN[usize::from(!self.follows())];
         if found.is_embedded && self.follows() && self.is_determined() {
             found.excess = 0.0;
             return Ok(found);
         }
+        let unseen = UNSEEN[usize::from(!self.follows())];
         let is_clear = found.excess <= CLEARLY && controller.unseen < unseen;
         if is_clear || found.excess > TOO_MUCH && self.follows() {
             return Ok(found);
