@@ -157,11 +157,11 @@ pub use settings::{
     BaumgarteSettings, BdfSettings, Flow, GeneralizedAlphaSettings, Method, MultiplierStart,
     PaperSettings, PenaltySettings, ProjectionSettings, RowDirection, Settings,
 };
-pub use simulation_error::SimulationError;
+pub use simulation_error::{ErrorOf, SimulationError};
 pub use sink::{MatrixSink, TensorSink};
 #[cfg(feature = "sparse")]
 pub use state::{BackwardDifferences, FactorOrigin, Renewal};
-pub use state::{Ledger, State, StepController, ThreeFields};
+pub use state::{Foreseen, LastStep, Ledger, PosesAhead, State, StepController, ThreeFields};
 #[cfg(feature = "std")]
 pub use {
     alf3f::PaperStepper,

@@ -32,7 +32,6 @@ use self::books::Books;
 use self::choice::Choice;
 use self::energy_guard::EnergyGuard;
 use self::known_poses::KnownPoses;
-use self::pose::{Foreseen, LastStep};
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::Counters;
 use crate::assembly::{Wanted, assemble, check_rates};
@@ -91,11 +90,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     pair: Box<State<Q, N, R>>,
     /// The books before the step that is being tried.
     started: Books,
-    last_step: LastStep,
     /// Singular poses that have been looked at.
     known_poses: KnownPoses<Q>,
-    /// The pose that is near, in runs of fixed steps.
-    foreseen: Option<Foreseen>,
     yardstick: Box<Yardstick<Q, N>>,
     /// Whether the method estimates the errors of its steps. No embedded method sees states.
     is_estimated: bool,
@@ -277,14 +273,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             other,
             choice: None,
             assembly,
-            books: Books::default(),
+            books: Books::EMPTY,
             counted: Counters::default(),
             rejected: 0,
             placed: 0,
             rank_margin: None,
-            started: Books::default(),
-            last_step: LastStep::NONE,
-            foreseen: None,
+            started: Books::EMPTY,
             known_poses,
             is_estimated,
             singularities: SingularityDetector::new(rest),

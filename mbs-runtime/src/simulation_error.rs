@@ -184,8 +184,8 @@ pub enum SimulationError {
         tolerance: f64,
         /// The estimated error as a multiple of what the tolerance allows.
         times: f64,
-        /// The velocity, as the model names it, whose coordinate is worst.
-        velocity: &'static str,
+        /// What it is the error of.
+        of: ErrorOf,
     },
     /// A value that an input or a state cannot take.
     Input {
@@ -208,6 +208,20 @@ pub enum SimulationError {
         /// Its value or residual.
         value: f64,
     },
+}
+
+/// What a tolerance finds too large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ErrorOf {
+    /// The coordinate of this velocity, as the model names it, which is worst in a comparison of steps.
+    Velocity(&'static str),
+    /// The motion as a whole, by the estimate of an embedded method or where other steps do not converge.
+    Motion,
+    /// The energy balance.
+    Balance,
+    /// The branch of the motion past a pose that is nearly singular.
+    Branch,
 }
 
 impl SimulationError {
@@ -396,12 +410,29 @@ impl fmt::Display for SimulationError {
                 step,
                 tolerance,
                 times,
-                velocity,
-            } => write!(
-                out,
-                "the tolerance {tolerance:.1e} cannot be met beyond t = {} s: with a step of {step:.1e} s the error along `{velocity}` is still {times:.1e} times what it allows; loosen the tolerance, or look for a force that jumps there",
-                clock(*time)
-            ),
+                of,
+            } => {
+                write!(
+                    out,
+                    "the tolerance {tolerance:.1e} cannot be met beyond t = {} s: with a step of {step:.1e} s ",
+                    clock(*time)
+                )?;
+                match of {
+                    ErrorOf::Velocity(name) => write!(out, "the error along `{name}`")?,
+                    ErrorOf::Motion => write!(out, "the error of the motion")?,
+                    ErrorOf::Balance => write!(out, "the error of the energy balance")?,
+                    ErrorOf::Branch => {
+                        return write!(
+                            out,
+                            "the motion still leaps over a pose that is nearly singular; loosen the tolerance of the rows, or look for lengths that are nearly equal"
+                        );
+                    }
+                }
+                write!(
+                    out,
+                    " is still {times:.1e} times what it allows; loosen the tolerance, or look for a force that jumps there"
+                )
+            }
             Input { name, value } => {
                 write!(out, "`{name}` cannot be {value}; give it a finite value")
             }

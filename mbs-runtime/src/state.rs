@@ -4,6 +4,7 @@
 mod backward_differences;
 #[cfg(feature = "sparse")]
 mod factor_origin;
+mod poses_ahead;
 
 #[cfg(feature = "sparse")]
 use crate::large::is_large;
@@ -20,6 +21,7 @@ pub(crate) use factor_origin::COST;
 #[cfg(feature = "sparse")]
 pub use factor_origin::{FactorOrigin, Renewal};
 use nalgebra::SVector;
+pub use poses_ahead::{Foreseen, LastStep, PosesAhead};
 
 /// Whether a step of h is as long as an earlier one, which is zero if there was none.
 #[cfg(feature = "sparse")]
@@ -51,6 +53,9 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub step_controller: StepController,
     /// The fields that only Algorithm 1 carries from step to step.
     pub fields: ThreeFields<N, R>,
+    /// What steps of fixed length know of singular poses.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub poses_ahead: PosesAhead,
     /// Where the factors in use were made, of a large mechanism; otherwise `None`.
     #[cfg(feature = "sparse")]
     #[cfg_attr(feature = "serde", serde(default))]
@@ -156,7 +161,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         copy
     }
 
-    /// Copies `other`, without allocation if the capacity is sufficient.
+    /// Copies `other`, without allocation if the capacity is sufficient; not what is known of poses, which steps that are
+    /// taken back have found, too.
     #[inline]
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.copy_motion_from(other);
@@ -219,6 +225,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             ledger: Ledger::default(),
             step_controller: StepController::default(),
             fields: ThreeFields::default(),
+            poses_ahead: PosesAhead::default(),
             #[cfg(feature = "sparse")]
             factors: None,
             #[cfg(feature = "sparse")]

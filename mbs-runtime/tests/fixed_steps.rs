@@ -2,7 +2,8 @@
 
 use crate::common::alloc::count;
 use mbs_runtime::{
-    FixedStepSimulation, Mechanism, Method, Settings, Simulation, SimulationError, mechanism,
+    FixedStepSimulation, Mechanism, Method, PosesAhead, Settings, Simulation, SimulationError,
+    State, mechanism,
 };
 
 mechanism!(Plant {
@@ -56,7 +57,12 @@ fn steps_are_those_of_a_simulation() {
         simulation.set_input("push", push).unwrap();
         plant.step().unwrap();
         simulation.step().unwrap();
-        assert_eq!(plant.state(), simulation.state(), "step {step}");
+        let wanted = State {
+            // These steps are not guarded against poses that are nearly singular.
+            poses_ahead: PosesAhead::default(),
+            ..simulation.state().clone()
+        };
+        assert_eq!(plant.state(), &wanted, "step {step}");
     }
     assert_eq!(plant.outputs(), simulation.outputs());
     assert_eq!(plant.inputs(), simulation.inputs());

@@ -109,3 +109,65 @@ fn tiny_first_steps_with_a_tolerance() {
         }
     }
 }
+
+#[test]
+fn tiny_first_steps_of_the_projected_method() {
+    for step in [1e-100, 1e-60, 1e-42, 1e-38, 1e-20] {
+        let settings = Settings {
+            method: Method::Projected,
+            order: 8,
+            step,
+            ..Settings::for_tolerance(1e-6)
+        };
+        steps(settings).unwrap_or_else(|error| panic!("{step:e}: {error}"));
+    }
+}
+
+/// The first step is only the first that is tried.
+#[test]
+fn any_first_step_with_a_tolerance_reaches_the_end() {
+    for step in [1e-30, 1e-10, 1e4, 1e12, 1e50] {
+        let settings = Settings {
+            step,
+            ..Settings::for_tolerance(1e-6)
+        };
+        let mut simulation = Simulation::with_settings(SliderCrank::default(), settings).unwrap();
+        simulation
+            .run_until(1.0)
+            .unwrap_or_else(|error| panic!("{step:e}: {error}"));
+        let error = simulation.report().energy_error;
+        assert!(error < 1e-5, "{step:e}: {error:e} J");
+    }
+    let settings = Settings {
+        step: 1e-10,
+        ..Settings::for_tolerance(1e-3)
+    };
+    let mut simulation = Simulation::with_settings(SliderCrank::default(), settings).unwrap();
+    simulation.run_until(2000.0).unwrap();
+}
+
+/// A run from a state with a clock that is not a number did not end.
+#[test]
+fn states_that_are_not_finite_are_refused() {
+    let settings = Settings::for_tolerance(1e-6);
+    let mut simulation = Simulation::with_settings(SliderCrank::default(), settings).unwrap();
+    simulation.run_until(0.01).unwrap();
+    let state = simulation.state();
+    let changed: [fn(&mut mbs_runtime::State<_, _, _>); 8] = [
+        |state| state.clock = f64::NAN,
+        |state| state.ledger.nonconservative_work = f64::NAN,
+        |state| state.ledger.initial = Some(f64::INFINITY),
+        |state| state.step_controller.step = -1e-3,
+        |state| state.step_controller.gauge = f64::NAN,
+        |state| state.step_controller.difficulty = Some(f64::NAN),
+        |state| state.fields.momentum[0] = f64::NAN,
+        |state| state.multipliers[0] = f64::NAN,
+    ];
+    for (index, change) in changed.into_iter().enumerate() {
+        let mut state = state.clone();
+        change(&mut state);
+        let resumed = Simulation::resume(SliderCrank::default(), settings, state);
+        let refused = matches!(resumed, Err(SimulationError::State { .. }));
+        assert!(refused, "change {index}");
+    }
+}

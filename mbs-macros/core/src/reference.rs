@@ -133,7 +133,12 @@ fn takes(expects: Expects) -> String {
         Expects::KnownAny => "a number".to_owned(),
         Expects::KnownVector(dimension) => format!("vector of {dimension}"),
         Expects::Moving(dimension) => format!("{dimension}{moving}"),
-        Expects::MovingAny | Expects::Driven => format!("a number{moving}"),
+        Expects::MovingAny => format!("a number{moving}"),
+        Expects::ScheduledAny => "a number; an expression of `t`, parameters and inputs".to_owned(),
+        Expects::HolonomicAny => {
+            "a number; an expression of positions, parameters and `t`".to_owned()
+        }
+        Expects::Driven => "a number; an expression of positions or velocities".to_owned(),
         Expects::MovingVector(dimension) => format!("vector of {dimension}{moving}"),
         Expects::FollowingAny => "a number; an expression of positions and parameters".to_owned(),
         Expects::FollowingVector(dimension) => {

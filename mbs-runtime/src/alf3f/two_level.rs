@@ -242,7 +242,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
     }
 
-    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
+    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::rank_margin`].
     pub(crate) fn weakest_rows(&mut self) -> SVector<f64, R> {
         let rows = S::STRUCTURE.holonomic_rows;
         if let Stepping::Sparse(kicks, _) = &mut self.flow {

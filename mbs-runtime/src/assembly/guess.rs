@@ -1,7 +1,9 @@
 //! What a guess or a state has to be before its rows are closed: finite, with unit quaternions.
 
 use crate::row_scale::RowScale;
-use crate::{Coordinate, Model, Settings, SimulationError, State, System};
+use crate::{
+    Coordinate, Model, Settings, SimulationError, State, StepController, System, ThreeFields,
+};
 use nalgebra::SVector;
 
 /// Violation of a row, as a displacement relative to the size of the mechanism, with which a state can be resumed.
@@ -12,7 +14,7 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
     system: &S,
     state: &State<Q, N, R>,
 ) -> Result<(), SimulationError> {
-    check_finite("time", &[state.time])?;
+    check_finite("time", &[state.time, state.clock])?;
     check_finite("a coordinate", state.positions.as_slice())?;
     check_finite("a velocity", state.velocities.as_slice())?;
     check_finite("a multiplier", state.multipliers.as_slice())?;
@@ -20,6 +22,15 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
         "a change of a multiplier",
         state.multiplier_changes.as_slice(),
     )?;
+    for stage in state.stage_multipliers.iter().flatten() {
+        check_finite("a multiplier of a stage", stage.as_slice())?;
+    }
+    let ledger = &state.ledger;
+    let works = [ledger.nonconservative_work, ledger.drive_work];
+    check_finite("a work", &works)?;
+    check_finite("the energy at the start", ledger.initial.as_slice())?;
+    check_controller(&state.step_controller)?;
+    check_fields(&state.fields)?;
     let q = &state.positions;
     let unit = unit_rotations(system, q)?;
     for (given, unit) in q.iter().zip(unit.iter()) {
@@ -28,6 +39,35 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
         }
     }
     Ok(())
+}
+
+fn check_controller(controller: &StepController) -> Result<(), SimulationError> {
+    let StepController { step, allowed, .. } = *controller;
+    let (speed, gauge) = (controller.speed, controller.gauge);
+    let what = "the step controller";
+    check_finite(what, &[step, allowed, speed, gauge])?;
+    check_finite(what, controller.difficulty.as_slice())?;
+    match [step, speed, gauge].into_iter().find(|value| *value < 0.0) {
+        Some(value) => Err(SimulationError::State { what, value }),
+        None => Ok(()),
+    }
+}
+
+fn check_fields<const N: usize, const R: usize>(
+    fields: &ThreeFields<N, R>,
+) -> Result<(), SimulationError> {
+    let (rows, momentum) = (&fields.constraint_momentum, &fields.momentum);
+    let of_rows = [
+        &fields.lambda,
+        &fields.mu,
+        rows,
+        &fields.penalty,
+        &fields.change,
+    ];
+    let steps = [fields.step, fields.shortest, fields.length];
+    let all = of_rows.into_iter().map(|field| field.as_slice());
+    all.chain([momentum.as_slice(), &steps])
+        .try_for_each(|values| check_finite("a field of Algorithm 1", values))
 }
 
 /// Refuses residuals φ of a state that does not satisfy the rows.

@@ -99,7 +99,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.equations.margin_here(bench, &mut self.placed)
     }
 
-    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::independence`].
+    /// How much each row takes part in what is nearest to a loss of independence; after [`Self::rank_margin`].
     fn weakest_rows(&mut self, bench: &Bench<S, Q, N, R>) -> SVector<f64, R> {
         self.equations.weakest_rows(bench)
     }
@@ -141,7 +141,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         let t1 = bench.state.time + h;
         let (mut q, mut v) = (end.q, end.v);
         self.length = h;
-        if let Remedy::Projection(scale) = &self.remedy {
+        if let Remedy::Projection(scale) = &self.remedy
+            && R > 0
+        {
             self.equations.close(bench, t1, &mut q, scale)?;
             self.equations.project(bench, &mut v);
         }

@@ -108,12 +108,18 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         let tableau = self.tableau;
         let stages = tableau.nodes.iter().zip(tableau.weights);
         let (mut turn, mut q, mut v) = (SVector::zeros(), q0, v0);
-        self.poses.begin();
+        if R > 0 {
+            self.poses.begin();
+        }
         for (stage, (&node, &weight)) in stages.enumerate() {
             let t = t0 + node * h;
             let acceleration = equations.evaluate(bench, t, &q, &v)?;
-            self.poses.note(stage, equations.last);
-            bench.add_works(h * weight, bench.powers(t, &q, &v, &equations.lambda));
+            if R > 0 {
+                self.poses.note(stage, equations.last);
+            }
+            if weight != 0.0 {
+                bench.add_works(h * weight, bench.powers(t, &q, &v, &equations.lambda));
+            }
             unroll::<S, Q, N, R>(&turn, &mut v);
             self.slopes[stage] = [*entries(&v), *entries(&acceleration)];
             self.combine(&self.sums[stage], h, &v0, [&mut turn, &mut v]);
@@ -142,14 +148,14 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
     ) -> Option<f64> {
         let Embedded { stages, factors } = self.embedded.as_ref()?;
-        let slopes: [&[[f64; N]; 2]; MOST] = stages.map(|stage| &self.slopes[stage]);
         let mut sums = [[[0.0; N]; 2]; 2];
         for part in 0..2 {
             for i in 0..N {
                 let mut both = [0.0; 2];
-                for (slope, [one, other]) in slopes.iter().zip(factors) {
-                    both[0] += one * slope[part][i];
-                    both[1] += other * slope[part][i];
+                for (&stage, [one, other]) in stages.iter().zip(factors) {
+                    let slope = self.slopes[stage][part][i];
+                    both[0] += one * slope;
+                    both[1] += other * slope;
                 }
                 [sums[0][part][i], sums[1][part][i]] = both;
             }

@@ -362,7 +362,7 @@ impl<const K: usize> DelassusFactor<K> {
     }
 
     /// The combination of the first `rows` rows, each of unit length, that is nearest to zero, estimated from the
-    /// smallest pivot. Call [`Self::independence`] with the same matrix before.
+    /// smallest pivot. Call [`Self::rank_margin`] with the same matrix before.
     #[cold]
     #[inline(never)]
     pub(crate) fn combination(&self, matrix: &SMatrix<f64, K, K>, rows: usize) -> SVector<f64, K> {

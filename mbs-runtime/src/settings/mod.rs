@@ -86,6 +86,16 @@ impl Method {
         })
     }
 
+    /// Whether steps depend on more of the earlier ones than the state has.
+    pub(crate) fn has_memory(&self) -> bool {
+        match self {
+            Method::Index3Projections(_) | Method::GeneralizedAlpha(_) => true,
+            Method::Bdf(_) | Method::Radau | Method::Rattle => true,
+            Method::Baumgarte(settings) => settings.adaptive.is_some(),
+            _ => false,
+        }
+    }
+
     /// The name on the command line, one of [`Method::NAMES`].
     pub fn name(&self) -> &'static str {
         match self {

@@ -63,6 +63,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let name = S::MODEL.inputs.get(index).map_or("", |input| input.name);
             return Err(SimulationError::Input { name, value });
         }
+        // Of a value that it has already the motion takes no note.
+        if self.system().inputs().get(index) == Some(&value) {
+            return Ok(());
+        }
         let before = self.driving_inputs();
         if let Some(input) = self.integrator.system_mut().inputs_mut().get_mut(index) {
             *input = value;
@@ -79,6 +83,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 name: input.name,
                 value,
             });
+        }
+        if self.system().inputs() == values {
+            return Ok(());
         }
         let before = self.driving_inputs();
         copy(values, self.integrator.system_mut().inputs_mut());

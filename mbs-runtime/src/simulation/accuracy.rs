@@ -20,7 +20,7 @@ use super::choice::Choice;
 use super::trial::{GAIN, Trial};
 use crate::baselines::registry::has_radau;
 use crate::stepper::MakeStepper;
-use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepController, System};
 
 /// Errors of steps add up and grow with the motion's own instability: on the scenes with a reference the largest error was
 /// up to 48 tolerances with steps of the projected method, and 29 with two-level ones.
@@ -124,15 +124,12 @@ where
                 (best, leader) = (radau, beside);
             }
         }
+        let mut simulation = Self::from_state(system, candidates[best], state, assembly, other)?;
         // Long steps of Radau are those after a transient of the beginning.
-        let chosen = match leader.rate.is_finite() && candidates[best].method != Method::Radau {
-            true => Settings {
-                step: leader.step,
-                ..candidates[best]
-            },
-            false => candidates[best],
-        };
-        let mut simulation = Self::from_state(system, chosen, state, assembly, other)?;
+        if leader.rate.is_finite() && candidates[best].method != Method::Radau {
+            simulation.integrator.state_mut().step_controller =
+                StepController::starting(leader.step);
+        }
         let operations = operations.iter().filter(|all| all.is_finite()).sum();
         let start = simulation.time();
         let choice = Choice::new(

@@ -52,6 +52,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match self.integrator.step(h, monitor) {
             Ok(()) => {
                 self.integrator.state_mut().count(start, h);
+                self.books.shortest = self.books.shortest.min(h.abs());
                 self.keep_books(monitor);
                 Ok(())
             }
@@ -81,8 +82,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let ledger = &mut self.integrator.state_mut().ledger;
         ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
         ledger.drive_work += std::mem::take(&mut monitor.drive_work);
-        self.energy_guard
-            .doubt(std::mem::take(&mut monitor.work_doubt));
+        self.books.doubt(std::mem::take(&mut monitor.work_doubt));
         self.balance = self.energy();
         self.books.energy_error = self.books.energy_error.max(self.balance.error.abs());
     }
@@ -109,9 +109,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// After the state was copied back.
     pub(super) fn restore(&mut self, kept: Kept) -> Result<(), SimulationError> {
+        self.put_back(kept);
+        self.integrator.refresh(&self.settings)
+    }
+
+    /// The same after the whole integrator was put back.
+    pub(super) fn put_back(&mut self, kept: Kept) {
         self.books = kept.books;
         (self.rejected, self.placed) = (kept.rejected, kept.placed);
         (self.rank_margin, self.balance) = (kept.rank_margin, kept.balance);
-        self.integrator.refresh(&self.settings)
     }
 }

@@ -5,8 +5,9 @@
 //! themselves do not depend on it.
 
 use super::Simulation;
+use super::fixed_steps::SHORTEST;
 use crate::singular::ROUND_OFF;
-use crate::{AnySimulation, Energy, SimulationError, System};
+use crate::{AnySimulation, Energy, Foreseen, SimulationError, System};
 
 /// An end of a step.
 #[derive(Clone, Copy)]
@@ -46,11 +47,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         while self.time() < time
             && let Some(h) = self.next_step(latest)
         {
-            self.behind.copy_from(self.integrator.state());
+            self.leave_behind();
             self.forward(h, latest - self.time())?;
         }
         self.land(latest);
         Ok(())
+    }
+
+    /// A whole step begins here.
+    pub(super) fn leave_behind(&mut self) {
+        self.behind.copy_from(self.integrator.state());
+        self.books.shortest = f64::INFINITY;
     }
 
     /// Computes the state at an instant of the last step, passes it to the callback, and restores the state.
@@ -76,6 +83,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// # }
     /// ```
     ///
+    /// Methods with a memory besides the state ([`Method::Bdf`](crate::Method::Bdf), `Radau`, generalized α, index-3
+    /// projections) are copied before, which allocates.
+    ///
     /// # Errors
     /// A time that is not in the last step of [`Simulation::run_past`]; otherwise as [`Simulation::step`].
     pub fn look_at(
@@ -93,25 +103,35 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.before.copy_from(self.integrator.state());
         let kept = self.keep();
-        let shown = self.show(time);
+        let with_memory = (self.settings.method.has_memory()).then(|| self.integrator.clone());
+        let longest = self.longest_part();
+        let shown = self.show(time, longest);
         if shown.is_ok() {
             let state = self.integrator.state_mut();
             (state.time, state.clock) = (time, 0.0);
             look(self);
         }
-        self.integrator.state_mut().copy_from(&self.before);
-        self.restore(kept)?;
+        match with_memory {
+            Some(integrator) => {
+                self.integrator = integrator;
+                self.put_back(kept);
+            }
+            None => {
+                self.integrator.state_mut().copy_from(&self.before);
+                self.restore(kept)?;
+            }
+        }
         shown
     }
 
     /// Moves to an instant of the last step, by the first of the ways with enough clearance and a balance like that at the end of
     /// the step, otherwise by the best.
-    fn show(&mut self, time: f64) -> Result<(), SimulationError> {
+    fn show(&mut self, time: f64, longest: f64) -> Result<(), SimulationError> {
         let end = self.balance;
         let mut best = (f64::NEG_INFINITY, WAYS[0]);
         let mut error = None;
         for way in WAYS {
-            match self.approach(time, way) {
+            match self.approach(time, way, longest) {
                 Ok(clearance) => {
                     let imbalance = self.imbalance_since(&end);
                     if clearance >= self.clear() && imbalance <= 1.0 {
@@ -131,7 +151,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         match error {
             Some(error) if best.0 == f64::NEG_INFINITY => Err(error),
-            _ => self.approach(time, best.1).map(drop),
+            _ => self.approach(time, best.1, longest).map(drop),
         }
     }
 
@@ -151,7 +171,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// To an instant of the last step on one of the [`WAYS`]; the least clearance on it.
-    fn approach(&mut self, time: f64, (from, first): (From, f64)) -> Result<f64, SimulationError> {
+    fn approach(
+        &mut self,
+        time: f64,
+        (from, first): (From, f64),
+        longest: f64,
+    ) -> Result<f64, SimulationError> {
         let start = match from {
             From::Begin => &self.behind,
             From::End => &self.before,
@@ -160,19 +185,36 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.state_mut().copy_from(start);
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
-        let clearance = self.reach(first * span)?;
+        let clearance = self.reach(first * span, longest)?;
         match first < 1.0 {
-            true => Ok(self.reach((1.0 - first) * span)?.min(clearance)),
+            true => Ok(self.reach((1.0 - first) * span, longest)?.min(clearance)),
             false => Ok(clearance),
         }
     }
 
-    /// Steps over `span` seconds, negative for back in time, in parts no longer than the step in use; returns the least
-    /// clearance on the way.
-    pub(super) fn reach(&mut self, span: f64) -> Result<f64, SimulationError> {
-        let longest = STRETCH * self.nominal();
-        let parts = (span.abs() / longest).ceil().max(1.0);
+    /// The longest part of the last step that is taken at once, s: those in which it was taken, and hardly more than the step
+    /// in use. A longer one may go another way than the motion.
+    pub(super) fn longest_part(&self) -> f64 {
+        STRETCH * self.nominal().min(self.books.shortest)
+    }
+
+    /// Steps over `span` seconds, negative for back in time, none of them longer than `longest`; returns the least clearance
+    /// on the way.
+    pub(super) fn reach(&mut self, span: f64, longest: f64) -> Result<f64, SimulationError> {
         let mut clearance = f64::INFINITY;
+        if let Some(Foreseen::Turn(rate)) = self.foreseen() {
+            let mut left = span;
+            while left != 0.0 {
+                let resolved = self.resolving(rate).max(SHORTEST * span.abs());
+                let part = resolved.min(longest).copysign(span);
+                let is_last = part.abs() > 0.7 * left.abs();
+                let h = if is_last { left } else { part };
+                clearance = clearance.min(self.advance(h)?);
+                left = if is_last { 0.0 } else { left - h };
+            }
+            return Ok(clearance);
+        }
+        let parts = (span.abs() / longest).ceil().max(1.0);
         for _ in 0..parts as u64 {
             clearance = clearance.min(self.advance(span / parts)?);
         }

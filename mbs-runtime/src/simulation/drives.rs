@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::sink::Discard;
-use crate::{SimulationError, State, System};
+use crate::{SimulationError, State, System, ThreeFields};
 use nalgebra::SVector;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
@@ -32,6 +32,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.system().kinetic_energy(q, v) + self.system().potential_energy(q)
         };
         state.ledger.drive_work += energy(&state) - energy(self.state());
+        // Momenta of the old velocities.
+        state.fields = ThreeFields::default();
         self.integrator.state_mut().copy_from(&state);
         Ok(())
     }

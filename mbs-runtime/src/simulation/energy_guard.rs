@@ -12,6 +12,7 @@
 //! motion, or turned into another branch past a singular pose: it is taken in shorter ones (`placement.rs`). Where a drive
 //! jumps shorter ones do not help, and the step is kept.
 
+use super::books::Books;
 use crate::linear::vector;
 use crate::sink::{Diagonal, Discard};
 use crate::yardstick::Yardstick;
@@ -51,10 +52,6 @@ pub(super) struct EnergyGuard {
     works: f64,
     /// Round-off.
     noise: f64,
-    /// The sum of the squared doubts about the works of forces in the steps so far: their errors have either sign where a
-    /// power oscillates, and are few where a brake stops a part. Their sum would grow with the length of any run until
-    /// nothing is refused.
-    doubt: f64,
     method: Method,
     /// What is accepted in any case, so that most steps compare this only.
     accepted: f64,
@@ -116,7 +113,6 @@ impl EnergyGuard {
             least: f64::INFINITY,
             works: 0.0,
             kinetic: 0.0,
-            doubt: 0.0,
             noise,
         }
     }
@@ -131,20 +127,19 @@ impl EnergyGuard {
         };
     }
 
-    /// Takes note of how far the works of a step may be from those of the forces, J.
-    #[inline]
-    pub(super) fn doubt(&mut self, works: f64) {
-        self.doubt += works * works;
-    }
-
     /// Why the balance is refused, if it is. `before`: its error before the last step.
     #[inline]
-    pub(super) fn refuses(&mut self, energy: &Energy, before: f64) -> Option<Refused> {
+    pub(super) fn refuses(
+        &mut self,
+        energy: &Energy,
+        books: &Books,
+        before: f64,
+    ) -> Option<Refused> {
         if energy.error.abs() <= self.accepted {
             self.note(energy);
             return None;
         }
-        self.judge(energy, before)
+        self.judge(energy, books.doubtful_work(), before)
     }
 
     #[inline(always)]
@@ -160,7 +155,7 @@ impl EnergyGuard {
     }
 
     #[cold]
-    fn judge(&mut self, energy: &Energy, before: f64) -> Option<Refused> {
+    fn judge(&mut self, energy: &Energy, doubtful: f64, before: f64) -> Option<Refused> {
         let initial = energy.kinetic + energy.potential
             - energy.error
             - energy.nonconservative_work
@@ -186,10 +181,10 @@ impl EnergyGuard {
         let refused = Refused {
             available,
             wrong: match strict {
-                true => error > WRONG * available + self.doubt.sqrt(),
+                true => error > WRONG * available + doubtful,
                 false => energy.error > GROSS * (available + initial.abs()),
             },
-            leapt: (self.method == Method::TwoLevel && by > LEAPT * turnover + self.doubt.sqrt())
+            leapt: (self.method == Method::TwoLevel && by > LEAPT * turnover + doubtful)
                 .then_some(by),
         };
         if refused.wrong || refused.leapt.is_some() {

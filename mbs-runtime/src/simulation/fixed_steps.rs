@@ -7,37 +7,53 @@
 use super::Simulation;
 use super::known_poses::{ALIKE, SAME};
 use super::passage::{LEAP, Pose};
-use super::pose::{Foreseen, LastStep, NEAR_AHEAD, Passage};
-use crate::{SimulationError, System};
+use super::pose::{NEAR_AHEAD, Passage};
+use crate::{Foreseen, LastStep, PosesAhead, SimulationError, System};
 
 /// Steps past such a pose, as a part of σ/k.
 const PART: f64 = 0.25;
 /// The shortest of them, as a part of the step.
-const SHORTEST: f64 = 1e-5;
+pub(super) const SHORTEST: f64 = 1e-5;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
     pub(super) fn follow(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let mut step = LastStep {
-            begin: self.time(),
-            ..LastStep::NONE
-        };
-        if let Some(margin) = &self.rank_margin {
-            (step.least, step.dependent) = (margin.least, margin.dependent);
+        // Pairs are looked at as a whole.
+        if self.settings.tolerance.is_some() || !self.is_free() {
+            let length = self.placed(h, left)?;
+            self.watch();
+            return Ok(length);
         }
-        if let Some(Foreseen::Turn(rate)) = self.foreseen {
+        // After an input has changed it is not known.
+        self.rank_margin = self.rank_margin.or_else(|| self.integrator.rank_margin());
+        let begin = self.time();
+        let margin = self
+            .rank_margin
+            .map(|margin| (margin.least, margin.dependent));
+        let PosesAhead {
+            last_step,
+            foreseen,
+        } = self.state().poses_ahead;
+        if let Some(Foreseen::Turn(rate)) = foreseen {
             if self.resolving(rate) < h && self.turn_past(h, rate)? {
                 return Ok(h);
             }
-            self.foreseen = None;
+            self.foresee(None);
         }
         let length = self.placed(h, left)?;
-        let now = self.rank_margin.as_ref().map_or(f64::NAN, |now| now.least);
-        if self.last_step.suspects(length, step.least, now) && self.corrects(&step, length)? {
+        let step = margin.map(|(least, dependent)| LastStep {
+            begin,
+            length,
+            least,
+            dependent,
+        });
+        if let (Some(last), Some(step), Some(now)) = (last_step, step, self.rank_margin)
+            && last.suspects(length, step.least, now.least)
+            && self.corrects(&last, &step)?
+        {
             return Ok(length);
         }
-        step.length = length;
-        self.last_step = step;
+        self.integrator.state_mut().poses_ahead.last_step = step;
         self.watch();
         Ok(length)
     }
@@ -45,12 +61,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Replaces the last step by short ones if it leaps over a pose that is nearly singular; whether it does.
     #[cold]
     #[inline(never)]
-    fn corrects(&mut self, step: &LastStep, length: f64) -> Result<bool, SimulationError> {
-        // Pairs are looked at as a whole.
-        if self.settings.tolerance.is_some() || !self.is_free() {
-            return Ok(false);
-        }
-        let last = self.last_step;
+    fn corrects(&mut self, last: &LastStep, step: &LastStep) -> Result<bool, SimulationError> {
+        let length = step.length;
         // The end of a run removes the rounding of its sum of steps from the clock.
         let apart = (step.begin - last.begin - last.length).abs();
         let follows = apart <= 1e-6 * length && last.length > 0.0;
@@ -61,13 +73,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if !follows || !self.leapt(&passage)? {
             return Ok(false);
         }
-        let Some(Foreseen::Turn(rate)) = self.foreseen else {
+        let Some(Foreseen::Turn(rate)) = self.foreseen() else {
             return Ok(false);
         };
         self.back()?;
         self.rejected += 1;
         if !self.turn_past(length, rate)? {
-            self.foreseen = None;
+            self.foresee(None);
             self.advance(length)?;
             self.watch();
         }
@@ -97,7 +109,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let [first, second] = passage.steps;
         let length = first + second;
         let time = self.time() - length + pose;
-        if let Some(Foreseen::Singular(known)) = self.foreseen
+        if let Some(Foreseen::Singular(known)) = self.foreseen()
             && (time - known).abs() < second
         {
             return Ok(Some(false));
@@ -129,11 +141,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let [_, _, end] = passage.margins;
         Ok(match found? {
             Pose::Turn { least, rate } if PART * least < rate * second => {
-                self.foreseen = Some(Foreseen::Turn(rate));
+                self.foresee(Some(Foreseen::Turn(rate)));
                 Some(behind || end.least < LEAP * least)
             }
             Pose::Singular => {
-                self.foreseen = Some(Foreseen::Singular(time));
+                self.foresee(Some(Foreseen::Singular(time)));
                 Some(false)
             }
             Pose::Turn { .. } => Some(false),
@@ -146,9 +158,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     #[inline(never)]
     fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
-        self.last_step = LastStep::NONE;
+        self.integrator.state_mut().poses_ahead.last_step = None;
         self.before.copy_motion_from(self.integrator.state());
         self.started = self.books;
+        // `reach` finds short steps past such a pose by itself.
+        let shortest = self.books.shortest;
         let mut left = span;
         while left > 0.0 {
             let h = self.resolving(rate).max(SHORTEST * span);
@@ -165,11 +179,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             left = if last { 0.0 } else { left - h };
         }
+        self.books.shortest = shortest;
         Ok(true)
     }
 
+    /// The pose that is near.
+    pub(super) fn foreseen(&self) -> Option<Foreseen> {
+        self.state().poses_ahead.foreseen
+    }
+
+    fn foresee(&mut self, pose: Option<Foreseen>) {
+        self.integrator.state_mut().poses_ahead.foreseen = pose;
+    }
+
     /// The step that resolves the motion where σ changes at this rate, s.
-    fn resolving(&mut self, rate: f64) -> f64 {
+    pub(super) fn resolving(&mut self, rate: f64) -> f64 {
         PART * self.margin().least / rate
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Simulation;
 use crate::assembly::refit;
-use crate::{AssemblyVerdict, Mechanism, SimulationError, State, System};
+use crate::{AssemblyVerdict, Mechanism, PosesAhead, SimulationError, State, System, ThreeFields};
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Goes on from the current instant with other parameters:
@@ -44,6 +44,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let before = self.state();
         let mut state = before.clone();
         state.forget_factors();
+        // Momenta of the old masses.
+        state.fields = ThreeFields::default();
+        state.poses_ahead = PosesAhead::default();
         let verdict = refit(&system, &self.settings, &mut state)?;
         state.ledger.nonconservative_work +=
             energy(&system, &state) - energy(self.system(), before);

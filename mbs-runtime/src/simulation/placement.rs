@@ -33,7 +33,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let before = self.balance.error;
         let length = self.follow(h, left)?;
-        match self.energy_guard.refuses(&self.balance, before) {
+        match self
+            .energy_guard
+            .refuses(&self.balance, &self.books, before)
+        {
             None => Ok(length),
             Some(refused) => self.take_in_parts(h, left, (length, refused), before),
         }
@@ -61,7 +64,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 self.back()?;
                 self.rejected += 1;
                 let shorter = self.follow(part, left)?;
-                if self.energy_guard.refuses(&self.balance, before).is_none() {
+                let refused = (self.energy_guard).refuses(&self.balance, &self.books, before);
+                if refused.is_none() {
                     return Ok(shorter);
                 }
             }

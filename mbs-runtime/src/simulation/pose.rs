@@ -6,6 +6,7 @@
 //!
 //! with g = 0 at a singular pose.
 
+use crate::LastStep;
 use crate::singular::RankMargin;
 
 /// σ at the ends of steps past a known singular pose, at least, for an embedded estimate to be believed, and of a pair of Radau.
@@ -16,15 +17,6 @@ const AHEAD: f64 = 1.5;
 pub(super) const NEAR_AHEAD: f64 = 6.0;
 const NEAR: f64 = 0.02;
 
-/// What the steps before a pose have told of it.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Foreseen {
-    /// A singular pose at this time, s.
-    Singular(f64),
-    /// A pose that is nearly singular, with the rate k of σ, 1/s.
-    Turn(f64),
-}
-
 /// The lengths of the two steps of a pair, and the rank margins at their ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passage {
@@ -32,25 +24,7 @@ pub(super) struct Passage {
     pub(super) margins: [RankMargin; 3],
 }
 
-/// When the step before the next one began, and its length, s.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct LastStep {
-    pub(super) begin: f64,
-    pub(super) length: f64,
-    /// [`RankMargin::least`] and [`RankMargin::dependent`] where it began.
-    pub(super) least: f64,
-    pub(super) dependent: u32,
-}
-
 impl LastStep {
-    /// It is not known, and foresees nothing.
-    pub(super) const NONE: Self = LastStep {
-        begin: f64::NAN,
-        length: f64::NAN,
-        least: f64::NAN,
-        dependent: 0,
-    };
-
     /// The rank margin where it began.
     pub(super) fn margin(&self) -> RankMargin {
         RankMargin {

@@ -44,6 +44,8 @@ const LEAST_GAUGE: f64 = 0.02;
 const TELLING: f64 = 1e-3;
 /// An excess below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
+/// s. At rest steps grow without end; with longer ones products of them overflow.
+const LONGEST: f64 = 1e18;
 
 /// How much longer a step could be with this error, as a power of 2^¼.
 pub(super) fn notches(order: u8, excess: f64) -> f64 {
@@ -52,7 +54,8 @@ pub(super) fn notches(order: u8, excess: f64) -> f64 {
 
 /// log₂ of the difficulty d of the motion: with order p the excess of steps of h is d hᵖ.
 fn difficulty(order: u8, h: f64, excess: f64) -> f64 {
-    (excess.max(ROUND_OFF) / h.powi(i32::from(order))).log2()
+    // Powers of a step may overflow or vanish.
+    excess.max(ROUND_OFF).log2() - f64::from(order) * h.log2()
 }
 
 /// How lengths follow the motion.
@@ -70,7 +73,7 @@ impl StepController {
     /// Before the first comparison.
     pub(super) fn starting(step: f64) -> Self {
         StepController {
-            step,
+            step: step.min(LONGEST),
             eager: true,
             allowed: LEAP,
             patience: PATIENCE[0],
@@ -122,7 +125,7 @@ impl StepController {
         self.quiet += 1;
         self.allowed = self.allowed.min(notches - 1.0);
         if self.eager || self.quiet >= self.patience {
-            self.step *= (self.allowed / NOTCHES).exp2();
+            self.step = LONGEST.min(self.step * (self.allowed / NOTCHES).exp2());
             self.gauge = 0.0;
             if std::mem::replace(&mut self.raised, !self.eager) {
                 self.patience = (self.patience / 2).max(PATIENCE[0]);
@@ -160,7 +163,7 @@ impl StepController {
         let factor = (wanted.exp2() / h).clamp(FACTORS[0], most);
         self.difficulty = Some(known);
         let is_same = pace == Pace::Kept && (SAME[0]..SAME[1]).contains(&factor);
-        self.step = if is_same { h } else { h * factor };
+        self.step = if is_same { h } else { LONGEST.min(h * factor) };
         self.eager &= factor == EAGER;
     }
 

@@ -31,7 +31,7 @@ use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG, notches};
 use crate::linear::vector;
 use crate::singular::{ROUND_OFF, RankMargin};
-use crate::{Energy, Method, SimulationError, StepController, System};
+use crate::{Energy, ErrorOf, Method, SimulationError, StepController, System};
 use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
@@ -75,7 +75,7 @@ const BALANCED: f64 = 0.02;
 const TURNED: f64 = 0.5;
 /// … unless it moves less than this, in sizes and radians: where a drive jumps the balance is wrong in any step.
 const NEARBY: f64 = 0.002;
-/// Steps shorter than this part of the first one are not tried.
+/// Steps shorter than this part of the first one that may be tried are not.
 const SHORTEST: f64 = 1e-9;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
 const PACED: f64 = 1e-5;
@@ -84,8 +84,8 @@ const PACED: f64 = 1e-5;
 struct Found {
     /// The ratio of the error to the allowed error; NaN if singular poses prevent the estimate.
     excess: f64,
-    /// The velocity whose coordinate is worst.
-    worst: usize,
+    /// What has this excess.
+    of: ErrorOf,
     /// Sizes and radians a second.
     speed: f64,
     /// Whether the pair had its two equal steps.
@@ -126,6 +126,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.pair.copy_from(self.integrator.state());
         let margin = self.margin();
         let (mut sidestep, mut attempts, mut reach) = (0, 0, 0.0);
+        let clock = 1e-13 * self.pair.time.abs();
+        let shortest = clock.max(SHORTEST * self.settings.step.min(0.5 * left));
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
@@ -145,11 +147,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let (excess, is_embedded, error) = match found {
                 Ok(mut found) => {
                     if found.excess <= 1.0 && self.leaps(&found.passage)? {
-                        found.excess = TOO_LONG;
+                        (found.excess, found.of) = (TOO_LONG, ErrorOf::Branch);
                     }
                     if found.excess <= 1.0 {
                         let imbalance = self.imbalance(tolerance, &balance, &found);
-                        found.excess = found.excess.max(imbalance);
+                        if imbalance > found.excess {
+                            (found.excess, found.of) = (imbalance, ErrorOf::Balance);
+                        }
                     }
                     if found.excess <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
@@ -164,13 +168,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         self.integrator.state_mut().step_controller = step_controller;
                         return Ok(found.passage);
                     }
-                    let velocity = S::MODEL.velocities.get(found.worst);
                     let error = SimulationError::Tolerance {
                         time: self.pair.time,
                         step: h,
                         tolerance,
                         times: found.excess,
-                        velocity: velocity.map_or("", |velocity| velocity.name),
+                        of: found.of,
                     };
                     (found.excess, found.is_embedded, error)
                 }
@@ -192,10 +195,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 false => step_controller.shorten(h, notches(order, excess)),
             }
             attempts += 1;
-            let clock = 1e-13 * self.pair.time.abs();
-            if !(step_controller.step > SHORTEST * self.settings.step
-                && step_controller.step > clock)
-            {
+            if !(step_controller.step > shortest) {
                 return Err(error);
             }
         }
@@ -216,7 +216,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let middle = self.margin();
         let mut found = Found {
             excess: f64::NAN,
-            worst: 0,
+            of: ErrorOf::Motion,
             speed: 0.0,
             even: first == h,
             gauge: None,
@@ -305,7 +305,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 (excess, worst) = (own / ratio, state);
             }
             if excess <= 1.0 || last || !(clearance < self.clear()) {
-                (found.excess, found.worst) = (excess, worst);
+                found.excess = excess;
+                let worst = S::MODEL.velocities.get(worst);
+                found.of = worst.map_or(ErrorOf::Motion, |worst| ErrorOf::Velocity(worst.name));
                 let error = match self.follows() {
                     true => apart / ratio,
                     false => excess.max(TOO_SMALL) * allowed,

@@ -149,7 +149,11 @@ pub enum Expects {
     Moving(Dimension),
     /// A scalar of any dimension that may change with time, state and inputs.
     MovingAny,
-    /// The same, where the direction of a bar does for its angle.
+    /// A scalar of any dimension, of time, parameters and inputs.
+    ScheduledAny,
+    /// A scalar of any dimension, of positions, parameters and time.
+    HolonomicAny,
+    /// A scalar of any dimension, of positions or velocities; the direction of a bar does for its angle.
     Driven,
     /// A vector that may change with time, state and inputs.
     MovingVector(Dimension),

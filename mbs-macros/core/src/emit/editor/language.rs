@@ -321,7 +321,7 @@ pub fn sqrt(x: f64) -> f64 { loop {} }
 pub fn abs(x: f64) -> f64 { loop {} }
 /// −1, 0 or 1.
 pub fn sign(x: f64) -> f64 { loop {} }
-/// 0 below 0, else 1.
+/// 1 above 0, else 0.
 pub fn step(x: f64) -> f64 { loop {} }
 /// Angle of the vector (x, y), rad.
 pub fn atan2(y: f64, x: f64) -> f64 { loop {} }

@@ -13,13 +13,13 @@ pub(super) const KIND: JointKind = JointKind {
         fields: &[
             positional(
                 "first",
-                Expects::MovingAny,
+                Expects::HolonomicAny,
                 Absent::Required,
-                "a scalar expression of the positions",
+                "the expression that leads",
             ),
             positional(
                 "second",
-                Expects::MovingAny,
+                Expects::HolonomicAny,
                 Absent::Required,
                 "the expression that follows: second = ratio · first + offset",
             ),

@@ -1,0 +1,67 @@
+//! A mechanism at rest allows steps of any length: they stay finite, and an input ends the rest.
+
+use mbs_runtime::{Method, Settings, Simulation, mechanism};
+
+mechanism!(Balance {
+    world: Planar(),
+    push: Input(unit = N),
+    cart: Particle(mass = 1.0_kg, at = [1.0_m, 0.0_m]),
+    spring: SpringDamper(
+        ground.origin,
+        cart.origin,
+        stiffness = 1.0_kN_per_m,
+        length = 1.0_m
+    ),
+    force: Force(on = cart.origin, value = [push, 0.0]),
+});
+
+mechanism!(Arm {
+    world: Planar(),
+    torque: Input(unit = Nm),
+    crank: Bar(mass = 1.0_kg, length = 0.15_m, angle = 60.0_deg),
+    rod: Bar(mass = 0.5_kg, length = 0.4_m, angle = -20.0_deg),
+    main_bearing: Revolute(ground.origin, crank.a),
+    crank_pin: Revolute(crank.b, rod.a),
+    liner: PointOnLine(rod.b, ground.origin, axis = X),
+    motor: Torque(on = crank, value = torque),
+});
+
+/// The constructor did not return: one candidate ran to where the steps of the other one had grown.
+#[test]
+fn an_accuracy_is_found() {
+    for accuracy in [1e-3, 1e-6, 1e-9] {
+        let mut balance = Simulation::with_accuracy(Balance::default(), accuracy).unwrap();
+        balance.set_input("push", 1.0).unwrap();
+        balance.run_until(1.0).unwrap();
+        let frequency = 1000f64.sqrt();
+        let moved = 1e-3 * (1.0 - frequency.cos());
+        let error = (balance.positions()[0] - 1.0 - moved).abs();
+        println!("{accuracy:e}: {error:e}, {:?}", balance.report());
+        assert!(error < accuracy, "{accuracy:e}: {error:e}");
+
+        let mut arm = Simulation::with_accuracy(Arm::default(), accuracy).unwrap();
+        arm.run_until(5.0).unwrap();
+        arm.set_input("torque", 0.1).unwrap();
+        arm.run_until(6.0).unwrap();
+        assert!(arm.report().energy_error < 1.0);
+        assert!(arm.velocities().amax() > 0.1);
+    }
+}
+
+/// Steps doubled until products of them overflowed; a later one then did not end.
+#[test]
+fn steps_without_an_end() {
+    for (method, order) in [(Method::Projected, 8), (Method::TwoLevel, 8)] {
+        let settings = Settings {
+            method,
+            order,
+            ..Settings::for_tolerance(1e-6)
+        };
+        let mut balance = Simulation::with_any_method(Balance::default(), settings).unwrap();
+        for _ in 0..3000 {
+            balance.step().unwrap();
+        }
+        assert!(balance.time().is_finite());
+        assert!(balance.time() > 1e18, "{}", balance.time());
+    }
+}

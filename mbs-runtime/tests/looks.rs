@@ -1,0 +1,106 @@
+//! Looks at instants of the last step change nothing of the motion.
+
+use mbs_runtime::{Method, Settings, Simulation, SimulationError, mechanism};
+
+mechanism!(SliderCrank {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    crank: Bar(
+        mass = 1.0_kg,
+        length = 0.15_m,
+        angle = 60.0_deg,
+        rate = 2.0_rad_per_s
+    ),
+    rod: Bar(mass = 0.5_kg, length = 0.4_m, angle = -20.0_deg),
+    main_bearing: Revolute(ground.origin, crank.a),
+    crank_pin: Revolute(crank.b, rod.a),
+    liner: PointOnLine(rod.b, ground.origin, axis = X),
+    brake: TorsionSpring(ground, crank, damping = 0.05_N_m_s),
+});
+
+/// Multistep methods began anew after each look, and Radau forgot its factors: 618 steps instead of 612.
+#[test]
+fn the_motion_of_every_method_is_the_same() {
+    for (name, tolerance, order) in [
+        ("two-level", None, 4),
+        ("two-level", Some(1e-6), 8),
+        ("projected", Some(1e-6), 8),
+        ("radau", Some(1e-6), 2),
+        ("bdf", None, 2),
+        ("generalized-alpha", None, 2),
+        ("index3-projections", None, 2),
+        ("rattle", None, 2),
+        ("baumgarte", None, 4),
+    ] {
+        let Some(method) = Method::by_name(name) else {
+            panic!("{name}");
+        };
+        let settings = Settings {
+            method,
+            tolerance,
+            order,
+            step: 5e-3,
+            ..Settings::default()
+        };
+        let Ok(mut alone) = Simulation::with_any_method(SliderCrank::default(), settings) else {
+            // RATTLE has no forces of velocity.
+            assert_eq!(name, "rattle");
+            continue;
+        };
+        let mut seen = alone.clone();
+        for instant in 1..=200 {
+            let time = 0.005 * f64::from(instant);
+            alone.run_past(time, 1.0).unwrap();
+            seen.run_past(time, 1.0).unwrap();
+            seen.look_at(time, &mut |_| ()).unwrap();
+            let between = time - 0.3 * 0.005;
+            let _ = seen.look_at(between, &mut |_| ());
+        }
+        let steps = [&alone, &seen].map(|simulation| simulation.report().steps);
+        assert_eq!(steps[0], steps[1], "{name}");
+        let apart = (alone.positions() - seen.positions()).amax();
+        println!("{name}: {apart:e}");
+        assert_eq!(apart, 0.0, "{name}");
+    }
+}
+
+mechanism!(Bob {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    bob: Particle(mass = 1.0_kg, at = [1.5_m, 0.0]),
+    spring: SpringDamper(
+        ground.origin,
+        bob.origin,
+        stiffness = 1e6_N_per_m,
+        length = 1.0_m
+    ),
+    shake: Force(
+        on = bob.origin,
+        value = [3000.0_N * sin(10.0_per_s * t), 0.0]
+    ),
+});
+
+/// Steps that are much too long for the spring are refused by their energy balance. The doubts about works of looks counted
+/// as those of the motion: with enough looks no step was refused.
+#[test]
+fn the_energy_guard_sees_the_motion_alone() {
+    let end = |looks: u32| -> Result<(), SimulationError> {
+        let step = 1e-2;
+        let settings = Settings {
+            step,
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::with_settings(Bob::default(), settings)?;
+        while simulation.time() < 1.0 {
+            let before = simulation.time();
+            simulation.run_past(before + step, before + step)?;
+            let length = simulation.time() - before;
+            for look in 0..looks {
+                let part = (f64::from(look) + 0.5) / f64::from(looks);
+                let _ = simulation.look_at(before + part * length, &mut |_| ());
+            }
+        }
+        Ok(())
+    };
+    let alone = end(0);
+    assert!(alone.is_err());
+    assert_eq!(end(3000), alone);
+}
