@@ -83,6 +83,13 @@ pub enum SimulationError {
         /// Its residual.
         residual: f64,
     },
+    /// No velocities satisfy the rows of the start: rows on velocities, or the rates of driven rows, contradict each other.
+    Contradiction {
+        /// The row that is farthest from satisfied.
+        row: &'static str,
+        /// What is left of its rate, in its unit a second.
+        rate: f64,
+    },
     /// A declaration that holds initial values, for a simulation that cannot.
     HeldStart {
         /// The first of them.
@@ -337,6 +344,10 @@ impl fmt::Display for SimulationError {
             NotAssembled { row, residual } => write!(
                 out,
                 "the mechanism cannot be assembled near its declared guess; `{row}` is off most (residual {residual:.3e}); check the lengths in this joint, or start from a closer guess"
+            ),
+            Contradiction { row, rate } => write!(
+                out,
+                "no velocities satisfy `{row}` and the other rows at the start: a rate of {rate:.3e} is left; leave this row out, or make its rate agree with those of the others"
             ),
             HeldStart { name } => write!(
                 out,

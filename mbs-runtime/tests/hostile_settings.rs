@@ -171,3 +171,52 @@ fn states_that_are_not_finite_are_refused() {
         assert!(refused, "change {index}");
     }
 }
+
+mechanism!(Contradicted {
+    world: Planar(),
+    fast: Param(2.0_rad_per_s),
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    first: Drive(bar.angle, value = t * 1.0_rad_per_s),
+    second: Drive(bar.angle, value = t * fast),
+});
+
+mechanism!(Infinite {
+    world: Planar(),
+    way: Param(0.0_m),
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, bar.a),
+    coil: TorsionSpring(ground, bar, stiffness = 1.0_N_m * 1.0_m / way),
+});
+
+mechanism!(Falling {
+    world: Planar(gravity = [0.0, -pull]),
+    pull: Param(1e308_m_per_s2),
+    stone: Particle(mass = 1.0_kg, at = [0.0_m, 0.0_m], free = true),
+});
+
+/// The start was accepted, and the first step asked for a smaller step, which does not help.
+#[test]
+fn contradictions_of_velocities_are_named() {
+    let error = Simulation::new(Contradicted::default()).unwrap_err();
+    let SimulationError::Contradiction { row, rate } = &error else {
+        panic!("{error}");
+    };
+    assert!(["first", "second"].contains(row), "{error}");
+    assert!(rate.abs() > 0.4, "{error}");
+    let agreed = Contradicted { fast: 1.0 };
+    Simulation::new(agreed).unwrap().run_until(0.1).unwrap();
+}
+
+#[test]
+fn what_is_not_finite_is_refused() {
+    let error = Simulation::new(Infinite::default()).unwrap_err();
+    assert!(matches!(error, SimulationError::Guess { .. }), "{error}");
+    for settings in [Settings::default(), Settings::for_tolerance(1e-6)] {
+        let stone = Simulation::with_settings(Falling::default(), settings);
+        let error = stone
+            .and_then(|mut stone| stone.run_until(2.0))
+            .unwrap_err();
+        println!("{error}");
+    }
+}

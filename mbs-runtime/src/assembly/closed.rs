@@ -1,6 +1,8 @@
 //! The start of a simulation without lists: of rows, of coordinates that were moved, of values that are held.
 
-use super::guess::{check_guess, check_rates, check_rows, check_state, unit_rotations};
+use super::guess::{
+    check_guess, check_rates, check_rows, check_start, check_state, unit_rotations,
+};
 use super::newton::{ASSEMBLED, close, project};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::row_scale::RowScale;
@@ -43,6 +45,8 @@ pub(crate) fn closed<S: System<Q, N, R>, const Q: usize, const N: usize, const R
     }
     let speed = yardstick.measure(&v);
     project(system, &geometry, &mut v, &scale, speed);
+    let rates = (&geometry.velocity_rows(system, &v), &geometry.b);
+    check_start(system, (&q, &v), rates, (&scale, &yardstick), settings)?;
     Ok(State::new(0.0, q, v))
 }
 

@@ -1,6 +1,8 @@
 //! What a guess or a state has to be before its rows are closed: finite, with unit quaternions.
 
+use crate::linear::largest;
 use crate::row_scale::RowScale;
+use crate::yardstick::Yardstick;
 use crate::{
     Coordinate, Model, Settings, SimulationError, State, StepController, System, ThreeFields,
 };
@@ -107,6 +109,39 @@ pub(crate) fn check_rates<const R: usize>(
         }
     }
     Ok(())
+}
+
+/// Refuses a start whose velocities, the nearest ones, leave rates of the rows, or whose forces or energies are not finite.
+pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+    (rates, prescribed): (&SVector<f64, R>, &SVector<f64, R>),
+    (scale, yardstick): (&RowScale<R>, &Yardstick<Q, N>),
+    settings: &Settings,
+) -> Result<(), SimulationError> {
+    let mut forces = SVector::zeros();
+    system.applied_forces(0.0, q, v, &mut forces);
+    let force = largest(&forces);
+    for (what, value) in [
+        ("a force", force),
+        ("the potential energy", system.potential_energy(q)),
+        ("the kinetic energy", system.kinetic_energy(q, v)),
+    ] {
+        if !value.is_finite() {
+            return Err(SimulationError::Guess { what, value });
+        }
+    }
+    let speed = yardstick.measure(v).max(scale.displacement(prescribed));
+    let allowed = (RESUMABLE * speed).max(settings.constraint_tolerance / settings.step);
+    let off = |i: &usize| scale.displacement_of(*i, rates[*i]);
+    let worst = (0..R).max_by(|i, j| off(i).total_cmp(&off(j)));
+    match worst.filter(|i| !(off(i) <= allowed)) {
+        Some(i) => Err(SimulationError::Contradiction {
+            row: S::MODEL.rows.get(i).map_or("unnamed row", |row| row.name),
+            rate: rates[i],
+        }),
+        None => Ok(()),
+    }
 }
 
 /// q with unit quaternions; refused where one is zero.

@@ -2,7 +2,7 @@
 
 use super::changes;
 use super::conditions::{self, Wanted};
-use super::guess::{check_guess, check_rows, check_state, unit_rotations};
+use super::guess::{check_guess, check_rows, check_start, check_state, unit_rotations};
 use super::held::Start;
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
@@ -108,6 +108,8 @@ pub(crate) fn assemble<
         let moving = set_in_motion(&start, &geometry, &q, [&declared, &v]).map_err(fault)?;
         v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
     }
+    let rates = (&geometry.velocity_rows(system, &v), &geometry.b);
+    check_start(system, (&q, &v), rates, (&scale, &yardstick), settings)?;
     verdict.changes = moved::<S, Q, N, R>([&guess, &q], [&declared, &v], yardstick.length);
     Ok((State::new(0.0, q, v), verdict))
 }

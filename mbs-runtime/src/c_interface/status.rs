@@ -54,9 +54,11 @@ impl From<SimulationError> for Failure {
     fn from(error: SimulationError) -> Self {
         use SimulationError as E;
         let status = match error {
-            E::Assembly(_) | E::NotAssembled { .. } | E::Held { .. } | E::HeldStart { .. } => {
-                Status::Assembly
-            }
+            E::Assembly(_)
+            | E::NotAssembled { .. }
+            | E::Contradiction { .. }
+            | E::Held { .. }
+            | E::HeldStart { .. } => Status::Assembly,
             E::Parameter(_)
             | E::UnknownName(_)
             | E::Setting { .. }

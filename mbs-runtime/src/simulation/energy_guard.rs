@@ -181,8 +181,9 @@ impl EnergyGuard {
         let refused = Refused {
             available,
             wrong: match strict {
-                true => error > WRONG * available + doubtful,
-                false => energy.error > GROSS * (available + initial.abs()),
+                // NaN is wrong, too.
+                true => !(error <= WRONG * available + doubtful),
+                false => !(energy.error <= GROSS * (available + initial.abs())),
             },
             leapt: (self.method == Method::TwoLevel && by > LEAPT * turnover + doubtful)
                 .then_some(by),

@@ -53,6 +53,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (mut length, refused): (f64, Refused),
         before: f64,
     ) -> Result<f64, SimulationError> {
+        if !self.balance.error.is_finite() {
+            let (time, what) = (self.time() - length, "energy");
+            return Err(SimulationError::NonFinite { time, what });
+        }
         let free = self.is_free() && self.settings.tolerance.is_none();
         if refused
             .leapt
