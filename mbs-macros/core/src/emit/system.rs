@@ -52,7 +52,9 @@ pub(super) fn emit(
         quote! {
             #[inline]
             fn #function(arguments: [f64; #count]) -> (f64, [f64; #count]) {
-                #path(arguments)
+                // Another signature is an error at the path.
+                let law: fn([f64; #count]) -> (f64, [f64; #count]) = #path;
+                law(arguments)
             }
         }
     });
