@@ -29,7 +29,7 @@ pub(crate) struct ConstraintGeometry<
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     ConstraintGeometry<S, Q, N, R>
 {
-    /// A node with the metric at q and all arrays clear.
+    /// The metric at q, with all arrays clear.
     ///
     /// Allocated on the heap, in a separate function, because large systems would overflow small stacks.
     #[inline(never)]

@@ -2,6 +2,16 @@
 
 use crate::{Energy, State, System};
 
+/// T + V.
+#[cfg(feature = "std")]
+pub(crate) fn total<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    state: &State<Q, N, R>,
+) -> f64 {
+    let (q, v) = (&state.positions, &state.velocities);
+    system.kinetic_energy(q, v) + system.potential_energy(q)
+}
+
 /// T, V and works; their balance is zero for the exact motion.
 pub(crate) fn balance<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,

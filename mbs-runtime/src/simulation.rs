@@ -6,12 +6,14 @@ mod advance;
 mod any;
 mod books;
 mod choice;
+mod comparison;
 mod debug;
 mod dense;
 mod drives;
 mod energy_guard;
 mod fixed_steps;
 mod hermite;
+mod imbalance;
 mod known_poses;
 mod names;
 mod parameters;
@@ -82,14 +84,16 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     energy_guard: EnergyGuard,
     /// Singular poses passed.
     singularities: SingularityDetector,
-    /// The state before the step that is being tried.
-    before: Box<State<Q, N, R>>,
-    /// The state before the last whole step, for `look_at`; its time is infinite if there is none.
-    behind: Box<State<Q, N, R>>,
-    /// The state before the steps that are compared.
-    pair: Box<State<Q, N, R>>,
-    /// The books before the step that is being tried.
-    started: Books,
+    /// Where the step that is being tried begins, …
+    step_start: Box<State<Q, N, R>>,
+    /// … and the books there.
+    books_at_step_start: Books,
+    /// Where the last whole step began, for `look_at`; its time is infinite if there is none.
+    last_step_start: Box<State<Q, N, R>>,
+    /// Where the pair of steps that is looked at begins, …
+    pair_start: Box<State<Q, N, R>>,
+    /// … and its end, while other steps are taken.
+    pair_end: Box<State<Q, N, R>>,
     /// Singular poses that have been looked at.
     known_poses: KnownPoses<Q>,
     yardstick: Box<Yardstick<Q, N>>,
@@ -254,9 +258,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let is_at_rest = yardstick.measure(velocities) <= imperceptible;
         let rest = is_at_rest.then_some(*time);
         let mut simulation = Simulation {
-            before: Box::new(integrator.state().with_same_room()),
-            pair: Box::new(integrator.state().with_same_room()),
-            behind: Box::new(State {
+            step_start: Box::new(integrator.state().with_same_room()),
+            pair_start: Box::new(integrator.state().with_same_room()),
+            pair_end: Box::new(integrator.state().with_same_room()),
+            last_step_start: Box::new(State {
                 time: f64::INFINITY,
                 ..integrator.state().with_same_room()
             }),
@@ -278,7 +283,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             rejected: 0,
             placed: 0,
             rank_margin: None,
-            started: Books::EMPTY,
+            books_at_step_start: Books::EMPTY,
             known_poses,
             is_estimated,
             singularities: SingularityDetector::new(rest),
@@ -287,9 +292,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         simulation.take_stock();
         if simulation.state().ledger.initial.is_none() {
-            let energy = simulation.energy();
-            let ledger = &mut simulation.integrator.state_mut().ledger;
-            ledger.initial = Some(energy.kinetic + energy.potential);
+            let total = crate::energy::total(simulation.system(), simulation.state());
+            simulation.integrator.state_mut().ledger.initial = Some(total);
         }
         simulation.balance = simulation.energy();
         simulation.energy_guard.note(&simulation.balance);

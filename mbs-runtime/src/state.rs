@@ -261,14 +261,14 @@ pub struct StepController {
     /// Whether the last change was to a longer step.
     pub raised: bool,
     /// Whether the first step length has not been found yet.
-    pub eager: bool,
+    pub searching: bool,
     /// The greatest speed so far, in sizes of the mechanism and radians a second.
     pub speed: f64,
     /// The error of a pair by comparison, as a multiple of the estimate by an embedded method; zero: not known.
-    pub gauge: f64,
+    pub estimate_factor: f64,
     /// Pairs since the last comparison.
-    pub unseen: u32,
-    /// log₂ of what the excess of the last pair by an embedded method would be with steps of a second.
+    pub pairs_since_comparison: u32,
+    /// log₂ of what the error ratio of the last pair by an embedded method would be with steps of a second.
     #[cfg_attr(feature = "serde", serde(default))]
     pub difficulty: Option<f64>,
 }

@@ -158,7 +158,7 @@ fn states_that_are_not_finite_are_refused() {
         |state| state.ledger.nonconservative_work = f64::NAN,
         |state| state.ledger.initial = Some(f64::INFINITY),
         |state| state.step_controller.step = -1e-3,
-        |state| state.step_controller.gauge = f64::NAN,
+        |state| state.step_controller.estimate_factor = f64::NAN,
         |state| state.step_controller.difficulty = Some(f64::NAN),
         |state| state.fields.momentum[0] = f64::NAN,
         |state| state.multipliers[0] = f64::NAN,

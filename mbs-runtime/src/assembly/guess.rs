@@ -45,11 +45,14 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
 
 fn check_controller(controller: &StepController) -> Result<(), SimulationError> {
     let StepController { step, allowed, .. } = *controller;
-    let (speed, gauge) = (controller.speed, controller.gauge);
+    let (speed, estimate_factor) = (controller.speed, controller.estimate_factor);
     let what = "the step controller";
-    check_finite(what, &[step, allowed, speed, gauge])?;
+    check_finite(what, &[step, allowed, speed, estimate_factor])?;
     check_finite(what, controller.difficulty.as_slice())?;
-    match [step, speed, gauge].into_iter().find(|value| *value < 0.0) {
+    match [step, speed, estimate_factor]
+        .into_iter()
+        .find(|value| *value < 0.0)
+    {
         Some(value) => Err(SimulationError::State { what, value }),
         None => Ok(()),
     }

@@ -15,9 +15,9 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,
     pub(crate) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
-    /// φ at `node`.
+    /// φ at `geometry`.
     pub(crate) phi: SVector<f64, R>,
-    /// Whether `node` and `phi` are those of `state`.
+    /// Whether `geometry` and `phi` are those of `state`.
     pub(crate) settled: bool,
     /// Whether A and the metric are not needed: the method has planned eliminations, with arrays of their own.
     pub(crate) rows_alone: bool,
@@ -90,7 +90,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         rates.rates + b
     }
 
-    /// The step ends here; `settled`: whether `node` and `phi` are those of its end.
+    /// The step ends here; `settled`: whether `geometry` and `phi` are those of its end.
     #[inline(always)]
     pub(crate) fn commit(
         &mut self,
@@ -111,7 +111,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         Ok(())
     }
 
-    /// Power of the forces without potential and of the rheonomic rows with multipliers λ, W, where `node` is.
+    /// Power of the forces without potential and of the rheonomic rows with multipliers λ, W, where `geometry` is.
     #[inline(always)]
     pub(crate) fn powers(
         &self,
@@ -129,7 +129,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         [applied, drive]
     }
 
-    /// The works of a step by the trapezoidal rule, with the multipliers at its two ends; `node` is at the end.
+    /// The works of a step by the trapezoidal rule, with the multipliers at its two ends; `geometry` is at the end.
     pub(crate) fn trapezoid_works(
         &mut self,
         t: f64,

@@ -11,7 +11,7 @@ use crate::singular::{REDUNDANT_OFF_ROWS, RankMargin, Thresholds};
 use crate::sink::Discard;
 use nalgebra::SVector;
 
-/// Weaker blocks are not used.
+/// The largest weakness of a block with which accelerations are solved for independent velocities.
 const WEAKEST: f64 = 1e4;
 
 /// Accelerations and multipliers, with the stabilising terms of Baumgarte if the settings have them:

@@ -13,8 +13,8 @@ const CONVERGED: f64 = 1e-12;
 /// … or below this one, when they no longer shrink.
 const STILL: f64 = 1e-7;
 
-/// Corrections that shrink at a constant rate end at a part of both that is as small as the way of the step, in sizes or radians,
-/// and this one at least: what many short steps leave adds up.
+/// Corrections that shrink at a constant rate end at both of these times the way of the step, in sizes or radians, which counts
+/// as this at least and as 1 at most: what many short steps leave adds up.
 const FINEST: f64 = 0.01;
 /// The first one has no rate; what it leaves has been found as large as it is.
 const UNKNOWN: f64 = 100.0;

@@ -284,8 +284,8 @@ mod tests {
         for tableau in ALL {
             assert_eq!(tableau.nodes.len(), tableau.weights.len());
             assert_eq!(tableau.nodes.len(), tableau.stages.len() + 1);
-            for (geometry, row) in tableau.nodes[1..].iter().zip(tableau.stages) {
-                assert!((geometry - row.iter().sum::<f64>()).abs() < 2e-14);
+            for (node, row) in tableau.nodes[1..].iter().zip(tableau.stages) {
+                assert!((node - row.iter().sum::<f64>()).abs() < 2e-14);
             }
         }
     }

@@ -102,7 +102,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
         // The last step belongs to the motion with the old input.
-        self.behind.time = f64::INFINITY;
+        self.last_step_start.time = f64::INFINITY;
         Ok(())
     }
 

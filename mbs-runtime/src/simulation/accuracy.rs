@@ -49,8 +49,8 @@ fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Setting
     }
 }
 
-/// The part of the work of this candidate that another one may take to be chosen in its place: motions with friction and stiff
-/// dampers become stiff now and then, where others take many times the work of Radau.
+/// Another candidate takes the place of this one only with less than this part of its operations for a second: motions with
+/// friction and stiff dampers become stiff now and then, where others take many times the work of Radau.
 fn lead(candidate: Settings) -> f64 {
     match candidate.method {
         Method::Radau => GAIN,
@@ -58,8 +58,8 @@ fn lead(candidate: Settings) -> f64 {
     }
 }
 
-/// The candidate with steps that are not longer than those of another one which follow the motion: attempts with much too long
-/// steps take the most of a trial.
+/// The candidate with a first step no longer than that of another one, if the motion sets that length: attempts with steps
+/// that are much too long take the most of a trial.
 fn shortened(candidate: Settings, other: &Trial) -> Settings {
     let step = match other.follows_the_motion() {
         true => candidate.step.min(other.step),

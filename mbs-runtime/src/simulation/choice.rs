@@ -3,7 +3,7 @@
 use crate::work::Work;
 use crate::{MethodChange, Report, Settings};
 
-/// The factor between ways for which the choice may be another.
+/// A pair whose way is this many times longer or shorter than at the choice is unlike those at the choice.
 const UNLIKE: f64 = 8.0;
 /// Pairs in a row that go such ways.
 const IN_A_ROW: u32 = 16;

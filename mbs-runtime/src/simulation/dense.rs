@@ -6,8 +6,7 @@
 
 use super::Simulation;
 use super::fixed_steps::SHORTEST;
-use crate::singular::ROUND_OFF;
-use crate::{AnySimulation, Energy, Foreseen, SimulationError, System};
+use crate::{AnySimulation, Foreseen, SimulationError, System};
 
 /// An end of a step.
 #[derive(Clone, Copy)]
@@ -56,7 +55,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// A whole step begins here.
     pub(super) fn leave_behind(&mut self) {
-        self.behind.copy_from(self.integrator.state());
+        self.last_step_start.copy_from(self.integrator.state());
         self.books.shortest = f64::INFINITY;
     }
 
@@ -98,10 +97,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             look(self);
             return Ok(());
         }
-        if !(time < now && time >= self.behind.time && self.behind.time.is_finite()) {
+        if !(time < now
+            && time >= self.last_step_start.time
+            && self.last_step_start.time.is_finite())
+        {
             return Err(SimulationError::Time { now, wanted: time });
         }
-        self.before.copy_from(self.integrator.state());
+        self.pair_end.copy_from(self.integrator.state());
         let kept = self.keep();
         let with_memory = (self.settings.method.has_memory()).then(|| self.integrator.clone());
         let longest = self.longest_part();
@@ -117,7 +119,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 self.put_back(kept);
             }
             None => {
-                self.integrator.state_mut().copy_from(&self.before);
+                self.integrator.state_mut().copy_from(&self.pair_end);
                 self.restore(kept)?;
             }
         }
@@ -155,21 +157,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// The change of the error of the balance, as a multiple of what the tolerance allows, of a driven mechanism: in steps that
-    /// are nearly too long the work of a drive is right for some lengths, and far off for others.
-    fn imbalance_since(&self, end: &Energy) -> f64 {
-        let (true, Some(tolerance)) = (const { Self::DRIVEN }, self.settings.tolerance) else {
-            return 0.0;
-        };
-        let now = &self.balance;
-        let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
-        let allowed = tolerance * now.kinetic.max(end.kinetic) + ROUND_OFF * whole;
-        match (now.error - end.error).abs() {
-            error if error <= allowed => 0.0,
-            error => error / allowed,
-        }
-    }
-
     /// To an instant of the last step on one of the [`WAYS`]; the least clearance on it.
     fn approach(
         &mut self,
@@ -178,8 +165,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         longest: f64,
     ) -> Result<f64, SimulationError> {
         let start = match from {
-            From::Begin => &self.behind,
-            From::End => &self.before,
+            From::Begin => &self.last_step_start,
+            From::End => &self.pair_end,
         };
         let span = time - start.time;
         self.integrator.state_mut().copy_from(start);

@@ -1,6 +1,7 @@
 //! Drives that follow inputs.
 
 use super::Simulation;
+use crate::energy::total;
 use crate::sink::Discard;
 use crate::{SimulationError, State, System, ThreeFields};
 use nalgebra::SVector;
@@ -27,11 +28,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         let mut state: State<Q, N, R> = self.state().clone();
         crate::assembly::jump(self.system(), &self.settings, &mut state)?;
-        let energy = |state: &State<Q, N, R>| {
-            let (q, v) = (&state.positions, &state.velocities);
-            self.system().kinetic_energy(q, v) + self.system().potential_energy(q)
-        };
-        state.ledger.drive_work += energy(&state) - energy(self.state());
+        state.ledger.drive_work +=
+            total(self.system(), &state) - total(self.system(), self.state());
         // Momenta of the old velocities.
         state.fields = ThreeFields::default();
         self.integrator.state_mut().copy_from(&state);

@@ -42,7 +42,7 @@ const NOISE: f64 = 1e-9;
 pub(super) struct EnergyGuard {
     /// The potential energy at the start.
     start: f64,
-    /// The energy that the forces at the start give along the size of the mechanism, or until they are at ease.
+    /// The energy that the forces at the start give along the size of the mechanism, or up to where a linear force vanishes.
     depth: f64,
     /// The least potential energy so far.
     least: f64,

@@ -86,8 +86,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Ok(true)
     }
 
-    /// Looks at the pose in the last step, the second of the pair, or after it. Whether the step, of which `self.before`
-    /// is the beginning, is too long for a pose that is nearly singular.
+    /// Looks at the pose in the last step, the second of the pair, or after it. Whether the step, of which
+    /// `self.step_start` is the beginning, is too long for a pose that is nearly singular.
     #[inline]
     fn leapt(&mut self, passage: &Passage) -> Result<bool, SimulationError> {
         for pose in passage.poses_from_second().into_iter().flatten() {
@@ -117,25 +117,29 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let behind = pose < length;
         // Beyond the end of the step the cubic is not exact: the pose is looked at from the next one, if it is no other.
         let within = if behind { SAME } else { ALIKE };
-        if self.is_known(&self.before, (pose - first) / second, within) {
+        if self.is_known(&self.step_start, (pose - first) / second, within) {
             return Ok(Some(false));
         }
         let kept = self.keep();
         if behind {
-            std::mem::swap(&mut self.pair, &mut self.before);
-            self.before.copy_from(self.integrator.state());
+            std::mem::swap(&mut self.pair_start, &mut self.step_start);
+            self.pair_end.copy_from(self.integrator.state());
         } else {
-            self.pair.copy_from(self.integrator.state());
+            self.pair_start.copy_from(self.integrator.state());
         }
         let window = match behind {
             true => [first, length],
             false => [length, length + 2.0 * NEAR_AHEAD * second],
         };
         let found = self.find(passage, pose, window);
-        let end = if behind { &self.before } else { &self.pair };
+        let end = if behind {
+            &self.pair_end
+        } else {
+            &self.pair_start
+        };
         self.integrator.state_mut().copy_from(end);
         if behind {
-            std::mem::swap(&mut self.pair, &mut self.before);
+            std::mem::swap(&mut self.pair_start, &mut self.step_start);
         }
         self.restore(kept)?;
         let [_, _, end] = passage.margins;
@@ -159,8 +163,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline(never)]
     fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
         self.integrator.state_mut().poses_ahead.last_step = None;
-        self.before.copy_motion_from(self.integrator.state());
-        self.started = self.books;
+        self.step_start.copy_motion_from(self.integrator.state());
+        self.books_at_step_start = self.books;
         // `reach` finds short steps past such a pose by itself.
         let shortest = self.books.shortest;
         let mut left = span;

@@ -2,7 +2,8 @@
 
 use super::Simulation;
 use crate::assembly::refit;
-use crate::{AssemblyVerdict, Mechanism, PosesAhead, SimulationError, State, System, ThreeFields};
+use crate::energy::total;
+use crate::{AssemblyVerdict, Mechanism, PosesAhead, SimulationError, System, ThreeFields};
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Goes on from the current instant with other parameters:
@@ -48,8 +49,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         state.fields = ThreeFields::default();
         state.poses_ahead = PosesAhead::default();
         let verdict = refit(&system, &self.settings, &mut state)?;
-        state.ledger.nonconservative_work +=
-            energy(&system, &state) - energy(self.system(), before);
+        state.ledger.nonconservative_work += total(&system, &state) - total(self.system(), before);
         let mut renewed =
             Self::from_state(system, self.settings, state, verdict.clone(), self.other)?;
         renewed.take_over(self);
@@ -63,7 +63,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.energy_guard.take_over(&before.energy_guard);
         std::mem::swap(&mut self.singularities, &mut before.singularities);
         std::mem::swap(&mut self.known_poses, &mut before.known_poses);
-        std::mem::swap(&mut self.behind, &mut before.behind);
+        std::mem::swap(&mut self.last_step_start, &mut before.last_step_start);
     }
 
     /// Sums over the run from before the parameters changed.
@@ -77,13 +77,4 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.refused = before.refused.take();
         self.choice = before.choice.take();
     }
-}
-
-/// T + V.
-fn energy<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    system: &S,
-    state: &State<Q, N, R>,
-) -> f64 {
-    let (q, v) = (&state.positions, &state.velocities);
-    system.kinetic_energy(q, v) + system.potential_energy(q)
 }

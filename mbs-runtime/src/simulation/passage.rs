@@ -57,7 +57,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match passage.pose() {
             Some(pose) => {
                 let [first, second] = passage.steps;
-                match self.is_known(&self.pair, pose / (first + second), SAME) {
+                match self.is_known(&self.pair_start, pose / (first + second), SAME) {
                     true => Ok(false),
                     false => self.look_between(passage, pose),
                 }
@@ -82,17 +82,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline(never)]
     fn look_between(&mut self, passage: &Passage, pose: f64) -> Result<bool, SimulationError> {
         let kept = self.keep();
-        self.before.copy_from(self.integrator.state());
+        self.pair_end.copy_from(self.integrator.state());
         let [first, second] = passage.steps;
         let pose = self.find(passage, pose, [0.0, first + second]);
-        self.integrator.state_mut().copy_from(&self.before);
+        self.integrator.state_mut().copy_from(&self.pair_end);
         self.restore(kept)?;
         let [start, _, end] = passage.margins;
         let far = start.least.max(end.least);
         Ok(matches!(pose?, Pose::Turn { least, .. } if far > LEAP * least))
     }
 
-    /// The pose between two times of the pair, about `pose`. `self.pair` is the state at the first of them.
+    /// The pose between two times of the pair, about `pose`. `self.pair_start` is the state at the first of them.
     pub(super) fn find(
         &mut self,
         passage: &Passage,
@@ -145,13 +145,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// The least σ of a pose that can be told from a singular one.
     pub(super) fn least_distinct(&self) -> f64 {
-        let exact = (self.yardstick).round_off_of_positions(&self.before.positions);
+        let exact = (self.yardstick).round_off_of_positions(&self.step_start.positions);
         SINGULAR * self.settings.constraint_tolerance.max(exact).sqrt()
     }
 
-    /// The rank margin some seconds after `self.pair`; `None` if no step leads there.
+    /// The rank margin some seconds after `self.pair_start`; `None` if no step leads there.
     fn probe(&mut self, span: f64) -> Result<Option<RankMargin>, SimulationError> {
-        self.integrator.state_mut().copy_from(&self.pair);
+        self.integrator.state_mut().copy_from(&self.pair_start);
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)?;
         match self.advance(span) {

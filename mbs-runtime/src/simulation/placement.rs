@@ -91,7 +91,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.system().applied_forces(state.time, q, v, &mut forces);
             forces
         };
-        let (begin, end) = (&self.before, self.state());
+        let (begin, end) = (&self.step_start, self.state());
         let change = forces(end) - forces(begin);
         let way = (begin.velocities.abs() + end.velocities.abs()) * (0.5 * (end.time - begin.time));
         change.abs().dot(&way)
@@ -143,8 +143,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.advance(h)?;
             return Ok(h);
         }
-        self.before.copy_motion_from(self.integrator.state());
-        self.started = self.books;
+        self.step_start.copy_motion_from(self.integrator.state());
+        self.books_at_step_start = self.books;
         if !self.settings.placement || h < REMAINDER * self.nominal() {
             self.advance(h)?;
             return Ok(h);
@@ -223,8 +223,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// Restores the state before the step.
     pub(super) fn back(&mut self) -> Result<(), SimulationError> {
-        self.integrator.state_mut().copy_motion_from(&self.before);
-        self.books = self.started;
+        self.integrator
+            .state_mut()
+            .copy_motion_from(&self.step_start);
+        self.books = self.books_at_step_start;
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)
     }

@@ -46,7 +46,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Err(error) if !error.is_due_to_steps() => return Err(error),
             _ => {}
         }
-        self.integrator.state_mut().copy_from(&self.pair);
+        self.integrator.state_mut().copy_from(&self.pair_start);
         self.restore(kept)?;
         self.leave_candidate()?;
         self.pair(tolerance, left).map(drop)

@@ -113,7 +113,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
                 self.locate(index, books, before, after)?;
                 // The end of the step, where it led to, is no longer ahead.
-                self.behind.time = f64::INFINITY;
+                self.last_step_start.time = f64::INFINITY;
                 return Ok(Some(self.time()));
             }
             before = after;
@@ -130,10 +130,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         before: f64,
         after: f64,
     ) -> Result<(), SimulationError> {
-        let h = self.time() - self.behind.time;
+        let h = self.time() - self.last_step_start.time;
         let (mut low, mut high) = (0.0, h);
         let (mut f_low, mut f_high) = (before, after);
-        let resolution = 1e-12 * self.behind.time.abs().max(h);
+        let resolution = 1e-12 * self.last_step_start.time.abs().max(h);
         let mut guess = self.event_on_cubic(index, before, after);
         let mut current = h;
         let mut last = None;
@@ -180,8 +180,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// When the event happens on the cubic of the last step, s after its beginning.
     fn event_on_cubic(&mut self, index: usize, before: f64, after: f64) -> Option<f64> {
-        let cubic = Hermite::new(self.system(), &self.behind, self.state());
-        let h = self.time() - self.behind.time;
+        let cubic = Hermite::new(self.system(), &self.last_step_start, self.state());
+        let h = self.time() - self.last_step_start.time;
         let (mut low, mut high) = (0.0, 1.0);
         if after == 0.0 {
             return None;
@@ -198,7 +198,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     fn rewind(&mut self, books: Books) -> Result<(), SimulationError> {
-        self.integrator.state_mut().copy_from(&self.behind);
+        self.integrator.state_mut().copy_from(&self.last_step_start);
         self.books = books;
         self.integrator.refresh(&self.settings)?;
         self.take_stock();

@@ -13,13 +13,13 @@ use crate::{ScalarState, System};
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The largest distance of a state after the other steps from that after the pair, as a multiple of what is allowed
     /// after a way of the mechanism and is at least `noise`; and the velocity that it is.
-    pub(super) fn state_excess(
+    pub(super) fn state_error_ratio(
         &self,
         (share, way): (f64, f64),
         noise: f64,
     ) -> Option<(f64, usize)> {
         let [begin, end, other] =
-            [&*self.pair, &*self.before, self.state()].map(|state| &state.velocities);
+            [&*self.pair_start, &*self.pair_end, self.state()].map(|state| &state.velocities);
         let of = |state: &ScalarState, from, to| {
             let change = to - from;
             relative(core::slice::from_ref(state), &change, end)

@@ -18,11 +18,11 @@ const PATIENCE: [u32; 2] = [8, 4096];
 const NOTCHES: f64 = 4.0;
 /// Notches by which a step is lengthened or shortened at once, at most.
 const LEAP: f64 = 8.0;
-/// The excess of a pair of which nothing is known but that it is too long.
+/// The error ratio of a pair of which nothing is known but that it is too long.
 pub(super) const TOO_LONG: f64 = 256.0;
 /// The least growth, in notches, for which the step is lengthened, so that it is not shortened again soon.
 const PROMISE: f64 = 2.0;
-/// The excess for which a length that follows the motion is chosen.
+/// The error ratio for which a length that follows the motion is chosen.
 const AIM: f64 = 0.1;
 /// The parts of the last change of the difficulty that the next one is expected to have, where it grew and where it fell.
 const TREND: [f64; 2] = [0.5, 0.3];
@@ -39,23 +39,23 @@ const RETREATS: [f64; 2] = [0.2, 0.9];
 const SAME: [f64; 2] = [0.8, 1.25];
 /// The least factor of an embedded estimate that is believed: where the error is far below what is allowed, as in a start
 /// from rest, factors of a millionth were found, and one of a tenth a few steps later.
-const LEAST_GAUGE: f64 = 0.02;
-/// With a smaller excess the error of a pair is mostly round-off, and the factor of its estimate tells nothing.
+const LEAST_FACTOR: f64 = 0.02;
+/// With a smaller error ratio the error of a pair is mostly round-off, and the factor of its estimate tells nothing.
 const TELLING: f64 = 1e-3;
-/// An excess below this is round-off.
+/// An error ratio below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
 /// s. At rest steps grow without end; with longer ones products of them overflow.
 const LONGEST: f64 = 1e18;
 
 /// How much longer a step could be with this error, as a power of 2^¼.
-pub(super) fn notches(order: u8, excess: f64) -> f64 {
-    (NOTCHES / f64::from(order) * -excess.log2()).floor()
+pub(super) fn notches(order: u8, error_ratio: f64) -> f64 {
+    (NOTCHES / f64::from(order) * -error_ratio.log2()).floor()
 }
 
-/// log₂ of the difficulty d of the motion: with order p the excess of steps of h is d hᵖ.
-fn difficulty(order: u8, h: f64, excess: f64) -> f64 {
+/// log₂ of the difficulty d of the motion: with order p the error ratio of steps of h is d hᵖ.
+fn difficulty(order: u8, h: f64, error_ratio: f64) -> f64 {
     // Powers of a step may overflow or vanish.
-    excess.max(ROUND_OFF).log2() - f64::from(order) * h.log2()
+    error_ratio.max(ROUND_OFF).log2() - f64::from(order) * h.log2()
 }
 
 /// How lengths follow the motion.
@@ -74,35 +74,39 @@ impl StepController {
     pub(super) fn starting(step: f64) -> Self {
         StepController {
             step: step.min(LONGEST),
-            eager: true,
+            searching: true,
             allowed: LEAP,
             patience: PATIENCE[0],
             ..StepController::default()
         }
     }
 
-    /// Takes note of the factor of the estimate in a comparison with this excess, or of a pair that was not compared; `follows`
+    /// Takes note of the factor of the estimate in a comparison with this error ratio, or of a pair that was not compared; `follows`
     /// if lengths follow the motion.
-    pub(super) fn note(&mut self, gauge: Option<f64>, excess: f64, follows: bool) {
-        let Some(gauge) = gauge else {
-            self.unseen = self.unseen.saturating_add(1);
+    pub(super) fn note(&mut self, estimate_factor: Option<f64>, error_ratio: f64, follows: bool) {
+        let Some(estimate_factor) = estimate_factor else {
+            self.pairs_since_comparison = self.pairs_since_comparison.saturating_add(1);
             return;
         };
-        self.unseen = 0;
+        self.pairs_since_comparison = 0;
         if !follows {
-            self.gauge = gauge.max(0.5 * self.gauge);
-        } else if excess > TELLING {
-            self.gauge = gauge.max(0.5 * self.gauge).max(LEAST_GAUGE);
-        } else if self.gauge == 0.0 && !self.eager {
-            self.gauge = 1.0;
+            self.estimate_factor = estimate_factor.max(0.5 * self.estimate_factor);
+        } else if error_ratio > TELLING {
+            self.estimate_factor = estimate_factor
+                .max(0.5 * self.estimate_factor)
+                .max(LEAST_FACTOR);
+        } else if self.estimate_factor == 0.0 && !self.searching {
+            self.estimate_factor = 1.0;
         }
     }
 
     /// The ratio of the error to the allowed one by an embedded estimate; NaN if its factor is not known for this length of
     /// steps.
-    pub(super) fn foresees(&self, estimate: Option<f64>, allowed: f64) -> f64 {
+    pub(super) fn predicted_error_ratio(&self, estimate: Option<f64>, allowed: f64) -> f64 {
         match estimate {
-            Some(estimate) if self.gauge > 0.0 && !self.eager => self.gauge * estimate / allowed,
+            Some(estimate) if self.estimate_factor > 0.0 && !self.searching => {
+                self.estimate_factor * estimate / allowed
+            }
             _ => f64::NAN,
         }
     }
@@ -110,7 +114,7 @@ impl StepController {
     /// Shortens the step after h was too long, by this (negative) number of notches.
     pub(super) fn shorten(&mut self, h: f64, notches: f64) {
         self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
-        self.gauge = 0.0;
+        self.estimate_factor = 0.0;
         if std::mem::take(&mut self.raised) {
             self.patience = (2 * self.patience).min(PATIENCE[1]);
         }
@@ -124,10 +128,10 @@ impl StepController {
         }
         self.quiet += 1;
         self.allowed = self.allowed.min(notches - 1.0);
-        if self.eager || self.quiet >= self.patience {
+        if self.searching || self.quiet >= self.patience {
             self.step = LONGEST.min(self.step * (self.allowed / NOTCHES).exp2());
-            self.gauge = 0.0;
-            if std::mem::replace(&mut self.raised, !self.eager) {
+            self.estimate_factor = 0.0;
+            if std::mem::replace(&mut self.raised, !self.searching) {
                 self.patience = (self.patience / 2).max(PATIENCE[0]);
             }
             self.quiet = 0;
@@ -139,12 +143,12 @@ impl StepController {
     fn settle(&mut self) {
         self.quiet = 0;
         self.allowed = LEAP;
-        self.eager = false;
+        self.searching = false;
     }
 
-    /// After steps of h with this excess: the length with which the next one comes to [`AIM`].
-    pub(super) fn follow(&mut self, order: u8, h: f64, excess: f64, pace: Pace) {
-        let difficulty = difficulty(order, h, excess);
+    /// After steps of h with this error ratio: the length with which the next one comes to [`AIM`].
+    pub(super) fn follow(&mut self, order: u8, h: f64, error_ratio: f64, pace: Pace) {
+        let difficulty = difficulty(order, h, error_ratio);
         let order = f64::from(order);
         let change = match self.difficulty {
             Some(last) => (difficulty - last).clamp(-STEEP, STEEP),
@@ -152,33 +156,39 @@ impl StepController {
         };
         let trend = TREND[usize::from(change < 0.0)] * change;
         let (known, expected) = match (pace, self.difficulty) {
-            (Pace::Erratic, Some(last)) if !self.eager => {
+            (Pace::Erratic, Some(last)) if !self.searching => {
                 let known = difficulty.max(last - FADING);
                 (known, known)
             }
             _ => (difficulty, difficulty + trend),
         };
         let wanted = (AIM.log2() - expected) / order;
-        let most = if self.eager { EAGER } else { FACTORS[1] };
+        let most = if self.searching { EAGER } else { FACTORS[1] };
         let factor = (wanted.exp2() / h).clamp(FACTORS[0], most);
         self.difficulty = Some(known);
         let is_same = pace == Pace::Kept && (SAME[0]..SAME[1]).contains(&factor);
         self.step = if is_same { h } else { LONGEST.min(h * factor) };
-        self.eager &= factor == EAGER;
+        self.searching &= factor == EAGER;
     }
 
     /// After steps of h were too long by an embedded method. If they were before, too, `again`, the factor of its estimate
     /// is no longer trusted.
-    pub(super) fn retreat(&mut self, order: u8, h: f64, excess: f64, (again, pace): (bool, Pace)) {
-        let factor = (AIM / excess).powf(1.0 / f64::from(order));
+    pub(super) fn retreat(
+        &mut self,
+        order: u8,
+        h: f64,
+        error_ratio: f64,
+        (again, pace): (bool, Pace),
+    ) {
+        let factor = (AIM / error_ratio).powf(1.0 / f64::from(order));
         self.step = h * factor.clamp(RETREATS[0], RETREATS[1]);
         self.difficulty = match pace {
-            Pace::Erratic => Some(difficulty(order, h, excess)),
+            Pace::Erratic => Some(difficulty(order, h, error_ratio)),
             _ => None,
         };
-        self.eager = false;
+        self.searching = false;
         if again {
-            self.gauge = 0.0;
+            self.estimate_factor = 0.0;
         }
     }
 }
@@ -187,21 +197,21 @@ impl StepController {
 mod tests {
     use super::*;
 
-    /// Lengths of pairs and their excesses with the difficulty d(t) and order 8.
+    /// Lengths of pairs and their error ratios with the difficulty d(t) and order 8.
     fn run(d: impl Fn(f64) -> f64, end: f64) -> Vec<(f64, f64)> {
         let mut controller = StepController::starting(1e-3);
         let (mut time, mut pairs) = (0.0, Vec::new());
         while time < end {
             let h = controller.step;
-            let excess = d(time + h) * h.powi(8);
-            match excess <= 1.0 {
+            let error_ratio = d(time + h) * h.powi(8);
+            match error_ratio <= 1.0 {
                 true => {
-                    controller.follow(8, h, excess, Pace::Steady);
+                    controller.follow(8, h, error_ratio, Pace::Steady);
                     time += 2.0 * h;
                 }
-                false => controller.retreat(8, h, excess, (false, Pace::Steady)),
+                false => controller.retreat(8, h, error_ratio, (false, Pace::Steady)),
             }
-            pairs.push((h, excess));
+            pairs.push((h, error_ratio));
         }
         pairs
     }
@@ -222,7 +232,10 @@ mod tests {
     fn lengths_follow_a_difficulty_of_eight_decades() {
         let difficulty = |time: f64| 10f64.powf(8.0 + 4.0 * time.sin());
         let pairs = run(difficulty, 20.0);
-        let kept = pairs.iter().filter(|(_, excess)| *excess <= 1.0).count();
+        let kept = pairs
+            .iter()
+            .filter(|(_, error_ratio)| *error_ratio <= 1.0)
+            .count();
         // The least constant length needs 20 / (2 · 0.0237) = 422 pairs.
         assert!(kept < 211, "{kept}");
         assert!(

@@ -17,8 +17,8 @@ const TRIED: usize = 60;
 /// The work of another method, as a part of that of the method in use, with which it is taken: a change costs a few steps
 /// until the new lengths are found.
 pub(super) const GAIN: f64 = 0.7;
-/// A candidate is not counted further when it has taken as many operations as the whole trial of another one, and takes this
-/// many times its operations for a second: where its steps grow once more they become four times as long at most.
+/// A candidate is given up once its trial has taken more operations than the whole trial of the leader, if it takes over this
+/// many times as many for a second: its steps become four times as long at most where they grow once more.
 const HOPELESS: f64 = 4.0;
 /// Pairs of explicit steps that go a shorter way, in sizes and radians, are short for another reason than the motion: a stiff
 /// damper, or a tolerance near round-off. Then steps of the other candidate may grow a hundred times longer.
@@ -77,7 +77,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Ok(Trial::NONE);
         }
         for _ in 0..TRIED {
-            if self.state().step_controller.step > 0.0 && !self.state().step_controller.eager {
+            if self.state().step_controller.step > 0.0 && !self.state().step_controller.searching {
                 break;
             }
             self.forward(self.nominal(), f64::INFINITY)?;

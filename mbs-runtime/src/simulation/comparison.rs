@@ -1,0 +1,293 @@
+//! What a pair of steps is compared with, and the error that this shows ([`tolerance`](super::tolerance)).
+
+use super::Simulation;
+use super::known_poses::SAME;
+use super::pose::{FAR, Passage};
+use super::step_controller::TOO_LONG;
+use crate::linear::vector;
+use crate::singular::RankMargin;
+use crate::{ErrorOf, SimulationError, StepController, System};
+use nalgebra::SVector;
+
+/// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
+const SHARE: f64 = 0.02;
+/// A difference above this fraction of the motion is too large for an error estimate by the order.
+const UNLIKE: f64 = 0.3;
+/// The steps with which a pair is compared: one of its whole length, otherwise two unequal ones, divided at these
+/// fractions.
+const PARTITIONS: [f64; 4] = [1.0, 0.3, 0.7, 0.2];
+/// As many of them where an embedded method estimates the error: the others have hardly ever led to a pair that was kept.
+const ESTIMATED: usize = 2;
+/// Other steps whose error is not larger than that of the pair by at least this fraction give no estimate.
+const TELLING: f64 = 0.2;
+/// Where steps have constant lengths, an error ratio below this counts as this: it is mostly round-off.
+const TOO_SMALL: f64 = 1e-3;
+/// Round-off of the position rows grows by 1/σ beside a singular pose, up to the reciprocal of this.
+const WEAKEST: f64 = 1e-5;
+/// Corrections of explicit steps square what is left of the rows, and most end far below their tolerance: this part of it is
+/// expected, where σ is above the second number. Closer to a pose velocities have other errors.
+const PROJECTED: [f64; 2] = [0.1, 1e-3];
+/// Pairs without a comparison in a row, at most, where lengths follow the motion and where they are constant. With more of them
+/// the factor of the estimate is that of another part of the motion.
+const UNCOMPARED: [u32; 2] = [15, 7];
+/// The error ratio of an estimate, times the last factor, up to which a pair is kept without a comparison, …
+const CLEARLY: f64 = 0.5;
+/// … and from which on it is not kept, where lengths follow the motion.
+const TOO_MUCH: f64 = 1.0;
+/// The least step, as a part of the first one, with which a mechanism can be at rest.
+const PACED: f64 = 1e-5;
+
+/// What a comparison found.
+pub(super) struct Found {
+    /// The ratio of the error to the allowed error; NaN if singular poses prevent the estimate.
+    pub(super) error_ratio: f64,
+    /// What has this error ratio.
+    pub(super) of: ErrorOf,
+    /// Sizes and radians a second.
+    pub(super) speed: f64,
+    /// Whether the pair had its two equal steps.
+    pub(super) even: bool,
+    /// The factor of the embedded estimate, if the pair was compared.
+    pub(super) estimate_factor: Option<f64>,
+    /// Whether the stages give an estimate of the error of this pair.
+    pub(super) is_embedded: bool,
+    /// The error of the energy balance after the first step, J.
+    pub(super) imbalance: f64,
+    pub(super) passage: Passage,
+}
+
+/// What the error of a pair is measured by, in sizes and radians.
+struct Bounds {
+    /// The way of the pair.
+    way: f64,
+    /// Round-off.
+    noise: f64,
+    /// The error that is allowed.
+    allowed: f64,
+    /// The part of a way that is allowed.
+    share: f64,
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// Two steps of h, which stay, and others over the same time to compare them with. Their error may be that of a pair of
+    /// `reach` seconds, and round-off may be larger than expected by the factor `indulgence`.
+    pub(super) fn compare(
+        &mut self,
+        tolerance: f64,
+        (h, left): (f64, f64),
+        (reach, indulgence): (f64, f64),
+        (controller, start): (&StepController, RankMargin),
+        last: bool,
+    ) -> Result<Found, SimulationError> {
+        let first = self.place(h, left)?;
+        let mut estimate = self.integrator.estimate();
+        let middle = self.margin();
+        let mut found = Found {
+            error_ratio: f64::NAN,
+            of: ErrorOf::Motion,
+            speed: 0.0,
+            even: first == h,
+            estimate_factor: None,
+            is_embedded: false,
+            imbalance: self.balance.error,
+            passage: Passage {
+                steps: [first, first],
+                margins: [start, middle, middle],
+            },
+        };
+        if found.even && self.follows() && !self.is_determined() {
+            // In most pairs a part of what is allowed is enough.
+            let some = SHARE * tolerance * first.max(reach) * controller.speed;
+            if controller.predicted_error_ratio(estimate, some) > TOO_MUCH {
+                let way = first.max(reach) * self.speed(first).max(controller.speed);
+                let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
+                found.error_ratio = controller.predicted_error_ratio(estimate, allowed);
+                found.is_embedded = true;
+                // The second step would not make it better.
+                if found.error_ratio > TOO_MUCH {
+                    return Ok(found);
+                }
+            }
+        }
+        let second = self.place(h.min(left - first), left - first)?;
+        let later = self.integrator.estimate();
+        estimate = estimate.zip(later).map(|(first, second)| first + second);
+        let end = self.margin();
+        let noise = indulgence * self.noise(start, end);
+        let length = first + second;
+        found.speed = self.speed(length);
+        found.even = first == h && second == h;
+        found.passage = Passage {
+            steps: [first, second],
+            margins: [start, middle, end],
+        };
+        let way = length.max(reach) * found.speed.max(controller.speed);
+        let allowed = (SHARE * tolerance * way).max(noise);
+        // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
+        found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
+        let estimate = estimate.filter(|_| found.is_embedded);
+        found.error_ratio = controller.predicted_error_ratio(estimate, allowed);
+        if found.is_embedded && self.follows() && self.is_determined() {
+            found.error_ratio = 0.0;
+            return Ok(found);
+        }
+        let most = UNCOMPARED[usize::from(!self.follows())];
+        let is_clear = found.error_ratio <= CLEARLY && controller.pairs_since_comparison < most;
+        if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
+            return Ok(found);
+        }
+        self.pair_end.copy_from(self.integrator.state());
+        let kept = self.keep();
+        found.error_ratio = f64::NAN;
+        let bounds = Bounds {
+            way,
+            noise,
+            allowed,
+            share: SHARE * tolerance,
+        };
+        let outcome = self.measure(&mut found, (h, controller.step), &bounds, (estimate, last));
+        self.integrator.state_mut().copy_from(&self.pair_end);
+        self.restore(kept)?;
+        outcome.map(|()| found)
+    }
+
+    /// Takes other steps over the time of the pair, and notes its error.
+    fn measure(
+        &mut self,
+        found: &mut Found,
+        (h, in_use): (f64, f64),
+        bounds: &Bounds,
+        (estimate, last): (Option<f64>, bool),
+    ) -> Result<(), SimulationError> {
+        let pair = found.passage.steps;
+        let length: f64 = pair.into_iter().sum();
+        let order = i32::from(self.settings.true_order());
+        // Relative to the length: powers of a short step vanish.
+        let power = |h: f64| (h / length).powi(order + 1);
+        let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();
+        // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
+        let paced = in_use >= PACED * self.settings.step;
+        let still = if paced { bounds.noise } else { 0.0 };
+        let partitions = match self.follows() {
+            true => ESTIMATED,
+            false => PARTITIONS.len(),
+        };
+        let mut converged = false;
+        for fraction in PARTITIONS.into_iter().take(partitions) {
+            let steps = [fraction * length, (1.0 - fraction) * length];
+            let ratio = error(steps) / error(pair) - 1.0;
+            if ratio < TELLING {
+                continue;
+            }
+            let Some(clearance) = self.others(steps)? else {
+                continue;
+            };
+            converged = true;
+            let (apart, mut worst) = self.apart(h);
+            let mut error_ratio = match apart > (UNLIKE * bounds.way).max(still) {
+                true => TOO_LONG,
+                false => apart / (ratio * bounds.allowed),
+            };
+            if let Some((own, state)) =
+                self.state_error_ratio((bounds.share, bounds.way), bounds.noise)
+                && own / ratio > error_ratio
+            {
+                (error_ratio, worst) = (own / ratio, state);
+            }
+            if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
+                found.error_ratio = error_ratio;
+                let worst = S::MODEL.velocities.get(worst);
+                found.of = worst.map_or(ErrorOf::Motion, |worst| ErrorOf::Velocity(worst.name));
+                let error = match self.follows() {
+                    true => apart / ratio,
+                    false => error_ratio.max(TOO_SMALL) * bounds.allowed,
+                };
+                let factor = estimate.map(|estimate| error / estimate);
+                found.estimate_factor = factor.filter(|factor| factor.is_finite());
+                break;
+            }
+        }
+        if !converged {
+            found.error_ratio = TOO_LONG;
+        }
+        Ok(())
+    }
+
+    /// Whether the pair passes no singular pose, or one that is known, with steps that end far from it. Their velocities then
+    /// are those of one branch.
+    fn keeps_its_branch(&self, found: &Found) -> bool {
+        if const { Self::UNBRANCHED } {
+            return true;
+        }
+        let passage = &found.passage;
+        if !passage.has_same_rows() {
+            return false;
+        }
+        let length: f64 = passage.steps.into_iter().sum();
+        match passage.pose() {
+            None if found.even => true,
+            pose => {
+                let is_known = |pose: f64| self.is_known(&self.pair_start, pose / length, SAME);
+                passage.margins.iter().all(|margin| margin.least > FAR) && pose.is_none_or(is_known)
+            }
+        }
+    }
+
+    /// Round-off between instants with these rank margins, in sizes and radians.
+    fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
+        let exact = (self.yardstick).round_off_of_positions(self.positions());
+        let least = end.least.min(start.least).max(WEAKEST);
+        let left = match self.follows() && least > PROJECTED[1] {
+            true => PROJECTED[0] * self.settings.constraint_tolerance,
+            false => self.settings.constraint_tolerance,
+        };
+        left.max(exact) / least
+    }
+
+    /// How far the rows are from losing their independence, 1 at most.
+    pub(super) fn margin(&mut self) -> RankMargin {
+        let known = self.rank_margin;
+        let now = known.or_else(|| self.integrator.rank_margin());
+        now.map_or(RankMargin::FULL, |now| RankMargin {
+            least: now.least.min(1.0),
+            ..now
+        })
+    }
+
+    /// From the beginning of the pair in other steps; their least clearance, or `None` if one does not converge.
+    fn others(&mut self, steps: [f64; 2]) -> Result<Option<f64>, SimulationError> {
+        self.integrator.state_mut().copy_from(&self.pair_start);
+        self.rank_margin = None;
+        self.integrator.refresh(&self.settings)?;
+        let rejected = self.rejected;
+        let mut least = f64::INFINITY;
+        for step in steps.into_iter().filter(|step| *step > 0.0) {
+            match self.advance(step) {
+                Ok(clearance) => least = least.min(clearance),
+                Err(error) if error.asks_for_less() => return Ok(None),
+                Err(SimulationError::NonFinite { .. }) => return Ok(None),
+                Err(error) => return Err(error),
+            }
+        }
+        Ok((self.rejected == rejected).then_some(least))
+    }
+
+    /// In sizes and radians; infinite if any entry is not a number.
+    pub(super) fn size(&self, x: &SVector<f64, N>) -> f64 {
+        let size = self.yardstick.measure(x);
+        if size.is_nan() { f64::INFINITY } else { size }
+    }
+
+    /// The distance between the results of the other steps and of the pair, in sizes and radians, and the velocity with
+    /// the largest part.
+    fn apart(&self, h: f64) -> (f64, usize) {
+        let (pair, other) = (&self.pair_end, self.state());
+        let q = self.system().difference(&pair.positions, &other.positions);
+        let v: SVector<f64, N> = vector(|i| h * (other.velocities[i] - pair.velocities[i]));
+        let (moved, carried) = (self.size(&q), self.size(&v));
+        match moved >= carried {
+            true => (moved, self.yardstick.worst(&q)),
+            false => (carried, self.yardstick.worst(&v)),
+        }
+    }
+}

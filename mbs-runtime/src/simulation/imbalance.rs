@@ -1,0 +1,70 @@
+//! What the energy balance tells of a pair of steps, which comparisons do not.
+
+use super::Simulation;
+use super::comparison::Found;
+use super::step_controller::TOO_LONG;
+use crate::singular::ROUND_OFF;
+use crate::{Energy, System};
+use nalgebra::SVector;
+
+/// Steps of any length agree about a motion that rows of time determine, and may agree about another branch beyond a singular
+/// pose. What tells them apart is the energy balance: a pair may be wrong by this part of the kinetic energy, or of the work
+/// of forces without potential (in regular poses a driven mechanism has the tolerance instead of this part), …
+const BALANCED: f64 = 0.02;
+/// … and the velocities of a driven mechanism may change by this part of the speed past a singular pose, …
+const TURNED: f64 = 0.5;
+/// … unless it moves less than this, in sizes and radians: where a drive jumps the balance is wrong in any step.
+const NEARBY: f64 = 0.002;
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// The ratio of the error of the energy balance in the pair to the allowed one; [`TOO_LONG`] where a driven mechanism, whose
+    /// balance does not show it, may have turned into another branch.
+    ///
+    /// Where rows of time determine the motion, positions are exact with steps of any length, but the work of the drives
+    /// is not: it is a sum over the stages.
+    pub(super) fn imbalance(&self, tolerance: f64, before: &Energy, found: &Found) -> f64 {
+        let [first, second] = found.passage.steps;
+        if found.speed * (first + second) < NEARBY {
+            return 0.0;
+        }
+        let now = &self.balance;
+        let work = (now.nonconservative_work - before.nonconservative_work).abs();
+        let turnover = before.kinetic.max(now.kinetic).max(work);
+        let of = |error: f64| (error - before.error).abs();
+        let error = of(now.error).max(of(found.imbalance));
+        let error_ratio = error / (BALANCED * turnover);
+        let error_ratio = match (const { Self::DRIVEN }, found.passage.pose().is_some()) {
+            (true, true) if self.turns() => TOO_LONG,
+            (true, false) => {
+                let turnover = turnover.max((now.drive_work - before.drive_work).abs());
+                let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
+                error_ratio.max(error / (tolerance * turnover + ROUND_OFF * whole))
+            }
+            _ => error_ratio,
+        };
+        error_ratio.min(TOO_LONG)
+    }
+
+    /// The change of the error of the balance, as a multiple of what the tolerance allows, of a driven mechanism: in steps that
+    /// are nearly too long the work of a drive is right for some lengths, and far off for others.
+    pub(super) fn imbalance_since(&self, end: &Energy) -> f64 {
+        let (true, Some(tolerance)) = (const { Self::DRIVEN }, self.settings.tolerance) else {
+            return 0.0;
+        };
+        let now = &self.balance;
+        let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
+        let allowed = tolerance * now.kinetic.max(end.kinetic) + ROUND_OFF * whole;
+        match (now.error - end.error).abs() {
+            error if error <= allowed => 0.0,
+            error => error / allowed,
+        }
+    }
+
+    /// Whether the velocities change in the pair so much that it may have turned into another branch. A drive gives the
+    /// energy for that.
+    fn turns(&self) -> bool {
+        let (before, now) = (&self.pair_start.velocities, self.velocities());
+        let measure = |v: &SVector<f64, N>| self.yardstick.measure(v);
+        measure(&(now - before)) > TURNED * measure(now).max(measure(before))
+    }
+}
