@@ -3,8 +3,9 @@
 //! rustc. `TRYBUILD=overwrite cargo test -p mbs-tests ui::` writes the `.stderr` files. A few programs of each
 //! sort, in `mbs-runtime/tests/ui`, test that rustc shows messages in this form.
 
+use crate::common::expansion::{errors, invocations};
 use mbs_tests::pages::pages;
-use proc_macro2::{Delimiter, LineColumn, TokenStream, TokenTree};
+use proc_macro2::{LineColumn, TokenStream};
 use std::fmt::Write;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -134,50 +135,6 @@ fn shown_of(text: &str, path: &str) -> Result<Option<String>, String> {
     Ok(reports
         .filter(|reports| !reports.is_empty())
         .map(|reports| reports.join("\n")))
-}
-
-/// The errors in the code generated for a declaration: their messages and positions.
-fn errors(output: TokenStream) -> Result<Vec<(String, Range<LineColumn>)>, String> {
-    // The code also has the correct parts of the declaration, for editors; they must not give errors.
-    syn::parse2::<syn::File>(output.clone())
-        .map_err(|error| format!("what was emitted is not Rust: {error}"))?;
-    invocations(output, "compile_error")
-        .into_iter()
-        .map(|error| {
-            let message: syn::LitStr =
-                syn::parse2(error.tokens).map_err(|error| error.to_string())?;
-            Ok((message.value(), error.place))
-        })
-        .collect()
-}
-
-/// `name!(…)` somewhere in tokens, by its path from the root or without one.
-struct Invocation {
-    tokens: TokenStream,
-    place: Range<LineColumn>,
-}
-
-fn invocations(tokens: TokenStream, name: &str) -> Vec<Invocation> {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    let mut found = Vec::new();
-    for (i, tree) in tokens.iter().enumerate() {
-        let TokenTree::Group(group) = tree else {
-            continue;
-        };
-        let named = i >= 2
-            && group.delimiter() != Delimiter::None
-            && matches!(&tokens[i - 2], TokenTree::Ident(ident) if ident == name)
-            && matches!(&tokens[i - 1], TokenTree::Punct(mark) if mark.as_char() == '!');
-        if named {
-            found.push(Invocation {
-                tokens: group.stream(),
-                place: tokens[i - 2].span().start()..group.span().end(),
-            });
-        } else {
-            found.extend(invocations(group.stream(), name));
-        }
-    }
-    found
 }
 
 /// An error in the form of rustc: the message, the position, the line, and carets under the wrong tokens. `None` if the

@@ -1,5 +1,6 @@
 //! The declarations of the scenes, as tokens.
 
+pub mod expansion;
 pub mod imports;
 
 use proc_macro2::TokenStream;

@@ -3,15 +3,13 @@
 //!
 //! Their entries become ordinary ones with names such as `front.arm`; later stages know no more of them than a list.
 
-use super::entry::{ASSEMBLY, place};
+use super::entry::ASSEMBLY;
 use super::item::Item;
-use super::members::{FamilyItem, place_family};
 use super::name::Name;
-use super::reference::path_to;
-use super::rewrite::{Role, Word, rewrite, rewrite_function, word};
+use super::scope::{Outside, Scope};
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place, did_you_mean};
-use crate::schema::{Kinds, RESERVED, World};
+use crate::schema::{Kinds, World};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::HashMap;
@@ -19,7 +17,7 @@ use std::rc::Rc;
 use syn::{Expr, Visibility};
 
 /// The kind of entries that are called like functions.
-const TABLE: &str = "Table";
+pub(super) const TABLE: &str = "Table";
 
 /// An assembly as written in `assembly!`.
 #[derive(Debug)]
@@ -84,7 +82,7 @@ pub struct Instance {
     pub definition: Rc<Definition>,
 }
 
-/// What is given to a port.
+/// What is given to a port, or what would be taken if nothing was.
 #[derive(Debug, Clone)]
 pub struct Given {
     /// The assembly put in place.
@@ -131,7 +129,7 @@ impl Definition {
     }
 
     /// An entry or a family.
-    fn item(&self, name: &Ident) -> Option<&Item> {
+    pub(super) fn item(&self, name: &Ident) -> Option<&Item> {
         let text = name.to_string();
         self.items.iter().find(|item| match item {
             Item::Entry(entry) => entry.name == text.as_str(),
@@ -165,15 +163,22 @@ pub(super) fn put_all(declaration: &mut Declaration, kinds: &Kinds, errors: &mut
     {
         return;
     }
+    let outside = Outside::of(declaration);
     for entry in std::mem::take(&mut declaration.entries) {
         match entry.kind == ASSEMBLY {
-            true => put(&entry, kinds, declaration, errors),
+            true => put(&entry, &outside, kinds, declaration, errors),
             false => declaration.entries.push(entry),
         }
     }
 }
 
-fn put(entry: &Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) {
+fn put(
+    entry: &Entry,
+    outside: &Outside,
+    kinds: &Kinds,
+    declaration: &mut Declaration,
+    errors: &mut Errors,
+) {
     let Some(path) = entry.positional.first() else {
         return errors.at(
             entry.kind.span(),
@@ -196,7 +201,12 @@ fn put(entry: &Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut
     };
     let before = errors.enter(entry.name.as_str());
     let found = errors.count();
-    let values = bind(entry, &definition, declaration, errors);
+    let mut scope = Scope {
+        instance: &entry.name,
+        definition: &definition,
+        values: HashMap::new(),
+    };
+    bind(entry, &mut scope, outside, declaration, errors);
     declaration.instances.push(Instance {
         name: entry.name.clone(),
         path: path.clone(),
@@ -205,11 +215,6 @@ fn put(entry: &Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut
     if errors.count() == found {
         let mut inside = Declaration::nameable(definition.name.clone());
         inside.definitions = definition.definitions.clone();
-        let scope = Scope {
-            instance: &entry.name,
-            definition: &definition,
-            values: &values,
-        };
         for item in &definition.items {
             scope.put(item, kinds, &mut inside, errors);
         }
@@ -222,13 +227,15 @@ fn put(entry: &Entry, kinds: &Kinds, declaration: &mut Declaration, errors: &mut
     errors.leave(before);
 }
 
-/// The values of ports and parameters by their names.
+/// Notes the values of ports and parameters by their names.
 fn bind(
     entry: &Entry,
-    definition: &Definition,
+    scope: &mut Scope,
+    outside: &Outside,
     declaration: &mut Declaration,
     errors: &mut Errors,
-) -> HashMap<String, Expr> {
+) {
+    let definition = scope.definition;
     let assembly = &definition.name;
     if let Some(more) = entry.positional.get(1) {
         errors.at(
@@ -236,7 +243,6 @@ fn bind(
             format!("what `{assembly}` is given has names: write `port = …`"),
         );
     }
-    let mut values = HashMap::new();
     for argument in &entry.named {
         let name = argument.name.to_string();
         let is_port = definition.ports.iter().any(|port| port.name == name);
@@ -245,12 +251,13 @@ fn bind(
             Some(own) if own.kind == "Param" => {}
             _ => errors.at(argument.name.span(), not_given(definition, &argument.name)),
         }
-        values.insert(name, argument.value.clone());
+        scope.values.insert(name, outside.sealed(&argument.value));
     }
     for port in &definition.ports {
         let name = port.name.to_string();
-        let given = values.get(&name).or(port.default.as_ref()).cloned();
-        let Some(value) = given else {
+        let given = scope.values.get(&name).cloned();
+        let default = port.default.as_ref().map(|default| scope.written(default));
+        if given.is_none() && default.is_none() {
             let about = match port.doc.as_str() {
                 "" => String::new(),
                 doc => format!(" (“{doc}”)"),
@@ -262,17 +269,20 @@ fn bind(
                     port.takes.describe()
                 ),
             );
-            continue;
-        };
-        declaration.given.push(Given {
-            instance: entry.name.to_string(),
-            assembly: assembly.to_string(),
-            port: port.clone(),
-            value: value.clone(),
-        });
-        values.insert(name, value);
+        }
+        // A default that is not taken is right as well, and what it names is used.
+        for value in given.iter().chain(&default) {
+            declaration.given.push(Given {
+                instance: entry.name.to_string(),
+                assembly: assembly.to_string(),
+                port: port.clone(),
+                value: value.clone(),
+            });
+        }
+        scope
+            .values
+            .extend(given.or(default).map(|value| (name, value)));
     }
-    values
 }
 
 fn not_given(definition: &Definition, name: &Ident) -> String {
@@ -304,99 +314,6 @@ fn not_given(definition: &Definition, name: &Ident) -> String {
         list("ports", &ports),
         list("parameters", &parameters)
     )
-}
-
-/// What names mean inside an assembly put in place.
-struct Scope<'a> {
-    instance: &'a Name,
-    definition: &'a Definition,
-    /// Of ports and parameters.
-    values: &'a HashMap<String, Expr>,
-}
-
-impl Scope<'_> {
-    fn put(&self, item: &Item, kinds: &Kinds, declaration: &mut Declaration, errors: &mut Errors) {
-        match item {
-            Item::Doc(_) => {}
-            Item::Entry(entry) => {
-                let mut entry = entry.clone();
-                let given = self.values.get(&entry.name.to_string());
-                // A path stays what it is.
-                let first = usize::from(entry.kind == ASSEMBLY);
-                for argument in entry.positional.iter_mut().skip(first) {
-                    self.write(argument);
-                }
-                for argument in &mut entry.named {
-                    match word(&argument.name) {
-                        Some(Word::Law) => rewrite_function(&mut argument.value, &self.meaning()),
-                        Some(Word::Unit) => {}
-                        None => self.write(&mut argument.value),
-                    }
-                }
-                if entry.kind == "Param"
-                    && let (Some(given), Some(value)) = (given, entry.positional.first_mut())
-                {
-                    *value = given.clone();
-                }
-                entry.name = entry.name.within(self.instance);
-                place(entry, kinds, declaration, errors);
-            }
-            Item::Family(family) => {
-                let mut call = Expr::Call(family.call.clone());
-                self.write(&mut call);
-                if let Expr::Call(call) = call {
-                    let family = FamilyItem {
-                        name: family.name.within(self.instance),
-                        doc: family.doc.clone(),
-                        call,
-                    };
-                    place_family(&family, kinds, declaration, errors);
-                }
-            }
-        }
-    }
-
-    fn write(&self, expr: &mut Expr) {
-        rewrite(expr, &self.meaning());
-    }
-
-    /// What a name stands for. Entries outside are not seen.
-    fn meaning(&self) -> impl Fn(&Ident, Role) -> Option<Expr> {
-        |name, role| match role {
-            Role::Value => self.value(name),
-            Role::Function => self.table(name),
-        }
-    }
-
-    fn value(&self, name: &Ident) -> Option<Expr> {
-        let text = name.to_string();
-        if self.definition.ports.iter().any(|port| port.name == text) {
-            return self.values.get(&text).cloned();
-        }
-        // `Auto` and the like are words of the language.
-        let may_be_name = text.starts_with(|c: char| c.is_lowercase() || c == '_');
-        let is_name = may_be_name && !RESERVED.contains(&text.as_str());
-        (is_name || self.definition.item(name).is_some())
-            .then(|| path_to(self.instance.as_str(), name))
-    }
-
-    /// A table, of the assembly or of a port; other functions have no entries.
-    fn table(&self, name: &Ident) -> Option<Expr> {
-        let mut ports = self.definition.ports.iter();
-        if ports.any(|port| port.name == *name && port.takes == Takes::Table) {
-            return self.values.get(&name.to_string()).cloned();
-        }
-        let is_table = match self.definition.item(name)? {
-            Item::Entry(entry) => entry.kind == TABLE,
-            Item::Family(family) => {
-                let is_table =
-                    |token: &TokenTree| matches!(token, TokenTree::Ident(kind) if *kind == TABLE);
-                any_token(family.call.to_token_stream(), &is_table)
-            }
-            Item::Doc(_) => false,
-        };
-        is_table.then(|| path_to(self.instance.as_str(), name))
-    }
 }
 
 /// Whether one of some tokens is wanted.

@@ -19,6 +19,7 @@ mod parse;
 mod ranges;
 mod reference;
 mod rewrite;
+mod scope;
 mod whole;
 
 use crate::schema::World;

@@ -62,7 +62,12 @@ pub(super) fn member_of(base: &Expr, member: &Ident) -> Option<Expr> {
     Some(as_expression(path))
 }
 
-/// The same for an assembly of this name, all at the place of the member.
+/// The path from the root that stands for an entry in no assembly.
+pub(super) fn from_root(name: &Ident) -> Expr {
+    as_expression(Path::from(name.clone()))
+}
+
+/// The path that stands for `member` inside the assembly of this name, all at the place of the member.
 pub(super) fn path_to(assembly: &str, member: &Ident) -> Expr {
     let mut segments = Punctuated::new();
     for part in assembly.split('.') {

@@ -23,9 +23,15 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
             // The path of a law is that of a function, and the first argument of an assembly is its own.
             let is_path =
                 |name: &str| matches!(&*call.func, Expr::Path(path) if path.path.is_ident(name));
-            let skipped = usize::from(is_path("law") || is_path(ASSEMBLY));
-            let arguments = call.args.iter_mut().skip(skipped);
-            arguments.for_each(|argument| rewrite(argument, of));
+            let is_assembly = is_path(ASSEMBLY);
+            let skipped = usize::from(is_path("law") || is_assembly);
+            for argument in call.args.iter_mut().skip(skipped) {
+                match argument {
+                    // Its ports may have any names.
+                    Expr::Assign(assign) if is_assembly => rewrite(&mut assign.right, of),
+                    other => rewrite(other, of),
+                }
+            }
             if skipped == 0 {
                 rewrite_function(&mut call.func, of);
             }
@@ -63,12 +69,18 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
     }
 }
 
-/// The same where a function stands: a table, or a member of a family of them.
+/// The same where a function stands: a table, a member of a family of them, or a law with arguments.
 pub(super) fn rewrite_function(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
     match expr {
         Expr::Index(index) => {
             rewrite_function(&mut index.expr, of);
             rewrite(&mut index.index, of);
+        }
+        Expr::Call(call) => {
+            rewrite_function(&mut call.func, of);
+            call.args
+                .iter_mut()
+                .for_each(|argument| rewrite(argument, of));
         }
         _ => replace(expr, Role::Function, of),
     }

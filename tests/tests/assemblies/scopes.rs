@@ -1,0 +1,72 @@
+//! What names mean in an assembly: in its entries, in what it is given, and in the defaults of its ports.
+
+use mbs_runtime::{Simulation, assembly, mechanism};
+
+assembly!(Truck {
+    world: Planar(),
+    gauge: Port(Number),
+    wheel: Each([-1.0, 1.0], |side| Particle(
+        mass = 1.0_kg,
+        at = [side * gauge, 0.0_m],
+        free = true
+    )),
+    at: Each(0..2, |i| Output(wheel[i].origin.x)),
+});
+
+mechanism!(Wide {
+    world: Planar(),
+    side: Param(0.7_m),
+    truck: Assembly(Truck, gauge = side),
+});
+
+#[test]
+fn a_value_given_keeps_its_meaning_inside_a_family() {
+    let simulation = Simulation::new(Wide::default()).expect("it assembles");
+    assert_eq!(simulation.outputs().truck.at, [-0.7, 0.7]);
+}
+
+/// Friction that grows with the velocity; the value and the slopes.
+fn damping([_, velocity, k]: [f64; 3]) -> (f64, [f64; 3]) {
+    (k * velocity, [0.0, k, velocity])
+}
+
+assembly!(Brake {
+    world: Planar(),
+    own: Param(2.0),
+    length: Param(value = 2.0_m),
+    unit: Port(Number, default = length),
+    law: Port(Number, default = unit / 2.0),
+    wheel: Body(mass = 1.0_kg, inertia = 1.0_kg_m2, rate = 1.0_rad_per_s),
+    axle: Revolute(ground.point(unit, law), wheel.origin),
+    brake: TorsionSpring(ground, wheel, law = damping(own)),
+    place: Output(wheel.origin),
+    slowing: Output(rate(wheel.rate)),
+});
+
+assembly!(Pair {
+    world: Planar(),
+    far: Port(Number, default = 30.0_m),
+    one: Assembly(Brake, unit = far),
+    two: Each(0..2, |i| Assembly(Brake, law = far, length = i * 5.0_m)),
+});
+
+mechanism!(Brakes {
+    world: Planar(),
+    own: Param(700.0),
+    length: Param(100.0_m),
+    one: Assembly(Brake, length = 7.0_m),
+    pair: Assembly(Pair),
+    used: Output(own * length),
+});
+
+#[test]
+fn an_assembly_has_names_of_its_own() {
+    let simulation = Simulation::new(Brakes::default()).expect("it assembles");
+    let outputs = simulation.outputs();
+    // Arguments of a law are those of the assembly, and so are the defaults of ports.
+    assert_eq!(outputs.one.slowing, -2.0);
+    assert_eq!(outputs.one.place.as_slice(), [7.0, 3.5]);
+    // Ports may have the names of arguments with words.
+    assert_eq!(outputs.pair.one.place.as_slice(), [30.0, 15.0]);
+    assert_eq!(outputs.pair.two[1].place.as_slice(), [5.0, 30.0]);
+}
