@@ -10,9 +10,7 @@ use crate::dimension::Dimension;
 use crate::names::is_one_of_many;
 use crate::schema::{RESERVED, World};
 use crate::symbolic::{Graph, Symbol};
-use crate::syntax::{Entry, Family, Given, Reference, Takes};
-use proc_macro2::Span;
-use std::collections::HashSet;
+use crate::syntax::{Entry, Given, Reference, Takes};
 
 /// Errors up to which names like an unknown one are searched: each search compares with all names, and nobody reads so
 /// many hints.
@@ -23,27 +21,8 @@ impl<'d> Resolver<'d> {
     pub(super) fn declare(&mut self) {
         for (index, entry) in self.declaration.entries.iter().enumerate() {
             self.states.push(State::Waiting);
-            let name = entry.name.to_string();
-            if self.names.contains_key(name.as_str()) {
-                self.declared_twice(&name, entry.span());
-            } else {
-                self.names.insert(name, index);
-            }
+            self.names.insert(entry.name.to_string(), index);
         }
-        let mut families: HashSet<&str> = HashSet::new();
-        for Family { name, .. } in &self.declaration.families {
-            if self.names.contains_key(name.as_str()) || !families.insert(name.as_str()) {
-                self.declared_twice(&name.to_string(), name.span());
-            }
-        }
-    }
-
-    fn declared_twice(&mut self, name: &str, span: Span) {
-        self.fail_about(
-            name,
-            span,
-            format!("`{name}` is declared twice; rename one of them"),
-        );
     }
 
     /// Parameters and inputs first, so that they are listed as declared.

@@ -234,12 +234,14 @@ fn is_free(name: &proc_macro2::Ident, definition: &Definition, errors: &mut Erro
     let taken = definition.items.iter().any(is_same)
         || definition.ports.iter().any(|port| port.name == text);
     if taken {
-        errors.at(
-            name.span(),
-            format!("`{text}` is declared twice; rename one of them"),
-        );
+        errors.at(name.span(), declared_twice(&text));
     }
     !taken
+}
+
+/// The message at the second of two entries of one name.
+pub(super) fn declared_twice(name: &str) -> String {
+    format!("`{name}` is declared twice; rename one of them")
 }
 
 /// Reads `Port(Point)` or `Port(Number, default = 1.0)`.

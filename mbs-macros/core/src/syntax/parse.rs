@@ -1,15 +1,17 @@
 //! The parser: entries are split at commas first, so that an error in one entry does not hide errors in others.
 
 use super::assemblies::put_all;
-use super::definition::with_definitions;
+use super::definition::{declared_twice, with_definitions};
 use super::entry::{lost_parameter, place};
 use super::item::{Item, read_header, split_at_commas};
-use super::members::place_family;
-use super::{Declaration, nested};
+use super::levels::is_level;
+use super::members::{FamilyItem, place_family};
+use super::{Declaration, Entry, nested};
 use crate::diagnostics::Errors;
 use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
+use std::collections::HashSet;
 use syn::Ident;
 use syn::parse::{ParseStream, Parser};
 
@@ -34,10 +36,12 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
         ..Declaration::nameable(header.name)
     };
     let mut broken_world = false;
+    let mut names = HashSet::new();
     for chunk in split_at_commas(header.body) {
         broken_world |= starts_with_world(&chunk);
         let read = |input: ParseStream| Item::parse(input, kinds);
         match read.parse2(chunk.clone()) {
+            Ok(item) if !is_first(&item, &mut names, errors) => {}
             Ok(Item::Doc(doc)) => {
                 if !declaration.doc.is_empty() {
                     declaration.doc.push('\n');
@@ -65,6 +69,21 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
     put_all(&mut declaration, kinds, errors);
     nested::resolve(&mut declaration, errors);
     Some(declaration)
+}
+
+/// Whether no entry before has the name of this one.
+fn is_first(item: &Item, names: &mut HashSet<String>, errors: &mut Errors) -> bool {
+    let name = match item {
+        Item::Entry(Entry { name, .. }) | Item::Family(FamilyItem { name, .. }) => name,
+        Item::Doc(_) => return true,
+    };
+    // These have messages of their own.
+    let is_setting = *name == "world" || is_level(name.as_str());
+    let is_first = is_setting || names.insert(name.to_string());
+    if !is_first {
+        errors.at(name.span(), declared_twice(name.as_str()));
+    }
+    is_first
 }
 
 /// Refuses names of mechanisms that generated code could not live with.

@@ -38,7 +38,7 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
         }
         Expr::Assign(assign) => match argument(&assign.left) {
             Some(Word::Law) => rewrite_function(&mut assign.right, of),
-            Some(Word::Unit) => {}
+            Some(Word::OfLanguage) => {}
             None => rewrite(&mut assign.right, of),
         },
         Expr::Range(range) => {
@@ -100,15 +100,15 @@ fn replace(expr: &mut Expr, role: Role, of: &dyn Fn(&Ident, Role) -> Option<Expr
 pub(super) enum Word {
     /// The path of a law, or a table.
     Law,
-    /// A unit.
-    Unit,
+    /// A unit, or a word such as `Auto`.
+    OfLanguage,
 }
 
 /// The argument of this name.
 pub(super) fn word(argument: &Ident) -> Option<Word> {
     match argument.to_string().as_str() {
         "law" => Some(Word::Law),
-        "unit" => Some(Word::Unit),
+        "unit" | "coordinates" | "interpolation" | "beyond" => Some(Word::OfLanguage),
         _ => None,
     }
 }

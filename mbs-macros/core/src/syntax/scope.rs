@@ -15,20 +15,16 @@ use quote::ToTokens;
 use std::collections::{HashMap, HashSet};
 use syn::Expr;
 
-/// The names around an assembly.
+/// The entries around an assembly.
 pub(super) struct Outside {
-    declared: HashSet<String>,
     tables: HashSet<String>,
 }
 
 impl Outside {
     pub(super) fn of(declaration: &Declaration) -> Outside {
         let entries = declaration.entries.iter();
-        let tables = entries.clone().filter(|entry| entry.kind == TABLE);
-        let families = declaration.families.iter().map(|family| &family.name);
-        let declared = entries.map(|entry| &entry.name).chain(families);
+        let tables = entries.filter(|entry| entry.kind == TABLE);
         Outside {
-            declared: declared.map(Name::to_string).collect(),
             tables: tables.map(|entry| entry.name.base().to_owned()).collect(),
         }
     }
@@ -38,10 +34,9 @@ impl Outside {
     pub(super) fn sealed(&self, value: &Expr) -> Expr {
         let mut value = value.clone();
         rewrite(&mut value, &|name, role| {
-            let text = name.to_string();
             let is_entry = match role {
-                Role::Value => may_be_entry(name) || self.declared.contains(&text),
-                Role::Function => self.tables.contains(&text),
+                Role::Value => may_be_entry(name),
+                Role::Function => self.tables.contains(&name.to_string()),
             };
             is_entry.then(|| from_root(name))
         });
@@ -49,11 +44,9 @@ impl Outside {
     }
 }
 
-/// Whether an entry can have this name, and no word of the language is like it: `Auto` and others begin with a capital.
+/// Whether an entry can have this name.
 fn may_be_entry(name: &Ident) -> bool {
-    let text = name.to_string();
-    let is_small = text.starts_with(|c: char| c.is_lowercase() || c == '_');
-    is_small && !RESERVED.contains(&text.as_str())
+    !RESERVED.contains(&name.to_string().as_str())
 }
 
 /// What names mean inside an assembly put in place.
@@ -101,7 +94,7 @@ impl Scope<'_> {
         for argument in &mut entry.named {
             match word(&argument.name).filter(|_| !is_assembly) {
                 Some(Word::Law) => rewrite_function(&mut argument.value, &self.meaning()),
-                Some(Word::Unit) => {}
+                Some(Word::OfLanguage) => {}
                 None => self.write(&mut argument.value),
             }
         }
@@ -143,8 +136,7 @@ impl Scope<'_> {
         if self.definition.ports.iter().any(|port| port.name == text) {
             return self.values.get(&text).cloned();
         }
-        (may_be_entry(name) || self.definition.item(name).is_some())
-            .then(|| path_to(self.instance.as_str(), name))
+        may_be_entry(name).then(|| path_to(self.instance.as_str(), name))
     }
 
     /// A table, of the assembly or of a port; other functions have no entries.
