@@ -138,7 +138,7 @@ pub fn compile(tokens: TokenStream, home: &Home) -> TokenStream {
     let name = &definition.name;
     let hidden = format_ident!(
         "__mbs_assembly_{name}_{:x}",
-        hash(&declaration),
+        hash(&declaration, name.span()),
         span = Span::call_site()
     );
     // Public where nothing else is said, as a mechanism is.
@@ -177,7 +177,21 @@ fn contains_itself(tokens: &TokenStream) -> Option<TokenStream> {
 
 /// `{ { declaration } { inside } }`, with a word behind if something is wrong with it.
 fn bundle(declaration: &TokenStream, inside: &TokenStream, is_wrong: bool) -> TokenStream {
-    let declaration = for_everywhere(declaration.clone());
+    // What stands before the braces says who may use the assembly, seen from where it is declared.
+    let of_body = |token: TokenTree| match &token {
+        TokenTree::Group(body) if body.delimiter() == Delimiter::Brace => {
+            for_everywhere(token.into())
+        }
+        _ => token.into(),
+    };
+    let declaration: TokenStream = declaration.clone().into_iter().flat_map(of_body).collect();
+    // Paths as the declaration names them now; the assemblies of these paths are of their own crates.
+    let inside = inside.clone().into_iter().enumerate();
+    let inside = inside.flat_map(|(index, token)| match index % 2 {
+        0 => for_everywhere(token.into()),
+        _ => token.into(),
+    });
+    let inside: TokenStream = inside.collect();
     let wrong = is_wrong.then(|| quote! { broken });
     quote! { { { #declaration } { #inside } #wrong } }
 }
@@ -220,9 +234,12 @@ fn for_everywhere(tokens: TokenStream) -> TokenStream {
     out
 }
 
-/// So that two assemblies of one name in different modules of a crate have different macros.
-fn hash(tokens: &TokenStream) -> u64 {
+/// So that two assemblies of one name in different modules of a crate have different macros, also if one is a copy of
+/// the other.
+fn hash(tokens: &TokenStream, place: Span) -> u64 {
     let mut hasher = DefaultHasher::new();
     tokens.to_string().hash(&mut hasher);
+    let start = place.start();
+    (place.file(), start.line, start.column).hash(&mut hasher);
     hasher.finish()
 }

@@ -108,3 +108,40 @@ mechanism!(M {
         ",
     );
 }
+
+#[test]
+fn names_of_assemblies() {
+    let named = |name: &str, message: &str| {
+        let under = "~".repeat(name.len());
+        refused(&format!(
+            "
+assembly!({name} {{ world: Planar(), p: Particle(mass = 1.0_kg, free = true) }});
+          {under} {message}
+            "
+        ));
+    };
+    named(
+        "f64",
+        "`f64` is a type of Rust; choose another name for the assembly",
+    );
+    named(
+        "CraneOutputs",
+        "a mechanism `Crane` would have a type `CraneOutputs` beside its own; choose another name for this assembly",
+    );
+    named(
+        "r#fn",
+        "names are written without `r#`; choose another name",
+    );
+    named("gen", "`gen` is a word of Rust; choose another name");
+}
+
+#[test]
+fn words_of_rust() {
+    refused(
+        "
+mechanism!(gen { world: Planar(), gen: Particle(mass = 1.0_kg, free = true) });
+           ~~~ `gen` is a word of Rust; choose another name
+                                  ~~~ `gen` is a word of Rust; choose another name
+        ",
+    );
+}

@@ -70,3 +70,46 @@ fn an_assembly_has_names_of_its_own() {
     assert_eq!(outputs.pair.one.place.as_slice(), [30.0, 15.0]);
     assert_eq!(outputs.pair.two[1].place.as_slice(), [5.0, 30.0]);
 }
+
+mod places {
+    use mbs_runtime::{Simulation, assembly, mechanism};
+
+    pub mod left {
+        mbs_runtime::assembly!(pub(crate) Wheel {
+            world: Planar(),
+            size: Param(1.0_m),
+            rim: Particle(mass = 1.0_kg, at = [size, 0.0_m], free = true),
+        });
+    }
+
+    pub mod right {
+        mbs_runtime::assembly!(pub(crate) Wheel {
+            world: Planar(),
+            size: Param(1.0_m),
+            rim: Particle(mass = 1.0_kg, at = [size, 0.0_m], free = true),
+        });
+    }
+
+    assembly!(pub(super) Axle {
+        world: Planar(),
+        wheel: Assembly(crate::assemblies::scopes::places::left::Wheel, size = 2.0_m),
+        wheels: Each(0..2, |i| Assembly(
+            super::places::right::Wheel,
+            size = (3.0 + i) * 1.0_m
+        )),
+    });
+
+    mechanism!(Cart {
+        world: Planar(),
+        axle: Assembly(Axle),
+        at: Output(axle.wheel.rim.origin.x),
+        far: Output(axle.wheels[1].rim.origin.x),
+    });
+
+    #[test]
+    fn assemblies_of_a_crate_are_found_by_their_paths() {
+        let cart = Simulation::new(Cart::default()).expect("it assembles");
+        assert_eq!(cart.outputs().far, 4.0);
+        assert_eq!(cart.outputs().at, 2.0);
+    }
+}

@@ -10,9 +10,10 @@
 
 use super::assemblies::{Definition, Definitions, Port, Takes, any_token, path_text, put_all};
 use super::entry::{ASSEMBLY, PORT, place};
-use super::item::{Item, read_header, split_at_commas};
+use super::item::{Item, WITHOUT_RAW, read_header, split_at_commas};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
+use super::parse::check_name;
 use super::rewrite::rewrite;
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place, did_you_mean};
@@ -91,6 +92,11 @@ pub fn define(
             return None;
         }
     };
+    check_name(&header.name, "assembly", errors);
+    if header.name.to_string().starts_with("r#") {
+        errors.at(header.name.span(), WITHOUT_RAW);
+        return None;
+    }
     let mut definition = Definition {
         visibility: header.visibility,
         name: header.name,

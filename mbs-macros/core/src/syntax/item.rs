@@ -125,17 +125,26 @@ fn entry_name(input: ParseStream) -> syn::Result<Ident> {
         return Err(input.error("expected an entry, as in `name: Kind(…)`"));
     }
     let name = input.call(Ident::parse_any)?;
-    match syn::parse2::<Ident>(name.to_token_stream()) {
-        Ok(name) if name.to_string().starts_with("r#") => Err(syn::Error::new(
-            name.span(),
-            "names are written without `r#`; choose another name",
-        )),
-        Ok(name) => Ok(name),
-        Err(_) => Err(syn::Error::new(
-            name.span(),
-            format!("`{name}` is a word of Rust; choose another name"),
-        )),
+    if is_word_of_rust(&name) {
+        return Err(syn::Error::new(name.span(), word_of_rust(&name)));
     }
+    match name.to_string().starts_with("r#") {
+        true => Err(syn::Error::new(name.span(), WITHOUT_RAW)),
+        false => Ok(name),
+    }
+}
+
+/// The message for names such as `r#fn`.
+pub(super) const WITHOUT_RAW: &str = "names are written without `r#`; choose another name";
+
+/// Whether the generated code cannot have this name; `gen` is such a word from edition 2024 on.
+pub(super) fn is_word_of_rust(name: &Ident) -> bool {
+    name == "gen" || syn::parse2::<Ident>(name.to_token_stream()).is_err()
+}
+
+/// The message for such a name.
+pub(super) fn word_of_rust(name: &Ident) -> String {
+    format!("`{name}` is a word of Rust; choose another name")
 }
 
 fn documentation(attributes: &[Attribute]) -> syn::Result<String> {

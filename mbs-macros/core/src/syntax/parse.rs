@@ -3,7 +3,7 @@
 use super::assemblies::put_all;
 use super::definition::{declared_twice, with_definitions};
 use super::entry::{lost_parameter, place};
-use super::item::{Item, read_header, split_at_commas};
+use super::item::{Item, is_word_of_rust, read_header, split_at_commas, word_of_rust};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
 use super::{Declaration, Entry, nested};
@@ -27,7 +27,7 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
             return found.map(Declaration::nameable);
         }
     };
-    check_name(&header.name, errors);
+    check_name(&header.name, "mechanism", errors);
     let mut declaration = Declaration {
         visibility: header.visibility,
         doc: header.doc,
@@ -86,13 +86,16 @@ fn is_first(item: &Item, names: &mut HashSet<String>, errors: &mut Errors) -> bo
     is_first
 }
 
-/// Refuses names of mechanisms that generated code could not live with.
-fn check_name(name: &Ident, errors: &mut Errors) {
+/// Refuses names of mechanisms and assemblies that generated code could not live with.
+pub(super) fn check_name(name: &Ident, what: &str, errors: &mut Errors) {
     let text = name.to_string();
+    if is_word_of_rust(name) {
+        errors.at(name.span(), word_of_rust(name));
+    }
     if schema::PRIMITIVES.contains(&text.as_str()) {
         errors.at(
             name.span(),
-            format!("`{text}` is a type of Rust; choose another name for the mechanism"),
+            format!("`{text}` is a type of Rust; choose another name for the {what}"),
         );
     }
     // So that no two mechanisms can have types of the same name.
@@ -101,7 +104,7 @@ fn check_name(name: &Ident, errors: &mut Errors) {
     if let Some(stem) = stem.filter(|stem| !stem.is_empty()) {
         errors.at(
             name.span(),
-            format!("a mechanism `{stem}` would have a type `{text}` beside its own; choose another name for this mechanism"),
+            format!("a mechanism `{stem}` would have a type `{text}` beside its own; choose another name for this {what}"),
         );
     }
 }
