@@ -8,6 +8,7 @@ mod assemblies;
 mod book;
 mod changing_parameters;
 mod data;
+mod depth;
 mod derivatives;
 mod descriptions;
 mod editor;

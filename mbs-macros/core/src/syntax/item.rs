@@ -2,8 +2,9 @@
 
 use super::entry::entry;
 use super::families::{is_family, of_list};
+use super::height::height;
 use super::members::FamilyItem;
-use super::{Entry, MAX_DEPTH, TOO_DEEP};
+use super::{Entry, MAX_DEPTH};
 use crate::schema::Kinds;
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
@@ -169,47 +170,6 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
         }
     }
     Ok(lines.join("\n"))
-}
-
-/// At least the height of the tree that these tokens will become. An error at the token where it grows beyond `limit`.
-///
-/// A sum of n terms is a tree of height n above its highest term; within a term every sign may be a level. A pair of
-/// brackets weighs as much as the levels of grammar inside it.
-fn height(tokens: &TokenStream, limit: usize) -> syn::Result<usize> {
-    const BRACKETS: usize = 3;
-    let (mut sums, mut term, mut inside) = (0, 0, 0);
-    let (mut highest_term, mut highest) = (0, 0);
-    let mut after_operand = false;
-    for token in tokens.clone() {
-        match &token {
-            TokenTree::Punct(sign) => match sign.as_char() {
-                ',' => (sums, term, inside, highest_term) = (0, 0, 0, 0),
-                '+' | '-' if after_operand => {
-                    sums += 1;
-                    (term, inside) = (0, 0);
-                }
-                '+' | '-' | '*' | '/' | '.' => term += 1,
-                // Attributes, such as lines of documentation, stand one after the other.
-                '#' => {}
-                _ => sums += 1,
-            },
-            TokenTree::Group(group) => {
-                let within = match limit.checked_sub(sums + term + BRACKETS) {
-                    Some(left) => height(&group.stream(), left)?,
-                    None => 0,
-                };
-                inside = inside.max(within + BRACKETS);
-            }
-            TokenTree::Ident(_) | TokenTree::Literal(_) => {}
-        }
-        after_operand = !matches!(token, TokenTree::Punct(_));
-        highest_term = highest_term.max(term + inside);
-        highest = highest.max(sums + highest_term);
-        if highest > limit {
-            return Err(syn::Error::new(token.span(), TOO_DEEP));
-        }
-    }
-    Ok(highest)
 }
 
 pub(super) fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {

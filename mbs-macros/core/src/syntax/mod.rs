@@ -10,6 +10,7 @@ mod children;
 mod definition;
 mod entry;
 mod families;
+mod height;
 mod item;
 mod levels;
 mod members;
