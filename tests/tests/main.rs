@@ -13,6 +13,7 @@ mod derivatives;
 mod descriptions;
 mod editor;
 mod elimination;
+mod entries;
 mod families;
 mod flipped_signs;
 mod force_axes;

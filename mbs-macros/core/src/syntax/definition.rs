@@ -9,8 +9,9 @@
 //! A word behind the two parts of an assembly says that it has errors of its own.
 
 use super::assemblies::{Definition, Definitions, Port, Takes, any_token, path_text, put_all};
+use super::chunk::{read, split_at_commas};
 use super::entry::{ASSEMBLY, PORT, place};
-use super::item::{Item, WITHOUT_RAW, read_header, split_at_commas};
+use super::item::{Item, WITHOUT_RAW, read_header};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
 use super::parse::check_name;
@@ -23,7 +24,6 @@ use quote::ToTokens;
 use std::cell::RefCell;
 use std::rc::Rc;
 use syn::Expr;
-use syn::parse::{ParseStream, Parser};
 
 /// A declaration without the assemblies that came with it.
 pub(super) fn with_definitions(tokens: TokenStream, kinds: &Kinds) -> (TokenStream, Definitions) {
@@ -108,8 +108,7 @@ pub fn define(
     };
     let mut world = None;
     for chunk in split_at_commas(header.body) {
-        let read = |input: ParseStream| Item::parse(input, kinds);
-        match read.parse2(chunk) {
+        match read(&chunk, kinds) {
             Ok(item) => note(item, &mut definition, &mut world, kinds, errors),
             Err(error) => errors.push(error),
         }

@@ -150,7 +150,10 @@ pub(super) fn place(
     if entry.kind == PORT {
         errors.at(
             entry.kind.span(),
-            "a port stands in `assembly!`; a mechanism has parameters and inputs",
+            match entry.name.is_member() {
+                true => "a port is no member of a family; give each port of an assembly a name of its own",
+                false => "a port stands in `assembly!`; a mechanism has parameters and inputs",
+            },
         );
         return false;
     }

@@ -4,6 +4,7 @@
 use super::bindings::{Bindings, Bound, names};
 use super::name::Name;
 use super::ranges::{Over, ranges};
+use quote::quote;
 use std::ops::Range;
 use syn::spanned::Spanned;
 use syn::{Error, Expr, ExprCall, ExprClosure, Ident, Pat, parse_quote_spanned};
@@ -187,13 +188,29 @@ impl<'e> Written<'e> {
 }
 
 fn closure_of<'e>(name: &Name, expr: &'e Expr) -> syn::Result<&'e ExprClosure> {
-    match expr {
-        Expr::Closure(closure) if closure.attrs.is_empty() => Ok(closure),
-        other => Err(Error::new_spanned(
-            other,
-            format!(
-                "expected a closure that says what each member is: `{name}: {EACH}(0..5, |i| Kind(…))`"
-            ),
+    let expected = || {
+        format!(
+            "expected a closure that says what each member is: `{name}: {EACH}(0..5, |i| Kind(…))`"
+        )
+    };
+    let Expr::Closure(closure) = expr else {
+        return Err(Error::new_spanned(expr, expected()));
+    };
+    let ExprClosure {
+        lifetimes,
+        constness,
+        movability,
+        asyncness,
+        capture,
+        output,
+        ..
+    } = closure;
+    let written = quote! { #lifetimes #constness #movability #asyncness #capture #output };
+    match written.is_empty() {
+        true => Ok(closure),
+        false => Err(Error::new_spanned(
+            written,
+            "the closure of a family has parameters and what each member is, as in `|i| Kind(…)`; leave this out",
         )),
     }
 }
@@ -221,7 +238,7 @@ fn check_count(over: &[Over], closure: &ExprClosure) -> syn::Result<()> {
             let (first, last) = (&closure.or1_token, &closure.or2_token);
             let inputs = &closure.inputs;
             Err(Error::new_spanned(
-                quote::quote! { #first #inputs #last },
+                quote! { #first #inputs #last },
                 expected,
             ))
         }

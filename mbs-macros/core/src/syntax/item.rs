@@ -6,7 +6,7 @@ use super::height::height;
 use super::members::FamilyItem;
 use super::{Entry, MAX_DEPTH};
 use crate::schema::Kinds;
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
@@ -70,7 +70,14 @@ pub(super) enum Item {
 
 impl Item {
     pub(super) fn parse(input: ParseStream, kinds: &Kinds) -> syn::Result<Self> {
-        let doc = documentation(&input.call(Attribute::parse_outer)?)?;
+        let attributes = input.call(Attribute::parse_outer)?;
+        let doc = documentation(&attributes)?;
+        if let Some(last) = attributes.last().filter(|_| input.is_empty()) {
+            return Err(syn::Error::new_spanned(
+                last,
+                "documentation stands before its entry, and nothing follows here",
+            ));
+        }
         let name = entry_name(input)?;
         if !input.peek(Token![:]) {
             let message = match kinds.any(&name.to_string()) {
@@ -126,6 +133,12 @@ fn entry_name(input: ParseStream) -> syn::Result<Ident> {
         return Err(input.error("expected an entry, as in `name: Kind(…)`"));
     }
     let name = input.call(Ident::parse_any)?;
+    if name == "pub" {
+        return Err(syn::Error::new(
+            name.span(),
+            "what an entry gives is public anyway; leave `pub` out",
+        ));
+    }
     if is_word_of_rust(&name) {
         return Err(syn::Error::new(name.span(), word_of_rust(&name)));
     }
@@ -170,19 +183,4 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
         }
     }
     Ok(lines.join("\n"))
-}
-
-pub(super) fn split_at_commas(body: TokenStream) -> Vec<TokenStream> {
-    let mut chunks = vec![TokenStream::new()];
-    for token in body {
-        match &token {
-            TokenTree::Punct(punct) if punct.as_char() == ',' => chunks.push(TokenStream::new()),
-            _ => chunks
-                .last_mut()
-                .expect("starts with one chunk")
-                .extend([token]),
-        }
-    }
-    chunks.retain(|chunk| !chunk.is_empty());
-    chunks
 }

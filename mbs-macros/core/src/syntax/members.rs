@@ -73,8 +73,14 @@ fn expand(
     declaration: &mut Declaration,
     errors: &mut Errors,
 ) {
-    for parameter in family.parameters() {
-        is_free(parameter, errors);
+    let parameters = family.parameters();
+    for (index, parameter) in parameters.iter().enumerate() {
+        if is_free(parameter, errors) && parameters[..index].contains(parameter) {
+            errors.at(
+                parameter.span(),
+                format!("this closure has two parameters `{parameter}`; rename one of them"),
+            );
+        }
     }
     for (member, value) in family.members() {
         let before = errors.enter(member.as_str());

@@ -7,6 +7,7 @@
 mod assemblies;
 mod bindings;
 mod children;
+mod chunk;
 mod definition;
 mod entry;
 mod families;

@@ -1,9 +1,10 @@
 //! The parser: entries are split at commas first, so that an error in one entry does not hide errors in others.
 
 use super::assemblies::put_all;
+use super::chunk::{read, split_at_commas, without_attributes};
 use super::definition::{declared_twice, with_definitions};
 use super::entry::{lost_parameter, place};
-use super::item::{Item, is_word_of_rust, read_header, split_at_commas, word_of_rust};
+use super::item::{Item, is_word_of_rust, read_header, word_of_rust};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
 use super::{Declaration, Entry, nested};
@@ -13,7 +14,6 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use std::collections::HashSet;
 use syn::Ident;
-use syn::parse::{ParseStream, Parser};
 
 /// Parses a declaration, alone or with the assemblies that it names (`assemblies`). What parsed is returned even if some
 /// entries did not.
@@ -39,8 +39,7 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
     let mut names = HashSet::new();
     for chunk in split_at_commas(header.body) {
         broken_world |= starts_with_world(&chunk);
-        let read = |input: ParseStream| Item::parse(input, kinds);
-        match read.parse2(chunk.clone()) {
+        match read(&chunk, kinds) {
             Ok(item) if !is_first(&item, &mut names, errors) => {}
             Ok(Item::Doc(doc)) => {
                 if !declaration.doc.is_empty() {
@@ -119,10 +118,7 @@ fn name_of(tokens: &TokenStream) -> Option<Ident> {
 
 /// The name of a wrong entry that seems to be a parameter: `name: Parm(…)` or `name: 1.0_m`.
 fn lost_entry(chunk: &TokenStream, kinds: &Kinds) -> Option<Ident> {
-    let mut tokens = chunk
-        .clone()
-        .into_iter()
-        .skip_while(|token| matches!(token, TokenTree::Punct(_) | TokenTree::Group(_)));
+    let mut tokens = without_attributes(chunk).into_iter();
     let Some(TokenTree::Ident(name)) = tokens.next() else {
         return None;
     };
@@ -131,6 +127,6 @@ fn lost_entry(chunk: &TokenStream, kinds: &Kinds) -> Option<Ident> {
 }
 
 fn starts_with_world(entry: &TokenStream) -> bool {
-    let first = entry.clone().into_iter().next();
+    let first = without_attributes(entry).into_iter().next();
     matches!(first, Some(TokenTree::Ident(name)) if name == "world")
 }
