@@ -13,7 +13,7 @@
 
 use crate::diagnostics::{Errors, Failure};
 use crate::home::Home;
-use crate::syntax::{self, ASSEMBLY, path_text};
+use crate::syntax::{self, named, path_text};
 use crate::{emit, model};
 use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
@@ -68,30 +68,6 @@ fn known(rest: &[TokenTree]) -> TokenStream {
             known.stream().into_iter().chain(new).collect()
         }
         _ => TokenStream::new(),
-    }
-}
-
-/// The paths of the assemblies that tokens name: what follows `Assembly(`.
-fn named(tokens: &TokenStream, paths: &mut Vec<TokenStream>) {
-    let mut list = tokens.clone().into_iter().peekable();
-    while let Some(token) = list.next() {
-        match (&token, list.peek()) {
-            (TokenTree::Ident(word), Some(TokenTree::Group(arguments))) if word == ASSEMBLY => {
-                let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(comma) if comma.as_char() == ',');
-                let first = arguments.stream().into_iter();
-                let path: Vec<TokenTree> = first.take_while(|token| !is_comma(token)).collect();
-                let is_path = path.iter().all(|token| match token {
-                    TokenTree::Ident(_) => true,
-                    TokenTree::Punct(colon) => colon.as_char() == ':',
-                    _ => false,
-                });
-                if is_path && matches!(path.last(), Some(TokenTree::Ident(_))) {
-                    paths.push(path.into_iter().collect());
-                }
-            }
-            (TokenTree::Group(group), _) => named(&group.stream(), paths),
-            _ => {}
-        }
     }
 }
 

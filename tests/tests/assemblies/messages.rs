@@ -145,3 +145,95 @@ mechanism!(gen { world: Planar(), gen: Particle(mass = 1.0_kg, free = true) });
         ",
     );
 }
+
+#[test]
+fn members_that_depend_on_a_port() {
+    accepted(
+        "
+assembly!(A {
+    world: Planar(),
+    n: Port(Number),
+    size: Port(Number, default = 1.0_m),
+    b: Each(0..3, |i| Particle(mass = if i < n { 1.0_kg } else { 2.0_kg }, at = [i * size, 0.0_m], free = true)),
+    c: Each([n, 2], |k| Particle(mass = if k < 2 { 1.0_kg } else { k * 1.0_kg }, free = true)),
+    d: Each([size, 2.0 * size], |x| Particle(mass = 1.0_kg, at = [x, 0.0_m], free = true)),
+    e: Each(0..3, |n| Param(n * 1.0_kg)),
+    f: Each(0..3, |i| Particle(mass = e[i], free = true)),
+    g: Each(0..n, |i| Input(1.0_N)),
+    h: Each(0..n, |i| Force(b[i].origin, value = [g[i], 0.0])),
+});
+mechanism!(M { world: Planar(), a: Assembly(A, n = 2), o: Output(a.b[2].origin.x) });
+        ",
+    );
+    refused(
+        "
+assembly!(A { world: Planar(), m: Param(1.0_kg), p: Particle(mass = m, free = true) });
+assembly!(B { world: Planar(), a: Assembly(A) });
+assembly!(C {
+    world: Planar(),
+    n: Port(Number),
+    size: Port(Number, default = 1.0_m),
+    m: Each(0..n, |i| Param(1.0_kg)),
+    ~ the members of `m` have parameters, which are fields of `C` and the same wherever it is used: they cannot depend on the port `n`; write numbers in its place
+    b: Each((0..2, 0..n), |i, j| Assembly(B)),
+    ~ the members of `b` have parameters, which are fields of `C` and the same wherever it is used: they cannot depend on the port `n`; write numbers in its place
+    l: Each([size, 2.0 * size], |x| Param(x)),
+             ~~~~ in `l[0]`: `size` is a port, whose value each use gives: the default of a parameter is a number; write one, or declare a port instead of a parameter
+                         ~~~~ in `l[1]`: `size` is a port, whose value each use gives: the default of a parameter is a number; write one, or declare a port instead of a parameter
+    k: Param(2.0 * size),
+                   ~~~~ `size` is a port, whose value each use gives: the default of a parameter is a number; write one, or declare a port instead of a parameter
+    f: Input(2.0 * size),
+                   ~~~~ `size` is a port, whose value each use gives: the default of an input is a number; write one, or declare a port instead of an input
+    a: Assembly(A, m = n * 2.0_kg),
+                       ~ in `a.m`: `n` is a port, whose value each use gives: the default of a parameter is a number; write one, or declare a port instead of a parameter
+});
+        ",
+    );
+}
+
+#[test]
+fn parameters_given_in_other_units() {
+    refused(
+        "
+assembly!(A {
+    world: Planar(),
+    length: Param(1.0_m),
+    stiffness: Param(1.0, unit = N_per_m),
+    p: Particle(mass = 1.0_kg, at = [length, stiffness * 1.0_m2_per_N], free = true),
+});
+assembly!(B { world: Planar(), a: Assembly(A, length = 2.0_s) });
+                                                       ~~~~~ in `a`: the parameter `length` of `A` is a length (m), but this is a time (s)
+mechanism!(M {
+    world: Planar(),
+    a: Assembly(A, length = 0.5_kg, stiffness = 2.0_N),
+                            ~~~~~~ the parameter `length` of `A` is a length (m), but this is a mass (kg)
+                                                ~~~~~ the parameter `stiffness` of `A` is a stiffness (N/m), but this is a force (N)
+    b: Each(0..2, |i| Assembly(A, length = i * 0.5_N)),
+                                           ~~~~~~~~~ in
+});
+        ",
+    );
+}
+
+#[test]
+fn indices_of_assemblies() {
+    refused(
+        "
+assembly!(A { world: Planar(), p: Each(0..2, |i| Particle(mass = 1.0_kg, free = true)) });
+mechanism!(M {
+    world: Planar(),
+    a: Each(0..2, |i| Assembly(A)),
+    o: Output(a[2].p[0].origin.x),
+              ~~~~ there is no `a[2]`; the members of `a` go from `a[0]` to `a[1]`
+    q: Output(a.p[0].origin.x),
+              ~ `a` is a family: name a member, `a[i]`, from `a[0]` to `a[1]`
+    r: Output(a[-1].p[0].origin.x),
+              ~~~~~ there is no `a[-1]`; the members of `a` go from `a[0]` to `a[1]`
+    s: Output(a[0].p[2].origin.x),
+              ~~~~~~~~~ there is no `a[0].p[2]`; the members of `a[0].p` go from `a[0].p[0]` to `a[0].p[1]`
+    u: Output(a[0].p[0].origin[0]),
+              ~~~~~~~~~~~~~~~~~~~ an index follows the name of a family, as in `crank[3].b`
+});
+        ",
+    );
+}

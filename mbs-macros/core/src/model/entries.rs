@@ -10,7 +10,7 @@ use crate::dimension::Dimension;
 use crate::names::is_one_of_many;
 use crate::schema::{RESERVED, World};
 use crate::symbolic::{Graph, Symbol};
-use crate::syntax::{Entry, Given, Reference, Takes};
+use crate::syntax::{Entry, Reference};
 
 /// Errors up to which names like an unknown one are searched: each search compares with all names, and nobody reads so
 /// many hints.
@@ -32,42 +32,6 @@ impl<'d> Resolver<'d> {
                 self.force(index);
             }
         }
-    }
-
-    /// Whether ports are given what they take: otherwise the entries of the assembly would say the same again.
-    pub(super) fn ports(&mut self) -> bool {
-        let found = self.errors.count();
-        for Given {
-            instance,
-            assembly,
-            port,
-            value,
-        } in &self.declaration.given
-        {
-            let before = self.errors.enter(instance);
-            if let Some(found) = self.evaluate(value) {
-                let fits = match port.takes {
-                    Takes::Point => matches!(found, Value::Point(_)),
-                    Takes::Part => matches!(found, Value::Frame(_)),
-                    Takes::Frame => matches!(found, Value::Attachment(_)),
-                    Takes::Number => matches!(found, Value::Scalar(..)),
-                    Takes::Vector => matches!(found, Value::Vector(..)),
-                    Takes::Table => matches!(found, Value::Table(..)),
-                };
-                if !fits {
-                    let (name, takes, found) =
-                        (&port.name, port.takes.describe(), found.describe());
-                    self.fail::<()>(
-                        Place::of(value),
-                        format!(
-                            "the port `{name}` of `{assembly}` takes {takes}, but this is {found}"
-                        ),
-                    );
-                }
-            }
-            self.errors.leave(before);
-        }
-        self.errors.count() == found
     }
 
     pub(super) fn gravity(&mut self) -> Vector {

@@ -9,6 +9,7 @@
 pub mod elements;
 mod formulation;
 mod geometry;
+mod given;
 mod held;
 mod joint_frames;
 mod joint_variables;

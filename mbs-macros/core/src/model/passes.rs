@@ -32,8 +32,11 @@ pub fn resolve(
     check::arguments(resolver);
 
     // Values. AFTER THIS POINT: every entry that has a value has been evaluated; there are no unknown names.
+    if !resolver.given_parameters() {
+        return None;
+    }
     resolver.quantities();
-    if !resolver.ports() {
+    if !resolver.given_ports() {
         return None;
     }
     let gravity = resolver.gravity();

@@ -82,17 +82,26 @@ pub struct Instance {
     pub definition: Rc<Definition>,
 }
 
-/// What is given to a port, or what would be taken if nothing was.
+/// What is given to a port or a parameter, or what a port would take if nothing was.
 #[derive(Debug, Clone)]
 pub struct Given {
     /// The assembly put in place.
     pub instance: String,
     /// The name of the assembly.
     pub assembly: String,
-    /// The port.
-    pub port: Port,
+    /// To what.
+    pub to: Receiver,
     /// The value.
     pub value: Expr,
+}
+
+/// What of an assembly is given a value.
+#[derive(Debug, Clone)]
+pub enum Receiver {
+    /// A port.
+    Port(Port),
+    /// A parameter, as declared.
+    Parameter(Entry),
 }
 
 impl Takes {
@@ -138,7 +147,7 @@ impl Definition {
         })
     }
 
-    /// Names of its parameters; of those in families, too.
+    /// Names of its parameters.
     fn parameters(&self) -> impl Iterator<Item = String> {
         self.items.iter().filter_map(|item| match item {
             Item::Entry(entry) if entry.kind == "Param" => Some(entry.name.to_string()),
@@ -152,6 +161,30 @@ pub fn path_text(path: &impl ToTokens) -> String {
     let mut text = path.to_token_stream().to_string();
     text.retain(|c| !c.is_whitespace());
     text
+}
+
+/// The paths of the assemblies that tokens name: what follows `Assembly(`.
+pub fn named(tokens: &TokenStream, paths: &mut Vec<TokenStream>) {
+    let mut list = tokens.clone().into_iter().peekable();
+    while let Some(token) = list.next() {
+        match (&token, list.peek()) {
+            (TokenTree::Ident(word), Some(TokenTree::Group(arguments))) if word == ASSEMBLY => {
+                let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(comma) if comma.as_char() == ',');
+                let first = arguments.stream().into_iter();
+                let path: Vec<TokenTree> = first.take_while(|token| !is_comma(token)).collect();
+                let is_path = path.iter().all(|token| match token {
+                    TokenTree::Ident(_) => true,
+                    TokenTree::Punct(colon) => colon.as_char() == ':',
+                    _ => false,
+                });
+                if is_path && matches!(path.last(), Some(TokenTree::Ident(_))) {
+                    paths.push(path.into_iter().collect());
+                }
+            }
+            (TokenTree::Group(group), _) => named(&group.stream(), paths),
+            _ => {}
+        }
+    }
 }
 
 /// Puts assemblies in the place of entries `Assembly(…)`, and those that these name in turn.
@@ -248,7 +281,12 @@ fn bind(
         let is_port = definition.ports.iter().any(|port| port.name == name);
         match definition.entry(&argument.name) {
             _ if is_port => {}
-            Some(own) if own.kind == "Param" => {}
+            Some(own) if own.kind == "Param" => declaration.given.push(Given {
+                instance: entry.name.to_string(),
+                assembly: assembly.to_string(),
+                to: Receiver::Parameter(own.clone()),
+                value: outside.sealed(&argument.value),
+            }),
             _ => errors.at(argument.name.span(), not_given(definition, &argument.name)),
         }
         scope.values.insert(name, outside.sealed(&argument.value));
@@ -275,7 +313,7 @@ fn bind(
             declaration.given.push(Given {
                 instance: entry.name.to_string(),
                 assembly: assembly.to_string(),
-                port: port.clone(),
+                to: Receiver::Port(port.clone()),
                 value: value.clone(),
             });
         }

@@ -8,19 +8,17 @@
 //!
 //! A word behind the two parts of an assembly says that it has errors of its own.
 
-use super::assemblies::{Definition, Definitions, Port, Takes, any_token, path_text, put_all};
+use super::Entry;
+use super::assemblies::{Definition, Definitions, Port, Takes, path_text};
 use super::chunk::{read, split_at_commas};
-use super::entry::{ASSEMBLY, PORT, place};
+use super::entry::{ASSEMBLY, PORT};
 use super::item::{Item, WITHOUT_RAW, read_header};
 use super::levels::is_level;
-use super::members::{FamilyItem, place_family};
 use super::parse::check_name;
 use super::rewrite::rewrite;
-use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{self, Kinds, World};
 use proc_macro2::{TokenStream, TokenTree};
-use quote::ToTokens;
 use std::cell::RefCell;
 use std::rc::Rc;
 use syn::Expr;
@@ -287,38 +285,4 @@ fn port(entry: &Entry) -> syn::Result<Port> {
             .named("default")
             .map(|argument| argument.value.clone()),
     })
-}
-
-impl Definition {
-    /// Its entries in a declaration of their own, to find what is wrong with them and to list its parameters. Families
-    /// whose number depends on a port are left out.
-    pub fn alone(&self, kinds: &Kinds, errors: &mut Errors) -> Declaration {
-        let mut declaration = Declaration {
-            visibility: self.visibility.clone(),
-            doc: self.doc.clone(),
-            definitions: self.definitions.clone(),
-            ..Declaration::nameable(self.name.clone())
-        };
-        for item in &self.items {
-            match item {
-                Item::Entry(entry) => {
-                    place(entry.clone(), kinds, &mut declaration, errors);
-                }
-                Item::Family(family) if self.is_counted(family) => {}
-                Item::Family(family) => place_family(family, kinds, &mut declaration, errors),
-                Item::Doc(_) => {}
-            }
-        }
-        put_all(&mut declaration, kinds, errors);
-        declaration
-    }
-
-    /// Whether the range of a family depends on a port.
-    fn is_counted(&self, family: &FamilyItem) -> bool {
-        let range = family.call.args.first();
-        range.is_some_and(|range| {
-            let names_port = |token: &TokenTree| matches!(token, TokenTree::Ident(name) if self.ports.iter().any(|port| port.name == *name));
-            any_token(range.to_token_stream(), &names_port)
-        })
-    }
 }

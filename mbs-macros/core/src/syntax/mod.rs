@@ -4,6 +4,7 @@
 //! later error can point at the offending one. AFTER THIS STAGE: entries are well formed and their kinds exist, families
 //! and assemblies are entries with indices and dots in their names; nothing is resolved.
 
+mod alone;
 mod assemblies;
 mod bindings;
 mod children;
@@ -28,7 +29,9 @@ use crate::schema::World;
 use proc_macro2::Span;
 use syn::{Expr, Ident, Visibility};
 
-pub use assemblies::{Definition, Definitions, Given, Instance, Port, Takes, path_text};
+pub use assemblies::{
+    Definition, Definitions, Given, Instance, Port, Receiver, Takes, named, path_text,
+};
 pub use children::{children, inner};
 pub use definition::{define, is_broken};
 pub use entry::ASSEMBLY;

@@ -70,10 +70,16 @@ impl Resolver<'_> {
                     Place::of(syntax),
                     "only names of this mechanism can stand here; paths go into `law(path, …)`",
                 ),
-                (None, _) => self.fail(
-                    Place::of(syntax),
-                    "an index follows the name of a family, as in `crank[3].b`",
-                ),
+                (None, _) => {
+                    // What it follows may have a mistake of its own, such as the index of an assembly.
+                    if let Syntax::Index(index) = syntax {
+                        self.evaluate(&index.expr)?;
+                    }
+                    self.fail(
+                        Place::of(syntax),
+                        "an index follows the name of a family, as in `crank[3].b`",
+                    )
+                }
             },
             Syntax::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
                 let value = self.evaluate(&unary.expr)?;
