@@ -20,6 +20,9 @@ use quote::{format_ident, quote};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use syn::Visibility;
 
+/// Macros that are no assemblies.
+const OWN_MACROS: [&str; 2] = ["mechanism", "assembly"];
+
 /// Tokens with all assemblies that they name, or what asks for the next one.
 pub enum Gathered {
     /// `@ { declaration } { definitions }`, or a declaration that names none.
@@ -48,7 +51,13 @@ pub fn gather(tokens: TokenStream, callback: &str) -> Gathered {
     };
     let mut wanted = Vec::new();
     named(&declaration, &mut wanted);
-    match wanted.into_iter().find(|path| !is_known(path)) {
+    // These would ask again without an end.
+    let is_own = |path: &TokenStream| {
+        let last = path.clone().into_iter().last().map(|word| word.to_string());
+        last.is_some_and(|word| OWN_MACROS.contains(&word.as_str()))
+    };
+    let mut wanted = wanted.into_iter();
+    match wanted.find(|path| !is_known(path) && !is_own(path)) {
         None if pairs.is_empty() => Gathered::All(declaration),
         None => Gathered::All(quote! { @ { #declaration } { #known } }),
         Some(path) => {
@@ -97,7 +106,8 @@ pub fn compile(tokens: TokenStream, home: &Home) -> TokenStream {
     };
     let (struct_of_parameters, is_wrong) = match alone {
         Some(alone) if errors.is_empty() => {
-            let parameters = model::parameters(&alone, &mut errors);
+            definition.check_names(&mut errors);
+            let parameters = model::parameters(&alone, definition.world, &mut errors);
             (
                 emit::assembly(&alone, &definition.ports, &parameters),
                 !errors.is_empty(),
@@ -128,7 +138,7 @@ pub fn compile(tokens: TokenStream, home: &Home) -> TokenStream {
 
         #[doc(hidden)]
         #export
-        #[allow(clippy::crate_in_macro_def)]
+        #[allow(clippy::crate_in_macro_def, non_local_definitions)]
         macro_rules! #hidden {
             ({ $($callback:tt)* } $($rest:tt)*) => { $($callback)*! { $($rest)* #bundle } };
         }

@@ -81,8 +81,8 @@ fn entries_outside_are_not_seen() {
     refused(
         "
 assembly!(A { world: Planar(), p: Particle(mass = outer, free = true), q: Particle(mass = Outer, free = true) });
-                                                  ~~~~~ in `a.p`: the assembly `A` has no entry or port `outer`
-                                                                                          ~~~~~ in `a.q`: the assembly `A` has no entry or port `Outer`
+                                                  ~~~~~ the assembly `A` has no entry or port `outer`
+                                                                                          ~~~~~ the assembly `A` has no entry or port `Outer`
 mechanism!(M { world: Planar(), outer: Param(1.0_kg), Outer: Param(1.0_kg), a: Assembly(A), m: Output(outer + Outer) });
         ",
     );
@@ -202,14 +202,24 @@ assembly!(A {
     p: Particle(mass = 1.0_kg, at = [length, stiffness * 1.0_m2_per_N], free = true),
 });
 assembly!(B { world: Planar(), a: Assembly(A, length = 2.0_s) });
-                                                       ~~~~~ in `a`: the parameter `length` of `A` is a length (m), but this is a time (s)
+                                                       ~~~~~ the parameter `length` of `A` is a length (m), but this is a time (s)
+        ",
+    );
+    refused(
+        "
+assembly!(A {
+    world: Planar(),
+    length: Param(1.0_m),
+    stiffness: Param(1.0, unit = N_per_m),
+    p: Particle(mass = 1.0_kg, at = [length, stiffness * 1.0_m2_per_N], free = true),
+});
 mechanism!(M {
     world: Planar(),
     a: Assembly(A, length = 0.5_kg, stiffness = 2.0_N),
                             ~~~~~~ the parameter `length` of `A` is a length (m), but this is a mass (kg)
                                                 ~~~~~ the parameter `stiffness` of `A` is a stiffness (N/m), but this is a force (N)
     b: Each(0..2, |i| Assembly(A, length = i * 0.5_N)),
-                                           ~~~~~~~~~ in
+                                           ~~~~~~~~~ in `b[0]`: the parameter `length` of `A` is a length (m), but this is a force (N) (and the same in another member)
 });
         ",
     );
@@ -234,6 +244,51 @@ mechanism!(M {
     u: Output(a[0].p[0].origin[0]),
               ~~~~~~~~~~~~~~~~~~~ an index follows the name of a family, as in `crank[3].b`
 });
+        ",
+    );
+}
+
+/// Where it is declared, also if nobody uses it.
+#[test]
+fn what_is_wrong_with_the_entries_of_an_assembly() {
+    refused(
+        "
+fn friction(_: [f64; 3]) -> (f64, [f64; 3]) { (0.0, [0.0; 3]) }
+assembly!(A {
+    world: Spatial(),
+    size: Port(Number, default = lenght),
+                                 ~~~~~~ the assembly `A` has no entry or port `lenght`; did you mean `length`?
+    length: Param(1.0_m),
+    dry: Param(2.0),
+    b: Body(mass = 1.0_kg, inertia = 1.0_kg_m2, at = [size, 0.0, length]),
+    h: Revolute(ground, b, at = [0.0, 0.0, 0.0], axis = Z),
+    s: TorsionSpring(h, law = friction(dri)),
+                                       ~~~ the assembly `A` has no entry or port `dri`; did you mean `dry`?
+    c: Each(0..2, |i| Particle(mass = j * 1.0_kg, free = true)),
+                                      ~ the assembly `A` has no entry or port `j`
+});
+        ",
+    );
+    refused(
+        "
+assembly!(A {
+    world: Spatial(),
+    b: Body(mass = 1.0_kg, inertia = 1.0_kg_m2, foo = 3),
+                                                ~~~ `Body` has no argument `foo` (arguments: mass, inertia, center_of_mass, at, orientation, velocity, angular_velocity, shape, coordinates, free)
+    c: Each(0..2, |i| Particle(mass = i * 1.0_kg, foo = 3)),
+                                                  ~~~ in `c[0]`: `Particle` has no argument `foo` (arguments: mass, at, velocity, position, free) (and the same in another member)
+});
+        ",
+    );
+}
+
+#[test]
+fn what_is_no_assembly() {
+    refused(
+        "
+mechanism!(M { world: Planar(), a: Assembly(mechanism), b: Assembly(mbs_runtime::assembly), p: Particle(mass = 1.0_kg, free = true) });
+                                            ~~~~~~~~~ expected the path of an assembly, as `assembly!` declares it
+                                                                    ~~~~~~~~~~~~~~~~~~~~~ expected the path of an assembly, as `assembly!` declares it
         ",
     );
 }

@@ -113,3 +113,49 @@ mod places {
         assert_eq!(cart.outputs().at, 2.0);
     }
 }
+
+#[test]
+fn an_assembly_of_a_function() {
+    assembly!(Local {
+        world: Planar(),
+        p: Particle(mass = 1.0_kg, at = [3.0_m, 0.0_m], free = true),
+    });
+    mechanism!(Here {
+        world: Planar(),
+        a: Assembly(Local),
+        at: Output(a.p.origin.x),
+    });
+    let simulation = Simulation::new(Here::default()).expect("it assembles");
+    assert_eq!(simulation.outputs().at, 3.0);
+}
+
+/// What a macro gives on.
+macro_rules! made {
+    ($name:ident, $free:expr, $coordinates:expr, $list:expr, $closure:expr, $path:path, $sum:expr, $call:expr) => {
+        mechanism!($name {
+            world: Planar(coordinates = $coordinates),
+            size: Param($list),
+            p: Each(0..3, $closure),
+            q: Particle(mass = 1.0_kg, at = [size[1], 2.0 * $sum], free = $free),
+            a: Assembly($path, gauge = $sum),
+            at: $call,
+        });
+    };
+}
+
+made!(
+    Made,
+    true,
+    Reference,
+    [1.0_m, 2.0_m],
+    |i| Particle(mass = 1.0_kg, at = [i * 1.0_m, size[0]], free = true),
+    self::Truck,
+    1.0_m + 2.0_m,
+    Output([q.origin.y, a.wheel[1].origin.x])
+);
+
+#[test]
+fn a_macro_may_write_a_mechanism() {
+    let simulation = Simulation::new(Made::default()).expect("it assembles");
+    assert_eq!(simulation.outputs().at.as_slice(), [6.0, 3.0]);
+}

@@ -149,12 +149,16 @@ pub fn resolve(
     })
 }
 
-/// The parameters of the entries of an assembly alone.
-pub fn parameters(declaration: &Declaration, errors: &mut Errors) -> Vec<Quantity> {
+/// The parameters of the entries of an assembly alone, of this world.
+pub fn parameters(declaration: &Declaration, world: World, errors: &mut Errors) -> Vec<Quantity> {
     let formulation = Formulation::Natural;
     let mut resolver = Resolver::new(declaration, kinds(), formulation, errors);
+    resolver.world = world;
     resolver.declare();
-    resolver.quantities();
+    check::arguments(&mut resolver);
+    if resolver.given_parameters() {
+        resolver.quantities();
+    }
     for entry in &declaration.entries {
         if entry.named("nominal").is_some() && entry.kind == "Param" {
             resolver.fail::<()>(entry.span(), CONSTANT_IN_ASSEMBLY);

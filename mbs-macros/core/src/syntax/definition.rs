@@ -15,11 +15,9 @@ use super::entry::{ASSEMBLY, PORT};
 use super::item::{Item, WITHOUT_RAW, read_header};
 use super::levels::is_level;
 use super::parse::check_name;
-use super::rewrite::rewrite;
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{self, Kinds, World};
 use proc_macro2::{TokenStream, TokenTree};
-use std::cell::RefCell;
 use std::rc::Rc;
 use syn::Expr;
 
@@ -111,7 +109,6 @@ pub fn define(
             Err(error) => errors.push(error),
         }
     }
-    check_defaults(&definition, errors);
     if world.is_none() && errors.is_empty() {
         errors.at(
             definition.name.span(),
@@ -194,29 +191,6 @@ fn note(
         );
     }
     definition.items.push(Item::Entry(entry));
-}
-
-/// A default may be that of ports before it: none depends on itself.
-fn check_defaults(definition: &Definition, errors: &mut Errors) {
-    for (index, port) in definition.ports.iter().enumerate() {
-        let Some(mut default) = port.default.clone() else {
-            continue;
-        };
-        let later = RefCell::new(None);
-        rewrite(&mut default, &|name, _| {
-            let mut known = definition.ports[index..].iter();
-            if known.any(|known| known.name == *name) {
-                later.replace(Some(name.clone()));
-            }
-            None
-        });
-        if let Some(name) = later.into_inner() {
-            errors.at(
-                name.span(),
-                format!("the default of `{}` needs the value of `{name}`, which is not known before; name ports that are declared before it", port.name),
-            );
-        }
-    }
 }
 
 /// Refuses names that have a meaning of their own, or are there already.

@@ -18,6 +18,7 @@ mod levels;
 mod members;
 mod name;
 mod nested;
+mod own_names;
 mod parse;
 mod ranges;
 mod reference;
