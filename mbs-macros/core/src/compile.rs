@@ -5,7 +5,6 @@ use crate::assemblies::{self, Gathered};
 use crate::choose::Search;
 use crate::diagnostics::{Errors, Failure};
 use crate::home::Home;
-use crate::plain::plain;
 use crate::syntax::{self, Declaration};
 use crate::{budget, dag, derivatives, emit, equations, mobility, model};
 use proc_macro2::TokenStream;
@@ -23,7 +22,7 @@ pub fn compile_assembly(tokens: TokenStream) -> TokenStream {
 
 /// Runs a compiler whose code finds the runtime where the tokens say.
 fn at_home(tokens: TokenStream, run: fn(TokenStream, &Home) -> TokenStream) -> TokenStream {
-    let tokens = plain(tokens);
+    let tokens = syntax::plain(tokens);
     match Home::of(&tokens) {
         Ok(home) => home.put(run(tokens, &home)),
         Err(error) => error.to_compile_error(),

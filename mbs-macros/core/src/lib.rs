@@ -19,7 +19,6 @@ pub mod explain;
 mod home;
 pub mod mobility;
 pub mod names;
-mod plain;
 pub mod reference;
 mod refusals;
 pub mod schema;

@@ -20,6 +20,7 @@ mod name;
 mod nested;
 mod own_names;
 mod parse;
+mod plain;
 mod ranges;
 mod reference;
 mod rewrite;
@@ -39,6 +40,7 @@ pub use entry::ASSEMBLY;
 pub use families::{Family, MOST_MEMBERS};
 pub use name::Name;
 pub use parse::parse;
+pub use plain::plain;
 pub use reference::{Reference, reference};
 
 /// How deep expressions may be nested: deeper ones would exhaust the stack of the compiler.
