@@ -292,3 +292,15 @@ mechanism!(M { world: Planar(), a: Assembly(mechanism), b: Assembly(mbs_runtime:
         ",
     );
 }
+
+#[test]
+fn a_family_of_two_assemblies() {
+    refused(
+        "
+assembly!(A { world: Planar(), p: Particle(mass = 1.0_kg, free = true) });
+assembly!(B { world: Planar(), p: Particle(mass = 1.0_kg, free = true) });
+mechanism!(M { world: Planar(), a: Each(0..3, |i| if i == 1 { Assembly(A) } else { Assembly(B) }) });
+                                                                       ~ a family of assemblies is an array in your program: its members are all of one assembly; make two families
+        ",
+    );
+}

@@ -131,8 +131,8 @@ fn an_assembly_of_a_function() {
 
 /// What a macro gives on.
 macro_rules! made {
-    ($name:ident, $free:expr, $coordinates:expr, $list:expr, $closure:expr, $path:path, $sum:expr, $call:expr) => {
-        mechanism!($name {
+    ($visibility:vis $name:ident, $free:expr, $coordinates:expr, $list:expr, $closure:expr, $path:path, $sum:expr, $call:expr) => {
+        mechanism!($visibility $name {
             world: Planar(coordinates = $coordinates),
             size: Param($list),
             p: Each(0..3, $closure),
@@ -144,7 +144,7 @@ macro_rules! made {
 }
 
 made!(
-    Made,
+    pub(crate) Made,
     true,
     Reference,
     [1.0_m, 2.0_m],

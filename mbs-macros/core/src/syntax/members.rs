@@ -1,5 +1,6 @@
 //! The entries of a family are put into the declaration.
 
+use super::assemblies::path_text;
 use super::entry::{ASSEMBLY, entry, lost_parameter, place};
 use super::families::{EACH, Family, Written};
 use super::levels::is_level;
@@ -128,6 +129,16 @@ fn check_members(entries: &[Entry], family: &Family, call: &ExprCall, errors: &m
         return errors.at(
             other.kind.span(),
             format!("a family of `{kind}` is an array in your program: its members are all of that kind; make `{}` of another", other.kind),
+        );
+    }
+    let path = |entry: &Entry| entry.positional.first().map(path_text);
+    let first = entries.first().map(path);
+    if *kind == ASSEMBLY
+        && let Some(other) = entries.iter().find(|other| Some(path(other)) != first)
+    {
+        return errors.at(
+            other.positional.first().map_or(other.kind.span().into(), Place::of),
+            "a family of assemblies is an array in your program: its members are all of one assembly; make two families",
         );
     }
     let place = call.args.first().map_or(name.span().into(), Place::of);

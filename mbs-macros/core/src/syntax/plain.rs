@@ -44,11 +44,14 @@ fn has_bare_group(tokens: &TokenStream) -> bool {
     })
 }
 
-/// A path, or one token.
+/// A path, one token, or a visibility, which is no operand at all.
 fn is_one_operand(tokens: &TokenStream) -> bool {
     let mut list = tokens.clone().into_iter();
-    let is_one = list.next().is_none() || list.next().is_none();
-    is_one
+    let first = list.next();
+    let is_visibility = matches!(&first, Some(TokenTree::Ident(word)) if word == "pub");
+    is_visibility
+        || first.is_none()
+        || list.next().is_none()
         || tokens.clone().into_iter().all(|token| match token {
             TokenTree::Ident(_) => true,
             TokenTree::Punct(sign) => sign.as_char() == ':',
