@@ -3,9 +3,9 @@ use mbs_runtime::{assembly, mechanism};
 assembly!(Hook {
     world: Planar(),
     top: Port(Point),
-    bar: Bar(mass = 1.0_kg, length = 0.3_m, lenght = 0.2_m),
+    bar: Bar(mass = 1.0_kg, length = 0.3_kg),
     pin: Revolute(top, bar.a),
-    weight: Force(bar.b, value = [0.0, force]),
+    weight: Output(1.0_kg + 9.81_N),
 });
 
 mechanism!(Crane {
