@@ -1,6 +1,6 @@
 //! What is wrong with assemblies, and with their uses.
 
-use crate::common::expansion::{accepted, refused};
+use crate::common::expansion::{accepted, expanded, refused};
 
 #[test]
 fn entries_of_assemblies() {
@@ -302,5 +302,21 @@ assembly!(B { world: Planar(), p: Particle(mass = 1.0_kg, free = true) });
 mechanism!(M { world: Planar(), a: Each(0..3, |i| if i == 1 { Assembly(A) } else { Assembly(B) }) });
                                                                        ~ a family of assemblies is an array in your program: its members are all of one assembly; make two families
         ",
+    );
+}
+
+/// So that the program around a wrong declaration has no errors of its own.
+#[test]
+fn what_is_given_to_a_wrong_declaration_keeps_its_type() {
+    let outputs = expanded(
+        "
+assembly!(A { world: Planar(), at: Port(Point), p: Particle(mass = 1.0_kg, free = true), o: Output(at) });
+mechanism!(M { world: Planar(), place: Point([1.0_m, 2.0_m]), a: Assembly(A, at = place), q: Particle(mass = wrong, free = true) });
+        ",
+    );
+    let code = outputs[1].to_string().replace(' ', "");
+    assert!(
+        code.contains("pubo:::mbs_runtime::nalgebra::SVector<f64,2usize>"),
+        "{code}"
     );
 }

@@ -3,7 +3,7 @@
 
 use crate::names::base;
 use crate::schema::World;
-use crate::syntax::{Declaration, Entry, MAX_DEPTH, inner};
+use crate::syntax::{Declaration, Entry, MAX_DEPTH, inner, reference};
 use std::collections::BTreeSet;
 use syn::{BinOp, Expr, Member};
 
@@ -104,14 +104,8 @@ impl<'d> Tree<'d> {
 
     /// The entry, or a member of the family, that an expression names, with its index.
     fn entry(&self, expr: &Expr) -> Option<(usize, &'d Entry)> {
-        match inner(expr) {
-            Expr::Index(index) => self.entry(&index.expr),
-            Expr::Path(path) => {
-                let word = path.path.get_ident()?.to_string();
-                let mut entries = self.declaration.entries.iter().enumerate();
-                entries.find(|(_, entry)| base(entry.name.as_str()) == word)
-            }
-            _ => None,
-        }
+        let word = reference(expr)?.ok()?.base;
+        let mut entries = self.declaration.entries.iter().enumerate();
+        entries.find(|(_, entry)| base(entry.name.as_str()) == word)
     }
 }
