@@ -1,12 +1,13 @@
 //! An assembly by itself: its entries as a declaration, which lists its parameters and finds what is wrong with them
 //! wherever it is used.
 
-use super::assemblies::{Definition, Definitions, any_token, named, path_text, put_all};
+use super::assemblies::{Definition, Definitions, any_token, put_all};
 use super::bindings::names;
 use super::children::{children, inner};
 use super::entry::{ASSEMBLY, place};
 use super::item::Item;
 use super::members::{FamilyItem, place_family};
+use super::paths::{named, path_text};
 use super::reference::reference;
 use super::{Declaration, Entry};
 use crate::diagnostics::Errors;

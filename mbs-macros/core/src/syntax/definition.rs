@@ -9,12 +9,13 @@
 //! A word behind the two parts of an assembly says that it has errors of its own.
 
 use super::Entry;
-use super::assemblies::{Definition, Definitions, Port, Takes, path_text};
+use super::assemblies::{Definition, Definitions, Port, Takes};
 use super::chunk::{read, split_at_commas};
 use super::entry::{ASSEMBLY, PORT};
 use super::item::{Item, WITHOUT_RAW, read_header};
 use super::levels::is_level;
 use super::parse::check_name;
+use super::paths::path_text;
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{self, Kinds, World};
 use proc_macro2::{TokenStream, TokenTree};

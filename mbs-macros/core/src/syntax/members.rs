@@ -1,10 +1,10 @@
 //! The entries of a family are put into the declaration.
 
-use super::assemblies::path_text;
 use super::entry::{ASSEMBLY, entry, lost_parameter, place};
 use super::families::{EACH, Family, Written};
 use super::levels::is_level;
 use super::name::Name;
+use super::paths::path_text;
 use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place};
 use crate::schema::{self, Kinds};

@@ -20,6 +20,7 @@ mod name;
 mod nested;
 mod own_names;
 mod parse;
+mod paths;
 mod plain;
 mod ranges;
 mod reference;
@@ -31,15 +32,14 @@ use crate::schema::World;
 use proc_macro2::Span;
 use syn::{Expr, Ident, Visibility};
 
-pub use assemblies::{
-    Definition, Definitions, Given, Instance, Port, Receiver, Takes, named, path_text,
-};
+pub use assemblies::{Definition, Definitions, Given, Instance, Port, Receiver, Takes};
 pub use children::{children, inner};
 pub use definition::{define, is_broken};
 pub use entry::ASSEMBLY;
 pub use families::{Family, MOST_MEMBERS};
 pub use name::Name;
 pub use parse::parse;
+pub use paths::{named, path_text};
 pub use plain::plain;
 pub use reference::{Reference, reference};
 
