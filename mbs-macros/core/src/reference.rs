@@ -55,6 +55,9 @@ Expressions know `+ − * /`, `sin cos tan asin acos atan sinh cosh tanh exp ln 
 expression of positions, and `law(path, argument, …)` for functions of your own (`fn([f64; K]) -> (f64, [f64; K])`, value and
 partials).
 
+Lines `/// …` before an entry document it. Inside an entry there are no documentation and no attributes, and no `pub`: all fields
+are public.
+
 Parts have `velocity`, the axes `x`, `y` and `z`, points (`a`, `b`, `center` of a bar; `origin` and `center` of a body;
 `origin` of a particle and of the ground), `point(x, y)` or `point(x, y, z)` in their own axes, and `velocity_at(point)`; in
 the plane also `angle` and `rate`, in space `angular_velocity` and `frame([x, y, z], axis)`, a place and an axis for a joint.
