@@ -76,9 +76,11 @@ impl Choice {
         }
     }
 
-    /// After trials with so many operations, in which pairs went this way: the method stays.
-    pub(super) fn stay(&mut self, now: (f64, Report), spent: f64, way: f64) {
-        self.rest(now, (WAIT * spent).max(LONGER * self.wait), way);
+    /// After trials with so many operations, in which pairs went this way: the method stays. If the trials say nothing about the
+    /// rest of the motion, the next ones are not made later than these.
+    pub(super) fn stay(&mut self, now: (f64, Report), spent: f64, way: f64, conclusive: bool) {
+        let longer = if conclusive { LONGER } else { 1.0 };
+        self.rest(now, (WAIT * spent).max(longer * self.wait), way);
     }
 
     /// After the same, or where the method cannot go on: another candidate is taken.

@@ -105,13 +105,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Method::Radau => RETURN,
                 _ => GAIN,
             };
-            if other.rate < gain * current.rate.min(mean) {
+            let is_better = other.rate < gain * current.rate;
+            if is_better && other.rate.min(other.mean_rate(now.0)) < gain * mean {
                 return self.take_candidate(best, [current, other]);
             }
             match other.rate.is_finite() && current.rate.is_finite() {
-                true => choice.stay(now, spent, current.way),
+                true => {
+                    choice.stay(now, spent, current.way, !is_better);
+                }
                 // One of them fails, or needs a longer trial: the motion stays unlike that at the choice.
-                false => choice.stay(now, most, choice.way()),
+                false => choice.stay(now, most, choice.way(), true),
             }
         }
         Ok(())

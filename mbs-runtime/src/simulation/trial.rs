@@ -57,6 +57,11 @@ impl Trial {
         self.rate.is_finite() && (self.damps || self.way > MOVING)
     }
 
+    /// Operations for a second from `begin` on, where the trial began.
+    pub(super) fn mean_rate(&self, begin: f64) -> f64 {
+        self.operations / (self.span[1] - begin)
+    }
+
     /// Whether a candidate that has taken so many operations, at this rate, need not be tried further.
     fn outdoes(&self, operations: f64, rate: f64) -> bool {
         self.follows_the_motion() && operations > self.operations && rate > HOPELESS * self.rate
@@ -134,7 +139,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 return trial((operations - before.1) / (time - before.0));
             }
             if operations > other.operations / GAIN {
-                return trial((operations / (time - begin)).max(other.rate / GAIN));
+                // It is behind over the whole time, which may have hard and easy parts.
+                let times = operations / (time - begin) / other.mean_rate(begin);
+                return trial(other.rate * times.max(1.0 / GAIN));
             }
             if time <= from {
                 before = (time, operations);
