@@ -164,7 +164,7 @@ fn events_and_looks_keep_the_branch() {
                 moment,
                 ..NearParallelogram::default()
             };
-            let start = |settings| Simulation::with_settings(mechanism.clone(), settings).unwrap();
+            let start = |settings| Simulation::with_settings(mechanism, settings).unwrap();
             let mut exact = start(fine);
             exact.run_until(moment).unwrap();
             let wanted = *exact.positions();
@@ -199,7 +199,7 @@ fn resumed_runs_go_on_bit_for_bit() {
             ..Settings::default()
         };
         let start = NearParallelogram::default();
-        let mut simulation = Simulation::with_settings(start.clone(), settings).unwrap();
+        let mut simulation = Simulation::with_settings(start, settings).unwrap();
         let mut states = Vec::new();
         while simulation.time() < END {
             states.push(simulation.state().clone());
@@ -207,7 +207,7 @@ fn resumed_runs_go_on_bit_for_bit() {
         }
         for state in states {
             let begin = state.time;
-            let mut resumed = Simulation::resume(start.clone(), settings, state).unwrap();
+            let mut resumed = Simulation::resume(start, settings, state).unwrap();
             while resumed.time() < simulation.time() {
                 resumed.step().unwrap();
             }
