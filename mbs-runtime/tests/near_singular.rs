@@ -216,3 +216,43 @@ fn resumed_runs_go_on_bit_for_bit() {
         }
     }
 }
+
+mechanism!(Pushed {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    phase: Let(-2.6782069171594665_rad),
+    rate: Let(-3.199942214859458_rad_per_s),
+    push: Input(0.0_N_m),
+    crank0: Bar(mass = 1.0_kg, length = 1.0_m, angle = phase, rate = rate),
+    crank1: Bar(mass = 1.0_kg, length = 1.0_m, angle = phase, rate = rate),
+    crank2: Bar(mass = 1.0_kg, length = 1.0_m, angle = phase, rate = rate),
+    coupler1: Bar(mass = 1.0_kg, length = 1.0_m),
+    coupler2: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot0: Revolute(ground.origin, crank0.a),
+    pivot1: Revolute(ground.point(1.0, 0.0), crank1.a),
+    pivot2: Revolute(ground.point(2.0, 0.0), crank2.a),
+    pin1a: Revolute(crank0.b, coupler1.a),
+    pin1b: Revolute(crank1.b, coupler1.b),
+    pin2a: Revolute(crank1.b, coupler2.a),
+    pin2b: Revolute(crank2.b, coupler2.b),
+    motor: Torque(crank0, value = push),
+    astray: Output(abs(crank1.b.y - crank0.b.y) + abs(crank2.b.y - crank0.b.y)),
+});
+
+/// Two couplers fold at once: the pose was taken for one that is nearly singular, and short steps ended in it.
+#[test]
+fn a_pose_that_proves_to_be_singular_is_passed() {
+    let settings = Settings {
+        order: 8,
+        step: 0.021700030427974262,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::with_settings(Pushed::default(), settings).unwrap();
+    for step in 1..=46 {
+        if step == 10 {
+            simulation.set_input("push", -4.65).unwrap();
+        }
+        simulation.step().unwrap();
+        let astray = simulation.outputs().astray;
+        assert!(astray < 1e-9, "{} s: {astray} m", simulation.time());
+    }
+}

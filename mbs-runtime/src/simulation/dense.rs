@@ -189,7 +189,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// on the way.
     pub(super) fn reach(&mut self, span: f64, longest: f64) -> Result<f64, SimulationError> {
         let mut clearance = f64::INFINITY;
-        if let Some(Foreseen::Turn(rate)) = self.foreseen() {
+        if let Some(Foreseen::Turn { rate, .. }) = self.foreseen() {
             let mut left = span;
             while left != 0.0 {
                 let resolved = self.resolving(rate).max(SHORTEST * span.abs());

@@ -14,6 +14,8 @@ use crate::{Foreseen, LastStep, PosesAhead, SimulationError, System};
 const PART: f64 = 0.25;
 /// The shortest of them, as a part of the step.
 pub(super) const SHORTEST: f64 = 1e-5;
+/// σ below this part of the least one that was foreseen is that of a singular pose.
+const BELOW: f64 = 0.25;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
@@ -34,8 +36,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             last_step,
             foreseen,
         } = self.state().poses_ahead;
-        if let Some(Foreseen::Turn(rate)) = foreseen {
-            if self.resolving(rate) < h && self.turn_past(h, rate)? {
+        if let Some(Foreseen::Turn { least, rate }) = foreseen {
+            if self.resolving(rate) < h && self.turn_past(h, least, rate)? {
                 return Ok(h);
             }
             self.foresee(None);
@@ -73,12 +75,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if !follows || !self.leapt(&passage)? {
             return Ok(false);
         }
-        let Some(Foreseen::Turn(rate)) = self.foreseen() else {
+        let Some(Foreseen::Turn { least, rate }) = self.foreseen() else {
             return Ok(false);
         };
         self.back()?;
         self.rejected += 1;
-        if !self.turn_past(length, rate)? {
+        if !self.turn_past(length, least, rate)? {
             self.foresee(None);
             self.advance(length)?;
             self.watch();
@@ -145,7 +147,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let [_, _, end] = passage.margins;
         Ok(match found? {
             Pose::Turn { least, rate } if PART * least < rate * second => {
-                self.foresee(Some(Foreseen::Turn(rate)));
+                self.foresee(Some(Foreseen::Turn { least, rate }));
                 Some(behind || end.least < LEAP * least)
             }
             Pose::Singular => {
@@ -158,10 +160,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Steps over `span` seconds, each a part of the time in which σ would fall to zero at this rate. Where one of them
-    /// fails, or comes to a singular pose, none is taken, and the answer is false.
+    /// fails, or comes to a singular pose, none is taken, and the answer is false. Where σ falls far below the least one that was
+    /// foreseen, the pose is singular after all.
     #[cold]
     #[inline(never)]
-    fn turn_past(&mut self, span: f64, rate: f64) -> Result<bool, SimulationError> {
+    fn turn_past(&mut self, span: f64, least: f64, rate: f64) -> Result<bool, SimulationError> {
         self.integrator.state_mut().poses_ahead.last_step = None;
         self.step_start.copy_motion_from(self.integrator.state());
         self.books_at_step_start = self.books;
@@ -172,7 +175,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let h = self.resolving(rate).max(SHORTEST * span);
             let last = h > 0.7 * left;
             let taken = self.advance(if last { left } else { h });
-            let singular = taken.is_ok() && self.margin().least <= self.least_distinct();
+            let singular =
+                taken.is_ok() && self.margin().least <= self.least_distinct().max(BELOW * least);
             match taken {
                 Ok(_) if !singular => self.watch(),
                 Err(error) if !error.asks_for_less() => return Err(error),

@@ -30,6 +30,11 @@ pub struct LastStep {
 pub enum Foreseen {
     /// A singular pose at this time, s.
     Singular(f64),
-    /// A pose that is nearly singular, with the rate k of σ, 1/s.
-    Turn(f64),
+    /// A pose that is nearly singular.
+    Turn {
+        /// g, the least σ.
+        least: f64,
+        /// k, the rate of σ, 1/s.
+        rate: f64,
+    },
 }
