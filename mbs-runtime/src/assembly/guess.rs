@@ -1,6 +1,6 @@
 //! What a guess or a state has to be before its rows are closed: finite, with unit quaternions.
 
-use crate::linear::largest;
+use crate::linear::{largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
 use crate::{
@@ -100,9 +100,7 @@ pub(crate) fn check_rates<const R: usize>(
     scale: &RowScale<R>,
     (settings, speed): (&Settings, f64),
 ) -> Result<(), SimulationError> {
-    // What moves a row by less than its tolerance in a step is allowed at rest, too.
-    let least = settings.constraint_tolerance / settings.step;
-    let allowed = (RESUMABLE * speed).max(least);
+    let allowed = allowed_rate(settings, speed);
     for (i, (row, value)) in model.rows.iter().zip(rates.iter().copied()).enumerate() {
         if scale.displacement_of(i, value) > allowed {
             return Err(SimulationError::State {
@@ -114,6 +112,13 @@ pub(crate) fn check_rates<const R: usize>(
     Ok(())
 }
 
+/// The rate of a row, as a displacement a second, that a motion of this speed may have.
+fn allowed_rate(settings: &Settings, speed: f64) -> f64 {
+    // What moves a row by less than its tolerance in a step is allowed at rest, too.
+    let least = settings.constraint_tolerance / settings.step;
+    (RESUMABLE * speed).max(least)
+}
+
 /// Refuses a start whose velocities, the nearest ones, leave rates of the rows, or whose forces or energies are not finite.
 pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
@@ -122,7 +127,26 @@ pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, co
     (scale, yardstick): (&RowScale<R>, &Yardstick<Q, N>),
     settings: &Settings,
 ) -> Result<(), SimulationError> {
-    let mut forces = SVector::zeros();
+    check_loads(system, (q, v))?;
+    let speed = yardstick.measure(v).max(scale.displacement(prescribed));
+    let allowed = allowed_rate(settings, speed);
+    let off = |i: &usize| scale.displacement_of(*i, rates[*i]);
+    let worst = (0..R).max_by(|i, j| off(i).total_cmp(&off(j)));
+    match worst.filter(|i| !(off(i) <= allowed)) {
+        Some(i) => Err(SimulationError::Contradiction {
+            row: S::MODEL.rows.get(i).map_or("unnamed row", |row| row.name),
+            rate: rates[i],
+        }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses a start whose forces or energies are not finite.
+pub(super) fn check_loads<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+) -> Result<(), SimulationError> {
+    let mut forces = zeros();
     system.applied_forces(0.0, q, v, &mut forces);
     let force = largest(&forces);
     for (what, value) in [
@@ -134,17 +158,7 @@ pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, co
             return Err(SimulationError::Guess { what, value });
         }
     }
-    let speed = yardstick.measure(v).max(scale.displacement(prescribed));
-    let allowed = (RESUMABLE * speed).max(settings.constraint_tolerance / settings.step);
-    let off = |i: &usize| scale.displacement_of(*i, rates[*i]);
-    let worst = (0..R).max_by(|i, j| off(i).total_cmp(&off(j)));
-    match worst.filter(|i| !(off(i) <= allowed)) {
-        Some(i) => Err(SimulationError::Contradiction {
-            row: S::MODEL.rows.get(i).map_or("unnamed row", |row| row.name),
-            rate: rates[i],
-        }),
-        None => Ok(()),
-    }
+    Ok(())
 }
 
 /// q with unit quaternions; refused where one is zero.

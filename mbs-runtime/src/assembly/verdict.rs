@@ -2,7 +2,9 @@
 
 use super::changes;
 use super::conditions::{self, Wanted};
-use super::guess::{check_guess, check_rows, check_start, check_state, unit_rotations};
+use super::guess::{
+    check_guess, check_loads, check_rows, check_start, check_state, unit_rotations,
+};
 use super::held::Start;
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
@@ -53,6 +55,8 @@ pub(crate) fn assemble<
         && let Some(assembled) =
             large::assemble(system, settings, (&guess, &declared), &yardstick, &scale)
     {
+        let (state, _) = &assembled;
+        check_loads(system, (&state.positions, &state.velocities))?;
         return Ok(assembled);
     }
     check_dense_start(N, R)?;

@@ -8,7 +8,7 @@ use super::Simulation;
 use super::known_poses::{ALIKE, SAME};
 use super::passage::{LEAP, Pose};
 use super::pose::{NEAR_AHEAD, Passage};
-use crate::{Foreseen, LastStep, PosesAhead, SimulationError, System};
+use crate::{Foreseen, LastStep, SimulationError, System};
 
 /// Steps past such a pose, as a part of σ/k.
 const PART: f64 = 0.25;
@@ -21,41 +21,36 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
     pub(super) fn follow(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         // Pairs are looked at as a whole.
-        if self.settings.tolerance.is_some() || !self.is_free() {
-            let length = self.placed(h, left)?;
-            self.watch();
-            return Ok(length);
-        }
-        // After an input has changed it is not known.
-        self.rank_margin = self.rank_margin.or_else(|| self.integrator.rank_margin());
-        let begin = self.time();
-        let margin = self
-            .rank_margin
-            .map(|margin| (margin.least, margin.dependent));
-        let PosesAhead {
-            last_step,
-            foreseen,
-        } = self.state().poses_ahead;
-        if let Some(Foreseen::Turn { least, rate }) = foreseen {
-            if self.resolving(rate) < h && self.turn_past(h, least, rate)? {
-                return Ok(h);
+        let is_guarded = self.settings.tolerance.is_none() && self.is_free();
+        let (begin, last_step) = (self.time(), self.state().poses_ahead.last_step);
+        let mut margin = None;
+        if is_guarded {
+            // After an input has changed it is not known.
+            self.rank_margin = self.rank_margin.or_else(|| self.integrator.rank_margin());
+            margin = self.rank_margin.map(|now| (now.least, now.dependent));
+            if let Some(Foreseen::Turn { least, rate }) = self.foreseen() {
+                if self.resolving(rate) < h && self.turn_past(h, least, rate)? {
+                    return Ok(h);
+                }
+                self.foresee(None);
             }
-            self.foresee(None);
         }
         let length = self.placed(h, left)?;
-        let step = margin.map(|(least, dependent)| LastStep {
-            begin,
-            length,
-            least,
-            dependent,
-        });
-        if let (Some(last), Some(step), Some(now)) = (last_step, step, self.rank_margin)
-            && last.suspects(length, step.least, now.least)
-            && self.corrects(&last, &step)?
-        {
-            return Ok(length);
+        if is_guarded {
+            let step = margin.map(|(least, dependent)| LastStep {
+                begin,
+                length,
+                least,
+                dependent,
+            });
+            if let (Some(last), Some(step), Some(now)) = (last_step, step, self.rank_margin)
+                && last.suspects(length, step.least, now.least)
+                && self.corrects(&last, &step)?
+            {
+                return Ok(length);
+            }
+            self.integrator.state_mut().poses_ahead.last_step = step;
         }
-        self.integrator.state_mut().poses_ahead.last_step = step;
         self.watch();
         Ok(length)
     }

@@ -132,9 +132,9 @@ fn check_members(entries: &[Entry], family: &Family, call: &ExprCall, errors: &m
         );
     }
     let path = |entry: &Entry| entry.positional.first().map(path_text);
-    let first = entries.first().map(path);
     if *kind == ASSEMBLY
-        && let Some(other) = entries.iter().find(|other| Some(path(other)) != first)
+        && let Some(first) = entries.first().map(path)
+        && let Some(other) = entries.iter().find(|other| path(other) != first)
     {
         return errors.at(
             other.positional.first().map_or(other.kind.span().into(), Place::of),
