@@ -159,6 +159,8 @@ pub use settings::{
 };
 pub use simulation_error::{ErrorOf, SimulationError};
 pub use sink::{MatrixSink, TensorSink};
+#[cfg(feature = "std")]
+pub use state::KnownPoses;
 #[cfg(feature = "sparse")]
 pub use state::{BackwardDifferences, FactorOrigin, Renewal};
 pub use state::{Foreseen, LastStep, Ledger, PosesAhead, State, StepController, ThreeFields};

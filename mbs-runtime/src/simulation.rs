@@ -33,7 +33,6 @@ mod trial;
 use self::books::Books;
 use self::choice::Choice;
 use self::energy_guard::EnergyGuard;
-use self::known_poses::KnownPoses;
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::Counters;
 use crate::assembly::{Wanted, assemble, check_rates};
@@ -94,8 +93,6 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     pair_start: Box<State<Q, N, R>>,
     /// … and its end, while other steps are taken.
     pair_end: Box<State<Q, N, R>>,
-    /// Singular poses that have been looked at.
-    known_poses: KnownPoses<Q>,
     yardstick: Box<Yardstick<Q, N>>,
     /// Whether the method estimates the errors of its steps. No embedded method sees states.
     is_estimated: bool,
@@ -243,11 +240,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         assembly: AssemblyVerdict,
         other: Option<MakeStepper<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
-        let integrator = Integrator::new(system, state, &settings, other)?;
+        let mut integrator = Integrator::new(system, state, &settings, other)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();
-        let known_poses = KnownPoses::new(by_position && assembly.rank + 1 + S::STATES.len() == N);
+        let form_a_curve = by_position && assembly.rank + 1 + S::STATES.len() == N;
+        integrator.state_mut().known_poses.make_room(form_a_curve);
         let State {
             time,
             positions,
@@ -284,7 +282,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             placed: 0,
             rank_margin: None,
             books_at_step_start: Books::EMPTY,
-            known_poses,
             is_estimated,
             singularities: SingularityDetector::new(rest),
             refused: None,

@@ -4,6 +4,8 @@
 mod backward_differences;
 #[cfg(feature = "sparse")]
 mod factor_origin;
+#[cfg(feature = "std")]
+mod known_poses;
 mod poses_ahead;
 
 #[cfg(feature = "sparse")]
@@ -20,6 +22,8 @@ pub use backward_differences::BackwardDifferences;
 pub(crate) use factor_origin::COST;
 #[cfg(feature = "sparse")]
 pub use factor_origin::{FactorOrigin, Renewal};
+#[cfg(feature = "std")]
+pub use known_poses::KnownPoses;
 use nalgebra::SVector;
 pub use poses_ahead::{Foreseen, LastStep, PosesAhead};
 
@@ -56,6 +60,10 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     /// What steps of fixed length know of singular poses.
     #[cfg_attr(feature = "serde", serde(default))]
     pub poses_ahead: PosesAhead,
+    /// Singular poses that have been looked at.
+    #[cfg(feature = "std")]
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub known_poses: KnownPoses<Q>,
     /// Where the factors in use were made, of a large mechanism; otherwise `None`.
     #[cfg(feature = "sparse")]
     #[cfg_attr(feature = "serde", serde(default))]
@@ -155,6 +163,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     /// A copy with room for the same stages.
     pub(crate) fn with_same_room(&self) -> Self {
         let mut copy = self.clone();
+        #[cfg(feature = "std")]
+        copy.known_poses.make_room(false);
         let room = self.stage_multipliers.capacity();
         copy.stage_multipliers
             .reserve(room - self.stage_multipliers.len());
@@ -226,6 +236,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             step_controller: StepController::default(),
             fields: ThreeFields::default(),
             poses_ahead: PosesAhead::default(),
+            #[cfg(feature = "std")]
+            known_poses: KnownPoses::none(),
             #[cfg(feature = "sparse")]
             factors: None,
             #[cfg(feature = "sparse")]

@@ -21,6 +21,7 @@ mod flows;
 mod holonomic;
 mod hostile_settings;
 mod known_cost;
+mod known_poses;
 mod looks;
 mod methods;
 mod names;

@@ -2,7 +2,8 @@
 
 use crate::alloc::count;
 use mbs_examples::scenes::scenes;
-use mbs_runtime::{Method, Settings, SimulationError};
+use mbs_examples::scenes::slider_crank::SliderCrank;
+use mbs_runtime::{Method, Settings, Simulation, SimulationError};
 
 fn allocations(work: impl FnOnce()) -> u64 {
     let before = count();
@@ -56,5 +57,21 @@ fn every_scene() {
             });
             assert_eq!(count, 0, "{} with {}", scene.name, method.name());
         }
+    }
+}
+
+#[test]
+fn a_step_of_a_copy_allocates_nothing_past_singular_poses() {
+    for tolerance in [None, Some(1e-4)] {
+        let settings = Settings {
+            step: 1e-2,
+            tolerance,
+            ..Settings::default()
+        };
+        let start = Simulation::with_settings(SliderCrank::default(), settings);
+        let mut copy = start.expect("the slider-crank").clone();
+        let count = allocations(|| copy.run_until(3.0).expect("the slider-crank"));
+        assert!(copy.report().rank_losses > 1);
+        assert_eq!(count, 0, "{tolerance:?}");
     }
 }

@@ -162,6 +162,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
     #[inline(always)]
     pub(crate) fn add_works(&mut self, weight: f64, [applied, drive]: [f64; 2]) {
         self.works.nonconservative += weight * applied;
-        self.works.drive += weight * drive;
+        if const { S::STRUCTURE.time_dependent } {
+            self.works.drive += weight * drive;
+        }
     }
 }

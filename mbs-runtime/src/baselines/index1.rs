@@ -156,7 +156,8 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         }
         let mut acceleration = SVector::zeros();
         // b is needed for the works of drives.
-        if !S::STRUCTURE.time_dependent && self.planned.is_none() {
+        let is_planned = const { S::ELIMINATION.is_some() } && self.planned.is_some();
+        if !S::STRUCTURE.time_dependent && !is_planned {
             let correction = self.stabilisation(bench, t, q, v);
             let (system, inverse_pivot) = (&bench.system, &mut self.inverse_pivot);
             let (into, lambda) = (&mut acceleration, &mut self.lambda);
@@ -170,10 +171,11 @@ impl<const N: usize, const R: usize> Index1<N, R> {
                         most = ratio;
                     }
                 }
+                if R == 0 {
+                    return Ok(acceleration);
+                }
                 if !self.delassus.needs_other_rows(most) {
-                    if R > 0 {
-                        self.note(most);
-                    }
+                    self.note(most);
                     return Ok(acceleration);
                 }
             }

@@ -149,15 +149,13 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
     ) -> Option<f64> {
         let Embedded { stages, factors } = self.embedded.as_ref()?;
         let mut sums = [[[0.0; N]; 2]; 2];
-        for part in 0..2 {
-            for i in 0..N {
-                let mut both = [0.0; 2];
-                for (&stage, [one, other]) in stages.iter().zip(factors) {
-                    let slope = self.slopes[stage][part][i];
-                    both[0] += one * slope;
-                    both[1] += other * slope;
+        for (&stage, [one, other]) in stages.iter().zip(factors) {
+            let slope = &self.slopes[stage];
+            for part in 0..2 {
+                for i in 0..N {
+                    sums[0][part][i] += one * slope[part][i];
+                    sums[1][part][i] += other * slope[part][i];
                 }
-                [sums[0][part][i], sums[1][part][i]] = both;
             }
         }
         let [fifth, third] = sums.map(|[turn, change]| size(&turn.into(), &change.into()));

@@ -128,7 +128,7 @@ where
         // Long steps of Radau are those after a transient of the beginning.
         if leader.rate.is_finite() && candidates[best].method != Method::Radau {
             simulation.integrator.state_mut().step_controller =
-                StepController::starting(leader.step);
+                StepController::after_trial(leader.step, leader.estimate_factor);
         }
         let operations = operations.iter().filter(|all| all.is_finite()).sum();
         let start = simulation.time();

@@ -22,8 +22,8 @@ pub(super) struct Kept {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
-        if let Some(refused) = self.refused.take() {
-            return Err(refused);
+        if self.refused.is_some() {
+            return self.refused.take().map_or(Ok(0.0), Err);
         }
         let known = self.rank_margin;
         let rank_margin = known.or_else(|| self.integrator.rank_margin());

@@ -21,36 +21,35 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
     pub(super) fn follow(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         // Pairs are looked at as a whole.
-        let is_guarded = self.settings.tolerance.is_none() && self.is_free();
+        if self.settings.tolerance.is_some() || !self.is_free() {
+            let length = self.placed(h, left)?;
+            self.watch();
+            return Ok(length);
+        }
         let (begin, last_step) = (self.time(), self.state().poses_ahead.last_step);
-        let mut margin = None;
-        if is_guarded {
-            // After an input has changed it is not known.
-            self.rank_margin = self.rank_margin.or_else(|| self.integrator.rank_margin());
-            margin = self.rank_margin.map(|now| (now.least, now.dependent));
-            if let Some(Foreseen::Turn { least, rate }) = self.foreseen() {
-                if self.resolving(rate) < h && self.turn_past(h, least, rate)? {
-                    return Ok(h);
-                }
-                self.foresee(None);
+        // After an input has changed it is not known.
+        self.rank_margin = self.rank_margin.or_else(|| self.integrator.rank_margin());
+        let margin = self.rank_margin.map(|now| (now.least, now.dependent));
+        if let Some(Foreseen::Turn { least, rate }) = self.foreseen() {
+            if self.resolving(rate) < h && self.turn_past(h, least, rate)? {
+                return Ok(h);
             }
+            self.foresee(None);
         }
         let length = self.placed(h, left)?;
-        if is_guarded {
-            let step = margin.map(|(least, dependent)| LastStep {
-                begin,
-                length,
-                least,
-                dependent,
-            });
-            if let (Some(last), Some(step), Some(now)) = (last_step, step, self.rank_margin)
-                && last.suspects(length, step.least, now.least)
-                && self.corrects(&last, &step)?
-            {
-                return Ok(length);
-            }
-            self.integrator.state_mut().poses_ahead.last_step = step;
+        let step = margin.map(|(least, dependent)| LastStep {
+            begin,
+            length,
+            least,
+            dependent,
+        });
+        if let (Some(last), Some(step), Some(now)) = (last_step, step, self.rank_margin)
+            && last.suspects(length, step.least, now.least)
+            && self.corrects(&last, &step)?
+        {
+            return Ok(length);
         }
+        self.integrator.state_mut().poses_ahead.last_step = step;
         self.watch();
         Ok(length)
     }

@@ -3,7 +3,9 @@
 use super::Simulation;
 use crate::assembly::refit;
 use crate::energy::total;
-use crate::{AssemblyVerdict, Mechanism, PosesAhead, SimulationError, System, ThreeFields};
+use crate::{
+    AssemblyVerdict, KnownPoses, Mechanism, PosesAhead, SimulationError, System, ThreeFields,
+};
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Goes on from the current instant with other parameters:
@@ -48,6 +50,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // Momenta of the old masses.
         state.fields = ThreeFields::default();
         state.poses_ahead = PosesAhead::default();
+        state.known_poses = KnownPoses::none();
         let verdict = refit(&system, &self.settings, &mut state)?;
         state.ledger.nonconservative_work += total(&system, &state) - total(self.system(), before);
         let mut renewed =
@@ -62,7 +65,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.take_over(before);
         self.energy_guard.take_over(&before.energy_guard);
         std::mem::swap(&mut self.singularities, &mut before.singularities);
-        std::mem::swap(&mut self.known_poses, &mut before.known_poses);
         std::mem::swap(&mut self.last_step_start, &mut before.last_step_start);
     }
 

@@ -16,11 +16,10 @@
 //! mechanism of one degree of freedom form a curve, so that each of its singular poses is looked at once.
 
 use super::Simulation;
-use super::hermite::Hermite;
 use super::known_poses::SAME;
 use super::pose::{Passage, Probe, minimum};
 use crate::singular::RankMargin;
-use crate::{SimulationError, State, System};
+use crate::{SimulationError, System};
 
 /// The least σ of a pose that is not singular, as a multiple of √e for an error e of the position rows, as a
 /// displacement: it shifts a row that is quadratic in the distance from the pose by √e.
@@ -66,18 +65,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Whether a singular pose that has been found before is nearer than this to the pose after the part s of the way
-    /// from `begin` to the state.
-    pub(super) fn is_known(&self, begin: &State<Q, N, R>, s: f64, within: f64) -> bool {
-        if self.known_poses.is_empty() {
-            return false;
-        }
-        let system = self.system();
-        let (_, q, _) = Hermite::new(system, begin, self.state()).at(system, s);
-        let distance = |known: &_| self.yardstick.measure(&system.difference(known, &q));
-        self.known_poses.contain(within, distance)
-    }
-
     #[cold]
     #[inline(never)]
     fn look_between(&mut self, passage: &Passage, pose: f64) -> Result<bool, SimulationError> {
@@ -117,7 +104,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             };
             if margin.dependent != middle.dependent || margin.least <= singular {
-                self.known_poses.add(self.integrator.state().positions);
+                let state = self.integrator.state_mut();
+                state.known_poses.add(state.positions);
                 return Ok(Pose::Singular);
             }
             seen += 1;

@@ -139,7 +139,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     #[inline(always)]
     pub(super) fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        if !self.is_free() {
+        // A pair that is taken back begins with its own state.
+        let is_unplaced = const { Self::UNBRANCHED } && self.is_paced_by_estimates();
+        if is_unplaced || !self.is_free() {
             self.advance(h)?;
             return Ok(h);
         }

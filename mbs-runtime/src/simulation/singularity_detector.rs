@@ -60,7 +60,26 @@ pub(super) struct SingularityDetector {
     rest: Option<f64>,
     /// Whether rows that were lost from the start on have come back.
     came_back: bool,
-    losses: Vec<RankLoss>,
+    losses: Losses,
+}
+
+/// What was reported so far.
+#[derive(Debug)]
+struct Losses(Vec<RankLoss>);
+
+impl Losses {
+    fn none() -> Self {
+        Losses(Vec::with_capacity(ROOM))
+    }
+}
+
+impl Clone for Losses {
+    /// With the same room, so that steps of a copy do not allocate either.
+    fn clone(&self) -> Self {
+        let mut copy = Self::none();
+        copy.0.extend_from_slice(&self.0);
+        copy
+    }
 }
 
 impl SingularityDetector {
@@ -80,17 +99,17 @@ impl SingularityDetector {
             reported: f64::NEG_INFINITY,
             rest,
             came_back: false,
-            losses: Vec::with_capacity(ROOM),
+            losses: Losses::none(),
         }
     }
 
     /// Begins with the losses of a detector before it.
     pub(super) fn take_over(&mut self, losses: &[RankLoss]) {
-        self.losses.splice(0..0, losses.iter().copied());
+        self.losses.0.splice(0..0, losses.iter().copied());
     }
 
     pub(super) fn losses(&self) -> &[RankLoss] {
-        &self.losses
+        &self.losses.0
     }
 
     /// Takes note of the end of a step; time and σ_min of a singular pose that has just been passed.
@@ -241,7 +260,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .filter_map(|&i| Some(S::MODEL.rows.get(i)?.entry));
         let undetermined = self.singularities.leaves_rest(time);
         let loss = RankLoss::new(time, sigma, undetermined, involved);
-        self.singularities.losses.push(loss);
+        self.singularities.losses.0.push(loss);
     }
 }
 

@@ -81,6 +81,16 @@ impl StepController {
         }
     }
 
+    /// For the motion that a trial has gone through: with the length of its last steps, and with the factor of its estimates if
+    /// that is known (not zero).
+    pub(super) fn after_trial(step: f64, estimate_factor: f64) -> Self {
+        StepController {
+            searching: estimate_factor == 0.0,
+            estimate_factor,
+            ..StepController::starting(step)
+        }
+    }
+
     /// Takes note of the factor of the estimate in a comparison with this error ratio, or of a pair that was not compared; `follows`
     /// if lengths follow the motion.
     pub(super) fn note(&mut self, estimate_factor: Option<f64>, error_ratio: f64, follows: bool) {

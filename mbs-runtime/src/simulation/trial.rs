@@ -33,8 +33,10 @@ pub(super) struct Trial {
     pub(super) span: [f64; 2],
     /// All operations of the trial; if it was hopeless, those that it would have taken.
     pub(super) operations: f64,
-    /// The length of its steps at the end of the trial, s.
+    /// The length of its steps at the end of the trial, s, …
     pub(super) step: f64,
+    /// … and the factor of the estimates of its errors.
+    pub(super) estimate_factor: f64,
     /// The mean way of its pairs, in sizes and radians.
     pub(super) way: f64,
     /// Whether stiff dampers do not shorten its steps.
@@ -48,6 +50,7 @@ impl Trial {
         span: [f64::INFINITY; 2],
         operations: f64::INFINITY,
         step: 0.0,
+        estimate_factor: 0.0,
         way: 0.0,
         damps: false,
     };
@@ -132,6 +135,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 span: [begin, time],
                 operations,
                 step: self.nominal(),
+                estimate_factor: self.estimate_factor(),
                 way: way / pairs,
                 damps: self.damps(),
             };
@@ -171,9 +175,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             span: [start, self.time()],
             operations: before + operations,
             step: self.nominal(),
+            estimate_factor: self.estimate_factor(),
             way: way / COUNTED as f64,
             damps: self.damps(),
         })
+    }
+
+    /// The factor of the estimates by which lengths follow the motion; otherwise zero.
+    fn estimate_factor(&self) -> f64 {
+        match self.follows() {
+            true => self.state().step_controller.estimate_factor,
+            false => 0.0,
+        }
     }
 
     /// Whether the method is Radau, which is a candidate far from singular poses.
