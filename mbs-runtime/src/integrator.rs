@@ -69,10 +69,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
 
     /// How far the stages of an explicit step of this length, as a fraction of the last one, keep away from a singular pose;
     /// NaN if it is not known.
-    pub(crate) fn foresee(&self, length: f64) -> f64 {
+    pub(crate) fn expected_clearance(&self, length: f64) -> f64 {
         match self {
             Integrator::TwoLevel(_) => f64::NAN,
-            Integrator::Other(stepper) => stepper.foresee(length),
+            Integrator::Other(stepper) => stepper.expected_clearance(length),
         }
     }
 

@@ -27,7 +27,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn counters(&self) -> Counters;
     fn is_sparse(&self) -> bool;
     fn estimate(&self) -> Option<f64>;
-    fn foresee(&self, length: f64) -> f64;
+    fn expected_clearance(&self, length: f64) -> f64;
 }
 
 /// A copy of a method behind a box; every method that can be cloned has it.
@@ -148,7 +148,7 @@ where
         None
     }
 
-    fn foresee(&self, _length: f64) -> f64 {
+    fn expected_clearance(&self, _length: f64) -> f64 {
         f64::NAN
     }
 }
@@ -227,7 +227,7 @@ where
         BaselineStepper::estimate(self)
     }
 
-    fn foresee(&self, length: f64) -> f64 {
-        BaselineStepper::foresee(self, length)
+    fn expected_clearance(&self, length: f64) -> f64 {
+        BaselineStepper::expected_clearance(self, length)
     }
 }

@@ -121,8 +121,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.equations.clearance()
     }
 
-    fn foresee(&self, length: f64) -> f64 {
-        self.stages.poses.foresee(length)
+    fn expected_clearance(&self, length: f64) -> f64 {
+        self.stages.poses.expected_clearance(length)
     }
 
     /// After the state or an input was changed.

@@ -44,7 +44,7 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     }
 
     /// The clearance of a step of this length, as a fraction of the last one; NaN if it is not known.
-    fn foresee(&self, _length: f64) -> f64 {
+    fn expected_clearance(&self, _length: f64) -> f64 {
         f64::NAN
     }
 }

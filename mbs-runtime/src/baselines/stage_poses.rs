@@ -113,7 +113,7 @@ impl StagePoses {
     }
 
     /// The clearance of a step of this length, as a fraction of the last one; NaN if the pose is not known.
-    pub(crate) fn foresee(&self, length: f64) -> f64 {
+    pub(crate) fn expected_clearance(&self, length: f64) -> f64 {
         let pose = self.pose();
         match pose.is_finite() {
             true => self.clearance(length, pose),
@@ -163,7 +163,7 @@ mod tests {
                 let distances = || poses.nodes.iter().map(|node| (pose - length * node).abs());
                 let least = distances().fold(f64::INFINITY, f64::min);
                 let most = distances().fold(0.0, f64::max);
-                assert!((poses.foresee(length) - least / most).abs() < 1e-6);
+                assert!((poses.expected_clearance(length) - least / most).abs() < 1e-6);
             }
         }
     }
@@ -173,6 +173,6 @@ mod tests {
         let mut poses = seen(0.4, f64::abs);
         poses.begin();
         poses.note(0, 1.0);
-        assert!(poses.foresee(0.8).is_nan());
+        assert!(poses.expected_clearance(0.8).is_nan());
     }
 }

@@ -149,9 +149,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.rule.clearance()
     }
 
-    /// See [`Rule::foresee`](super::rule::Rule::foresee).
-    pub(crate) fn foresee(&self, length: f64) -> f64 {
-        self.rule.foresee(length)
+    /// See [`Rule::expected_clearance`](super::rule::Rule::expected_clearance).
+    pub(crate) fn expected_clearance(&self, length: f64) -> f64 {
+        self.rule.expected_clearance(length)
     }
 
     /// Results of the last step: its works, and the rows at its end.

@@ -1,4 +1,12 @@
 //! One step, in parts where it does not converge, and what is known after it.
+//!
+//! ```text
+//! guarded_step ─▶ step_past_poses ─▶ placed_step ─▶ advance ─▶ Integrator::step
+//! energy          turns ahead        clearance      halves
+//! ```
+//!
+//! Each function takes the step by the next one, looks at what its name says, and takes it again in another length where
+//! that is needed.
 
 use super::Simulation;
 use super::books::Books;
@@ -22,8 +30,10 @@ pub(super) struct Kept {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
-        if self.refused.is_some() {
-            return self.refused.take().map_or(Ok(0.0), Err);
+        if self.refused.is_some()
+            && let Some(refused) = self.refused.take()
+        {
+            return Err(refused);
         }
         let known = self.rank_margin;
         let rank_margin = known.or_else(|| self.integrator.rank_margin());

@@ -79,7 +79,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (controller, start): (&StepController, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
-        let first = self.place(h, left)?;
+        let first = self.guarded_step(h, left)?;
         let mut estimate = self.integrator.estimate();
         let middle = self.margin();
         let mut found = Found {
@@ -109,7 +109,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 }
             }
         }
-        let second = self.place(h.min(left - first), left - first)?;
+        let second = self.guarded_step(h.min(left - first), left - first)?;
         let later = self.integrator.estimate();
         estimate = estimate.zip(later).map(|(first, second)| first + second);
         let end = self.margin();

@@ -19,10 +19,10 @@ const BELOW: f64 = 0.25;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step with placement, or short ones if it leaps over a pose that is nearly singular.
-    pub(super) fn follow(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+    pub(super) fn step_past_poses(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         // Pairs are looked at as a whole.
         if self.settings.tolerance.is_some() || !self.is_free() {
-            let length = self.placed(h, left)?;
+            let length = self.placed_step(h, left)?;
             self.watch();
             return Ok(length);
         }
@@ -34,9 +34,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if self.resolving(rate) < h && self.turn_past(h, least, rate)? {
                 return Ok(h);
             }
-            self.foresee(None);
+            self.expect_pose(None);
         }
-        let length = self.placed(h, left)?;
+        let length = self.placed_step(h, left)?;
         let step = margin.map(|(least, dependent)| LastStep {
             begin,
             length,
@@ -75,7 +75,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.back()?;
         self.rejected += 1;
         if !self.turn_past(length, least, rate)? {
-            self.foresee(None);
+            self.expect_pose(None);
             self.advance(length)?;
             self.watch();
         }
@@ -141,11 +141,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let [_, _, end] = passage.margins;
         Ok(match found? {
             Pose::Turn { least, rate } if PART * least < rate * second => {
-                self.foresee(Some(Foreseen::Turn { least, rate }));
+                self.expect_pose(Some(Foreseen::Turn { least, rate }));
                 Some(behind || end.least < LEAP * least)
             }
             Pose::Singular => {
-                self.foresee(Some(Foreseen::Singular(time)));
+                self.expect_pose(Some(Foreseen::Singular(time)));
                 Some(false)
             }
             Pose::Turn { .. } => Some(false),
@@ -190,7 +190,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.state().poses_ahead.foreseen
     }
 
-    fn foresee(&mut self, pose: Option<Foreseen>) {
+    fn expect_pose(&mut self, pose: Option<Foreseen>) {
         self.integrator.state_mut().poses_ahead.foreseen = pose;
     }
 

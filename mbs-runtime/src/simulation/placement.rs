@@ -30,9 +30,9 @@ const REMAINDER: f64 = 0.1;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, at most `left`, with placement; returns its length.
-    pub(super) fn place(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+    pub(super) fn guarded_step(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let before = self.balance.error;
-        let length = self.follow(h, left)?;
+        let length = self.step_past_poses(h, left)?;
         match self
             .energy_guard
             .refuses(&self.balance, &self.books, before)
@@ -67,14 +67,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 part *= 0.5;
                 self.back()?;
                 self.rejected += 1;
-                let shorter = self.follow(part, left)?;
+                let shorter = self.step_past_poses(part, left)?;
                 let refused = (self.energy_guard).refuses(&self.balance, &self.books, before);
                 if refused.is_none() {
                     return Ok(shorter);
                 }
             }
             self.back()?;
-            length = self.follow(h, left)?;
+            length = self.step_past_poses(h, left)?;
         }
         match refused.wrong {
             true => Err(self.nonsense(length, refused.available)),
@@ -138,7 +138,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     #[inline(always)]
-    pub(super) fn placed(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
+    pub(super) fn placed_step(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         // A pair that is taken back begins with its own state.
         let is_unplaced = const { Self::UNBRANCHED } && self.is_paced_by_estimates();
         if is_unplaced || !self.is_free() {
@@ -215,7 +215,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// [`LENGTHS`] in their order, with NaN; after an explicit step, whose stages tell where the pose is, with the expected
     /// clearances, the largest first.
     fn promising_lengths(&self) -> [(f64, f64); LENGTHS.len()] {
-        let mut lengths = LENGTHS.map(|factor| (factor, self.integrator.foresee(factor)));
+        let mut lengths =
+            LENGTHS.map(|factor| (factor, self.integrator.expected_clearance(factor)));
         match lengths.iter().all(|(_, clearance)| clearance.is_finite()) {
             true => lengths.sort_unstable_by(|a, b| b.1.total_cmp(&a.1)),
             false => lengths = LENGTHS.map(|factor| (factor, f64::NAN)),

@@ -53,7 +53,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step of h or, with a tolerance, a pair of what it calls for; `left` at most.
     pub(super) fn forward(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
         match self.settings.tolerance {
-            None => self.place(h, left).map(drop),
+            None => self.guarded_step(h, left).map(drop),
             Some(tolerance) => self.chosen_pair(tolerance, left),
         }
     }

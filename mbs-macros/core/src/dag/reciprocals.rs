@@ -4,39 +4,35 @@
 //! by its length a dozen times. The results differ by an ulp.
 
 use super::{Function, Operand, Operation};
+use crate::symbolic::Map;
 
 /// Divides by each denominator at most once.
 pub(super) fn share_reciprocals(function: Function) -> Function {
-    let mut denominators: Vec<(Operand, usize)> = Vec::new();
+    let mut divisions: Map<Operand, usize> = Map::default();
+    let mut shared = 0;
     for operation in &function.operations {
         if let Operation::Divide(_, denominator) = operation {
-            match denominators
-                .iter_mut()
-                .find(|(other, _)| other == denominator)
-            {
-                Some((_, count)) => *count += 1,
-                None => denominators.push((*denominator, 1)),
-            }
+            let count = divisions.entry(*denominator).or_insert(0);
+            *count += 1;
+            shared += usize::from(*count == 2);
         }
     }
-    denominators.retain(|&(_, count)| count > 1);
-    if denominators.is_empty() {
+    if shared == 0 {
         return function;
     }
 
-    let mut operations = Vec::with_capacity(function.operations.len() + denominators.len());
+    let mut operations = Vec::with_capacity(function.operations.len() + shared);
     let mut names = Vec::with_capacity(operations.capacity());
     // Where each value went, and the reciprocal of each denominator once it was needed.
     let mut moved: Vec<usize> = Vec::with_capacity(function.operations.len());
-    let mut reciprocals: Vec<(Operand, usize)> = Vec::new();
+    let mut reciprocals: Map<Operand, usize> = Map::default();
     for (operation, name) in function.operations.iter().zip(&function.names) {
         let operation = match operation {
             Operation::Divide(numerator, denominator)
-                if denominators.iter().any(|(other, _)| other == denominator) =>
+                if divisions.get(denominator).is_some_and(|&count| count > 1) =>
             {
-                let known = reciprocals.iter().find(|(other, _)| other == denominator);
-                let reciprocal = match known {
-                    Some(&(_, slot)) => slot,
+                let reciprocal = match reciprocals.get(denominator) {
+                    Some(&slot) => slot,
                     None => {
                         let one = Operand::number(1.0);
                         operations.push(Operation::Divide(one, relocate(*denominator, &moved)));
@@ -46,7 +42,7 @@ pub(super) fn share_reciprocals(function: Function) -> Function {
                                 .map(|name| format!("inverse_{name}")),
                             _ => None,
                         });
-                        reciprocals.push((*denominator, operations.len() - 1));
+                        reciprocals.insert(*denominator, operations.len() - 1);
                         operations.len() - 1
                     }
                 };

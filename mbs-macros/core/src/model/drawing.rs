@@ -55,6 +55,7 @@ impl Resolver<'_> {
     /// Bars from end to end, bodies from their origin to their joints and points that have a name, springs between their points.
     pub(super) fn drawing(&mut self, joints: &[JointEntry], forces: &[ForceEntry]) -> Drawing {
         let mut drawing = Drawing::default();
+        let mut attached = self.attached(joints, forces);
         // Bodies of which one point alone is drawn, with this point.
         let mut turning = Vec::new();
         for index in 0..self.parts.len() {
@@ -78,15 +79,7 @@ impl Resolver<'_> {
                 drawing.segments.push((name, first, first + 1));
                 continue;
             }
-            let attached = joints
-                .iter()
-                .flat_map(|joint| &joint.joint.points)
-                .chain(forces.iter().flat_map(|f| &f.force.points));
-            let mut attached: Vec<Point> = attached
-                .filter(|point| point.owner == owner)
-                .cloned()
-                .collect();
-            attached.extend(self.declared_points(owner));
+            let mut attached = std::mem::take(&mut attached[index]);
             // Without any, the centre of mass at least shows how the body turns.
             if attached.is_empty() {
                 attached.extend(self.named_point(owner, "center"));
@@ -129,6 +122,20 @@ impl Resolver<'_> {
             self.mark(index, origin, &mut drawing);
         }
         drawing
+    }
+
+    /// The points of each part: of joints, of forces, and those that have a name of their own.
+    fn attached(&self, joints: &[JointEntry], forces: &[ForceEntry]) -> Vec<Vec<Point>> {
+        let mut attached = vec![Vec::new(); self.parts.len()];
+        let of_joints = joints.iter().flat_map(|element| &element.joint.points);
+        let of_forces = forces.iter().flat_map(|element| &element.force.points);
+        let points = of_joints.chain(of_forces).cloned();
+        for point in points.chain(self.declared_points()) {
+            if let Some(part) = point.owner.part() {
+                attached[part].push(point);
+            }
+        }
+        attached
     }
 
     /// A line from the origin of a body: to its centre of mass or, where that is the origin, along its x axis, as long as

@@ -316,17 +316,16 @@ impl<'d> Resolver<'d> {
         self.states[index] = State::Done(value);
     }
 
-    /// The points that have a name of their own and belong to this owner.
-    pub(super) fn declared_points(&self, owner: Owner) -> Vec<Point> {
+    /// The points that have a name of their own.
+    pub(super) fn declared_points(&self) -> impl Iterator<Item = Point> {
         let entries = self.declaration.entries.iter().zip(&self.states);
-        let points = entries.filter_map(|(entry, state)| match state {
-            State::Done(Some(Value::Point(point))) if point.owner == owner => Some(Point {
+        entries.filter_map(|(entry, state)| match state {
+            State::Done(Some(Value::Point(point))) => Some(Point {
                 label: entry.name.to_string(),
                 ..point.clone()
             }),
             _ => None,
-        });
-        points.collect()
+        })
     }
 
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {
