@@ -255,14 +255,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let imperceptible = yardstick.imperceptible(positions, settings.step);
         let is_at_rest = yardstick.measure(velocities) <= imperceptible;
         let rest = is_at_rest.then_some(*time);
+        let [step_start, pair_start, pair_end, mut last_step_start] =
+            [(); 4].map(|()| integrator.state().boxed_copy());
+        last_step_start.time = f64::INFINITY;
         let mut simulation = Simulation {
-            step_start: Box::new(integrator.state().with_same_room()),
-            pair_start: Box::new(integrator.state().with_same_room()),
-            pair_end: Box::new(integrator.state().with_same_room()),
-            last_step_start: Box::new(State {
-                time: f64::INFINITY,
-                ..integrator.state().with_same_room()
-            }),
+            step_start,
+            pair_start,
+            pair_end,
+            last_step_start,
             balance: Energy::default(),
             energy_guard: EnergyGuard::new(
                 integrator.system(),

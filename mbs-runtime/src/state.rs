@@ -171,6 +171,13 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         copy
     }
 
+    /// The same on the heap; here, so that the copy is on the stack only while it is made.
+    #[cfg(feature = "std")]
+    #[inline(never)]
+    pub(crate) fn boxed_copy(&self) -> crate::memory::Box<Self> {
+        crate::memory::Box::new(self.with_same_room())
+    }
+
     /// Copies `other`, without allocation if the capacity is sufficient; not what is known of poses, which steps that are
     /// taken back have found, too.
     #[inline]
