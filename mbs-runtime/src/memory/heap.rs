@@ -18,6 +18,13 @@ pub const MOST_POINTS: usize = 1 << 16;
 /// A list with an entry for each stage of a step.
 pub type StageList<T> = Vec<T>;
 
+/// A copy of a list with the same capacity.
+pub(crate) fn cloned_with_room<T: Clone>(list: &Vec<T>) -> Vec<T> {
+    let mut copy = Vec::with_capacity(list.capacity());
+    copy.extend_from_slice(list);
+    copy
+}
+
 /// A value of zeros, which never was on the stack.
 pub fn zeroed<T: Zeroable>() -> Box<T> {
     bytemuck::zeroed_box()

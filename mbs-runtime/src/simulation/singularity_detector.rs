@@ -2,6 +2,7 @@
 
 use super::Simulation;
 use crate::linear::{array, largest_of};
+use crate::memory::cloned_with_room;
 use crate::singular::{OTHER_ROWS, RankMargin};
 use crate::{RankLoss, System};
 
@@ -76,9 +77,7 @@ impl Losses {
 impl Clone for Losses {
     /// With the same room, so that steps of a copy do not allocate either.
     fn clone(&self) -> Self {
-        let mut copy = Self::none();
-        copy.0.extend_from_slice(&self.0);
-        copy
+        Losses(cloned_with_room(&self.0))
     }
 }
 

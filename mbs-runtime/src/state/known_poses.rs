@@ -1,5 +1,6 @@
 //! The singular poses of a mechanism of one degree of freedom: its poses form a curve, so that each is looked at once.
 
+use crate::memory::cloned_with_room;
 use nalgebra::SVector;
 
 /// Poses that are remembered; then the oldest is forgotten.
@@ -11,7 +12,8 @@ const REMEMBERED: usize = 8;
 pub struct KnownPoses<const Q: usize> {
     /// The newest last.
     poses: Vec<SVector<f64, Q>>,
-    /// How many may be kept.
+    /// How many may be kept; the mechanism says it, not a file.
+    #[cfg_attr(feature = "serde", serde(skip))]
     room: usize,
 }
 
@@ -48,10 +50,8 @@ impl<const Q: usize> KnownPoses<Q> {
 impl<const Q: usize> Clone for KnownPoses<Q> {
     /// With the same room, so that steps of a copy do not allocate either.
     fn clone(&self) -> Self {
-        let mut poses = Vec::with_capacity(self.room);
-        poses.extend_from_slice(&self.poses);
         KnownPoses {
-            poses,
+            poses: cloned_with_room(&self.poses),
             room: self.room,
         }
     }
