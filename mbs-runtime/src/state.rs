@@ -172,7 +172,6 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     }
 
     /// The same on the heap; here, so that the copy is on the stack only while it is made.
-    #[cfg(feature = "std")]
     #[inline(never)]
     pub(crate) fn boxed_copy(&self) -> crate::memory::Box<Self> {
         crate::memory::Box::new(self.with_same_room())

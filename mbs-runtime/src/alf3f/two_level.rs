@@ -41,7 +41,7 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     /// The distance of the means of two orders of the last extrapolated step.
     apart: f64,
     /// The state before a step of several stages.
-    before: State<Q, N, R>,
+    before: Box<State<Q, N, R>>,
     placement: StagePlacement,
     /// κ₁ + κ₂ over the stages of the last composed step, N s …
     impulse: SVector<f64, R>,
@@ -130,7 +130,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         };
         #[cfg(feature = "sparse")]
         state.keep_factors(large.is_some());
-        let before = state.with_same_room();
+        let before = state.boxed_copy();
         if large.is_none() {
             check_dense(N, flow)?;
         }
