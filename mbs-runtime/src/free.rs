@@ -1,7 +1,6 @@
 //! The motion without rows, at an instant.
 
-use crate::sink::Discard;
-use crate::{MatrixSink, System};
+use crate::System;
 use nalgebra::SVector;
 
 /// M⁻¹(f − Γvv), the acceleration without rows.
@@ -23,7 +22,7 @@ pub(crate) fn free<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     result
 }
 
-/// F − ṗ|_v, what M v̇ is without rows.
+/// F − ṗ|_v, M v̇ without rows.
 #[inline(always)]
 pub(crate) fn write_free_forces<S, const Q: usize, const N: usize, const R: usize>(
     system: &S,
@@ -34,23 +33,8 @@ pub(crate) fn write_free_forces<S, const Q: usize, const N: usize, const R: usiz
 ) where
     S: System<Q, N, R>,
 {
-    system.forces(t, q, v, result);
-    if !S::STRUCTURE.constant_mass {
-        // ṗ = M v̇ + (∂p/∂q) v.
-        let mut change = Product { v, result };
-        system.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut change);
-    }
-}
-
-/// Subtracts the product of the matrix written to it and v.
-struct Product<'a, const N: usize> {
-    v: &'a SVector<f64, N>,
-    result: &'a mut SVector<f64, N>,
-}
-
-impl<const N: usize> MatrixSink for Product<'_, N> {
-    #[inline(always)]
-    fn set(&mut self, row: usize, column: usize, value: f64) {
-        self.result[row] -= value * self.v[column];
+    match S::STRUCTURE.constant_mass {
+        true => system.forces(t, q, v, result),
+        false => system.free_forces(t, q, v, result),
     }
 }

@@ -49,7 +49,7 @@ impl Work {
                 let dense = constraints
                     + metric
                     + cost("constraint_rates")
-                    + cost("forces")
+                    + of("free_forces").unwrap_or(cost("forces"))
                     + elimination
                     + solution
                     + products;

@@ -78,6 +78,8 @@ pub fn table<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     table.vector("applied_forces", "f", f.as_slice());
     system.forces(t, q, v, &mut f);
     table.vector("forces", "f", f.as_slice());
+    system.free_forces(t, q, v, &mut f);
+    table.vector("free_forces", "f", f.as_slice());
     let (mut f_q, mut f_v) = (Entries::default(), Entries::default());
     system.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
     sparse(&mut table, "applied_force_tangents", "f_q", f_q);

@@ -218,6 +218,7 @@ fn expressions(derived: &Derived) -> Vec<(Key, Expr)> {
     vector("constraint_rates", "gamma", &derived.convective);
     vector("applied_forces", "f", &system.forces);
     vector("forces", "f", &derived.total_forces);
+    vector("free_forces", "f", &derived.free_forces);
     vector("balance", "p", &derived.momentum);
     vector("balance", "f", &derived.total_forces);
     vector("outputs", "outputs", &system.outputs);

@@ -237,6 +237,7 @@ pub const METHODS: &[Method] = &[
     method(Loads, "forces", &[T, Q, V, write("f", Velocities)], Nothing, Generated),
     method(Loads, "applied_force_tangents", &[T, Q, V, write("f_q", Matrix), write("f_v", Matrix)], Nothing, Generated),
     method(Loads, "force_tangents", &[T, Q, V, write("f_q", Matrix), write("f_v", Matrix), write("p_q", Matrix)], Nothing, Generated),
+    method(Loads, "free_forces", &[T, Q, V, write("f", Velocities)], Nothing, Generated),
     method(Loads, "balance", &[T, Q, V, write("p", Velocities), write("f", Velocities)], Nothing, Generated),
     method(Loads, "balance_tangents", &[T, Q, V, write("mass", Matrix), write("f_q", Matrix), write("f_v", Matrix), write("p_q", Matrix)], Nothing, Generated),
     method(Loads, "acceleration", &[T, Q, write("acceleration", Velocities)], Nothing, Generated),

@@ -2,6 +2,7 @@
 
 use super::{Inertia, NamedValues};
 use crate::MatrixSink;
+use crate::sink::Discard;
 use nalgebra::SVector;
 
 /// The forces of a mechanism with Q coordinates and N velocities.
@@ -42,6 +43,19 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
         f_v: &mut impl MatrixSink,
         p_q: &mut impl MatrixSink,
     );
+    /// F − ṗ|_v, M v̇ without rows, where ṗ|_v = (∂p/∂q) v is the rate of p at constant v: generated if M varies.
+    #[inline(always)]
+    fn free_forces(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        f: &mut SVector<f64, N>,
+    ) {
+        self.forces(t, q, v, f);
+        let mut change = Product { v, result: f };
+        self.force_tangents(t, q, v, &mut Discard, &mut Discard, &mut change);
+    }
     /// p and F together: generated if M varies, so that common subexpressions are computed once.
     #[inline(always)]
     fn balance(
@@ -78,4 +92,17 @@ pub trait Loads<const Q: usize, const N: usize>: Inertia<Q, N> {
     fn potential_energy(&self, q: &SVector<f64, Q>) -> f64;
     /// Power of the applied forces that have no potential, W.
     fn nonconservative_power(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>) -> f64;
+}
+
+/// Subtracts the product of the matrix written to it and v.
+struct Product<'a, const N: usize> {
+    v: &'a SVector<f64, N>,
+    result: &'a mut SVector<f64, N>,
+}
+
+impl<const N: usize> MatrixSink for Product<'_, N> {
+    #[inline(always)]
+    fn set(&mut self, row: usize, column: usize, value: f64) {
+        self.result[row] -= value * self.v[column];
+    }
 }

@@ -26,10 +26,11 @@ pub(super) fn is_positive(pivot: f64, whole: f64) -> bool {
     pivot * WEAKEST > whole && pivot.is_finite()
 }
 
-/// M = L Lᵀ, with the inverse diagonal kept.
+/// M = Uᵀ U, with the inverse diagonal kept.
 #[derive(Debug, Clone)]
 pub struct Cholesky<const N: usize> {
-    lower: [[f64; N]; N],
+    /// Its rows; nothing is read below the diagonal.
+    upper: [[f64; N]; N],
     inverse_diagonal: [f64; N],
 }
 
@@ -40,18 +41,18 @@ impl<const N: usize> Cholesky<N> {
         Self::factor(mass).ok()
     }
 
-    /// The factor of M, of which the upper triangle is read.
+    /// The factor of M, of which the lower triangle is read.
     ///
     /// # Errors
     /// The column at which M stops being positive definite (to 1/[`WEAKEST`] of its diagonal).
     #[inline]
     pub fn factor(mass: &SMatrix<f64, N, N>) -> Result<Self, usize> {
         // M is symmetric: its columns are its rows.
-        let mut lower = mass.data.0;
+        let mut upper = mass.data.0;
         let mut inverse_diagonal = [0.0; N];
-        factor_in_place(&mut lower, &mut inverse_diagonal, 0..N)?;
+        factor_in_place(&mut upper, &mut inverse_diagonal, 0..N)?;
         Ok(Cholesky {
-            lower,
+            upper,
             inverse_diagonal,
         })
     }
@@ -60,35 +61,39 @@ impl<const N: usize> Cholesky<N> {
     #[inline]
     pub fn solve(&self, x: &mut SVector<f64, N>) {
         let [x] = &mut x.data.0;
-        solve(&self.lower, &self.inverse_diagonal, x, 0..N);
+        solve(&self.upper, &self.inverse_diagonal, x, 0..N);
     }
 }
 
-/// L of M = L Lᵀ in place of a diagonal block of M, whose diagonal stays; `inverse_diagonal` is that of L.
+/// U of M = Uᵀ U in place of a diagonal block of M; `inverse_diagonal` is that of U. Each row is subtracted from those below
+/// it as soon as it is known: entries of a row do not wait for each other, as they would in a sum of products.
 #[inline(always)]
 fn factor_in_place<const N: usize>(
-    lower: &mut [[f64; N]; N],
+    upper: &mut [[f64; N]; N],
     inverse_diagonal: &mut [f64; N],
     block: Range<usize>,
 ) -> Result<(), usize> {
     let Range { start, end } = block;
+    // The pivots are what is left of the diagonal of M.
+    let mut whole = [0.0; N];
     for k in start..end {
-        let whole = lower[k][k];
-        let mut pivot = whole;
-        for j in start..k {
-            pivot -= lower[k][j] * lower[k][j];
-        }
-        if !is_positive(pivot, whole) {
+        whole[k] = upper[k][k];
+    }
+    for k in start..end {
+        let (known, below) = upper.split_at_mut(k + 1);
+        let row = &mut known[k][..end];
+        let pivot = row[k];
+        if !is_positive(pivot, whole[k]) {
             return Err(k);
         }
         let inverse = 1.0 / pivot.sqrt();
         inverse_diagonal[k] = inverse;
-        for i in k + 1..end {
-            let mut entry = lower[i][k];
-            for j in start..k {
-                entry -= lower[i][j] * lower[k][j];
+        row[k + 1..].iter_mut().for_each(|entry| *entry *= inverse);
+        for (i, other) in (k + 1..end).zip(below) {
+            let factor = row[i];
+            for (entry, &u) in other[i..end].iter_mut().zip(&row[i..]) {
+                *entry -= factor * u;
             }
-            lower[i][k] = entry * inverse;
         }
     }
     Ok(())
@@ -97,24 +102,22 @@ fn factor_in_place<const N: usize>(
 /// x ← M⁻¹ x in a diagonal block of M.
 #[inline(always)]
 fn solve<const N: usize>(
-    lower: &[[f64; N]; N],
+    upper: &[[f64; N]; N],
     inverse_diagonal: &[f64; N],
     x: &mut [f64; N],
     block: Range<usize>,
 ) {
     let Range { start, end } = block;
     for i in start..end {
-        let mut value = x[i];
-        for j in start..i {
-            value -= lower[i][j] * x[j];
+        let value = x[i] * inverse_diagonal[i];
+        x[i] = value;
+        for (entry, &u) in x[i + 1..end].iter_mut().zip(&upper[i][i + 1..end]) {
+            *entry -= value * u;
         }
-        x[i] = value * inverse_diagonal[i];
     }
     for i in (start..end).rev() {
-        let mut value = x[i];
-        for j in i + 1..end {
-            value -= lower[j][i] * x[j];
-        }
+        let products = upper[i][i + 1..end].iter().zip(&x[i + 1..end]);
+        let value = products.fold(x[i], |value, (u, x)| value - u * x);
         x[i] = value * inverse_diagonal[i];
     }
 }
@@ -142,13 +145,13 @@ pub fn inverse_mass<const N: usize>(
     mass: &mut SMatrix<f64, N, N>,
     coordinates: &[&'static str; N],
 ) -> Result<Box<SMatrix<f64, N, N>>, ParameterError> {
-    let lower = &mut mass.data.0;
+    let upper = &mut mass.data.0;
     let mut inverse_diagonal = [0.0; N];
     let mut inverse = clear_mass();
     let mut start = 0;
     while start < N {
-        let block = start..end_of_block(lower, start);
-        factor_in_place(lower, &mut inverse_diagonal, block.clone()).map_err(|column| {
+        let block = start..end_of_block(upper, start);
+        factor_in_place(upper, &mut inverse_diagonal, block.clone()).map_err(|column| {
             ParameterError::MassNotPositive {
                 coordinate: coordinates[column],
             }
@@ -156,7 +159,7 @@ pub fn inverse_mass<const N: usize>(
         for i in block.clone() {
             let column = &mut inverse.data.0[i];
             column[i] = 1.0;
-            solve(lower, &inverse_diagonal, column, block.clone());
+            solve(upper, &inverse_diagonal, column, block.clone());
         }
         start = block.end;
     }

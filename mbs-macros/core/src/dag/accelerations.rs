@@ -55,13 +55,6 @@ pub(super) struct Demand {
 
 impl Demand {
     pub(super) fn new(graph: &mut Graph, derived: &Derived) -> Demand {
-        let rates = graph.rates_at_constant_velocity(&derived.momentum);
-        let forces = derived
-            .total_forces
-            .iter()
-            .zip(rates)
-            .map(|(&force, rate)| graph.sub(force, rate))
-            .collect();
         let rows = derived
             .convective
             .iter()
@@ -72,7 +65,10 @@ impl Demand {
                 graph.neg(demand)
             })
             .collect();
-        Demand { forces, rows }
+        Demand {
+            forces: derived.free_forces.clone(),
+            rows,
+        }
     }
 }
 

@@ -85,6 +85,7 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
             matrix(f, "p_q", &derived.momentum_by_position);
         });
         if !structure.constant_mass {
+            make("free_forces", &mut |f| vector(f, "f", &derived.free_forces));
             make("balance", &mut |f| {
                 vector(f, "p", &derived.momentum);
                 vector(f, "f", &derived.total_forces);

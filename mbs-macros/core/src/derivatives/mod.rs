@@ -14,11 +14,13 @@
 
 mod affinities;
 mod constraints;
+mod curvature;
 mod matrix;
 mod tangents;
 
 use crate::equations::{InverseMass, System};
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{Expr, Graph, Symbol};
+use curvature::Curvature;
 
 pub use affinities::Affinities;
 pub(crate) use constraints::{RowDerivatives, derive as rows, holonomic};
@@ -50,6 +52,8 @@ pub struct Derived {
     pub convective: Vec<Expr>,
     /// F = f + ∂T/∂q, and p × ω for rotations.
     pub total_forces: Vec<Expr>,
+    /// F − ṗ|_v, with the rate of p at constant v: M v̇ without rows.
+    pub free_forces: Vec<Expr>,
     /// p × ω of rotations.
     pub turning: Vec<Expr>,
     /// ∂f/∂q and ∂f/∂v.
@@ -105,17 +109,17 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
             graph.add(system.forces[i], inertial)
         })
         .collect();
+    let free_forces = free_forces(graph, &total_forces, &momentum, system.constant_mass);
     let rows = constraints::derive(graph, &system.rows);
-    let momentum_by_position = tangents::jacobian(graph, &momentum, Symbol::Coordinate);
+    let curvature = Curvature::new(graph, kinetic, &momentum, &slopes, rotations, &system.mass);
     let applied = Tangents::of_parts(graph, &system.force_parts, rotations);
     let applied = applied.or_direct(graph, &system.forces, &Matrix::new());
     let inertial = Inertial {
-        slopes: &slopes,
         turning: &turning,
-        momentum_by_position: &momentum_by_position,
+        curvature: &curvature,
     };
-    let total = applied.with_inertial(graph, &inertial, rotations);
-    let total = total.or_direct(graph, &total_forces, &momentum_by_position);
+    let total = applied.with_inertial(graph, &inertial);
+    let total = total.or_direct(graph, &total_forces, &curvature.momentum);
     let explicit = system.constant_mass && applied.by_velocity.is_empty();
     let inverse = explicit.then(|| InverseMass::new(size, &system.mass));
     let inverse = inverse.filter(|inverse| inverse.entries() <= MOST_ENTRIES);
@@ -130,12 +134,29 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
         jacobian_rate: rows.jacobian_rate,
         convective: rows.convective,
         total_forces,
+        free_forces,
         turning,
         applied,
         total,
-        momentum_by_position,
+        momentum_by_position: curvature.momentum,
         acceleration,
         redundant,
         system,
     }
+}
+
+/// F − ṗ|_v. The rate is a derivative along v, which takes a few times the operations of p; as the product of ∂p/∂q and v it
+/// takes more by the number of velocities.
+fn free_forces(
+    graph: &mut Graph,
+    total_forces: &[Expr],
+    momentum: &[Expr],
+    constant_mass: bool,
+) -> Vec<Expr> {
+    if constant_mass {
+        return total_forces.to_vec();
+    }
+    let rates = graph.rates_at_constant_velocity(momentum);
+    let pairs = total_forces.iter().zip(rates);
+    pairs.map(|(&force, rate)| graph.sub(force, rate)).collect()
 }

@@ -1,5 +1,6 @@
 //! Tangents of forces: Jacobians without their structural zeros.
 
+use super::curvature::Curvature;
 use super::matrix::Matrix;
 use crate::equations::ForceParts;
 use crate::model::Rotation;
@@ -20,12 +21,10 @@ pub struct Tangents {
 
 /// The forces of inertia.
 pub(super) struct Inertial<'a> {
-    /// ∂T/∂q.
-    pub slopes: &'a [Expr],
     /// p × ω of rotations.
     pub turning: &'a [Expr],
-    /// ∂p/∂q.
-    pub momentum_by_position: &'a Matrix,
+    /// ∂p/∂q and ∂²T/∂q².
+    pub curvature: &'a Curvature,
 }
 
 impl Tangents {
@@ -79,21 +78,16 @@ impl Tangents {
 
     /// Those of F = f + ∂T/∂q + p × ω from those of f, of `turning` = p × ω, and of p: ∂²T/∂q² is symmetric, and
     /// ∂/∂v ∂T/∂q = (∂p/∂q)ᵀ.
-    pub(super) fn with_inertial(
-        &self,
-        graph: &mut Graph,
-        inertial: &Inertial,
-        rotations: &[Rotation],
-    ) -> Tangents {
+    pub(super) fn with_inertial(&self, graph: &mut Graph, inertial: &Inertial) -> Tangents {
         let turning = Tangents::of(graph, inertial.turning);
-        let slopes = hessian(graph, inertial.slopes, rotations);
-        let entries = inertial.momentum_by_position.iter();
+        let Curvature { momentum, energy } = inertial.curvature;
+        let entries = momentum.iter();
         let transposed: Matrix = entries.map(|(&(i, j), &entry)| ((j, i), entry)).collect();
         let sum = |graph: &mut Graph, matrices: [&Matrix; 3]| {
             total(graph, matrices.map(|matrix| (1.0, matrix)))
         };
         Tangents {
-            by_position: sum(graph, [&self.by_position, &slopes, &turning.by_position]),
+            by_position: sum(graph, [&self.by_position, energy, &turning.by_position]),
             by_velocity: sum(
                 graph,
                 [&self.by_velocity, &transposed, &turning.by_velocity],
@@ -121,7 +115,7 @@ pub(super) fn jacobian(graph: &mut Graph, values: &[Expr], by: impl Fn(u32) -> S
 
 /// ∂slopes/∂q, where slopes are ∂/∂q of a scalar: symmetric but within a rotation, whose directions do not commute. Each
 /// pair of entries is derived once.
-fn hessian(graph: &mut Graph, slopes: &[Expr], rotations: &[Rotation]) -> Matrix {
+pub(super) fn hessian(graph: &mut Graph, slopes: &[Expr], rotations: &[Rotation]) -> Matrix {
     let turn = |i: usize| {
         let mut turns = rotations.iter();
         turns.position(|rotation| (rotation.velocity..rotation.velocity + 3).contains(&i))

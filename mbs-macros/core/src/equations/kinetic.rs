@@ -2,7 +2,7 @@
 
 use super::inertia::LocalMass;
 use crate::model::Model;
-use crate::symbolic::{Expr, Graph, Substitution, Symbol};
+use crate::symbolic::{Expr, Graph, Length, Substitution, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// T for joint coordinates: ½ (m v·v + ω·Jω) of each part of the tree, and ½ ṡ·M ṡ of all other
@@ -42,6 +42,9 @@ pub(super) fn energy(
     Some(graph.scale(0.5, sum))
 }
 
+/// Entries of M.
+type Mass = BTreeMap<(usize, usize), Expr>;
+
 /// T with its slopes, from one pass backwards through it.
 #[derive(Debug)]
 pub struct Kinetic {
@@ -71,9 +74,17 @@ impl Kinetic {
         kinetic
     }
 
-    /// The upper triangle of M = ∂p/∂v. Of the two equal entries that of the later momentum is taken: fewer bodies
-    /// contribute to it.
-    pub(super) fn mass(&self, graph: &mut Graph) -> BTreeMap<(usize, usize), Expr> {
+    /// The upper triangle of M, from momenta or from composite bodies: the shorter.
+    pub(super) fn mass(&self, graph: &mut Graph) -> Mass {
+        let by_momenta = self.mass_by_momenta(graph);
+        match self.mass_by_composite_bodies(graph) {
+            Some(other) if operations(graph, &other) < operations(graph, &by_momenta) => other,
+            _ => by_momenta,
+        }
+    }
+
+    /// ∂p/∂v. Of the two equal entries that of the later momentum is taken: fewer bodies contribute to it.
+    fn mass_by_momenta(&self, graph: &mut Graph) -> Mass {
         let mut mass = BTreeMap::new();
         for (j, &p) in self.momentum.iter().enumerate() {
             for i in 0..=j {
@@ -85,4 +96,21 @@ impl Kinetic {
         }
         mass
     }
+
+    /// ∂²T/∂v² by one pass backwards.
+    fn mass_by_composite_bodies(&self, graph: &mut Graph) -> Option<Mass> {
+        let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+        let hessian = graph.hessian(self.energy, is_velocity)?;
+        let entries = hessian.entries.into_iter().map(|(pair, entry)| match pair {
+            (Symbol::Velocity(i), Symbol::Velocity(j)) => Some(((i as usize, j as usize), entry)),
+            _ => None,
+        });
+        entries.collect()
+    }
+}
+
+fn operations(graph: &Graph, mass: &Mass) -> usize {
+    let mut length = Length::default();
+    mass.values().for_each(|&entry| length.add(graph, entry));
+    length.operations()
 }

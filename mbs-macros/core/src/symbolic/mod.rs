@@ -12,6 +12,7 @@ mod derivative;
 mod evaluate;
 mod gradient;
 mod hashing;
+mod hessian;
 mod index;
 mod latex;
 mod length;
