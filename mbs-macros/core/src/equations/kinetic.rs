@@ -101,7 +101,7 @@ impl Kinetic {
     fn mass_by_composite_bodies(&self, graph: &mut Graph) -> Option<Mass> {
         let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
         let hessian = graph.hessian(self.energy, is_velocity)?;
-        let entries = hessian.entries.into_iter().map(|(pair, entry)| match pair {
+        let entries = hessian.into_iter().map(|(pair, entry)| match pair {
             (Symbol::Velocity(i), Symbol::Velocity(j)) => Some(((i as usize, j as usize), entry)),
             _ => None,
         });

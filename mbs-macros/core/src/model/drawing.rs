@@ -160,7 +160,11 @@ impl Resolver<'_> {
         let Some(shape) = part.shape else {
             return;
         };
-        let (name, center, frame) = (part.name.clone(), part.center, part.frame.clone());
+        let (name, center, mut frame) = (part.name.clone(), part.center, part.frame.clone());
+        // The sums of each corner begin with those of the origin, which are computed once.
+        frame.origin = frame
+            .origin
+            .map(|x| self.graph.function(Function::Apart, x));
         let (corners, edges) = shape.wireframe(&mut self.graph);
         let first = drawing.points.len();
         for corner in corners {

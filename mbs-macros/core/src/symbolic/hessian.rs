@@ -9,20 +9,14 @@
 use super::{Expr, Function, Graph, Map, Node, Symbol};
 use std::collections::BTreeMap;
 
-/// The derivatives of a scalar by some symbols, where they are not zero.
-#[derive(Debug)]
-pub(crate) struct Hessian {
-    /// The first ones.
-    pub slopes: BTreeMap<Symbol, Expr>,
-    /// The second ones, for pairs in order.
-    pub entries: BTreeMap<(Symbol, Symbol), Expr>,
-}
+/// The second derivatives of a scalar, for pairs of symbols in order, where they are not zero.
+pub(crate) type Hessian = BTreeMap<(Symbol, Symbol), Expr>;
 
 /// The derivatives by a node and nodes that precede it, as sums, by their places.
 type Row = BTreeMap<usize, Vec<Expr>>;
 
-/// The symbols and the nodes that depend on them. Symbols precede all nodes, so that each pair is kept with the later of the
-/// two.
+/// The symbols, and the nodes that depend on them, operands first. Symbols precede all nodes, so that each pair is kept with
+/// the later of the two.
 struct Order {
     symbols: Vec<(Symbol, Expr)>,
     nodes: Vec<Expr>,
@@ -30,14 +24,14 @@ struct Order {
 }
 
 impl Graph {
-    /// First and second derivatives by the symbols for which `is_variable` holds, each on its own: entries of a rotation
-    /// matrix are independent here. `None` if anything but sums, products, sines and cosines depends on them.
+    /// Second derivatives by the symbols for which `is_variable` holds. `None` if anything but sums, products, sines and
+    /// cosines depends on them, rotations among these.
     pub(crate) fn hessian(
         &mut self,
         scalar: Expr,
         is_variable: impl Fn(Symbol) -> bool,
     ) -> Option<Hessian> {
-        let order = self.depending(scalar, is_variable);
+        let order = self.order(scalar, is_variable)?;
         let known = order.symbols.len();
         let mut rows: Vec<Row> = vec![Row::new(); known + order.nodes.len()];
         let mut slopes: Vec<Vec<Expr>> = vec![Vec::new(); rows.len()];
@@ -74,25 +68,19 @@ impl Graph {
                 }
             }
         }
-        let mut hessian = Hessian {
-            slopes: BTreeMap::new(),
-            entries: BTreeMap::new(),
-        };
-        let symbol = |at: usize| order.symbols[at].0;
-        for (at, (slope, row)) in slopes.into_iter().zip(rows).take(known).enumerate() {
-            let slope = self.sum(slope);
-            hessian.slopes.insert(symbol(at), slope);
+        let mut hessian = Hessian::new();
+        for (&(symbol, _), row) in order.symbols.iter().zip(rows) {
             for (other, terms) in row {
                 let entry = self.sum(terms);
-                hessian.entries.insert((symbol(other), symbol(at)), entry);
+                if !self.is_zero(entry) {
+                    hessian.insert((order.symbols[other].0, symbol), entry);
+                }
             }
         }
-        hessian.slopes.retain(|_, &mut slope| !self.is_zero(slope));
-        hessian.entries.retain(|_, &mut entry| !self.is_zero(entry));
         Some(hessian)
     }
 
-    fn depending(&self, scalar: Expr, is_variable: impl Fn(Symbol) -> bool) -> Order {
+    fn order(&self, scalar: Expr, is_variable: impl Fn(Symbol) -> bool) -> Option<Order> {
         let mut depends: Map<Expr, bool> = Map::default();
         let (mut symbols, mut nodes) = (Vec::new(), Vec::new());
         for expr in self.inside([scalar]) {
@@ -102,6 +90,7 @@ impl Graph {
                     symbols.push((symbol, expr));
                     found = true;
                 }
+                Node::Symbol(symbol) if symbol.directions().any(&is_variable) => return None,
                 _ => {
                     self.for_each_operand(expr, |operand| found |= depends[&operand]);
                     if found {
@@ -114,20 +103,18 @@ impl Graph {
         symbols.sort_unstable();
         let all = symbols.iter().map(|&(_, expr)| expr);
         let places = all.chain(nodes.iter().copied()).zip(0..).collect();
-        Order {
+        Some(Order {
             symbols,
             nodes,
             places,
-        }
+        })
     }
 
     /// The derivatives of a node by those of its operands that depend on the symbols.
     fn partials_by(&mut self, node: Expr, order: &Order) -> Vec<(usize, Expr)> {
         let partials = self.partials(node).into_iter();
-        let by = partials.filter_map(|(operand, partial)| {
-            let place = *order.places.get(&operand)?;
-            Some((place, partial))
-        });
+        let by =
+            partials.filter_map(|(operand, slope)| Some((*order.places.get(&operand)?, slope)));
         by.collect()
     }
 
