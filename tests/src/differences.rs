@@ -228,6 +228,10 @@ fn tangents<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system.applied_force_tangents(t, q, v, &mut f_q, &mut f_v);
     let [mut total_q, mut total_v, mut p_q] = [(); 3].map(|()| zeros::<N, N>());
     system.force_tangents(t, q, v, &mut total_q, &mut total_v, &mut p_q);
+    let mut free = SVector::zeros();
+    system.free_forces(t, q, v, &mut free);
+    let expected = dense.total(t, q, v) - *p_q * v;
+    findings.identity("F − ṗ|_v", free.as_slice(), expected.as_slice());
     for j in 0..N {
         let mut column =
             |what: &str, matrix: &SMatrix<f64, N, N>, function: &dyn Fn(f64) -> SVector<f64, N>| {

@@ -19,6 +19,7 @@ pub const QUANTITIES: &[&str] = &[
     "gamma",
     "f",
     "F",
+    "free_forces",
     "f_q",
     "f_v",
     "F_q",
@@ -327,6 +328,16 @@ impl<S: Loads<Q, N>, const Q: usize, const N: usize> Loads<Q, N> for Tampered<S>
         let (mut f_q, mut f_v) = (self.sink("F_q", f_q), self.sink("F_v", f_v));
         self.inner
             .force_tangents(t, q, v, &mut f_q, &mut f_v, &mut self.sink("p_q", p_q));
+    }
+    fn free_forces(
+        &self,
+        t: f64,
+        q: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+        f: &mut SVector<f64, N>,
+    ) {
+        self.inner.free_forces(t, q, v, f);
+        self.vector("free_forces", f.as_mut_slice());
     }
     fn acceleration(&self, t: f64, q: &SVector<f64, Q>, acceleration: &mut SVector<f64, N>) {
         self.inner.acceleration(t, q, acceleration);

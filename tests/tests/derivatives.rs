@@ -310,3 +310,20 @@ fn deriving_long_affinities_stops_early() {
     let (short, long) = (short.system.graph.len(), long.system.graph.len());
     assert!(long < 4 * short, "{long} nodes against {short}");
 }
+
+/// M and the tangents of inertia of a chain are those of composite bodies, and its forces without rows take operations in
+/// proportion to its length. (Entry by entry M takes 26 n², the tangents 80 n².)
+#[test]
+fn long_chains_have_composite_bodies() {
+    for links in [20, 30] {
+        let program = mbs_macros_core::dag::lower(&analysis(&chain(links, true)).derived);
+        let operations = |name: &str| {
+            let function = program.function(name);
+            function.expect("M varies").cost().total()
+        };
+        let square = links * links;
+        assert!(operations("mass_matrix") < 11 * square);
+        assert!(operations("balance_tangents") < 50 * square);
+        assert!(operations("free_forces") < 250 * links);
+    }
+}
