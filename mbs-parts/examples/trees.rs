@@ -8,77 +8,32 @@ use mbs_runtime::{
 };
 use std::time::Instant;
 
-mechanism!(Chain7 {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
-    link: Each(0..7, |k| Bar(
-        mass = 1.0_kg,
-        from = [k * 0.1_m, 0.0, 0.0],
-        to = [(k + 1) * 0.1_m, 0.0, 0.0],
-        radius = 0.01_m
-    )),
-    top: Revolute(ground, link[0], at = [0.0, 0.0, 0.0], axis = Y),
-    joint: Each(1..7, |k| Revolute(
-        link[k - 1],
-        link[k],
-        at = [k * 0.1_m, 0.0, 0.0],
-        axis = if k % 2 == 0 { Y } else { Z }
-    )),
-    tip: Output(link[6].b),
-});
+macro_rules! chain {
+    ($name:ident, $links:tt, $last:tt) => {
+        mechanism!($name {
+            world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
+            link: Each(0..$links, |k| Bar(
+                mass = 1.0_kg,
+                from = [k * 0.1_m, 0.0, 0.0],
+                to = [(k + 1) * 0.1_m, 0.0, 0.0],
+                radius = 0.01_m
+            )),
+            top: Revolute(ground, link[0], at = [0.0, 0.0, 0.0], axis = Y),
+            joint: Each(1..$links, |k| Revolute(
+                link[k - 1],
+                link[k],
+                at = [k * 0.1_m, 0.0, 0.0],
+                axis = if k % 2 == 0 { Y } else { Z }
+            )),
+            tip: Output(link[$last].b),
+        });
+    };
+}
 
-mechanism!(Chain12 {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
-    link: Each(0..12, |k| Bar(
-        mass = 1.0_kg,
-        from = [k * 0.1_m, 0.0, 0.0],
-        to = [(k + 1) * 0.1_m, 0.0, 0.0],
-        radius = 0.01_m
-    )),
-    top: Revolute(ground, link[0], at = [0.0, 0.0, 0.0], axis = Y),
-    joint: Each(1..12, |k| Revolute(
-        link[k - 1],
-        link[k],
-        at = [k * 0.1_m, 0.0, 0.0],
-        axis = if k % 2 == 0 { Y } else { Z }
-    )),
-    tip: Output(link[11].b),
-});
-
-mechanism!(Chain20 {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
-    link: Each(0..20, |k| Bar(
-        mass = 1.0_kg,
-        from = [k * 0.1_m, 0.0, 0.0],
-        to = [(k + 1) * 0.1_m, 0.0, 0.0],
-        radius = 0.01_m
-    )),
-    top: Revolute(ground, link[0], at = [0.0, 0.0, 0.0], axis = Y),
-    joint: Each(1..20, |k| Revolute(
-        link[k - 1],
-        link[k],
-        at = [k * 0.1_m, 0.0, 0.0],
-        axis = if k % 2 == 0 { Y } else { Z }
-    )),
-    tip: Output(link[19].b),
-});
-
-mechanism!(Chain30 {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
-    link: Each(0..30, |k| Bar(
-        mass = 1.0_kg,
-        from = [k * 0.1_m, 0.0, 0.0],
-        to = [(k + 1) * 0.1_m, 0.0, 0.0],
-        radius = 0.01_m
-    )),
-    top: Revolute(ground, link[0], at = [0.0, 0.0, 0.0], axis = Y),
-    joint: Each(1..30, |k| Revolute(
-        link[k - 1],
-        link[k],
-        at = [k * 0.1_m, 0.0, 0.0],
-        axis = if k % 2 == 0 { Y } else { Z }
-    )),
-    tip: Output(link[29].b),
-});
+chain!(Chain7, 7, 6);
+chain!(Chain12, 12, 11);
+chain!(Chain20, 20, 19);
+chain!(Chain30, 30, 29);
 
 mechanism!(Walker {
     doc: "A body with four legs of three joints each.",

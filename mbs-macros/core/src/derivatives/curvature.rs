@@ -40,11 +40,8 @@ impl Curvature {
 
     /// The operations of both and of M, which implicit steps need with them.
     fn beside(&self, graph: &Graph, mass: &Matrix) -> usize {
-        let mut length = Length::default();
         let entries = mass.values().chain(self.momentum.values());
-        let entries = entries.chain(self.energy.values());
-        entries.for_each(|&entry| length.add(graph, entry));
-        length.operations()
+        Length::of(graph, entries.chain(self.energy.values()))
     }
 
     /// `None` where there are rotations: the directions of one do not commute, and entries are as short.

@@ -77,8 +77,10 @@ impl Kinetic {
     /// The upper triangle of M, from momenta or from composite bodies: the shorter.
     pub(super) fn mass(&self, graph: &mut Graph) -> Mass {
         let by_momenta = self.mass_by_momenta(graph);
-        match self.mass_by_composite_bodies(graph) {
-            Some(other) if operations(graph, &other) < operations(graph, &by_momenta) => other,
+        let by_composite_bodies = self.mass_by_composite_bodies(graph);
+        let operations = |mass: &Mass| Length::of(graph, mass.values());
+        match by_composite_bodies {
+            Some(other) if operations(&other) < operations(&by_momenta) => other,
             _ => by_momenta,
         }
     }
@@ -107,10 +109,4 @@ impl Kinetic {
         });
         entries.collect()
     }
-}
-
-fn operations(graph: &Graph, mass: &Mass) -> usize {
-    let mut length = Length::default();
-    mass.values().for_each(|&entry| length.add(graph, entry));
-    length.operations()
 }

@@ -12,6 +12,13 @@ pub struct Length {
 }
 
 impl Length {
+    /// The operations of some expressions.
+    pub fn of<'e>(graph: &Graph, exprs: impl IntoIterator<Item = &'e Expr>) -> usize {
+        let mut length = Length::default();
+        exprs.into_iter().for_each(|&expr| length.add(graph, expr));
+        length.operations()
+    }
+
     /// Counts one more expression.
     pub fn add(&mut self, graph: &Graph, expr: Expr) {
         self.varies(graph, expr);
