@@ -182,7 +182,7 @@ fn search(
         let Ok(error) = case.error(scene, reference, settings) else {
             continue;
         };
-        let name = format!("{} {}, {by}", settings.method.name(), settings.order);
+        let name = format!("{} {}, {by}", settings.method.name(), settings.true_order());
         found.push(Other {
             name,
             settings,

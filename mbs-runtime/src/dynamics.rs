@@ -145,12 +145,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         }
     }
 
-    /// M.
+    /// M; entry (i, j) is an energy, J, over the units of velocities i and j of [`Model::velocities`](crate::Model::velocities):
+    /// kg, kg m or kg m².
     pub fn mass_matrix(&self) -> &SMatrix<f64, N, N> {
         &self.mass
     }
 
-    /// Aᵀ: column i is row i of the constraint Jacobian.
+    /// Aᵀ: column i is row i of the constraint Jacobian, its unit per second over that of each velocity.
     pub fn constraint_jacobian(&self) -> &SMatrix<f64, N, R> {
         &self.geometry.a
     }
@@ -165,12 +166,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         &self.residuals
     }
 
-    /// b of the velocity rows A v + b.
+    /// b of the velocity rows A v + b; m/s or rad/s for rows in m or rad.
     pub fn rheonomic_terms(&self) -> &SVector<f64, R> {
         &self.geometry.b
     }
 
-    /// γ of the acceleration rows A v̇ + γ.
+    /// γ of the acceleration rows A v̇ + γ; m/s² or rad/s² for rows in m or rad.
     pub fn convective_terms(&self) -> &SVector<f64, R> {
         &self.convective
     }
@@ -186,7 +187,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         self.system.affinities(&self.positions, gamma);
     }
 
-    /// v̇.
+    /// v̇, in the units of the velocities per second.
     pub fn accelerations(&self) -> &SVector<f64, N> {
         &self.accelerations
     }

@@ -46,10 +46,11 @@
 //! | [`Method::Radau`] | Radau IIA of order 5 with the rows of velocities at its stages, positions and velocities projected onto the rows after each step: stiff forces of velocity |
 //! | [`Method::Penalty`] | rows as stiff springs and dampers |
 //!
-//! All except the first are methods of the literature for comparison, on the same generated equations and with the same
-//! diagnostics. A method is compiled for a mechanism only where a program names it ([`methods`]) for
+//! All except two-level, projected and Radau are methods of the literature for comparison, on the same generated equations and
+//! with the same diagnostics. A method is compiled for a mechanism only where a program names it ([`methods`]) for
 //! [`Simulation::with_methods`], or asks for all: [`Simulation::with_any_method`], [`simulate_ensemble_with_any_method`].
-//! The other constructors refuse them.
+//! [`Simulation::with_accuracy`] compiles those three. [`Simulation::new`] and [`Simulation::with_settings`] compile the
+//! two-level method alone, and refuse the others.
 //!
 //! The two-level step chooses the flow between its kicks from the structure of the equations ([`Structure`]):
 //!
@@ -71,7 +72,7 @@
 //! # Without the standard library
 //!
 //! Without its feature `std`, which is on by default, the crate is `no_std` and allocates nothing: it has mechanisms,
-//! [`Dynamics`], [`TwoLevelStepper`] and [`FixedStepSimulation`]. [`c_interface`] is for programs in C.
+//! [`Dynamics`], [`TwoLevelStepper`] and [`FixedStepSimulation`].
 
 // Comparisons are negated on purpose, so that a NaN fails the test.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
@@ -81,7 +82,7 @@
 
 mod acceleration_level;
 mod affinities;
-pub mod alf3f;
+mod alf3f;
 #[cfg(feature = "std")]
 mod any;
 mod assembly;

@@ -19,7 +19,8 @@ pub trait Mechanism: Clone + Default {
     /// The parameter of this name.
     fn parameter(&self, name: &str) -> Option<f64>;
 
-    /// Sets a parameter by name.
+    /// Sets a parameter by name, in the SI unit that [`Model::parameters`](crate::Model::parameters) says. A value that makes no
+    /// mechanism, or is not finite, is refused at the start of a simulation, not here.
     ///
     /// # Errors
     /// No parameter has this name.

@@ -34,7 +34,7 @@ pub struct Report {
     pub steps: u64,
     /// Integrator stages, including those of rejected steps.
     pub stages: u64,
-    /// Multiplier iterations (two-level) or Newton iterations (paper).
+    /// Corrections of Newton's method, of multipliers or of projections, whichever the method has.
     pub iterations: u64,
     /// Steps that were repeated with a shorter step.
     pub rejected_steps: u64,
@@ -48,7 +48,7 @@ pub struct Report {
     pub holonomic_error: f64,
     /// max |A v + b| over all steps.
     pub velocity_error: f64,
-    /// Numerical rank of A at the start.
+    /// Numerical rank of A at the start, or where parameters were changed last.
     pub rank: usize,
     /// Singular poses passed; each is in [`Simulation::rank_losses`](crate::Simulation::rank_losses).
     pub rank_losses: usize,

@@ -22,7 +22,7 @@ pub enum SimulationError {
     UnknownName(UnknownName),
     /// A setting that cannot be used.
     Setting {
-        /// The field of [`Settings`](crate::Settings) or [`PaperSettings`](crate::PaperSettings).
+        /// The setting: a field of [`Settings`](crate::Settings) or of a method's settings, or its name in words.
         name: &'static str,
         /// Its value.
         value: f64,

@@ -33,7 +33,7 @@ impl<M: MatrixSink + ?Sized> MatrixSink for Box<M> {
     }
 }
 
-/// Receives the nonzero affinities Λ with three indices, once each per evaluation.
+/// Receives the nonzero affinities Γ with three indices, once each per evaluation.
 pub trait TensorSink {
     /// Stores entry (`i`, `j`, `k`).
     fn set(&mut self, i: usize, j: usize, k: usize, value: f64);

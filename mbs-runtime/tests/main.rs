@@ -11,6 +11,7 @@ mod clock;
 mod composition;
 mod contract;
 mod copies;
+mod dense_mass;
 mod dynamics;
 mod energy_gain;
 mod ensemble;

@@ -3,7 +3,8 @@
 mod rigs;
 
 use mbs_runtime::{
-    Level, Mechanism, Settings, Simulation, SimulationError, System, UnknownName, mechanism,
+    Level, Mechanism, Method, Settings, Simulation, SimulationError, System, UnknownName,
+    mechanism, methods,
 };
 
 /// The angle and the rate of the crank differ from what was asked for by less.
@@ -232,6 +233,12 @@ fn program_holds<
         assert!(held.output("corner.y")? > 0.0, "the rocker stays up");
         is_consistent(&held);
     }
+    let accurate = Simulation::start(M::default())
+        .hold("crank_angle", 2.5)
+        .settings(Settings::accuracy(1e-6))
+        .begin_with_methods(methods::Accuracy)?;
+    near(accurate.output("crank_angle")?, 2.5);
+    assert_eq!(accurate.settings().method, Method::Projected);
     let slow = Simulation::start(M::default())
         .hold("crank_angle", 0.4)
         .hold("crank_rate", 0.0)

@@ -117,13 +117,14 @@ pub enum Returns {
 pub enum Origin {
     /// The function of this name in the program. If the program has none, the trait has a default body.
     Program,
-    /// The same, but with calls of loops if the program has none: one for constant and one for varying M. The last
-    /// field gives their operations from N and R.
+    /// The same, but with calls of loops if the program has none. The last field gives their operations from N and R.
     Kernel {
         /// The call if M is constant.
         constant_mass: &'static str,
-        /// The call if M varies.
-        varying_mass: &'static str,
+        /// The call if M varies, and its factor is written out.
+        written_factor: &'static str,
+        /// The call if M varies, and its factor has all entries.
+        dense_factor: &'static str,
         /// Operations of the loops; 0 for functions that no step calls.
         operations: fn(usize, usize) -> usize,
     },
@@ -202,13 +203,15 @@ pub const METHODS: &[Method] = &[
     method(Inertia, "momentum", &[Q, V, write("p", Velocities)], Nothing, Generated),
     method(Inertia, "affinities", &[Q, write("gamma", Shape::Tensor)], Nothing, Kernel {
         constant_mass: "::mbs_runtime::generated::affinities(self, q, gamma);",
-        varying_mass: "::mbs_runtime::generated::affinities(self, q, gamma);",
+        written_factor: "::mbs_runtime::generated::affinities(self, q, gamma);",
+        dense_factor: "::mbs_runtime::generated::affinities(self, q, gamma);",
         operations: |_, _| 0,
     }),
     method(Inertia, "kinetic_energy", &[Q, V], Returns::Number, Generated),
     method(Inertia, "solve_mass", &[MASS, write("x", Velocities)], Nothing, Kernel {
         constant_mass: "::mbs_runtime::generated::multiply(&self.inverse_mass, x);",
-        varying_mass: "mass.solve(x);",
+        written_factor: "mass.solve(x);",
+        dense_factor: "mass.solve(x);",
         operations: |n, _| 2 * n * n,
     }),
     method(Inertia, "factor_mass", &[Q], Returns::Factor, Written),
@@ -222,12 +225,14 @@ pub const METHODS: &[Method] = &[
     method(Constraints, "sparse_mass", &[Q, write("k", Shape::Slots)], Nothing, Written),
     method(Constraints, "solve_mass_rows", &[MASS, A, write("w", RowsByVelocities)], Nothing, Kernel {
         constant_mass: "::mbs_runtime::generated::multiply_rows(&self.inverse_mass, a, w);",
-        varying_mass: "::mbs_runtime::generated::solve_rows(a, w, |x| ::mbs_runtime::Inertia::solve_mass(self, mass, x));",
+        written_factor: "::mbs_runtime::generated::solve_rows(a, w, |x| ::mbs_runtime::Inertia::solve_mass(self, mass, x));",
+        dense_factor: "mass.solve_rows(a, w);",
         operations: |n, r| 2 * n * n * r,
     }),
     method(Constraints, "delassus", &[A, W, write("delassus", RowsByRows)], Nothing, Kernel {
         constant_mass: "::mbs_runtime::generated::delassus(a, w, delassus);",
-        varying_mass: "::mbs_runtime::generated::delassus(a, w, delassus);",
+        written_factor: "::mbs_runtime::generated::delassus(a, w, delassus);",
+        dense_factor: "::mbs_runtime::generated::delassus(a, w, delassus);",
         operations: |n, r| 2 * n * r * r,
     }),
 

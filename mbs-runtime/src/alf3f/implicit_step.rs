@@ -160,10 +160,8 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         skipped: Option<&[bool; R]>,
     ) -> Option<f64> {
         let lengths = self.factor_end(system, end, Along::Position, skipped);
-        for i in 0..R {
-            self.along_mean[i] = self.mean[i];
-            self.solver.jacobian.solve(&mut self.along_mean[i]);
-        }
+        self.along_mean.overwrite(&self.mean);
+        self.solver.jacobian.solve_rows(&mut self.along_mean);
         system.delassus(&end.a, &self.along_mean, &mut self.metric);
         if !S::ROTATIONS.is_empty() {
             self.turn_holonomic(system, end, turn);
@@ -183,7 +181,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         turn: &SVector<f64, N>,
     ) {
         let plain = *self.metric;
-        *self.along_end = *self.along_mean;
+        self.along_end.overwrite(&self.along_mean);
         transport::<S, Q, N, R>(turn, self.along_end.rows_mut());
         system.delassus(&end.a, &self.along_end, &mut self.metric);
         for i in S::STRUCTURE.holonomic_rows..R {
@@ -203,10 +201,8 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
             Along::Position => &self.solver.jacobian,
             Along::Velocity => &self.velocity_metric,
         };
-        for i in 0..R {
-            self.along_end[i] = end.a[i];
-            metric.solve(&mut self.along_end[i]);
-        }
+        self.along_end.overwrite(&end.a);
+        metric.solve_rows(&mut self.along_end);
         system.delassus(&end.a, &self.along_end, &mut self.metric);
         let lengths = vector(|i| self.metric[i][i].abs());
         self.end_projection.factor(&self.metric, &lengths, skipped);

@@ -28,6 +28,6 @@ pub(crate) use self::step_context::{Counters, FIXED_REFINEMENTS};
 pub(crate) use closing::{not_converged, residual_of};
 #[cfg(feature = "std")]
 pub use paper::PaperStepper;
-pub(crate) use stage_placement::{CLEAR, StagePlacement};
+pub(crate) use stage_placement::{CLEAR, LACK, ROOM, StagePlacement};
 pub(crate) use step_monitor::StepMonitor;
 pub use two_level::TwoLevelStepper;

@@ -21,8 +21,8 @@ const CHOICES: u32 = 66;
 const SAME: f64 = 0.01;
 /// The distance before the pose that the next step needs at its beginning, as a fraction of a step, and the weight of a
 /// smaller distance.
-const ROOM: f64 = 0.2;
-const LACK: f64 = 0.3;
+pub(crate) const ROOM: f64 = 0.2;
+pub(crate) const LACK: f64 = 0.3;
 /// A pose farther away than this fraction of the step is ignored.
 const AHEAD: f64 = 1.5;
 

@@ -55,9 +55,9 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         if !self.jacobian.factor(jacobian) {
             return false;
         }
+        self.along.overwrite(a);
+        self.jacobian.solve_rows(&mut self.along);
         for i in 0..R {
-            self.along[i] = a[i];
-            self.jacobian.solve(&mut self.along[i]);
             let length = dot(&a_moved[i], &self.along[i]).abs();
             self.scale[i] = if length > f64::MIN_POSITIVE {
                 1.0 / length.sqrt()

@@ -9,12 +9,10 @@
 //! Far from the pose it is not, and a step may be long. So k follows from the stage with the least σ and its neighbours: on the
 //! side of the pose σ of both add up, on the other side they differ.
 
+use crate::alf3f::{LACK, ROOM};
+
 /// Stages that are nearer to each other give no slope.
 const APART: f64 = 0.04;
-/// The distance before the pose that the next step needs at its beginning, as a fraction of a step, and the weight of a
-/// smaller distance.
-const ROOM: f64 = 0.2;
-const LACK: f64 = 0.3;
 
 /// σ at the stages of a step.
 #[derive(Debug, Clone)]

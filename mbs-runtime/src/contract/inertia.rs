@@ -5,8 +5,8 @@ use nalgebra::SVector;
 
 /// M(q) of a mechanism with Q coordinates and N velocities.
 pub trait Inertia<const Q: usize, const N: usize>: Clone {
-    /// A factor of M(q): empty if M is constant (the system has its inverse), else D⁻¹ and the entries of L of M = L D
-    /// Lᵀ, or a Cholesky factor of a long one.
+    /// A factor of M(q): empty if M is constant (the system has its inverse, or the factor of a large M), else D⁻¹ and the
+    /// entries of L of M = L D Lᵀ, or a Cholesky factor of a long one.
     type Mass: Clone + Send + Sync + 'static;
 
     /// M(q), both triangles.

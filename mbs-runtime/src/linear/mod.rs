@@ -4,6 +4,7 @@ use crate::memory::OnDemand;
 
 mod delassus_factor;
 mod kept_rows;
+pub(crate) mod lanes;
 mod pivoted;
 mod projection_lu;
 mod proximal;

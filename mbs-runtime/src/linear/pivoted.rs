@@ -5,7 +5,8 @@
 //! entries are compared by J_ik²/|J_ii|, which has the same unit in all rows, as J_ik and J_ii are energies by products of
 //! velocities.
 
-use super::{SPARSE_FROM, Square};
+use super::lanes::{Lane, Substitution, scale, solve_rows, subtract};
+use super::{RowMatrix, SPARSE_FROM, Square};
 use nalgebra::{SMatrix, SVector};
 
 /// P J = L U.
@@ -31,7 +32,19 @@ impl<const K: usize> Pivoted<K> {
 
     /// x ← J⁻¹ x.
     pub(crate) fn solve(&self, x: &mut SVector<f64, K>) {
-        let ([x], lu) = (&mut x.data.0, &*self.lu);
+        let [x] = &mut x.data.0;
+        self.one(x);
+    }
+
+    /// x ← J⁻¹ x for each row x.
+    pub(crate) fn solve_rows<const R: usize>(&self, rows: &mut RowMatrix<K, R>) {
+        solve_rows(self, rows.entries_mut());
+    }
+}
+
+impl<const K: usize> Substitution<K> for Pivoted<K> {
+    fn one(&self, x: &mut [f64; K]) {
+        let lu = &*self.lu;
         // Whole rows were swapped, the multipliers with them: all exchanges come first.
         for k in 0..K {
             x.swap(k, self.order[k]);
@@ -46,6 +59,28 @@ impl<const K: usize> Pivoted<K> {
                 x[i] -= lu[i][j] * x[j];
             }
             x[i] /= lu[i][i];
+        }
+    }
+
+    fn several<const WIDTH: usize>(&self, x: &mut [Lane<WIDTH>; K]) {
+        let lu = &*self.lu;
+        for k in 0..K {
+            x.swap(k, self.order[k]);
+        }
+        for i in 1..K {
+            let mut value = x[i];
+            for (&entry, known) in lu[i][..i].iter().zip(&x[..i]) {
+                subtract(&mut value, entry, known);
+            }
+            x[i] = value;
+        }
+        for i in (0..K).rev() {
+            let mut value = x[i];
+            for (&entry, known) in lu[i][i + 1..].iter().zip(&x[i + 1..]) {
+                subtract(&mut value, entry, known);
+            }
+            scale(&mut value, 1.0 / lu[i][i]);
+            x[i] = value;
         }
     }
 }

@@ -34,11 +34,11 @@ use crate::{AnySimulation, Energy};
 pub struct Frame {
     /// Time, s.
     pub time: f64,
-    /// Generalized coordinates q.
+    /// Generalized coordinates q, in the order and the units of [`Model::coordinates`](crate::Model::coordinates).
     pub coordinates: Vec<f64>,
-    /// Generalized velocities v.
+    /// Generalized velocities v, in those of [`Model::velocities`](crate::Model::velocities).
     pub velocities: Vec<f64>,
-    /// Values of the `Output`s.
+    /// Values of the `Output`s and `State`s, in those of [`Model::outputs`](crate::Model::outputs).
     pub outputs: Vec<f64>,
     /// Named points in world axes, m.
     pub points: Vec<[f64; 3]>,

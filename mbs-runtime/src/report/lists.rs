@@ -38,11 +38,11 @@ pub struct Reactions {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct AssemblyVerdict {
-    /// max |φ| of the declared guess.
+    /// max |φ| of the declared guess, each row in its own unit.
     pub residual_before: f64,
-    /// max |φ| after assembly.
+    /// max |φ| after assembly, each row in its own unit.
     pub residual: f64,
-    /// Root mean square change of q, weighted with the masses.
+    /// The change Δ of q, weighted with the masses: √(ΔᵀMΔ / tr M), in m or rad, whichever the coordinates have.
     pub moved: f64,
     /// Numerical rank of A in the assembled pose.
     pub rank: usize,

@@ -7,8 +7,8 @@
 pub struct BaumgarteSettings {
     /// α = β, 1/s.
     pub gain: f64,
-    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the size and the speed of the mechanism (or
-    /// to 1, if they are smaller); `None` for steps of the given length.
+    /// Tolerance of an error-controlled pair of orders 5 and 4, relative to the speed of the mechanism and to its size, or to the
+    /// largest coordinate if that is larger; `None` for steps of the given length.
     pub adaptive: Option<f64>,
 }
 

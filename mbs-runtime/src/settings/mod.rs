@@ -18,6 +18,9 @@ pub use projections::ProjectionSettings;
 pub(crate) const ORDERS: [u8; 4] = [2, 4, 6, 8];
 
 /// The choice of the integrator.
+///
+/// BDF, Radau, RATTLE, generalized α, index 3 with projections, and Baumgarte's terms with error control have a memory: their
+/// steps depend on more of the earlier ones than a [`State`](crate::State) has. They begin anew where a state is resumed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -153,13 +156,13 @@ pub struct Settings {
     pub method: Method,
     /// Order of the method: 2, 4, 6 or 8. Above 2 a step is a symmetric composition of 7, 13 or 17 stages, some of
     /// which run back in time. Where forces depend on velocities it is extrapolated instead, from 6, 12 or 20 stages that
-    /// all run forwards: stable with stiff dampers, but not symmetric. For [`Method::Paper`] orders above 2 are an error.
-    /// For the explicit Runge–Kutta methods it chooses order 4 (also for 2), 6 or 8.
+    /// all run forwards: stable with stiff dampers, but not symmetric. For the explicit Runge–Kutta methods it chooses order 4
+    /// (also for 2), 6 or 8. All other methods have an order of their own: for them orders above 2 are an error.
     pub order: u8,
     /// Step h, s; with a tolerance the first one that is tried.
     pub step: f64,
-    /// The runtime chooses the steps of the two-level or of the projected method: the error of two steps, of positions and of velocities
-    /// times h, stays below a fiftieth of the tolerance times the motion in these steps. Motion is measured in sizes of
+    /// The runtime chooses the steps of the two-level method, the projected one, or Radau: the error of two steps, of positions
+    /// and of velocities times h, stays below a fiftieth of the tolerance times the motion in these steps. Motion is measured in sizes of
     /// the mechanism (the extent of its points at the start) and in radians; it counts as at least the duration times
     /// the greatest speed so far.
     ///
@@ -171,8 +174,8 @@ pub struct Settings {
     pub tolerance: Option<f64>,
     /// The runtime chooses the method, too: [`Settings::accuracy`].
     pub accuracy: Option<f64>,
-    /// Whether a step of the two-level method with a stage that would end beside a singular pose gets another length
-    /// (0.5 to 1.15 times h). At second order only if digits would be lost. Not with [`Settings::fixed_iterations`].
+    /// Whether a step of the two-level or of the projected method with a stage that would end beside a singular pose gets
+    /// another length (0.5 to 1.15 times h). At second order only if digits would be lost. Not with [`Settings::fixed_iterations`].
     /// [`Simulation::step`](crate::Simulation::step) then advances by that length; runs to a time or an event still end
     /// exactly there.
     pub placement: bool,
@@ -186,7 +189,8 @@ pub struct Settings {
     /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ with one factorisation, and
     /// accepts the residual of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)); the next stage reduces
     /// it again, so that residuals do not grow. [`Model::step_flops`](crate::Model::step_flops) bounds the work. There is no placement. For the
-    /// leapfrog flow without nonholonomic rows; otherwise, and with a tolerance, it is an error.
+    /// leapfrog flow without nonholonomic rows; for other mechanisms and methods, and with a tolerance or an accuracy, it is
+    /// an error.
     ///
     /// A loop at 1 kHz, in which every step has the same number of corrections:
     ///

@@ -38,7 +38,7 @@ pub struct PaperSettings {
     /// Tolerance of the velocity rows ψ̇ (line 28), in their own units.
     pub velocity_tolerance: f64,
     /// Tolerance of the residual ℜ = η(v₁) for the updated q₁ and λ₁ (line 32), in the metric of M⁻¹ and relative to the
-    /// momentum: √(ℜᵀM⁻¹ℜ) against √(vᵀMv).
+    /// motion: √(ℜᵀM⁻¹ℜ) against √(vᵀMv) + h √(FᵀM⁻¹F). Not less than what the last correction of Newton's method leaves.
     pub residual_tolerance: f64,
     /// Initial penalty ξ (line 4); dimensionless, because the rows are scaled by their effective mass m̄.
     pub penalty: f64,

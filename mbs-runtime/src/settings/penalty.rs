@@ -5,9 +5,9 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct PenaltySettings {
-    /// ξ, 1/s².
+    /// Stiffness ξ of a row over its effective mass, 1/s².
     pub penalty: f64,
-    /// ζ.
+    /// Damping ratio ζ of a row; 1 is critical.
     pub damping_ratio: f64,
 }
 

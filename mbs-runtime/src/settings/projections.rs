@@ -5,7 +5,7 @@
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
 pub struct ProjectionSettings {
-    /// ξ.
+    /// Penalty ξ of a row over its effective mass, dimensionless.
     pub penalty: f64,
 }
 

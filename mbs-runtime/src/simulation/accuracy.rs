@@ -23,7 +23,7 @@ use crate::stepper::MakeStepper;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepController, System};
 
 /// Errors of steps add up and grow with the motion's own instability: on the scenes with a reference the largest error was
-/// up to 48 tolerances with steps of the projected method, and 29 with two-level ones.
+/// up to 48 tolerances with steps of the projected method, and 31 with two-level ones.
 const MARGIN: f64 = 0.125;
 
 /// The candidates in the order of their trials.

@@ -82,8 +82,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// # }
     /// ```
     ///
-    /// Methods with a memory besides the state ([`Method::Bdf`](crate::Method::Bdf), `Radau`, generalized α, index-3
-    /// projections) are copied before, which allocates.
+    /// Methods with a memory besides the state ([`Method`](crate::Method)) are copied before, which allocates.
     ///
     /// # Errors
     /// A time that is not in the last step of [`Simulation::run_past`]; otherwise as [`Simulation::step`].

@@ -32,8 +32,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Positions and velocities stay what they are. Where the rows do not allow this, because a length has changed, the
     /// mechanism follows at once, to the nearest pose and the nearest velocities, and the verdict says what has moved. The
     /// energy that the mechanism gains counts as nonconservative work, so that its balance goes on. Inputs and the sums of
-    /// [`Simulation::report`] stay; methods with a memory ([`Method::Bdf`](crate::Method::Bdf), `Radau`, generalized α,
-    /// index-3 projections) begin anew. It allocates.
+    /// [`Simulation::report`] stay; methods with a memory ([`Method`](crate::Method)) begin
+    /// anew. It allocates.
     ///
     /// # Errors
     /// Parameters that do not make a mechanism, and [`SimulationError::Assembly`] where no pose satisfies the rows; the

@@ -71,13 +71,15 @@ fn write_method(
             None,
             Origin::Kernel {
                 constant_mass,
-                varying_mass,
+                written_factor,
+                dense_factor,
                 ..
             },
         ) => {
-            let call = match program.constant_mass {
-                Some(_) => constant_mass,
-                None => varying_mass,
+            let call = match (&program.constant_mass, program.factor_entries()) {
+                (Some(_), _) => constant_mass,
+                (None, Some(_)) => written_factor,
+                (None, None) => dense_factor,
             };
             put(out, program, method, "", call);
         }

@@ -1,0 +1,121 @@
+//! Loops of joints in space by the angles of their joints: processor time for an evaluation of the accelerations, with its
+//! share of the rest of an explicit step of order 8, and for a step of the two-level method.
+//!
+//! `cargo run --release -p mbs-parts --features large --example loops`
+
+use mbs_runtime::{SimulationError, mechanism};
+
+#[path = "run/timing.rs"]
+mod timing;
+use timing::line;
+
+mechanism!(Delta {
+    doc: "A delta robot: three arms, each with two rods, that carry a plate.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    x: Each(0..3, |i| Let(cos(i * 120.0_deg))),
+    y: Each(0..3, |i| Let(sin(i * 120.0_deg))),
+    plate: Body(
+        mass = 0.3_kg,
+        inertia = diag(1e-3_kg_m2, 1e-3_kg_m2, 2e-3_kg_m2),
+        at = [0.0, 0.0, -0.5]
+    ),
+    arm: Each(0..3, |i| Bar(
+        mass = 0.4_kg,
+        from = [0.2_m * x[i], 0.2_m * y[i], 0.0_m],
+        to = [0.4_m * x[i], 0.4_m * y[i], -0.05_m],
+        radius = 0.01_m
+    )),
+    hip: Each(0..3, |i| Revolute(
+        ground,
+        arm[i],
+        at = arm[i].a,
+        axis = [-y[i], x[i], 0.0]
+    )),
+    // Two rods, 0.04 m to each side of their arm.
+    aside: Each(0..3, |i| Let([-0.04_m * y[i], 0.04_m * x[i], 0.0_m])),
+    elbow: Each(0..3, |i| Let([0.4_m * x[i], 0.4_m * y[i], -0.05_m])),
+    wrist: Each(0..3, |i| Let([0.05_m * x[i], 0.05_m * y[i], -0.5_m])),
+    rod: Each([-1.0, 1.0], 0..3, |side, i| Bar(
+        mass = 0.1_kg,
+        from = elbow[i] + side * aside[i],
+        to = wrist[i] + side * aside[i],
+        radius = 0.005_m
+    )),
+    upper: Each(0..2, 0..3, |k, i| Spherical(arm[i], rod[k, i], at = rod[k, i].a)),
+    lower: Each(0..2, 0..3, |k, i| Universal(
+        rod[k, i],
+        plate,
+        at = rod[k, i].b,
+        axis = [-y[i], x[i], 0.0],
+        second_axis = [x[i], y[i], 0.0]
+    )),
+    tool: Output(plate.origin),
+});
+
+mechanism!(DeltaOfRods {
+    doc: "The same with rods that are lengths between points.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    x: Each(0..3, |i| Let(cos(i * 120.0_deg))),
+    y: Each(0..3, |i| Let(sin(i * 120.0_deg))),
+    plate: Body(
+        mass = 0.3_kg,
+        inertia = diag(1e-3_kg_m2, 1e-3_kg_m2, 2e-3_kg_m2),
+        at = [0.0, 0.0, -0.5]
+    ),
+    arm: Each(0..3, |i| Bar(
+        mass = 0.4_kg,
+        from = [0.2_m * x[i], 0.2_m * y[i], 0.0_m],
+        to = [0.4_m * x[i], 0.4_m * y[i], -0.05_m],
+        radius = 0.01_m
+    )),
+    hip: Each(0..3, |i| Revolute(
+        ground,
+        arm[i],
+        at = arm[i].a,
+        axis = [-y[i], x[i], 0.0]
+    )),
+    rod: Each([-1.0, 1.0], 0..3, |side, i| Distance(
+        arm[i].point(0.103_m, side * 0.04_m, 0.0_m),
+        plate.point(
+            0.05_m * x[i] - side * 0.04_m * y[i],
+            0.05_m * y[i] + side * 0.04_m * x[i],
+            0.0_m
+        ),
+        length = 0.57_m
+    )),
+    tool: Output(plate.origin),
+});
+
+mechanism!(Ring {
+    doc: "A ring of twelve rods that hangs from one of its joints.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    x: Each(0..13, |i| Let(1.0_m * cos(i * 30.0_deg))),
+    z: Each(0..13, |i| Let(1.0_m * sin(i * 30.0_deg))),
+    rod: Each(0..12, |i| Bar(
+        mass = 0.1_kg,
+        from = [x[i], 0.0_m, z[i]],
+        to = [x[i + 1], 0.0_m, z[i + 1]],
+        radius = 0.01_m
+    )),
+    hook: Spherical(ground, rod[3], at = rod[3].a),
+    joint: Each(1..12, |i| Universal(
+        rod[i - 1],
+        rod[i],
+        at = rod[i].a,
+        axis = Y,
+        second_axis = [
+            cos(i * 30.0_deg + 15.0_deg),
+            0.0,
+            sin(i * 30.0_deg + 15.0_deg)
+        ]
+    )),
+    clasp: Spherical(rod[11], rod[0], at = rod[0].a),
+    low: Output(rod[9].a),
+});
+
+fn main() -> Result<(), SimulationError> {
+    timing::heading();
+    line::<DeltaOfRods, _, _, _, _>()?;
+    line::<Delta, _, _, _, _>()?;
+    line::<Ring, _, _, _, _>()
+}
