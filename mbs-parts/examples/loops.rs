@@ -32,20 +32,26 @@ mechanism!(Delta {
         axis = [-y[i], x[i], 0.0]
     )),
     // Two rods, 0.04 m to each side of their arm.
-    aside: Each(0..3, |i| Let([-0.04_m * y[i], 0.04_m * x[i], 0.0_m])),
-    elbow: Each(0..3, |i| Let([0.4_m * x[i], 0.4_m * y[i], -0.05_m])),
-    wrist: Each(0..3, |i| Let([0.05_m * x[i], 0.05_m * y[i], -0.5_m])),
-    rod: Each([-1.0, 1.0], 0..3, |side, i| Bar(
+    aside: Each((0..2, 0..3), |k, i| Let([
+        0.04_m * (1 - 2 * k) * y[i],
+        0.04_m * (2 * k - 1) * x[i],
+        0.0_m
+    ])),
+    rod: Each((0..2, 0..3), |k, i| Bar(
         mass = 0.1_kg,
-        from = elbow[i] + side * aside[i],
-        to = wrist[i] + side * aside[i],
+        from = arm[i].b + aside[k][i],
+        to = plate.origin + 0.05_m * [x[i], y[i], 0.0] + aside[k][i],
         radius = 0.005_m
     )),
-    upper: Each(0..2, 0..3, |k, i| Spherical(arm[i], rod[k, i], at = rod[k, i].a)),
-    lower: Each(0..2, 0..3, |k, i| Universal(
-        rod[k, i],
+    upper: Each((0..2, 0..3), |k, i| Spherical(
+        arm[i],
+        rod[k][i],
+        at = rod[k][i].a
+    )),
+    lower: Each((0..2, 0..3), |k, i| Universal(
+        rod[k][i],
         plate,
-        at = rod[k, i].b,
+        at = rod[k][i].b,
         axis = [-y[i], x[i], 0.0],
         second_axis = [x[i], y[i], 0.0]
     )),
@@ -74,11 +80,12 @@ mechanism!(DeltaOfRods {
         at = arm[i].a,
         axis = [-y[i], x[i], 0.0]
     )),
-    rod: Each([-1.0, 1.0], 0..3, |side, i| Distance(
-        arm[i].point(0.103_m, side * 0.04_m, 0.0_m),
+    aside: Each(0..2, |k| Let(0.04_m * (2 * k - 1))),
+    rod: Each((0..2, 0..3), |k, i| Distance(
+        arm[i].point(0.103_m, aside[k], 0.0_m),
         plate.point(
-            0.05_m * x[i] - side * 0.04_m * y[i],
-            0.05_m * y[i] + side * 0.04_m * x[i],
+            0.05_m * x[i] - aside[k] * y[i],
+            0.05_m * y[i] + aside[k] * x[i],
             0.0_m
         ),
         length = 0.57_m
@@ -89,12 +96,15 @@ mechanism!(DeltaOfRods {
 mechanism!(Ring {
     doc: "A ring of twelve rods that hangs from one of its joints.",
     world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
-    x: Each(0..13, |i| Let(1.0_m * cos(i * 30.0_deg))),
-    z: Each(0..13, |i| Let(1.0_m * sin(i * 30.0_deg))),
+    corner: Each(0..=12, |i| Let([
+        1.0_m * cos(i * 30.0_deg),
+        0.0_m,
+        1.0_m * sin(i * 30.0_deg)
+    ])),
     rod: Each(0..12, |i| Bar(
         mass = 0.1_kg,
-        from = [x[i], 0.0_m, z[i]],
-        to = [x[i + 1], 0.0_m, z[i + 1]],
+        from = corner[i],
+        to = corner[i + 1],
         radius = 0.01_m
     )),
     hook: Spherical(ground, rod[3], at = rod[3].a),
@@ -103,11 +113,7 @@ mechanism!(Ring {
         rod[i],
         at = rod[i].a,
         axis = Y,
-        second_axis = [
-            cos(i * 30.0_deg + 15.0_deg),
-            0.0,
-            sin(i * 30.0_deg + 15.0_deg)
-        ]
+        second_axis = cross(Y, unit(rod[i].b - rod[i].a))
     )),
     clasp: Spherical(rod[11], rod[0], at = rod[0].a),
     low: Output(rod[9].a),

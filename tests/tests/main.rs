@@ -21,6 +21,7 @@ mod formulations;
 mod fuzz;
 mod held_starts;
 mod home;
+mod home_places;
 mod integrability;
 mod large;
 mod layers;

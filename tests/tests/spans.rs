@@ -224,10 +224,10 @@ fn examples_fit_what_they_are_given_for() {
               ~~~~~~~~~",
         "for example `deny: Redundant()`",
     );
-    points_at_in_space(
+    points_at(
         "
-        weld: Fixed(arm, box_, at = 2.0 * rod.b), box_: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
-                                          ~~~~~",
+        rod: Bar(from = 2.0 * bar.b, mass = 1.0_kg, length = 1.0_m),
+                              ~~~~~",
         "a place that several entries share is a `Point`",
     );
 }
@@ -309,6 +309,31 @@ fn syntax() {
         doc: concat!(\"two\", \"texts\"),
              ~~~~~~~~~~~~~~~~~~~~~~~",
         "`doc:` takes a text in quotes",
+    );
+}
+
+#[test]
+fn places_of_space() {
+    points_at_in_space(
+        "
+        stick: Bar(mass = 1.0_kg, from = arm.origin + [hinge.angle * 1.0_m, 0.0, 0.0], to = [1.0, 0.0, 0.0]),
+                                                       ~~~~~~~~~~~
+        ",
+        "it may use numbers, parameters, and points and axes of parts, which are then those of the home pose",
+    );
+    points_at_in_space(
+        "
+        stick: Bar(mass = 1.0_kg, from = [0.0, 0.0, 0.0], to = stick.a + [1.0_m, 0.0, 0.0]),
+                                                               ~~~~~
+        ",
+        "`stick` depends on itself",
+    );
+    points_at_in_space(
+        "
+        pin: Revolute(arm, ground, at = rod.b, axis = rod.b - rod.a),
+                                                      ~~~~~~~~~~~~~
+        ",
+        "`axis` is a pure number or angle, but this is a length (m)",
     );
 }
 

@@ -139,7 +139,8 @@ pub fn table(data: &Data) -> Result<String, String> {
             row.push(error(line.number("energy_error_J")?));
             row.push(error(line.number("position_error_m")?));
             for placement in ["yes", "no"] {
-                let line = random.find(&keys(&[("placement", placement)]))?;
+                let method = ("method", "two-level");
+                let line = random.find(&keys(&[method, ("placement", placement)]))?;
                 row.push(error(line.number("energy_error_worst_J")?));
             }
             rows.push(row);

@@ -1,16 +1,14 @@
 //! The table of the book's first page: the methods of this project beside other programs.
 
-use super::data::Data;
+use super::data::{Data, Table};
 use super::markdown::{significant, table as markdown};
+use super::orders::RANDOM;
 use super::rival::{BOUNDS, FILE, SCENES, best};
 
 /// What was measured of other programs, below `book/src/results`.
 const OTHERS: &str = "readme/others.csv";
-/// Our own families, with the runs of order 8 that were lost.
-const OWN: [(&str, &str); 2] = [
-    ("projected", "not measured / 0 of 100"),
-    ("two-level", "0 / 0 of 100"),
-];
+/// Our own families.
+const OWN: [&str; 2] = ["projected", "two-level"];
 
 /// Milliseconds for each mechanism and bound, and lost runs.
 pub fn table(data: &Data) -> Result<String, String> {
@@ -23,7 +21,8 @@ pub fn table(data: &Data) -> Result<String, String> {
     ];
     let own = data.table(FILE)?;
     let mut rows = Vec::new();
-    for (family, lost) in OWN {
+    let passages = data.table(RANDOM)?;
+    for family in OWN {
         let mut row = vec![format!("mbs, `{family}`")];
         for scene in SCENES {
             let times = BOUNDS.map(|bound| match best(&own, scene, bound, family)? {
@@ -33,7 +32,7 @@ pub fn table(data: &Data) -> Result<String, String> {
             let times = times.into_iter().collect::<Result<Vec<_>, String>>()?;
             row.push(times.join(" / "));
         }
-        row.push(lost.to_owned());
+        row.push(lost(&passages, family)?);
         rows.push(row);
     }
     for line in data.table(OTHERS)?.lines() {
@@ -52,4 +51,21 @@ pub fn table(data: &Data) -> Result<String, String> {
         markdown(&HEADING, &rows),
         own.source()
     ))
+}
+
+/// The runs of order 8 that were lost, of those on the slider-crank and of those on the double four-bar.
+fn lost(passages: &Table, family: &str) -> Result<String, String> {
+    let mut all = 0.0;
+    let counts = ["slider-crank", "double-four-bar"].map(|scene| {
+        let line = passages.find(&[
+            ("scene", scene),
+            ("method", family),
+            ("order", "8"),
+            ("placement", "yes"),
+        ])?;
+        all = line.number("runs")?;
+        Ok::<_, String>(line.number("failed")? + line.number("astray")?)
+    });
+    let [slider_crank, double_four_bar] = counts;
+    Ok(format!("{} / {} of {all}", slider_crank?, double_four_bar?))
 }

@@ -84,6 +84,8 @@ pub const ENTRIES: &[Entry] = &[
     block(README, "derivation", derivation::sentence),
     block(ACCURACY, "samples", orders::samples),
     block(ACCURACY, "accuracies", accuracies::table),
+    block(ACCURACY, "largest error", accuracies::largest_error),
+    block(ACCURACY, "ratios", accuracies::ratios),
     block(ACCURACY, "method changes", method_changes::table),
     block(ACCURACY, "looks", tolerances::looks),
     block(ACCURACY, "tolerances", tolerances::table),

@@ -178,6 +178,9 @@ impl<'d> Resolver<'d> {
             return self.fail(place, format!("`{name}` depends on itself"));
         }
         self.force(index);
+        if let Some(syntax) = self.moving_value(index) {
+            return self.evaluate(syntax);
+        }
         match &self.states[index] {
             State::Done(Some(value)) => Some(value.clone()),
             State::Done(None) => {
@@ -196,6 +199,20 @@ impl<'d> Resolver<'d> {
             }
             State::Waiting | State::Working => None,
         }
+    }
+
+    /// The expression of a `Let` whose value moves, where that in the home pose is asked for.
+    fn moving_value(&self, index: usize) -> Option<&'d syn::Expr> {
+        let entry = self.entry(index);
+        if !self.in_home_pose || entry.kind != "Let" {
+            return None;
+        }
+        let State::Done(Some(value)) = &self.states[index] else {
+            return None;
+        };
+        let moves = |symbol: Symbol| !symbol.is_parameter_like();
+        let is_moving = value.depends_on(&self.graph, moves);
+        is_moving.then(|| entry.positional.first()).flatten()
     }
 
     pub(super) fn note_use(&mut self, name: &str) {
@@ -289,6 +306,7 @@ impl<'d> Resolver<'d> {
         }
         self.states[index] = State::Working;
         let silent = std::mem::replace(&mut self.silent, false);
+        let in_home_pose = std::mem::replace(&mut self.in_home_pose, false);
         let entry = self.entry(index);
         let before = self.errors.enter(entry.name.as_str());
         let value = match entry.kind.to_string().as_str() {
@@ -312,7 +330,7 @@ impl<'d> Resolver<'d> {
             _ => None,
         };
         self.errors.leave(before);
-        self.silent = silent;
+        (self.silent, self.in_home_pose) = (silent, in_home_pose);
         self.states[index] = State::Done(value);
     }
 

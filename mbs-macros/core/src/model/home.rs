@@ -20,6 +20,22 @@ impl Resolver<'_> {
         }
     }
 
+    /// What a point stands for in an expression: where it is, now or in the home pose.
+    pub(super) fn position(&mut self, point: &Point) -> Vector {
+        match self.in_home_pose {
+            true => self.home_of(point),
+            false => point.position,
+        }
+    }
+
+    /// The axes of a part, now or in the home pose.
+    pub(super) fn axes(&mut self, owner: Owner) -> [Vector; 3] {
+        match self.in_home_pose {
+            true => self.home(owner).axes,
+            false => self.frame(owner).axes,
+        }
+    }
+
     /// Where a point is in the home pose.
     pub(super) fn home_of(&mut self, point: &Point) -> Vector {
         let home = self.home(point.owner);

@@ -51,6 +51,8 @@ pub struct Resolver<'d> {
     pub(super) readings: Vec<Reading>,
     /// Whether accelerations and reactions can be read: in outputs.
     pub(super) at_acceleration_level: bool,
+    /// Whether points and axes of parts are those of the home pose: in places and directions that are given there.
+    pub(super) in_home_pose: bool,
     /// Names that an expression uses.
     pub(super) used: Set<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
@@ -95,6 +97,7 @@ impl<'d> Resolver<'d> {
             joint_variables: Vec::new(),
             readings: Vec::new(),
             at_acceleration_level: false,
+            in_home_pose: false,
             used: Set::default(),
             misplaced: HashSet::new(),
             needs_angle: needs_angle(declaration, kinds),

@@ -23,7 +23,7 @@ pub const AT: Field = field(
     "at",
     KnownVector(Dimension::LENGTH),
     Assumed("the points of the partners"),
-    "where the joint is in the home pose, in the ground's axes, or a point of a part",
+    "where the joint is in the home pose, in the ground's axes; points of parts are those of the home pose",
 );
 /// Of joints.
 pub const AXIS: Field = field(
@@ -114,7 +114,7 @@ pub const KINDS: &[Kind] = &[
                     "from",
                     KnownVector(Dimension::LENGTH),
                     Assumed("[0, 0, 0]"),
-                    "position of end `a` in the home pose, or a point of another part",
+                    "position of end `a` in the home pose; points of other parts are those of the home pose",
                 ),
             ),
             initial(
@@ -123,7 +123,7 @@ pub const KINDS: &[Kind] = &[
                     "to",
                     KnownVector(Dimension::LENGTH),
                     Assumed("`length` from `a` along X"),
-                    "position of end `b` in the home pose, or a point of another part",
+                    "position of end `b` in the home pose; points of other parts are those of the home pose",
                 ),
             ),
             field(

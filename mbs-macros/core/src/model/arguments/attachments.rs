@@ -291,9 +291,9 @@ impl Arguments<'_, '_> {
         self.resolver().axes_along(direction)
     }
 
-    /// A direction of unit length in the ground's axes, in parameters.
+    /// A direction of unit length in the ground's axes in the home pose, in parameters.
     pub fn direction(&mut self, field: &str) -> Option<Vector> {
         let syntax = self.syntax(field)?;
-        self.direction_of(field, syntax)
+        self.at_home(|arguments| arguments.direction_of(field, syntax))
     }
 }

@@ -5,7 +5,7 @@ use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::resolver::Resolver;
 use crate::model::value::Value;
-use crate::schema::Group;
+use crate::schema::{Group, World};
 use crate::symbolic::{Expr, Symbol};
 use crate::syntax::{children, reference};
 use syn::Expr as Syntax;
@@ -101,15 +101,18 @@ impl Arguments<'_, '_> {
             .any(|&x| self.resolver.graph.depends_on(x, moving))
         {
             let place = self.resolver.blame(syntax, &moving);
-            let hint = match field {
-                "at" | "from" | "to" => {
-                    "; a place that several entries share is a `Point`, and a point of a part, alone, stands for where it is at the start"
+            let may = match (field, self.resolver.world) {
+                _ if self.resolver.in_home_pose => {
+                    "numbers, parameters, and points and axes of parts, which are then those of the home pose"
                 }
-                _ => "",
+                ("at" | "from" | "to", World::Planar) => {
+                    "numbers and parameters only; a place that several entries share is a `Point`, and a point of a part, alone, stands for where it is at the start"
+                }
+                _ => "numbers and parameters only",
             };
             return self.resolver.fail(
                 place,
-                format!("`{field}` must be known before the motion starts: it may use numbers and parameters only{hint}"),
+                format!("`{field}` must be known before the motion starts: it may use {may}"),
             );
         }
         self.resolver.known_without_laws(syntax, exprs, field)

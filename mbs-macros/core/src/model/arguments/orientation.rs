@@ -25,7 +25,7 @@ impl Arguments<'_, '_> {
             single => vec![single],
         };
         for part in parts {
-            let next = self.rotation(field, part)?;
+            let next = self.at_home(|arguments| arguments.rotation(field, part))?;
             axes = match next {
                 Rotation::About(axis, angle) => self.graph().turned_about(&axes, axis, angle),
                 Rotation::Axes(inner) => self.graph().compose(&axes, &inner),

@@ -28,17 +28,18 @@ impl Arguments<'_, '_> {
         Some(vector)
     }
 
-    /// A place of the home pose of space: a vector, or a point of a part, which stands for where it is there.
+    /// A place of the home pose of space, in which points of parts stand for where they are there.
     pub fn home_place(&mut self, field: &str) -> Option<Vector> {
-        let syntax = self.syntax(field)?;
-        let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
-        let point = match (self.resolver.world, value) {
-            (World::Spatial, Some(Value::Point(point))) => point,
-            _ => return self.vector(field),
-        };
-        // Once more, so that what it names counts as used.
-        self.resolver.evaluate(syntax)?;
-        Some(self.resolver.home_of(&point))
+        self.at_home(|arguments| arguments.vector(field))
+    }
+
+    /// Evaluates with the points and axes of parts in the home pose.
+    pub(super) fn at_home<T>(&mut self, evaluate: impl FnOnce(&mut Self) -> T) -> T {
+        let home = self.resolver.world == World::Spatial;
+        let before = std::mem::replace(&mut self.resolver.in_home_pose, home);
+        let value = evaluate(self);
+        self.resolver.in_home_pose = before;
+        value
     }
 
     /// A place at the start: a vector, or a point of a part, which stands for where it is there.
@@ -143,7 +144,7 @@ impl Arguments<'_, '_> {
     pub fn home_axis(&mut self, field: &str, default: usize, owner: Owner) -> Option<Vector> {
         let direction = match self.syntax(field) {
             None => self.resolver.graph.ground_axes()[default],
-            Some(syntax) => self.direction_of(field, syntax)?,
+            Some(syntax) => self.at_home(|arguments| arguments.direction_of(field, syntax))?,
         };
         Some(self.fixed_direction(direction, owner))
     }

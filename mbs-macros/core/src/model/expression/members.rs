@@ -16,7 +16,8 @@ impl Resolver<'_> {
         let component = axes.iter().position(|axis| *axis == member);
         match (value, component) {
             (Value::Point(point), Some(axis)) => {
-                Some(Value::Scalar(point.position[axis], Some(Dimension::LENGTH)))
+                let position = self.position(point);
+                Some(Value::Scalar(position[axis], Some(Dimension::LENGTH)))
             }
             (Value::Point(point), None) if member == "velocity" => Some(Value::Vector(
                 self.graph.vector_rate(point.position),
@@ -62,12 +63,13 @@ impl Resolver<'_> {
         }
         let frame = self.frame(owner);
         // A slender bar has a direction only.
+        let axes = self.axes(owner);
         let axis = ["x", "y", "z"][..self.world.dimension()]
             .iter()
             .position(|axis| *axis == member)
-            .filter(|&axis| frame.axes[axis].iter().any(|&x| !self.graph.is_zero(x)));
+            .filter(|&axis| axes[axis].iter().any(|&x| !self.graph.is_zero(x)));
         if let Some(axis) = axis {
-            return Some(Value::Vector(frame.axes[axis], Some(Dimension::NONE)));
+            return Some(Value::Vector(axes[axis], Some(Dimension::NONE)));
         }
         match (self.world, member) {
             (World::Planar, "rate") => Some(Value::Scalar(frame.spin[2], Some(Dimension::RATE))),

@@ -175,7 +175,7 @@ impl Resolver<'_> {
     ) -> Option<(Vector, Option<Dimension>)> {
         match self.evaluate(syntax)? {
             Value::Vector(v, dimension) => Some((v, dimension)),
-            Value::Point(point) => Some((point.position, Some(Dimension::LENGTH))),
+            Value::Point(point) => Some((self.position(&point), Some(Dimension::LENGTH))),
             other => self.fail(
                 Place::of(syntax),
                 format!(
@@ -245,9 +245,10 @@ impl Resolver<'_> {
             _ => children(syntax),
         };
         for child in parts {
-            if let Some(value) = self.silently(|resolver| resolver.evaluate(child))
-                && predicate(&value, &self.graph)
-            {
+            let Some(value) = self.silently(|resolver| resolver.evaluate(child)) else {
+                continue;
+            };
+            if predicate(&self.placed(value), &self.graph) {
                 return self.blame_value(child, predicate);
             }
         }

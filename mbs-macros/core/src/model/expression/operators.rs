@@ -60,6 +60,14 @@ impl Resolver<'_> {
         })
     }
 
+    /// A value in a sum, where a point stands for its position.
+    pub(super) fn placed(&mut self, value: Value) -> Value {
+        match value {
+            Value::Point(point) => Value::Vector(self.position(&point), Some(Dimension::LENGTH)),
+            other => other,
+        }
+    }
+
     pub(super) fn combine(
         &mut self,
         left: Value,
@@ -67,12 +75,7 @@ impl Resolver<'_> {
         right: Value,
         syntax: &Syntax,
     ) -> Option<Value> {
-        // A point in a sum stands for its position.
-        let position = |value: Value| match value {
-            Value::Point(point) => Value::Vector(point.position, Some(Dimension::LENGTH)),
-            other => other,
-        };
-        let (left, right) = (position(left), position(right));
+        let [left, right] = [left, right].map(|value| self.placed(value));
         let span = op.span();
         match (op, &left, &right) {
             (BinOp::Add(_) | BinOp::Sub(_), Value::Scalar(x, a), Value::Scalar(y, b)) => {

@@ -22,6 +22,10 @@ impl Resolver<'_> {
             arguments.vector("angular_velocity"),
         );
         let zero = arguments.graph().zero();
+        // Their errors are recorded already.
+        if (from.is_none() && arguments.has("from")) || (to.is_none() && arguments.has("to")) {
+            return None;
+        }
         let from = from.unwrap_or([zero; 3]);
         let length = match (arguments.has("length"), to) {
             (true, _) => arguments.scalar("length"),
