@@ -102,7 +102,16 @@ pub fn delassus<const N: usize, const R: usize>(
     w: &SMatrix<f64, N, R>,
     delassus: &mut SMatrix<f64, R, R>,
 ) {
-    crate::linear::lanes::products(&a.data.0, &w.data.0, &mut delassus.data.0);
+    for (row, a) in delassus.data.0.iter_mut().zip(&a.data.0) {
+        *row = [0.0; R];
+        for (column, &entry) in a.iter().enumerate() {
+            if entry != 0.0 {
+                for (value, w) in row.iter_mut().zip(&w.data.0) {
+                    *value += entry * w[column];
+                }
+            }
+        }
+    }
 }
 
 /// W = M⁻¹Aᵀ row by row, where `solve` is x ← M⁻¹x.

@@ -5,8 +5,6 @@
 const MOST: usize = 8;
 /// With fewer entries a row is solved alone.
 const SHORT: usize = 8;
-/// Columns of a product at a time.
-const BLOCK: usize = 32;
 
 /// The entries that rows have in one place.
 pub(crate) type Lane<const WIDTH: usize> = [f64; WIDTH];
@@ -35,56 +33,21 @@ pub(crate) fn solve_rows<const N: usize, const R: usize>(
     }
 }
 
-/// The products of each row of `a`, whose zeros are skipped, with each row of `w`.
-pub(crate) fn products<const N: usize, const R: usize>(
-    a: &[[f64; N]; R],
-    w: &[[f64; N]; R],
-    products: &mut [[f64; R]; R],
-) {
-    for first in (0..R).step_by(MOST) {
-        let w = &w[first..R.min(first + MOST)];
-        let mut sums = [[0.0; MOST]; R];
-        // In blocks of columns, because the stack may be small.
-        for columns in (0..N).step_by(BLOCK) {
-            let mut lanes = [[0.0; MOST]; BLOCK];
-            gather(&mut lanes, w.iter().map(|row| &row[columns..]));
-            for (a, sums) in a.iter().zip(&mut sums) {
-                for (&entry, lane) in a[columns..].iter().zip(&lanes) {
-                    if entry != 0.0 {
-                        subtract(sums, -entry, lane);
-                    }
-                }
-            }
-        }
-        for (row, sums) in products.iter_mut().zip(&sums) {
-            row[first..first + w.len()].copy_from_slice(&sums[..w.len()]);
-        }
-    }
-}
-
 /// Up to WIDTH rows.
 fn together<const N: usize, const WIDTH: usize>(
     factor: &impl Substitution<N>,
     rows: &mut [[f64; N]],
 ) {
     let mut lanes = [[0.0; WIDTH]; N];
-    gather(&mut lanes, rows.iter().map(|row| &row[..]));
+    for (k, row) in rows.iter().enumerate() {
+        for (lane, &entry) in lanes.iter_mut().zip(row) {
+            lane[k] = entry;
+        }
+    }
     factor.several(&mut lanes);
     for (k, row) in rows.iter_mut().enumerate() {
         for (entry, lane) in row.iter_mut().zip(&lanes) {
             *entry = lane[k];
-        }
-    }
-}
-
-/// The entries of up to WIDTH rows.
-fn gather<'r, const WIDTH: usize>(
-    lanes: &mut [Lane<WIDTH>],
-    rows: impl Iterator<Item = &'r [f64]>,
-) {
-    for (k, row) in rows.enumerate() {
-        for (lane, &entry) in lanes.iter_mut().zip(row) {
-            lane[k] = entry;
         }
     }
 }
