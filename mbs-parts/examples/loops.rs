@@ -81,14 +81,18 @@ mechanism!(DeltaOfRods {
         axis = [-y[i], x[i], 0.0]
     )),
     aside: Each(0..2, |k| Let(0.04_m * (2 * k - 1))),
+    elbow: Each((0..2, 0..3), |k, i| Let(
+        arm[i].point(0.103_m, aside[k], 0.0_m)
+    )),
+    wrist: Each((0..2, 0..3), |k, i| Let(plate.point(
+        0.05_m * x[i] - aside[k] * y[i],
+        0.05_m * y[i] + aside[k] * x[i],
+        0.0_m
+    ))),
     rod: Each((0..2, 0..3), |k, i| Distance(
-        arm[i].point(0.103_m, aside[k], 0.0_m),
-        plate.point(
-            0.05_m * x[i] - aside[k] * y[i],
-            0.05_m * y[i] + aside[k] * x[i],
-            0.0_m
-        ),
-        length = 0.57_m
+        elbow[k][i],
+        wrist[k][i],
+        length = norm(wrist[k][i] - elbow[k][i])
     )),
     tool: Output(plate.origin),
 });

@@ -35,6 +35,8 @@ mod by_numbers {
             axis = [-0.8, 0.0, 0.6],
             second_axis = Y
         ),
+        load: Particle(mass = 0.2_kg, at = [0.3_m, 0.0, 0.5_m], free = true),
+        rope: Distance(arm.b, load.origin, length = 0.4_m),
         tip: Output(hand.point(0.1_m, 0.0, 0.0)),
     });
 }
@@ -74,6 +76,16 @@ mod by_parts {
             at = below + [0.0, 0.0, 0.1_m],
             axis = cross(along, Y),
             second_axis = hand.y
+        ),
+        load: Particle(
+            mass = 0.2_kg,
+            at = [arm.b.x, arm.b.y, height],
+            free = true
+        ),
+        rope: Distance(
+            arm.b,
+            load.origin,
+            length = norm(arm.b - load.origin)
         ),
         tip: Output(hand.point(0.1_m, 0.0, 0.0)),
         // The same values move here.

@@ -82,8 +82,8 @@ without `else` around the kind leaves members out. A family of `Param`, `Input` 
 `Number`, `Vector` or `Table`, is what the surroundings give, and `Port(Number, default = 1.0)` what they may give.
 Parameters of an assembly may be given, too: this changes their defaults.
 
-In space places (`at`, `from`, `to`), orientations and the axes of joints are those of the home pose, and so are the points and
-axes of parts in them: `to = arm.b + [0.0, 0.0, 0.2_m]`, `axis = unit(arm.b - arm.a)`, directly or by a `Let`, which moves with
+In space places (`at`, `from`, `to`), orientations, the axes of joints and lengths are those of the home pose, and so are the
+points and axes of parts in them: `to = arm.b + [0.0, 0.0, 0.2_m]`, `axis = unit(arm.b - arm.a)`, `length = norm(arm.b)`, directly or by a `Let`, which moves with
 its parts everywhere else.
 
 Initial values are guesses, which assembly changes until the joints fit. `Exactly(…)` around one holds it, as in

@@ -6,7 +6,7 @@ mechanism!(Wrong {
     body: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
     other: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [1.0, 0.0, 0.0]),
     hinge: Revolute(ground, body, at = [0.0, 0.0, 0.0], axis = X),
-    joint: Revolute(body, other, at = [1.0, 0.0, 0.0], axis = body.x),
+    joint: Revolute(body, other, at = [1.0, 0.0, 0.0], axis = [cos(hinge.angle), sin(hinge.angle), 0.0]),
 });
 
 fn main() {}

@@ -14,9 +14,18 @@ pub(in crate::model) const CONSTANT_IN_ASSEMBLY: &str = "a constant of Rust is t
 impl Arguments<'_, '_> {
     /// A scalar of the dimension in the schema.
     pub fn scalar(&mut self, field: &str) -> Option<Expr> {
+        match self.expects(field)? {
+            // In space lengths may be distances of the home pose.
+            expects @ Expects::Known(Dimension::LENGTH) => {
+                self.at_home(|arguments| arguments.scalar_as(field, expects))
+            }
+            expects => self.scalar_as(field, expects),
+        }
+    }
+
+    fn scalar_as(&mut self, field: &str, expects: Expects) -> Option<Expr> {
         let syntax = self.syntax(field)?;
         let (expr, dimension) = self.resolver.scalar(syntax)?;
-        let expects = self.expects(field)?;
         if let Expects::Known(expected) | Expects::Moving(expected) = expects {
             self.check_dimension(field, dimension, expected, Place::of(syntax))?;
         }
