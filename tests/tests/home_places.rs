@@ -124,3 +124,27 @@ fn points_and_axes_of_parts_give_the_same_mechanism() -> Result<(), SimulationEr
     assert!((outputs.reach - 0.3).abs() > 0.05 && (outputs.slope - 0.8).abs() > 0.05);
     Ok(())
 }
+
+/// Each `Let` of a long list that doubles the one before is evaluated once.
+#[test]
+fn values_of_the_home_pose_are_computed_once() {
+    let doubles: String = (1..60)
+        .map(|k| {
+            format!(
+                "x{k}: Let(0.5 * x{before} + 0.5 * x{before}),",
+                before = k - 1
+            )
+        })
+        .collect();
+    let text = format!(
+        "Doubles {{
+            world: Spatial(),
+            arm: Bar(mass = 1.0_kg, from = [0.0, 0.0, 0.0], to = [1.0_m, 0.0, 0.0], radius = 0.1_m),
+            x0: Let(arm.b),
+            {doubles}
+            pin: Revolute(ground, arm, at = x59, axis = Z),
+        }}"
+    );
+    let (_, outcome) = mbs_macros_core::analyse(text.parse().expect("these are tokens"));
+    assert!(outcome.is_ok());
+}

@@ -179,7 +179,12 @@ impl<'d> Resolver<'d> {
         }
         self.force(index);
         if let Some(syntax) = self.moving_value(index) {
-            return self.evaluate(syntax);
+            if let Some(known) = self.home_values.get(&index) {
+                return Some(known.clone());
+            }
+            let value = self.evaluate(syntax)?;
+            self.home_values.insert(index, value.clone());
+            return Some(value);
         }
         match &self.states[index] {
             State::Done(Some(value)) => Some(value.clone()),

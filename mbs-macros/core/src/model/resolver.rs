@@ -53,6 +53,8 @@ pub struct Resolver<'d> {
     pub(super) at_acceleration_level: bool,
     /// Whether points and axes of parts are those of the home pose: in places and directions that are given there.
     pub(super) in_home_pose: bool,
+    /// The values in the home pose of each `Let` that moves.
+    pub(super) home_values: Map<usize, Value>,
     /// Names that an expression uses.
     pub(super) used: Set<String>,
     /// Entries whose arguments are not those of their kind, which is an error already.
@@ -98,6 +100,7 @@ impl<'d> Resolver<'d> {
             readings: Vec::new(),
             at_acceleration_level: false,
             in_home_pose: false,
+            home_values: Map::default(),
             used: Set::default(),
             misplaced: HashSet::new(),
             needs_angle: needs_angle(declaration, kinds),
