@@ -3,15 +3,16 @@
 //!
 //! `cargo run --release -p mbs-parts --features large --example loops`
 
-use mbs_runtime::{SimulationError, mechanism};
+use mbs_runtime::{SimulationError, assembly, mechanism};
 
 #[path = "run/timing.rs"]
 mod timing;
 use timing::line;
 
-mechanism!(Delta {
-    doc: "A delta robot: three arms, each with two rods, that carry a plate.",
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+assembly!(Arms {
+    doc: "Three arms on the ground and the plate that they carry.",
+    world: Spatial(),
+    /// Directions of the arms.
     x: Each(0..3, |i| Let(cos(i * 120.0_deg))),
     y: Each(0..3, |i| Let(sin(i * 120.0_deg))),
     plate: Body(
@@ -31,62 +32,50 @@ mechanism!(Delta {
         at = arm[i].a,
         axis = [-y[i], x[i], 0.0]
     )),
+    tool: Output(plate.origin),
+});
+
+mechanism!(Delta {
+    doc: "A delta robot: three arms, each with two rods, that carry a plate.",
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    arms: Assembly(Arms),
     // Two rods, 0.04 m to each side of their arm.
     aside: Each((0..2, 0..3), |k, i| Let([
-        0.04_m * (1 - 2 * k) * y[i],
-        0.04_m * (2 * k - 1) * x[i],
+        0.04_m * (1 - 2 * k) * arms.y[i],
+        0.04_m * (2 * k - 1) * arms.x[i],
         0.0_m
     ])),
     rod: Each((0..2, 0..3), |k, i| Bar(
         mass = 0.1_kg,
-        from = arm[i].b + aside[k][i],
-        to = plate.origin + 0.05_m * [x[i], y[i], 0.0] + aside[k][i],
+        from = arms.arm[i].b + aside[k][i],
+        to = arms.plate.origin + 0.05_m * [arms.x[i], arms.y[i], 0.0] + aside[k][i],
         radius = 0.005_m
     )),
     upper: Each((0..2, 0..3), |k, i| Spherical(
-        arm[i],
+        arms.arm[i],
         rod[k][i],
         at = rod[k][i].a
     )),
     lower: Each((0..2, 0..3), |k, i| Universal(
         rod[k][i],
-        plate,
+        arms.plate,
         at = rod[k][i].b,
-        axis = [-y[i], x[i], 0.0],
-        second_axis = [x[i], y[i], 0.0]
+        axis = [-arms.y[i], arms.x[i], 0.0],
+        second_axis = [arms.x[i], arms.y[i], 0.0]
     )),
-    tool: Output(plate.origin),
 });
 
 mechanism!(DeltaOfRods {
     doc: "The same with rods that are lengths between points.",
     world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
-    x: Each(0..3, |i| Let(cos(i * 120.0_deg))),
-    y: Each(0..3, |i| Let(sin(i * 120.0_deg))),
-    plate: Body(
-        mass = 0.3_kg,
-        inertia = diag(1e-3_kg_m2, 1e-3_kg_m2, 2e-3_kg_m2),
-        at = [0.0, 0.0, -0.5]
-    ),
-    arm: Each(0..3, |i| Bar(
-        mass = 0.4_kg,
-        from = [0.2_m * x[i], 0.2_m * y[i], 0.0_m],
-        to = [0.4_m * x[i], 0.4_m * y[i], -0.05_m],
-        radius = 0.01_m
-    )),
-    hip: Each(0..3, |i| Revolute(
-        ground,
-        arm[i],
-        at = arm[i].a,
-        axis = [-y[i], x[i], 0.0]
-    )),
+    arms: Assembly(Arms),
     aside: Each(0..2, |k| Let(0.04_m * (2 * k - 1))),
     elbow: Each((0..2, 0..3), |k, i| Let(
-        arm[i].point(0.103_m, aside[k], 0.0_m)
+        arms.arm[i].point(0.103_m, aside[k], 0.0_m)
     )),
-    wrist: Each((0..2, 0..3), |k, i| Let(plate.point(
-        0.05_m * x[i] - aside[k] * y[i],
-        0.05_m * y[i] + aside[k] * x[i],
+    wrist: Each((0..2, 0..3), |k, i| Let(arms.plate.point(
+        0.05_m * arms.x[i] - aside[k] * arms.y[i],
+        0.05_m * arms.y[i] + aside[k] * arms.x[i],
         0.0_m
     ))),
     rod: Each((0..2, 0..3), |k, i| Distance(
@@ -94,7 +83,6 @@ mechanism!(DeltaOfRods {
         wrist[k][i],
         length = norm(wrist[k][i] - elbow[k][i])
     )),
-    tool: Output(plate.origin),
 });
 
 mechanism!(Ring {

@@ -45,15 +45,17 @@ impl Arguments<'_, '_> {
     /// A place at the start: a vector, or a point of a part, which stands for where it is there.
     pub fn start_place(&mut self, field: &str) -> Option<StartPlace> {
         let syntax = self.syntax(field)?;
-        let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
-        match (self.resolver.world, value) {
-            (World::Planar, Some(Value::Point(point))) if point.owner != Owner::Ground => {
+        if self.resolver.world == World::Planar {
+            let value = self.resolver.silently(|resolver| resolver.evaluate(syntax));
+            if let Some(Value::Point(point)) = value
+                && point.owner != Owner::Ground
+            {
                 // Once more, so that what it names counts as used.
                 self.resolver.evaluate(syntax)?;
-                Some(StartPlace::Of(point))
+                return Some(StartPlace::Of(point));
             }
-            _ => self.home_place(field).map(StartPlace::Known),
         }
+        self.home_place(field).map(StartPlace::Known)
     }
 
     /// A point; a particle stands for its own.
