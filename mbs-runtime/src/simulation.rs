@@ -16,6 +16,7 @@ mod hermite;
 mod imbalance;
 mod known_poses;
 mod names;
+mod other_methods;
 mod parameters;
 mod passage;
 mod placement;
@@ -33,6 +34,7 @@ mod trial;
 use self::books::Books;
 use self::choice::Choice;
 use self::energy_guard::EnergyGuard;
+use self::other_methods::OtherMethods;
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::Counters;
 use crate::assembly::{Wanted, assemble, check_rates};
@@ -42,7 +44,6 @@ use crate::linear::largest;
 use crate::methods::{self, Methods};
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
-use crate::stepper::MakeStepper;
 use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
@@ -63,8 +64,8 @@ pub use self::start::Start;
 pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     settings: Settings,
     integrator: Integrator<S, Q, N, R>,
-    /// Makes the integrator again when parameters change, if its method is not the two-level one.
-    other: Option<MakeStepper<S, Q, N, R>>,
+    /// The methods that are compiled beside the two-level one.
+    other: Option<&'static OtherMethods<S, Q, N, R>>,
     /// For an accuracy: the candidates, and what is known about the one in use.
     choice: Option<Box<Choice>>,
     assembly: AssemblyVerdict,
@@ -133,9 +134,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub fn with_methods<M: Mechanism<System = S>, C: Methods>(
         mechanism: M,
         settings: Settings,
-        _: C,
+        methods: C,
     ) -> Result<Self, SimulationError> {
-        Self::assembled::<M, false>(mechanism, settings, &[], Some(C::make))
+        Self::assembled::<M, false>(mechanism, settings, &[], OtherMethods::of(methods))
     }
 
     /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes longer
@@ -183,9 +184,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
         state: State<Q, N, R>,
-        _: C,
+        methods: C,
     ) -> Result<Self, SimulationError> {
-        Self::resumed(mechanism, settings, state, Some(C::make))
+        Self::resumed(mechanism, settings, state, OtherMethods::of(methods))
     }
 
     /// The same for any [`Method`](crate::Method).
@@ -205,7 +206,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
         wanted: &[Wanted],
-        other: Option<MakeStepper<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
@@ -218,7 +219,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
         state: State<Q, N, R>,
-        other: Option<MakeStepper<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
@@ -238,9 +239,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings: Settings,
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
-        other: Option<MakeStepper<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
-        let mut integrator = Integrator::new(system, state, &settings, other)?;
+        let make = other.map(|other| other.make);
+        let mut integrator = Integrator::new(system, state, &settings, make)?;
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();

@@ -48,13 +48,20 @@ where
         kick.by = Factor::Start;
     }
     context.work.projection.regularised = false;
-    let Closed { left, iterations } = close(context, flow, h, &mut kick, beside)?;
-    let mut v = arrive(context, flow, t1, &kick)?;
-    let unforeseen = context.work.delassus.beside && !beside && left > EXACT;
-    if unforeseen && context.fixed_iterations.is_none() {
-        v = close_again(context, flow, h, &mut kick)?;
-    }
-    if iterations > PROMPT {
+    let (mut exact, mut is_slow) = (beside, false);
+    // In a loop, so that the iteration is compiled once.
+    let v = loop {
+        let Closed { left, iterations } = close(context, flow, h, &mut kick, exact)?;
+        let v = arrive(context, flow, t1, &kick)?;
+        is_slow |= iterations > PROMPT;
+        let unforeseen = context.work.delassus.beside && !exact && left > EXACT;
+        if !unforeseen || context.fixed_iterations.is_some() {
+            break v;
+        }
+        // The step ends beside a singular pose, which was not known when its position rows were solved.
+        (kick.by, exact) = (Factor::None, true);
+    };
+    if is_slow {
         context.check_kicks(h)?;
     }
     let weak = weak_start || context.work.delassus.weak || context.work.projection.regularised;
@@ -82,24 +89,6 @@ where
     let mut v = flow.velocities(&context.system, &kick.va, &kick.q, &mut context.end);
     context.project_velocity(&mut v);
     Ok(v)
-}
-
-/// The step ends beside a singular pose, which was not known when its position rows were solved.
-#[cold]
-#[inline(never)]
-fn close_again<S, F, const Q: usize, const N: usize, const R: usize>(
-    context: &mut StepContext<S, Q, N, R>,
-    flow: &mut F,
-    h: f64,
-    kick: &mut Kick<Q, N, R>,
-) -> Result<SVector<f64, N>, Fault>
-where
-    S: System<Q, N, R>,
-    F: KickFlow<S, Q, N, R>,
-{
-    kick.by = Factor::None;
-    close(context, flow, h, kick, true)?;
-    arrive(context, flow, context.state.time + h, kick)
 }
 
 /// The unknowns of the iteration.

@@ -7,7 +7,7 @@ use super::newton::{ASSEMBLED, MAX_ITERATIONS};
 use super::verdict::{judge, moved};
 use crate::alf3f::residual_of;
 use crate::contract::{constraint_rows, mass_rows};
-use crate::large::{is_sparse, starts_sparse};
+use crate::large::{is_large, is_sparse, starts_sparse};
 use crate::linear::sparse::{Entries, Recorder, dependence};
 use crate::linear::{Dependence, largest, zeros};
 use crate::row_scale::RowScale;
@@ -44,9 +44,19 @@ pub(super) fn rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     yardstick: &Yardstick<Q, N>,
 ) -> Option<Dependence> {
     let a = constraint_rows(system, t, q);
-    dependence(&a, &mass_rows(system, q), |i| {
+    dependence(&a, &mass_rows(system, q), &|i| {
         RowScale::<R>::vanishes::<S, Q, N>(yardstick, i, a.row(i))
     })
+}
+
+/// Whether a mechanism may have factors for such a start: a constant, so that others do not compile the code for it.
+pub(super) const fn is_possible<
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>() -> bool {
+    is_planned::<S, Q, N, R>() || is_large::<N, R>()
 }
 
 /// Whether a mechanism has factors for such a start.
@@ -56,13 +66,11 @@ pub(super) fn applies<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     is_planned::<S, Q, N, R>() || is_sparse::<S, Q, N, R>(settings)
 }
 
-fn is_planned<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>() -> bool {
-    const {
-        starts_sparse::<N, R>()
-            && S::STRUCTURE.constant_mass
-            && S::STRUCTURE.holonomic_rows == R
-            && S::ELIMINATION.is_some()
-    }
+const fn is_planned<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>() -> bool {
+    starts_sparse::<N, R>()
+        && S::STRUCTURE.constant_mass
+        && S::STRUCTURE.holonomic_rows == R
+        && S::ELIMINATION.is_some()
 }
 
 /// M and A at a pose, and their factors.

@@ -49,7 +49,8 @@ pub(crate) fn assemble<
 
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
-    if S::HELD.is_empty()
+    if const { large::is_possible::<S, Q, N, R>() }
+        && S::HELD.is_empty()
         && wanted.is_empty()
         && large::applies::<S, Q, N, R>(settings)
         && let Some(assembled) =
@@ -133,7 +134,8 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     system.holonomic(state.time, q, &mut phi);
     check_rows(S::MODEL, &phi, &scale)?;
     let residual = largest(&phi);
-    if large::applies::<S, Q, N, R>(settings)
+    if const { large::is_possible::<S, Q, N, R>() }
+        && large::applies::<S, Q, N, R>(settings)
         && let Some(rows) = large::rows(system, state.time, q, &yardstick)
     {
         return Ok(judge(system, rows, (&phi, &scale), residual, [q, q]));

@@ -94,6 +94,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         va: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a RowMatrix<N, R>, Fault> {
+        // Nothing is asked without rows: the tangent at the start is compiled for those that have them.
+        if const { R == 0 } {
+            return Ok(&self.directions);
+        }
         let h = self.h;
         // The tangent is that at the end; its factors are used for the first correction of the next iteration.
         self.solver.refresh(system, &self.q1, va, &self.vb)?;

@@ -17,9 +17,9 @@
 
 use super::Simulation;
 use super::choice::Choice;
+use super::other_methods::OtherMethods;
 use super::trial::{GAIN, Trial};
 use crate::baselines::registry::has_radau;
-use crate::stepper::MakeStepper;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepController, System};
 
 /// Errors of steps add up and grow with the motion's own instability: on the scenes with a reference the largest error was
@@ -28,11 +28,7 @@ const MARGIN: f64 = 0.125;
 
 /// The candidates in the order of their trials.
 fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Settings> {
-    let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
-    let two_level = Settings {
-        accuracy: None,
-        ..settings.with_tolerance(tolerance)
-    };
+    let two_level = two_level(settings, accuracy);
     let projected = Settings {
         method: Method::Projected,
         order: 8,
@@ -46,6 +42,14 @@ fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Setting
     match has_radau {
         true => vec![projected, radau, two_level],
         false => vec![projected, two_level],
+    }
+}
+
+fn two_level(settings: Settings, accuracy: f64) -> Settings {
+    let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
+    Settings {
+        accuracy: None,
+        ..settings.with_tolerance(tolerance)
     }
 }
 
@@ -72,23 +76,36 @@ impl<S, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R>
 where
     S: System<Q, N, R> + Clone,
 {
-    /// With the given method or, for an accuracy, with the candidate that takes the least work from this state on.
+    /// With the given method or, for an accuracy, with the candidate that takes the least work; with the two-level method if
+    /// there is nothing to choose from.
     pub(super) fn begin(
         system: S,
         settings: Settings,
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
-        other: Option<MakeStepper<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
-        let Some(accuracy) = settings.accuracy else {
-            return Self::from_state(system, settings, state, assembly, other);
-        };
+        let mut settings = settings;
+        if let Some(accuracy) = settings.accuracy {
+            if let Some(other) = other {
+                return (other.choose)(system, (settings, accuracy), state, assembly, other);
+            }
+            settings = two_level(settings, accuracy);
+        }
+        Self::from_state(system, settings, state, assembly, other)
+    }
+
+    /// With the candidate for an accuracy that takes the least work from this state on.
+    pub(super) fn chosen(
+        system: S,
+        (settings, accuracy): (Settings, f64),
+        state: State<Q, N, R>,
+        assembly: AssemblyVerdict,
+        other: &'static OtherMethods<S, Q, N, R>,
+    ) -> Result<Self, SimulationError> {
         let candidates = candidates(settings, accuracy, const { has_radau::<S, Q, N, R>() });
         let last = candidates.len() - 1;
-        if other.is_none() {
-            // There is nothing to choose from.
-            return Self::from_state(system, candidates[last], state, assembly, None);
-        }
+        let other = Some(other);
         let make = |candidate| {
             let (system, state, assembly) = (system.clone(), state.clone(), assembly.clone());
             Self::from_state(system, candidate, state, assembly, other)

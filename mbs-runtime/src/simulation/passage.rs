@@ -97,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         ];
         let (mut time, mut seen, mut rate) = (pose, 0, f64::INFINITY);
         for _ in 0..PROBES {
-            probes.sort_unstable_by(|a, b| a.square.total_cmp(&b.square));
+            Probe::sort(&mut probes);
             let Some(margin) = self.probe(time - from)? else {
                 // A step that ends there does not converge.
                 time = 0.5 * (time + probes[0].time.max(from));
@@ -110,7 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             seen += 1;
             probes[2] = Probe::new(time, margin);
-            probes.sort_unstable_by(|a, b| a.square.total_cmp(&b.square));
+            Probe::sort(&mut probes);
             let Some(foreseen) = minimum(probes) else {
                 break;
             };

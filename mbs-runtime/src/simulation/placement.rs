@@ -6,6 +6,7 @@
 use super::Simulation;
 use super::advance::HALVINGS;
 use super::energy_guard::Refused;
+use crate::linear::dot;
 use crate::{Method, SimulationError, State, System, alf3f};
 use nalgebra::SVector;
 
@@ -94,7 +95,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let (begin, end) = (&self.step_start, self.state());
         let change = forces(end) - forces(begin);
         let way = (begin.velocities.abs() + end.velocities.abs()) * (0.5 * (end.time - begin.time));
-        change.abs().dot(&way)
+        dot(&change.abs(), &way)
     }
 
     #[cold]
@@ -218,7 +219,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut lengths =
             LENGTHS.map(|factor| (factor, self.integrator.expected_clearance(factor)));
         match lengths.iter().all(|(_, clearance)| clearance.is_finite()) {
-            true => lengths.sort_unstable_by(|a, b| b.1.total_cmp(&a.1)),
+            true => sort_by_clearance(&mut lengths),
             false => lengths = LENGTHS.map(|factor| (factor, f64::NAN)),
         }
         lengths
@@ -233,4 +234,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.rank_margin = None;
         self.integrator.refresh(&self.settings)
     }
+}
+
+/// The largest clearance first. (Outside of generic functions, as [`Probe::sort`](super::pose::Probe::sort).)
+fn sort_by_clearance(lengths: &mut [(f64, f64)]) {
+    lengths.sort_unstable_by(|a, b| b.1.total_cmp(&a.1));
 }

@@ -124,6 +124,11 @@ impl Probe {
             square: margin.least.powi(2),
         }
     }
+
+    /// The least σ² first. (Outside of generic functions: a sort is thousands of lines to compile.)
+    pub(super) fn sort(probes: &mut [Probe]) {
+        probes.sort_unstable_by(|a, b| a.square.total_cmp(&b.square));
+    }
 }
 
 /// The minimum of a parabola through three probes.

@@ -1,6 +1,7 @@
 //! A start with values that the program holds.
 
 use super::Simulation;
+use super::other_methods::OtherMethods;
 use crate::assembly::Wanted;
 use crate::methods::Methods;
 use crate::{Mechanism, Settings, SimulationError, System};
@@ -71,13 +72,14 @@ impl<M: Mechanism> Start<M> {
     /// As [`Start::begin`] and [`Simulation::with_methods`].
     pub fn begin_with_methods<S, C: Methods, const Q: usize, const N: usize, const R: usize>(
         self,
-        _: C,
+        methods: C,
     ) -> Result<Simulation<S, Q, N, R>, SimulationError>
     where
         M: Mechanism<System = S>,
         S: System<Q, N, R>,
     {
-        Simulation::assembled::<M, true>(self.mechanism, self.settings, &self.wanted, Some(C::make))
+        let methods = OtherMethods::of(methods);
+        Simulation::assembled::<M, true>(self.mechanism, self.settings, &self.wanted, methods)
     }
 }
 

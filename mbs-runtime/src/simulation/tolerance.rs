@@ -52,9 +52,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// A step of h or, with a tolerance, a pair of what it calls for; `left` at most.
     pub(super) fn forward(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
-        match self.settings.tolerance {
-            None => self.guarded_step(h, left).map(drop),
-            Some(tolerance) => self.chosen_pair(tolerance, left),
+        let Some(tolerance) = self.settings.tolerance else {
+            return self.guarded_step(h, left).map(drop);
+        };
+        match self.other {
+            Some(other) if self.choice.is_some() => (other.pair)(self, tolerance, left),
+            _ => self.pair(tolerance, left).map(drop),
         }
     }
 

@@ -53,12 +53,13 @@ pub fn factored_mass<const N: usize>(
     coordinates: &[&'static str; N],
 ) -> Result<FactoredMass<N>, ParameterError> {
     let entries = mass.0.iter();
-    let rows = SparseRows::new(N, entries.map(|(&(i, j), &value)| (i, j, value)));
-    let factor = Ldl::new(&rows, |row, pivot, whole| match is_positive(pivot, whole) {
-        true => Ok(1.0 / pivot),
-        false => Err(ParameterError::MassNotPositive {
+    let entries = entries.map(|(&(i, j), &value)| (i, j, value));
+    let rows = SparseRows::new(N, entries.collect());
+    let inverse = |_, pivot, whole| is_positive(pivot, whole).then(|| 1.0 / pivot);
+    match Ldl::new(&rows, &inverse) {
+        Ok(factor) => Ok(FactoredMass(factor)),
+        Err(row) => Err(ParameterError::MassNotPositive {
             coordinate: coordinates[row],
         }),
-    });
-    factor.map(FactoredMass)
+    }
 }

@@ -11,7 +11,6 @@ use crate::linear::rank::Dependence;
 use crate::singular::NOTHING;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-use std::convert::Infallible;
 
 /// What elimination leaves of a dependent row is longer than its orthogonal part by the condition of the rows before it. A
 /// larger value computes orthogonal parts for rows that are independent without doubt, a smaller one trusts the
@@ -30,13 +29,10 @@ const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 pub(crate) fn dependence(
     a: &SparseRows,
     mass: &SparseRows,
-    vanishes: impl Fn(usize) -> bool,
+    vanishes: &dyn Fn(usize) -> bool,
 ) -> Option<Dependence> {
-    let metric = Ldl::new(mass, |_, pivot, _| match pivot > 0.0 {
-        true => Ok(1.0 / pivot),
-        false => Err(()),
-    });
-    let metric = metric.ok()?;
+    let inverse = |_, pivot: f64, _| (pivot > 0.0).then(|| 1.0 / pivot);
+    let metric = Ldl::new(mass, &inverse).ok()?;
     let mut elimination = Elimination::new(a, mass);
     let (mut kept, mut dependent) = (Vec::new(), Vec::new());
     for i in 0..a.count() {
@@ -260,15 +256,18 @@ fn orthogonal_part(a: &SparseRows, mass: &SparseRows, kept: &[usize], i: usize) 
         }
     }
     let matrix = SparseRows::new(places.len(), entries);
-    let Ok(factor) = Ldl::new(&matrix, |place, pivot, _| {
+    let Ok(factor) = Ldl::new(&matrix, &|place, pivot, _| {
         // A pivot of the wrong sign is round-off: its row is nearly dependent itself.
         let is_sound = if is_row[place] {
             pivot < 0.0
         } else {
             pivot > 0.0
         };
-        Ok::<_, Infallible>(if is_sound { 1.0 / pivot } else { 0.0 })
-    });
+        Some(if is_sound { 1.0 / pivot } else { 0.0 })
+    }) else {
+        // No pivot is refused.
+        return f64::NAN;
+    };
     let mut rest = vec![0.0; velocities];
     a.row(i).for_each(|(column, value)| rest[column] = value);
     let mut square: f64 = 0.0;
@@ -335,7 +334,7 @@ mod tests {
         let dense = crate::linear::dependence(&a_rows, &w, |_| false);
         let [mass, a] =
             [(VELOCITIES, mass), (ROWS, a)].map(|(count, entries)| SparseRows::new(count, entries));
-        let sparse = dependence(&a, &mass, |_| false).unwrap();
+        let sparse = dependence(&a, &mass, &|_| false).unwrap();
         assert_eq!(sparse.rank + sparse.dependent.len(), ROWS);
         [sparse.dependent, dense.dependent]
     }
@@ -373,8 +372,8 @@ mod tests {
 
     #[test]
     fn a_mass_matrix_that_is_not_positive_is_refused() {
-        let mass = SparseRows::new(2, [(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 1.0)]);
-        let a = SparseRows::new(1, [(0, 0, 1.0)]);
-        assert!(dependence(&a, &mass, |_| false).is_none());
+        let mass = SparseRows::new(2, vec![(0, 0, 1.0), (0, 1, 2.0), (1, 0, 2.0), (1, 1, 1.0)]);
+        let a = SparseRows::new(1, vec![(0, 0, 1.0)]);
+        assert!(dependence(&a, &mass, &|_| false).is_none());
     }
 }

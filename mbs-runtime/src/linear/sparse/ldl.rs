@@ -15,14 +15,15 @@ pub(crate) struct Ldl {
 
 impl Ldl {
     /// The factor of a matrix, of which the lower triangle is read. `inverse` is 1/d of a pivot, from its row, d and the
-    /// diagonal entry, and may refuse it.
+    /// diagonal entry; with `None` it refuses the pivot. (A trait object, so that this is compiled once and not for each
+    /// mechanism.)
     ///
     /// # Errors
-    /// What `inverse` answers.
-    pub(crate) fn new<E>(
+    /// The row whose pivot was refused.
+    pub(crate) fn new(
         matrix: &SparseRows,
-        mut inverse: impl FnMut(usize, f64, f64) -> Result<f64, E>,
-    ) -> Result<Ldl, E> {
+        inverse: &dyn Fn(usize, f64, f64) -> Option<f64>,
+    ) -> Result<Ldl, usize> {
         let size = matrix.count();
         let mut factor = Ldl {
             starts: vec![0],
@@ -69,7 +70,9 @@ impl Ldl {
                 wide[k] = 0.0;
             }
             factor.starts.push(factor.columns.len());
-            factor.inverse_pivots.push(inverse(i, pivot, whole)?);
+            factor
+                .inverse_pivots
+                .push(inverse(i, pivot, whole).ok_or(i)?);
         }
         Ok(factor)
     }
@@ -107,7 +110,6 @@ impl Ldl {
 #[cfg(test)]
 mod tests {
     use super::{Ldl, SparseRows};
-    use std::convert::Infallible;
 
     #[test]
     fn a_ring_of_springs_is_solved() {
@@ -120,7 +122,7 @@ mod tests {
             entries.extend([(i, next, -1.0), (next, i, -1.0)]);
         }
         let matrix = SparseRows::new(size, entries);
-        let Ok(factor) = Ldl::new(&matrix, |_, pivot, _| Ok::<_, Infallible>(1.0 / pivot));
+        let factor = Ldl::new(&matrix, &|_, pivot, _| Some(1.0 / pivot)).unwrap();
         let solution: Vec<f64> = (0..size).map(|i| (i as f64).cos()).collect();
         let product = |i: usize| matrix.row(i).map(|(j, value)| value * solution[j]).sum();
         let mut x: Vec<f64> = (0..size).map(product).collect();
@@ -132,11 +134,8 @@ mod tests {
 
     #[test]
     fn a_pivot_can_be_refused() {
-        let matrix = SparseRows::new(2, [(0, 0, 1.0), (1, 0, 2.0), (1, 1, 4.0)]);
-        let refused = Ldl::new(&matrix, |row, pivot, _| match pivot > 0.0 {
-            true => Ok(1.0 / pivot),
-            false => Err(row),
-        });
+        let matrix = SparseRows::new(2, vec![(0, 0, 1.0), (1, 0, 2.0), (1, 1, 4.0)]);
+        let refused = Ldl::new(&matrix, &|_, pivot, _| (pivot > 0.0).then(|| 1.0 / pivot));
         assert_eq!(refused.err(), Some(1));
     }
 }

@@ -11,11 +11,7 @@ pub(crate) struct SparseRows {
 
 impl SparseRows {
     /// A matrix with this number of rows. Of entries at the same place the last one counts.
-    pub(crate) fn new(
-        rows: usize,
-        entries: impl IntoIterator<Item = (usize, usize, f64)>,
-    ) -> SparseRows {
-        let mut entries: Vec<_> = entries.into_iter().collect();
+    pub(crate) fn new(rows: usize, mut entries: Vec<(usize, usize, f64)>) -> SparseRows {
         // Stable: the last one of a place stays last.
         entries.sort_by_key(|&(row, column, _)| (row, column));
         let mut matrix = SparseRows {
@@ -67,7 +63,7 @@ mod tests {
     #[test]
     fn entries_come_in_any_order() {
         let entries = [(3, 1, 4.0), (0, 2, 1.0), (3, 0, 2.0), (0, 2, 5.0)];
-        let matrix = SparseRows::new(5, entries);
+        let matrix = SparseRows::new(5, entries.to_vec());
         assert_eq!(matrix.count(), 5);
         let row = |row| matrix.row(row).collect::<Vec<_>>();
         assert_eq!(row(0), [(2, 5.0)]);

@@ -44,10 +44,15 @@ impl<T: Zeroable> Deref for OnDemand<T> {
 
     #[inline(always)]
     fn deref(&self) -> &T {
+        if const { Self::AT_ONCE } {
+            match &self.value {
+                Some(value) => return value,
+                // SAFETY: the value of such a type is there from the beginning, and nothing takes it away.
+                None => unsafe { unreachable_unchecked() },
+            }
+        }
         match &self.value {
             Some(value) => value,
-            // SAFETY: the value of such a type is there from the beginning, and nothing takes it away.
-            None if const { Self::AT_ONCE } => unsafe { unreachable_unchecked() },
             None => self.late(),
         }
     }
@@ -74,8 +79,7 @@ impl<T: Pod> Clone for OnDemand<T> {
     fn clone(&self) -> Self {
         let mut copy = Self::zeros();
         if let Some(value) = self.value.as_ref().or(self.read.get()) {
-            let from = bytemuck::bytes_of(&**value);
-            bytemuck::bytes_of_mut(&mut *copy).copy_from_slice(from);
+            *copy = **value;
         }
         copy
     }
