@@ -3,7 +3,6 @@
 
 use crate::ParameterError;
 pub use crate::affinities::by_tangents as affinities;
-pub use crate::constant;
 use crate::linear::{added, vector};
 use nalgebra::{SMatrix, SVector};
 
@@ -18,7 +17,7 @@ pub use cholesky::{Cholesky, clear_mass, inverse_mass, positive};
 pub use constant_mass::{
     ConstantMass, FactoredMass, LongMass, factored_mass, multiply, multiply_rows,
 };
-pub use parts::{compute_parts, pairs_of, rows_of, triples_of, words_of_u16, words_of_u32};
+pub use parts::{compute_parts, rows_of};
 pub use rotation::{rotation_between, turned};
 pub use spin::Spin;
 pub use table::{Beyond, Interpolation, MeasuredTable, Table};
@@ -31,7 +30,6 @@ mod constant_mass;
 mod parts;
 pub mod pattern;
 mod principal;
-pub mod records;
 mod rotation;
 mod spin;
 mod table;

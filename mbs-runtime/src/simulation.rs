@@ -65,7 +65,7 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     settings: Settings,
     integrator: Integrator<S, Q, N, R>,
     /// The methods that are compiled beside the two-level one.
-    other: Option<&'static OtherMethods<S, Q, N, R>>,
+    other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     /// For an accuracy: the candidates, and what is known about the one in use.
     choice: Option<Box<Choice>>,
     assembly: AssemblyVerdict,
@@ -134,9 +134,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub fn with_methods<M: Mechanism<System = S>, C: Methods>(
         mechanism: M,
         settings: Settings,
-        methods: C,
+        _: C,
     ) -> Result<Self, SimulationError> {
-        Self::assembled::<M, false>(mechanism, settings, &[], OtherMethods::of(methods))
+        Self::assembled::<M, false>(mechanism, settings, &[], Self::other_methods::<C>())
     }
 
     /// The same for any [`Method`](crate::Method). All of them are then compiled for this mechanism, which takes longer
@@ -184,9 +184,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
         state: State<Q, N, R>,
-        methods: C,
+        _: C,
     ) -> Result<Self, SimulationError> {
-        Self::resumed(mechanism, settings, state, OtherMethods::of(methods))
+        Self::resumed(mechanism, settings, state, Self::other_methods::<C>())
     }
 
     /// The same for any [`Method`](crate::Method).
@@ -206,7 +206,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
         wanted: &[Wanted],
-        other: Option<&'static OtherMethods<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
@@ -219,7 +219,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         mechanism: M,
         settings: Settings,
         state: State<Q, N, R>,
-        other: Option<&'static OtherMethods<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
         let system = mechanism.prepare()?;
@@ -239,7 +239,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         settings: Settings,
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
-        other: Option<&'static OtherMethods<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         let make = other.map(|other| other.make);
         let mut integrator = Integrator::new(system, state, &settings, make)?;

@@ -20,6 +20,7 @@ use super::choice::Choice;
 use super::other_methods::OtherMethods;
 use super::trial::{GAIN, Trial};
 use crate::baselines::registry::has_radau;
+use crate::methods::Methods;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepController, System};
 
 /// Errors of steps add up and grow with the motion's own instability: on the scenes with a reference the largest error was
@@ -76,6 +77,17 @@ impl<S, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R>
 where
     S: System<Q, N, R> + Clone,
 {
+    /// The functions for the methods of `C`.
+    pub(super) fn other_methods<C: Methods>() -> Option<&'static OtherMethods<Self, S, Q, N, R>> {
+        const {
+            Some(&OtherMethods {
+                make: C::make,
+                choose: Self::chosen,
+                pair: Self::chosen_pair,
+            })
+        }
+    }
+
     /// With the given method or, for an accuracy, with the candidate that takes the least work; with the two-level method if
     /// there is nothing to choose from.
     pub(super) fn begin(
@@ -83,7 +95,7 @@ where
         settings: Settings,
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
-        other: Option<&'static OtherMethods<S, Q, N, R>>,
+        other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         let mut settings = settings;
         if let Some(accuracy) = settings.accuracy {
@@ -101,7 +113,7 @@ where
         (settings, accuracy): (Settings, f64),
         state: State<Q, N, R>,
         assembly: AssemblyVerdict,
-        other: &'static OtherMethods<S, Q, N, R>,
+        other: &'static OtherMethods<Self, S, Q, N, R>,
     ) -> Result<Self, SimulationError> {
         let candidates = candidates(settings, accuracy, const { has_radau::<S, Q, N, R>() });
         let last = candidates.len() - 1;

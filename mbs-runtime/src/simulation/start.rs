@@ -1,7 +1,6 @@
 //! A start with values that the program holds.
 
 use super::Simulation;
-use super::other_methods::OtherMethods;
 use crate::assembly::Wanted;
 use crate::methods::Methods;
 use crate::{Mechanism, Settings, SimulationError, System};
@@ -72,13 +71,13 @@ impl<M: Mechanism> Start<M> {
     /// As [`Start::begin`] and [`Simulation::with_methods`].
     pub fn begin_with_methods<S, C: Methods, const Q: usize, const N: usize, const R: usize>(
         self,
-        methods: C,
+        _: C,
     ) -> Result<Simulation<S, Q, N, R>, SimulationError>
     where
         M: Mechanism<System = S>,
         S: System<Q, N, R>,
     {
-        let methods = OtherMethods::of(methods);
+        let methods = Simulation::other_methods::<C>();
         Simulation::assembled::<M, true>(self.mechanism, self.settings, &self.wanted, methods)
     }
 }

@@ -10,100 +10,28 @@ use crate::model::{Held, Outline, Part, Quantity, Stored};
 use crate::schema::World;
 use std::fmt::Write;
 
-/// Longer lists of records are written as one text.
-const MOST_RECORDS: usize = 250;
-
 /// The initialiser of `MODEL`, as text.
 pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     let (outline, mobility) = (&analysis.outline, analysis.mobility.as_ref());
     let layout = &analysis.derived.system.layout;
     let list = |items: Vec<String>| format!("&[{}]", items.join(", "));
-    let stored = |items: &[Stored]| {
-        let columns = |item: &Stored| [&item.name, &item.unit].map(ToString::to_string);
-        records(
-            ["::mbs_runtime::Coordinate", "coordinates"],
-            items,
-            columns,
-            |[name, unit]| {
-                format!("::mbs_runtime::Coordinate {{ name: {name:?}, unit: {unit:?} }}")
-            },
-        )
-    };
-    let of_row = |row: &Row| {
-        [
-            row.name.clone(),
-            row.entry.clone(),
-            row.unit.clone(),
-            kind(row),
-        ]
-    };
-    let rows = records(
-        ["::mbs_runtime::Row", "rows"],
-        &program.rows,
-        of_row,
-        |[name, entry, unit, kind]| {
-            format!(
-                "::mbs_runtime::Row {{ name: {name:?}, entry: {entry:?}, kind: ::mbs_runtime::RowKind::{kind}, unit: {unit:?} }}"
-            )
-        },
-    );
+    let stored = |items: &[Stored]| list(items.iter().map(coordinate_text).collect());
     let parts = outline.parts.iter().enumerate();
     let parts = parts.filter(|(_, part)| !part.representation.is_number());
-    let parts: Vec<(usize, &Part)> = parts.collect();
-    let of_part = |&(index, part): &(usize, &Part)| {
-        let modelled_as = match outline.tree.carrier(index) {
-            Some(joint) => joint.describe(part.representation),
-            None => part.representation.describe().to_owned(),
-        };
-        [part.name.clone(), part.kind.to_owned(), modelled_as]
-    };
-    let parts = records(
-        ["::mbs_runtime::Part", "parts"],
-        &parts,
-        of_part,
-        |[name, kind, modelled_as]| {
-            format!(
-                "::mbs_runtime::Part {{ name: {name:?}, kind: {kind:?}, modelled_as: {modelled_as:?} }}"
-            )
-        },
-    );
-    let of_segment = |(part, from, to): &(String, usize, usize)| {
-        [part.clone(), from.to_string(), to.to_string()]
-    };
-    let segments = &outline.drawing.segments;
-    let segments = records(
-        ["::mbs_runtime::Segment", "segments"],
-        segments,
-        of_segment,
-        |[part, from, to]| {
-            format!("::mbs_runtime::Segment {{ part: {part:?}, from: {from}, to: {to} }}")
-        },
-    );
+    let parts = parts.map(|(index, part)| part_text(outline, index, part));
+    let segments = outline.drawing.segments.iter().map(|(part, from, to)| {
+        format!("::mbs_runtime::Segment {{ part: {part:?}, from: {from}, to: {to} }}")
+    });
     let sites = outline.drawing.sites();
-    let of_reaction = |(joint, component, unit): &(String, String, String)| {
-        let site = sites.get(joint.as_str()).map(usize::to_string);
-        [
-            joint.clone(),
-            component.clone(),
-            unit.clone(),
-            site.unwrap_or_default(),
-        ]
-    };
-    let reactions = &program.reactions;
-    let reactions = records(
-        ["::mbs_runtime::Reaction", "reactions"],
-        reactions,
-        of_reaction,
-        |[joint, component, unit, site]| {
-            let site = match site.as_str() {
-                "" => "::core::option::Option::None".to_owned(),
-                point => format!("::core::option::Option::Some({point})"),
-            };
-            format!(
-                "::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {site} }}"
-            )
-        },
-    );
+    let reactions = program.reactions.iter().map(|(joint, component, unit)| {
+        let at = match sites.get(joint.as_str()) {
+            Some(point) => format!("::core::option::Option::Some({point})"),
+            None => "::core::option::Option::None".to_owned(),
+        };
+        format!(
+            "::mbs_runtime::Reaction {{ joint: {joint:?}, component: {component:?}, unit: {unit:?}, at: {at} }}"
+        )
+    });
     let functions = program.functions.iter();
     let operations = functions
         .map(|function| (function.name, function.cost()))
@@ -131,8 +59,8 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     field("up", format!("[{}]", outline.up.map(number).join(", ")));
     field("coordinates", stored(&layout.coordinates));
     field("velocities", stored(&layout.velocities));
-    field("rows", rows);
-    field("parts", parts);
+    field("rows", list(program.rows.iter().map(row_text).collect()));
+    field("parts", list(parts.collect()));
     field(
         "parameters",
         list(outline.parameters.iter().map(quantity_text).collect()),
@@ -158,8 +86,8 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
         lines(points.map(|(name, _)| name.as_str()).collect()),
     );
     field("marks", outline.drawing.marks.to_string());
-    field("segments", segments);
-    field("reactions", reactions);
+    field("segments", list(segments.collect()));
+    field("reactions", list(reactions.collect()));
     let reductions = outline.reductions.iter();
     field(
         "reductions",
@@ -177,44 +105,39 @@ pub(super) fn emit(analysis: &Analysis, program: &Program) -> String {
     out
 }
 
-/// A list, each item with its columns, which `text` makes an expression. A long list is one text: with its type, and the
-/// name of the function that reads it.
-fn records<T, const WIDTH: usize>(
-    [item, reader]: [&str; 2],
-    items: &[T],
-    columns: impl Fn(&T) -> [String; WIDTH],
-    text: impl Fn([String; WIDTH]) -> String,
-) -> String {
-    let separates = |item: &String| item.contains('\t') || item.contains('\n');
-    let items: Vec<[String; WIDTH]> = items.iter().map(columns).collect();
-    if items.len() <= MOST_RECORDS || items.iter().flatten().any(separates) {
-        let texts: Vec<String> = items.into_iter().map(text).collect();
-        return format!("&[{}]", texts.join(", "));
-    }
-    let count = items.len();
-    let lines: Vec<String> = items.iter().map(|item| item.join("\t")).collect();
-    // A constant of its own, because rustc remarks on long evaluations.
+/// A list of names or sentences.
+pub(super) fn lines(items: Vec<&str>) -> String {
+    format!("&{items:?}")
+}
+
+fn coordinate_text(item: &Stored) -> String {
+    let (name, unit) = (&item.name, item.unit.to_string());
+    format!("::mbs_runtime::Coordinate {{ name: {name:?}, unit: {unit:?} }}")
+}
+
+fn part_text(outline: &Outline, index: usize, part: &Part) -> String {
+    let modelled_as = match outline.tree.carrier(index) {
+        Some(joint) => joint.describe(part.representation),
+        None => part.representation.describe().to_owned(),
+    };
     format!(
-        "{{ const LIST: [{item}; {count}] = ::mbs_runtime::generated::records::{reader}({:?}); &LIST }}",
-        lines.join("\n")
+        "::mbs_runtime::Part {{ name: {:?}, kind: {:?}, modelled_as: {modelled_as:?} }}",
+        part.name, part.kind
     )
 }
 
-/// A list of names or sentences.
-pub(super) fn lines(items: Vec<&str>) -> String {
-    let line = |item: &&str| [(*item).to_owned()];
-    records(["&'static str", "lines"], &items, line, |[line]| {
-        format!("{line:?}")
-    })
-}
-
-fn kind(row: &Row) -> String {
+fn row_text(row: &Row) -> String {
     let kind = match row.kind {
         RowKind::Holonomic => "Holonomic",
         RowKind::Rheonomic => "Rheonomic",
         RowKind::Nonholonomic => "Nonholonomic",
     };
-    kind.to_owned()
+    let Row {
+        name, entry, unit, ..
+    } = row;
+    format!(
+        "::mbs_runtime::Row {{ name: {name:?}, entry: {entry:?}, kind: ::mbs_runtime::RowKind::{kind}, unit: {unit:?} }}"
+    )
 }
 
 /// The initialiser of the `Structure`.

@@ -2,8 +2,8 @@
 //! computed with which values.
 //!
 //! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
-//! and the rows, which are [places of values](row_layout). It is written as a string of bytes, because rustc reads that as one
-//! token. Rows that grow by even steps, as those of a grid, were tried as a first row and steps: tables are shorter, and a step
+//! and the rows, which are [places of values](row_layout). Its words are literals: as a string of bytes, which a constant function
+//! reads, a chain of 40 joints took rustc a fifth longer. Rows that grow by even steps, as those of a grid, were tried as a first row and steps: tables are shorter, and a step
 //! of 20 × 20 bodies on bushings takes 1.3 times as long.
 
 use super::body::{Body, source};
@@ -17,9 +17,6 @@ use crate::dag::{ALL_TANGENTS, Function, Operation, Output, Parts, Place, Progra
 use crate::symbolic::{Graph, Map};
 use std::cell::Cell;
 use std::fmt::Write;
-
-/// rustc remarks that the words of longer tables take it long.
-const LONGEST_UNREMARKED: usize = 100_000;
 
 /// The long functions of a mechanism.
 pub(super) struct LongFunctions {
@@ -36,11 +33,9 @@ pub(super) struct LongFunctions {
     has_tables: Vec<Cell<bool>>,
 }
 
-/// A word of a table: u16, or u32 where a number is longer.
+/// The type of the words of a table: u16, or u32 where a number is longer.
 #[derive(Clone, Copy)]
-struct Word {
-    bytes: usize,
-}
+struct Word(&'static str);
 
 impl LongFunctions {
     pub(super) fn new(program: &Program) -> LongFunctions {
@@ -158,10 +153,9 @@ impl LongFunctions {
             let names = list.iter().map(|number| format!("Self::part_{number}"));
             let names: Vec<String> = names.collect();
             let table = self.table(at, &list);
-            let patience = patience(&table);
             let _ = writeln!(
                 out,
-                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&Self, &mut [f64; {length}], &[{5}]); {2}] = [{3}];\n{patience}const {1}_TABLE: &'static [{5}] = {4};",
+                "/// `{name}`: {0} parts, {2} of them different.\nconst {1}_PARTS: [fn(&Self, &mut [f64; {length}], &[{5}]); {2}] = [{3}];\nconst {1}_TABLE: &'static [{5}] = {4};",
                 parts
                     .shapes
                     .iter()
@@ -171,7 +165,7 @@ impl LongFunctions {
                 names.len(),
                 names.join(", "),
                 word.list(&table),
-                word.name()
+                word.0
             );
         }
         let mut needed = vec![false; self.shapes.len()];
@@ -194,7 +188,7 @@ impl LongFunctions {
     fn write_part(&self, out: &mut String, graph: &Graph, number: usize) {
         let (at, index) = self.shapes[number];
         let shape = &self.functions[at].1.shapes[index];
-        let (length, word) = (self.array(at), self.word(at).name());
+        let (length, word) = (self.array(at), self.word(at).0);
         let (function, layout) = (&shape.function, &self.layouts[at][index]);
         let only = match shape.table.as_slice() {
             [row] => Some(row.as_slice()),
@@ -245,8 +239,8 @@ impl LongFunctions {
         list
     }
 
-    fn table(&self, at: usize, list: &[usize]) -> Vec<u8> {
-        let (word, mut table) = (self.word(at), Vec::new());
+    fn table(&self, at: usize, list: &[usize]) -> Vec<usize> {
+        let mut table = Vec::new();
         let parts = &self.functions[at].1;
         for (shape, rows) in parts.rows() {
             let layout = &self.layouts[at][shape];
@@ -257,11 +251,9 @@ impl LongFunctions {
             };
             let length = rows.len() * layout.width();
             let index = list.binary_search(&self.numbers[at][shape]);
-            word.put(&mut table, index.unwrap_or_default());
-            word.put(&mut table, length & 0xffff);
-            word.put(&mut table, length >> 16);
+            table.extend([index.unwrap_or_default(), length & 0xffff, length >> 16]);
             let places = rows.iter().flat_map(|row| layout.words(row));
-            places.for_each(|place| word.put(&mut table, place as usize));
+            table.extend(places.map(|place| place as usize));
         }
         table
     }
@@ -292,7 +284,7 @@ fn write_outputs(out: &mut String, length: usize, outputs: Vec<(Output, usize)>,
     }
     let last = method.arguments.last().map(|last| last.shape);
     for (sink, count, numbers) in sinks {
-        let (word, table) = Word::of(&numbers);
+        let word = Word::up_to(numbers.iter().copied().max().unwrap_or(0));
         let value = "values[place % LENGTH]".replace("LENGTH", &length.to_string());
         let (pattern, statement) = match (count, last) {
             (1, Some(Argument::Values)) => (
@@ -314,24 +306,14 @@ fn write_outputs(out: &mut String, length: usize, outputs: Vec<(Output, usize)>,
             (2, _) => ("[i, j, place]", format!("{sink}.set(i, j, {value});")),
             _ => ("[i, j, k, place]", format!("{sink}.set(i, j, k, {value});")),
         };
-        // The table is read when the program is compiled, not at each evaluation.
         let _ = writeln!(
             out,
-            "{}for {pattern} in ::mbs_runtime::generated::rows_of(::mbs_runtime::generated::constant!({})) {{ {statement} }}",
-            patience(&table),
-            word.list(&table)
+            "for {pattern} in ::mbs_runtime::generated::rows_of({}) {{ {statement} }}",
+            word.list(&numbers)
         );
     }
     if method.returns == Returns::Available {
         out.push_str("true");
-    }
-}
-
-/// The attribute of a constant with this table.
-fn patience(table: &[u8]) -> &'static str {
-    match table.len() > LONGEST_UNREMARKED {
-        true => "#[allow(long_running_const_eval)]\n",
-        false => "",
     }
 }
 
@@ -354,69 +336,19 @@ fn call_of_whole(function: &Function) -> Option<&'static str> {
 impl Word {
     /// For numbers up to this one.
     fn up_to(most: usize) -> Word {
-        Word {
-            bytes: if most < 1 << 16 { 2 } else { 4 },
+        Word(if most < 1 << 16 { "u16" } else { "u32" })
+    }
+
+    /// A list of words as an expression.
+    fn list(self, numbers: &[usize]) -> String {
+        let mut out = String::from("&[");
+        let Word(name) = self;
+        for (k, number) in numbers.iter().enumerate() {
+            let _ = match k {
+                0 => write!(out, "{number}_{name}"),
+                _ => write!(out, ", {number}"),
+            };
         }
+        out + "]"
     }
-
-    /// The shortest words for these numbers, and the table of them.
-    fn of(numbers: &[usize]) -> (Word, Vec<u8>) {
-        let word = Word::up_to(numbers.iter().copied().max().unwrap_or(0));
-        (word, word.table(numbers))
-    }
-
-    fn table(self, numbers: &[usize]) -> Vec<u8> {
-        let mut table = Vec::with_capacity(self.bytes * numbers.len());
-        numbers
-            .iter()
-            .for_each(|&number| self.put(&mut table, number));
-        table
-    }
-
-    fn name(self) -> String {
-        format!("u{}", 8 * self.bytes)
-    }
-
-    /// Adds a number, the lowest byte first.
-    fn put(self, table: &mut Vec<u8>, number: usize) {
-        table.extend(&(number as u64).to_le_bytes()[..self.bytes]);
-    }
-
-    /// The words of a table as an expression.
-    fn list(self, table: &[u8]) -> String {
-        let (count, bytes) = (table.len() / self.bytes, literal(table));
-        let name = self.name();
-        format!("&::mbs_runtime::generated::words_of_{name}::<{count}>({bytes})")
-    }
-}
-
-/// Words of four bytes as an expression.
-pub(super) fn words_of_u32(numbers: &[usize]) -> String {
-    let word = Word { bytes: 4 };
-    word.list(&word.table(numbers))
-}
-
-const HEXADECIMAL: &[u8; 16] = b"0123456789abcdef";
-
-/// A string of bytes.
-fn literal(table: &[u8]) -> String {
-    let mut out = String::with_capacity(4 * table.len() + 3);
-    out.push_str("b\"");
-    for &byte in table {
-        match byte {
-            b'"' | b'\\' => {
-                out.push('\\');
-                out.push(char::from(byte));
-            }
-            b' '..=b'~' => out.push(char::from(byte)),
-            0 => out.push_str("\\0"),
-            _ => {
-                out.push_str("\\x");
-                out.push(char::from(HEXADECIMAL[usize::from(byte >> 4)]));
-                out.push(char::from(HEXADECIMAL[usize::from(byte & 15)]));
-            }
-        }
-    }
-    out.push('"');
-    out
 }

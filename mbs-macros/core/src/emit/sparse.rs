@@ -49,7 +49,7 @@ pub(super) fn emit(program: &Program) -> (String, String) {
     let (n, r) = (sparse.size, sparse.row_count);
     let pivots = rows.positions[n..].iter();
     let pivots = pivots.map(|&position| [position, rows.columns[position].pivot]);
-    let pivots = places("pairs_of", pivots.collect());
+    let pivots = places(pivots.collect());
     let (kicks, kicking) = kicks::emit(sparse);
     let constant = format!(
         "const ELIMINATION: ::core::option::Option<&'static ::mbs_runtime::generated::Elimination<{n}, {r}>> = ::core::option::Option::Some(&::mbs_runtime::generated::Elimination {{

@@ -117,7 +117,7 @@ pub(super) fn emit(
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
         quote! {
-            #[allow(clippy::all, unused, long_running_const_eval)]
+            #[allow(clippy::all, unused)]
             impl #name {
                 #functions
             }
@@ -152,7 +152,7 @@ pub(super) fn emit(
             #[allow(unused_imports)]
             use ::mbs_runtime::nalgebra::{SMatrix, SVector};
 
-            #[allow(clippy::all, long_running_const_eval)]
+            #[allow(clippy::all)]
             const MODEL: &'static ::mbs_runtime::Model = #model;
 
             #[cfg(not(rust_analyzer))]

@@ -3,7 +3,6 @@
 use super::columns::{forward, symmetric_backward, symmetric_column};
 use super::windows::{Arrays, Column, stretches};
 use crate::dag::{Elimination, Sparse};
-use crate::emit::parts::words_of_u32;
 use crate::emit::progressions::folded;
 use std::fmt::Write;
 
@@ -11,13 +10,10 @@ use std::fmt::Write;
 pub(super) const ROWS: &str = "sparse_rows";
 pub(super) const MASS: &str = "sparse_mass_alone";
 
-/// Longer lists of places are written as one text.
-const MOST_PLACES: usize = 250;
-
 /// The entries of M and their slots in the array of an elimination.
 pub(super) fn mass_entries(sparse: &Sparse, elimination: &Elimination) -> String {
     let slot = |&(i, j): &(usize, usize)| [i, j, elimination.slot_of(i, j)];
-    places("triples_of", sparse.mass_entries.iter().map(slot).collect())
+    places(sparse.mass_entries.iter().map(slot).collect())
 }
 
 /// A vector in the order of elimination: zero for the velocities, and the right-hand sides of the rows.
@@ -35,12 +31,7 @@ pub(super) fn collect(e: &Elimination, n: usize, r: usize) -> String {
 }
 
 /// A list of places as an expression.
-pub(super) fn places<const WIDTH: usize>(reader: &str, list: Vec<[usize; WIDTH]>) -> String {
-    if list.len() > MOST_PLACES {
-        let words: Vec<usize> = list.iter().flatten().copied().collect();
-        let (count, words) = (list.len(), words_of_u32(&words));
-        return format!("&::mbs_runtime::generated::{reader}::<{count}>({words})");
-    }
+pub(super) fn places<const WIDTH: usize>(list: Vec<[usize; WIDTH]>) -> String {
     let places = list.iter().map(|place| {
         let numbers: Vec<String> = place.iter().map(usize::to_string).collect();
         format!("({})", numbers.join(", "))
