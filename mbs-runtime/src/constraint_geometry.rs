@@ -71,7 +71,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         q: &SVector<f64, Q>,
         phi: &mut SVector<f64, R>,
     ) -> Result<(), Fault> {
-        system.constraints(t, q, phi, &mut self.a, &mut self.b);
+        system.constraints(t, q, phi, self.a.entries_mut(), &mut self.b);
         self.metric(system, t, q)?;
         system.acceleration(t, q, &mut self.acceleration);
         Ok(())

@@ -72,8 +72,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     /// The smallest relative pivot at the declared guess, 1 at most, where the mechanism is so large that only steps near
     /// singular poses have dense arrays; `None` where all have them.
     pub(super) fn usual_pivot<S: System<Q, N, R>, const Q: usize>(system: &S) -> Option<f64> {
-        let plan =
-            kick_elimination::<S, Q, N, R>().filter(|_| const { starts_sparse::<N, R>() })?;
+        if const { !starts_sparse::<N, R>() || kick_elimination::<S, Q, N, R>().is_none() } {
+            return None;
+        }
+        let plan = kick_elimination::<S, Q, N, R>()?;
         let (q, _) = system.guess();
         let mut matrix = Bordered::new(plan, &mass_rows(system, &q), Thresholds::SECOND_ORDER);
         system.sparse_constraints(0.0, &q, &mut zeros(), &mut matrix.entries, &mut zeros());
@@ -86,7 +88,10 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
     pub(super) fn new<S: System<Q, N, R>, const Q: usize>(
         context: &mut StepContext<S, Q, N, R>,
     ) -> Option<Box<Self>> {
-        let plan = S::ELIMINATION?;
+        if const { kick_elimination::<S, Q, N, R>().is_none() } {
+            return None;
+        }
+        let plan = kick_elimination::<S, Q, N, R>()?;
         let functions = plan.kicks.as_ref()?;
         let mass = mass_rows(&context.system, &context.state.positions);
         let matrix = Bordered::new(plan, &mass, context.work.delassus.thresholds);

@@ -70,10 +70,10 @@ impl<const N: usize> Motion<N> {
             t,
             q,
             v,
-            &mut self.mass,
-            &mut self.f_q,
-            &mut self.f_v,
-            &mut self.p_q,
+            self.mass.entries_mut(),
+            self.f_q.entries_mut(),
+            self.f_v.entries_mut(),
+            self.p_q.entries_mut(),
         );
     }
 

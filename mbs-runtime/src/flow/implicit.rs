@@ -108,6 +108,7 @@ impl<const N: usize> Implicit<N> {
         v: &SVector<f64, N>,
         f_v: &mut RowMatrix<N, N>,
     ) {
+        let f_v = f_v.entries_mut();
         system.force_tangents(t0, q0, v, &mut Discard, f_v, &mut Discard);
     }
 
@@ -133,8 +134,9 @@ impl<const N: usize> Implicit<N> {
         vb: &SVector<f64, N>,
     ) -> Result<(), Fault> {
         let h = self.h;
-        let (f_q, f_v) = (&mut self.f_q, &mut self.f_v);
-        system.balance_tangents(self.t1, q1, vb, &mut self.mass, f_q, f_v, &mut self.p_q);
+        let (mass, p_q) = (self.mass.entries_mut(), self.p_q.entries_mut());
+        let (f_q, f_v) = (self.f_q.entries_mut(), self.f_v.entries_mut());
+        system.balance_tangents(self.t1, q1, vb, mass, f_q, f_v, p_q);
         let (p_q, f_q) = (&self.p_q.data.0, &self.f_q.data.0);
         for (i, row) in self.by_end.entries_mut().iter_mut().enumerate() {
             for j in 0..N {

@@ -81,6 +81,6 @@ fn squares<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     geometry: &mut ConstraintGeometry<S, Q, N, R>,
 ) -> SVector<f64, R> {
     let ConstraintGeometry { a, b, .. } = geometry;
-    system.constraints(0.0, q, &mut zeros(), a, b);
+    system.constraints(0.0, q, &mut zeros(), a.entries_mut(), b);
     vector(|i| yardstick.row_length_squared(&a[i]))
 }
