@@ -2,6 +2,9 @@
 
 use crate::{AnySimulation, Sample, SimulationError};
 
+/// Part of an interval by which one of its multiples may miss the end of a run: round-off of some hundred million intervals.
+pub(crate) const SLACK: f64 = 1e-6;
+
 /// Iterator over samples; made by [`Simulation::samples`](crate::Simulation::samples).
 ///
 /// Each item runs the simulation to the next sample; the iterator ends after the first error.
@@ -45,7 +48,7 @@ impl<'a> Samples<'a> {
         }
         // Multiples of the interval, not a running sum: the instants do not drift.
         let time = self.start + self.next as f64 * self.interval;
-        let slack = 1e-9 * self.interval;
+        let slack = SLACK * self.interval;
         if time > self.until + slack {
             return Ok(None);
         }

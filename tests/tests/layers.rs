@@ -180,3 +180,24 @@ fn imports_are_found() {
         "model/elements/joints/planar/revolute.rs",
     );
 }
+
+/// The macro weighs operations to choose coordinates, the runtime to bound a step: the two crates do not import each other.
+#[test]
+fn operations_weigh_the_same_in_both_crates() {
+    let weights = |file: &str| {
+        let text = fs::read_to_string(root().join(file)).expect(file);
+        ["DIVISION", "CALL", "FLIGHT"].map(|name| {
+            let start = format!("const {name}: usize = ");
+            let value = text.lines().find_map(|line| line.strip_prefix(&start));
+            value
+                .unwrap_or_else(|| panic!("{file} has no `{name}`"))
+                .to_owned()
+        })
+    };
+    let files = [
+        "mbs-macros/core/src/choose.rs",
+        "mbs-runtime/src/known_cost.rs",
+    ];
+    let [compiler, runtime] = files.map(weights);
+    assert_eq!(compiler, runtime);
+}

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Frame, ProgressBar};
+use crate::samples::SLACK;
 use crate::{AnySimulation, Model, Simulation, SimulationError, System};
 
 /// The largest number of intervals where none is given.
@@ -218,7 +219,7 @@ impl<'a> Record<'a> {
         }
         let between = self.simulation.settings().tolerance.is_some();
         // Multiples of the interval, not a running sum: the instants do not drift.
-        let count = ((until - start) / interval - 1e-6).ceil().max(1.0) as u64;
+        let count = ((until - start) / interval - SLACK).ceil().max(1.0) as u64;
         for index in 1..=count {
             let is_last = index == count;
             let time = match is_last {
