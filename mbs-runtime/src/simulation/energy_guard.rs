@@ -10,7 +10,8 @@
 //!
 //! A two-level step that makes a tenth of this error by itself, without forces that change in it, has leapt over a turn of the
 //! motion, or turned into another branch past a singular pose: it is taken in shorter ones (`placement.rs`). Where a drive
-//! jumps shorter ones do not help, and the step is kept.
+//! jumps shorter ones do not help, and the step is kept. A projected step is taken in shorter ones if it makes most of an error
+//! that would end the run: a stage of high order that ends beside a singular pose, which placement did not see.
 
 use super::books::Books;
 use crate::linear::vector;
@@ -178,15 +179,21 @@ impl EnergyGuard {
             true => self.kinetic.max(energy.kinetic),
             false => available,
         };
+        let wrong = match strict {
+            // NaN is wrong, too.
+            true => !(error <= WRONG * available + doubtful),
+            false => !(energy.error <= GROSS * (available + initial.abs())),
+        };
+        let has_leapt = match self.method {
+            Method::TwoLevel => by > LEAPT * turnover + doubtful,
+            // Long explicit steps that are useful have such errors, too.
+            Method::Projected => strict && wrong && by > 0.5 * error,
+            _ => false,
+        };
         let refused = Refused {
             available,
-            wrong: match strict {
-                // NaN is wrong, too.
-                true => !(error <= WRONG * available + doubtful),
-                false => !(energy.error <= GROSS * (available + initial.abs())),
-            },
-            leapt: (self.method == Method::TwoLevel && by > LEAPT * turnover + doubtful)
-                .then_some(by),
+            wrong,
+            leapt: has_leapt.then_some(by),
         };
         if refused.wrong || refused.leapt.is_some() {
             // What a refused step has reached is no part of the motion.
@@ -199,4 +206,40 @@ impl EnergyGuard {
 
 fn works_of(energy: &Energy) -> f64 {
     energy.nonconservative_work.abs() + energy.drive_work.abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::EnergyGuard;
+    use crate::Energy;
+    use crate::Method;
+
+    /// A motion that has 100 J; its balance has an error of 30 J now, and had one of `before`.
+    fn judged(method: Method, before: f64) -> (bool, Option<f64>) {
+        let mut guard = EnergyGuard {
+            start: 0.0,
+            depth: 50.0,
+            least: 0.0,
+            kinetic: 50.0,
+            works: 0.0,
+            noise: 0.0,
+            method,
+            accepted: 0.0,
+        };
+        let energy = Energy {
+            kinetic: 80.0,
+            potential: 0.0,
+            error: 30.0,
+            ..Energy::default()
+        };
+        let refused = guard.judge(&energy, 0.0, before).expect("a fifth is wrong");
+        (refused.wrong, refused.leapt)
+    }
+
+    #[test]
+    fn a_projected_step_with_most_of_an_error_that_ends_the_run_has_leapt() {
+        assert_eq!(judged(Method::Projected, 1.0), (true, Some(29.0)));
+        assert_eq!(judged(Method::Projected, 25.0), (true, None));
+        assert_eq!(judged(Method::TwoLevel, 25.0), (true, Some(5.0)));
+    }
 }
