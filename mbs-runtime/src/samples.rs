@@ -2,7 +2,8 @@
 
 use crate::{AnySimulation, Sample, SimulationError};
 
-/// Part of an interval by which one of its multiples may miss the end of a run: round-off of some hundred million intervals.
+/// Part of an interval by which one of its multiples may miss the end of a run: round-off reaches it after some billion
+/// intervals.
 pub(crate) const SLACK: f64 = 1e-6;
 
 /// Iterator over samples; made by [`Simulation::samples`](crate::Simulation::samples).

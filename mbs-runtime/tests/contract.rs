@@ -122,6 +122,10 @@ fn runs_land_exactly() {
         .collect();
     assert_eq!(times.len(), 4);
     assert!((times[3] - 0.19).abs() < 1e-12 && simulation.time() == times[3]);
+    // An interval of which a multiple is past the end by round-off ends there.
+    let interval = 0.01 * (1.0 + 1e-8);
+    let samples = simulation.samples(0.22, interval).map(Result::unwrap);
+    assert_eq!((samples.count(), simulation.time()), (4, 0.22));
     // Thirty steps of 1e-3 are thirty steps, whatever their sum rounds to.
     let mut simulation = new(FourBar, Settings::default()).unwrap();
     simulation.run_until(0.03).unwrap();

@@ -1,4 +1,5 @@
-//! No import runs back up the layers: the tables of `book/src/internals/layers.md` against the sources of both crates.
+//! No import runs back up the layers: the tables of `book/src/internals/layers.md` against the sources of both crates. And what
+//! both have to say twice, because they do not import each other, is the same.
 
 use crate::common::imports;
 
@@ -181,7 +182,7 @@ fn imports_are_found() {
     );
 }
 
-/// The macro weighs operations to choose coordinates, the runtime to bound a step: the two crates do not import each other.
+/// The macro weighs operations to choose coordinates, the runtime to bound a step and to compare methods.
 #[test]
 fn operations_weigh_the_same_in_both_crates() {
     let weights = |file: &str| {

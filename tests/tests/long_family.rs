@@ -10,7 +10,7 @@ use mbs_tests::dense::Dense;
 
 const LOOPS: usize = 130;
 
-// So many that lists and statements are written as texts and loops: four-bars in a row, all cranks parallel.
+// So many that statements are written as loops: four-bars in a row, all cranks parallel.
 mechanism!(Loops {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     length: Param(1.0_m),

@@ -94,7 +94,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         va: &SVector<f64, N>,
         start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a RowMatrix<N, R>, Fault> {
-        // Nothing is asked without rows: the tangent at the start is compiled for those that have them.
+        // Without rows nobody asks; the return keeps rustc from compiling the rest.
         if const { R == 0 } {
             return Ok(&self.directions);
         }

@@ -11,7 +11,7 @@
 //! A two-level step that makes a tenth of this error by itself, without forces that change in it, has leapt over a turn of the
 //! motion, or turned into another branch past a singular pose: it is taken in shorter ones (`placement.rs`). Where a drive
 //! jumps shorter ones do not help, and the step is kept. A projected step is taken in shorter ones if it makes most of an error
-//! that would end the run: a stage of high order that ends beside a singular pose, which placement did not see.
+//! of a fifth: then a stage of high order has ended beside a singular pose that placement did not see.
 
 use super::books::Books;
 use crate::linear::vector;
@@ -64,7 +64,7 @@ pub(super) struct Refused {
     pub(super) available: f64,
     /// The error is out of proportion to it.
     pub(super) wrong: bool,
-    /// The error of the last step alone, J, if that is.
+    /// The error of the last step alone, J, if the step should be taken in shorter ones.
     pub(super) leapt: Option<f64>,
 }
 
@@ -186,7 +186,7 @@ impl EnergyGuard {
         };
         let has_leapt = match self.method {
             Method::TwoLevel => by > LEAPT * turnover + doubtful,
-            // Long explicit steps that are useful have such errors, too.
+            // The bound of two-level steps would refuse long explicit steps that are useful.
             Method::Projected => strict && wrong && by > 0.5 * error,
             _ => false,
         };
@@ -211,8 +211,7 @@ fn works_of(energy: &Energy) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::EnergyGuard;
-    use crate::Energy;
-    use crate::Method;
+    use crate::{Energy, Method};
 
     /// A motion that has 100 J; its balance has an error of 30 J now, and had one of `before`.
     fn judged(method: Method, before: f64) -> (bool, Option<f64>) {

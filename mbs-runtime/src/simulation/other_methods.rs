@@ -6,9 +6,9 @@
 use crate::stepper::MakeStepper;
 use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 
-/// The functions of a simulation for the methods that a type of [`methods`](crate::methods) names.
+/// The functions of a simulation, `Run`, for the methods that a type of [`methods`](crate::methods) names.
 pub(super) struct OtherMethods<
-    Simulation: 'static,
+    Run: 'static,
     S: System<Q, N, R>,
     const Q: usize,
     const N: usize,
@@ -16,18 +16,17 @@ pub(super) struct OtherMethods<
 > {
     /// Makes the stepper of a method; again where parameters change.
     pub(super) make: MakeStepper<S, Q, N, R>,
-    /// Makes a simulation with the candidate for an accuracy that takes the least work from a state on, …
-    pub(super) choose: Choose<Simulation, S, Q, N, R>,
-    /// … and takes a pair of steps with a tolerance in the time that is left, s, with this candidate, or with another one if
-    /// the motion has changed.
-    pub(super) pair: fn(&mut Simulation, f64, f64) -> Result<(), SimulationError>,
+    /// Makes a simulation with the candidate for an accuracy that takes the least work from a state on.
+    pub(super) choose: Choose<Run, S, Q, N, R>,
+    /// Takes a pair of steps with a tolerance, at most so many seconds, and changes the candidate if the motion has changed.
+    pub(super) pair: fn(&mut Run, f64, f64) -> Result<(), SimulationError>,
 }
 
-type Choose<Simulation, S, const Q: usize, const N: usize, const R: usize> =
+type Choose<Run, S, const Q: usize, const N: usize, const R: usize> =
     fn(
         S,
         (Settings, f64),
         State<Q, N, R>,
         AssemblyVerdict,
-        &'static OtherMethods<Simulation, S, Q, N, R>,
-    ) -> Result<Simulation, SimulationError>;
+        &'static OtherMethods<Run, S, Q, N, R>,
+    ) -> Result<Run, SimulationError>;

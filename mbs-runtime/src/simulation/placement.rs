@@ -68,7 +68,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 part *= 0.5;
                 self.back()?;
                 self.rejected += 1;
-                let shorter = self.step_past_poses(part, left)?;
+                let Ok(shorter) = self.step_past_poses(part, left) else {
+                    continue;
+                };
                 let refused = (self.energy_guard).refuses(&self.balance, &self.books, before);
                 if refused.is_none() {
                     return Ok(shorter);

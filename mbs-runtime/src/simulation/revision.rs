@@ -32,7 +32,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.choose_again(most)?;
         }
         match self.settings.method {
-            Method::Radau if self.choice.is_some() => self.pair_far_from_poses(tolerance, left),
+            Method::Radau => self.pair_far_from_poses(tolerance, left),
             _ => self.pair(tolerance, left).map(drop),
         }
     }

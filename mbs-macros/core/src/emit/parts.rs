@@ -2,8 +2,8 @@
 //! computed with which values.
 //!
 //! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
-//! and the rows, which are [places of values](row_layout). Its words are literals: as a string of bytes, which a constant function
-//! reads, a chain of 40 joints took rustc a fifth longer. Rows that grow by even steps, as those of a grid, were tried as a first row and steps: tables are shorter, and a step
+//! and the rows, which are [places of values](row_layout). Its words are literals. A string of bytes is shorter, but the constant
+//! function that reads it made a chain of 40 joints take rustc a fifth longer. Rows that grow by even steps, as those of a grid, were tried as a first row and steps: tables are shorter, and a step
 //! of 20 × 20 bodies on bushings takes 1.3 times as long.
 
 use super::body::{Body, source};
@@ -33,7 +33,7 @@ pub(super) struct LongFunctions {
     has_tables: Vec<Cell<bool>>,
 }
 
-/// The type of the words of a table: u16, or u32 where a number is longer.
+/// The type of the words of a table: u16, or u32 where a number does not fit.
 #[derive(Clone, Copy)]
 struct Word(&'static str);
 
