@@ -241,8 +241,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         assembly: AssemblyVerdict,
         other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
+        // In parts, whose frames are not on the stack together: without optimisation each move of a large state is a copy.
         let make = other.map(|other| other.make);
-        let mut integrator = Integrator::new(system, state, &settings, make)?;
+        match Integrator::new(system, state, &settings, make) {
+            Ok(integrator) => Ok(Self::with_integrator(integrator, settings, assembly, other)),
+            Err(error) => Err(error),
+        }
+    }
+
+    #[inline(never)]
+    fn with_integrator(
+        mut integrator: Integrator<S, Q, N, R>,
+        settings: Settings,
+        assembly: AssemblyVerdict,
+        other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
+    ) -> Self {
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();
@@ -298,7 +311,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         simulation.energy_guard.note(&simulation.balance);
         simulation.rank_margin = simulation.integrator.rank_margin();
         simulation.watch();
-        Ok(simulation)
+        simulation
     }
 
     /// What was modelled.

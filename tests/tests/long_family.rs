@@ -55,6 +55,18 @@ fn its_model_names_every_member() {
     assert!(text.contains("… and 130 more like this"), "{text}");
 }
 
+/// A main thread has 8 MB: room for a thousand loops, 2002 velocities, without optimisation.
+#[test]
+fn it_needs_four_kilobytes_of_stack_for_a_velocity() {
+    let run = || {
+        let mut simulation = Simulation::new(Loops::default()).expect("assembled");
+        simulation.run_until(0.01).expect("the end");
+    };
+    let velocities = Loops::MODEL.velocities.len();
+    let thread = std::thread::Builder::new().stack_size(4096 * velocities);
+    thread.spawn(run).expect("a thread").join().expect("a run");
+}
+
 #[test]
 fn it_moves_like_one_crank() {
     let settings = Settings {

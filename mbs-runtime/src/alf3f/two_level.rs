@@ -63,6 +63,45 @@ enum Stepping<const Q: usize, const N: usize, const R: usize> {
     Large(LargeStep<Q, N, R>),
 }
 
+impl<const Q: usize, const N: usize, const R: usize> Stepping<Q, N, R> {
+    /// For a mechanism at its state. (Not a part of the constructor of the stepper: its frame is on the stack below that of the
+    /// context, and without optimisation each move of a large value takes room in it.)
+    #[inline(never)]
+    fn new<S: System<Q, N, R>>(
+        flow: Flow,
+        context: &mut StepContext<S, Q, N, R>,
+        settings: &Settings,
+        large: Option<LargeStep<Q, N, R>>,
+    ) -> Self {
+        let yardstick = &*context.yardstick.clone();
+        match flow {
+            // Constants: the flows that this mechanism cannot have are not compiled for it.
+            Flow::Leapfrog if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
+                // The bound of the cost is for dense arrays, which steps beside singular poses need.
+                let free = settings.fixed_iterations.is_none();
+                match free.then(|| SparseKicks::new(context)).flatten() {
+                    Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
+                    None => Stepping::Leapfrog(Leapfrog::new::<S>()),
+                }
+            }
+            Flow::Midpoint if const { S::STRUCTURE.allows(Flow::Midpoint) } => {
+                Stepping::Midpoint(Midpoint::new(yardstick, settings.order > 2))
+            }
+            Flow::Trapezoid if const { S::STRUCTURE.allows(Flow::Trapezoid) } => {
+                Stepping::Trapezoid(Trapezoid::new(yardstick))
+            }
+            // Every mechanism can have it.
+            _ => match large {
+                Some(mut large) => {
+                    large.refresh(context);
+                    Stepping::Large(large)
+                }
+                None => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
+            },
+        }
+    }
+}
+
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     TwoLevelStepper<S, Q, N, R>
 {
@@ -140,34 +179,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             Some(Some(usual)) => Dense::WhenNeeded(usual),
             _ => Dense::AtOnce,
         };
-        let mut context = StepContext::new(system, state, settings, placed, dense)
-            .map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, settings.step))?;
-        let yardstick = &*context.yardstick.clone();
-        let flow = match flow {
-            // Constants: the flows that this mechanism cannot have are not compiled for it.
-            Flow::Leapfrog if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
-                // The bound of the cost is for dense arrays, which steps beside singular poses need.
-                let free = settings.fixed_iterations.is_none();
-                match free.then(|| SparseKicks::new(&mut context)).flatten() {
-                    Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
-                    None => Stepping::Leapfrog(Leapfrog::new::<S>()),
-                }
+        let mut context = match StepContext::new(system, state, settings, placed, dense) {
+            Ok(context) => context,
+            Err(fault) => {
+                let error = SimulationError::from_fault(fault, S::MODEL, time, settings.step);
+                return Err(error);
             }
-            Flow::Midpoint if const { S::STRUCTURE.allows(Flow::Midpoint) } => {
-                Stepping::Midpoint(Midpoint::new(yardstick, stages.len() > 1))
-            }
-            Flow::Trapezoid if const { S::STRUCTURE.allows(Flow::Trapezoid) } => {
-                Stepping::Trapezoid(Trapezoid::new(yardstick))
-            }
-            // Every mechanism can have it.
-            _ => match large {
-                Some(mut large) => {
-                    large.refresh(&mut context);
-                    Stepping::Large(large)
-                }
-                None => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
-            },
         };
+        let flow = Stepping::new(flow, &mut context, settings, large);
         Ok(TwoLevelStepper {
             context,
             flow,
