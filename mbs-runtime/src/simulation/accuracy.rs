@@ -46,6 +46,7 @@ fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Setting
     }
 }
 
+/// The candidate that every program has.
 fn two_level(settings: Settings, accuracy: f64) -> Settings {
     let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
     Settings {

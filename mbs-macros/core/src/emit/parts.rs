@@ -3,8 +3,8 @@
 //!
 //! A table is a list of words: for each run the index of its part, the length of its rows (two words, the lower first),
 //! and the rows, which are [places of values](row_layout). Its words are literals. A string of bytes is shorter, but the constant
-//! function that reads it made a chain of 40 joints take rustc a fifth longer. Rows that grow by even steps, as those of a grid, were tried as a first row and steps: tables are shorter, and a step
-//! of 20 × 20 bodies on bushings takes 1.3 times as long.
+//! function that reads it made a chain of 40 joints take rustc a fifth longer. Rows that grow by even steps, as those of a grid,
+//! were tried as a first row and steps: tables are shorter, and a step of 20 × 20 bodies on bushings takes 1.3 times as long.
 
 use super::body::{Body, source};
 use super::copies::copies;
