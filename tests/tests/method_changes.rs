@@ -11,7 +11,7 @@ mechanism!(Block {
     spring: SpringDamper(
         ground.point(-1.0_m, 0.0_m),
         block.origin,
-        stiffness = 2.0_N_per_m,
+        stiffness = 0.5_N_per_m,
         length = 1.0_m
     ),
     cable: Force(block.origin, value = [pull, 0.0_N]),
@@ -58,7 +58,7 @@ fn a_block_that_sticks_gets_an_implicit_method() {
     let mut block = block();
     assert_eq!(block.settings().method, Method::Projected);
     let_go(&mut block);
-    block.run_until(12.0).expect("it runs");
+    block.run_until(16.0).expect("it runs");
     let [change] = block.method_changes() else {
         panic!("{:?}", block.method_changes())
     };
@@ -68,7 +68,7 @@ fn a_block_that_sticks_gets_an_implicit_method() {
     );
     assert_eq!(block.settings().method, Method::Radau);
     assert_eq!(block.report().method_changes, 1);
-    assert!(change.time > 2.0 && change.time < 5.0, "{change:?}");
+    assert!(change.time > 2.0 && change.time < 9.0, "{change:?}");
     assert!(
         change.operations[1] < 0.01 * change.operations[0],
         "{change:?}"
@@ -81,7 +81,7 @@ fn a_block_that_sticks_gets_an_implicit_method() {
         ..Settings::default()
     });
     let_go(&mut explicit);
-    explicit.run_until(12.0).expect("it runs");
+    explicit.run_until(16.0).expect("it runs");
     let [changing, constant] = [&block, &explicit as &dyn AnySimulation].map(|s| s.report().stages);
     assert!(10 * changing < constant, "{changing}, {constant}");
 }
@@ -89,14 +89,20 @@ fn a_block_that_sticks_gets_an_implicit_method() {
 /// A change has no effect on the motion, on its energy balance, and on instants between steps.
 #[test]
 fn the_motion_goes_on() {
-    let mut fine = alone(Settings::for_tolerance(1e-9));
+    let settings = Settings {
+        method: Method::Radau,
+        tolerance: Some(1e-9),
+        ..Settings::default()
+    };
+    let mut fine = Simulation::with_methods(Block::default(), settings, methods::Accuracy)
+        .expect("it assembles");
     let mut block = block();
     let_go(&mut fine);
     let_go(&mut block);
     for tick in 1..=100 {
-        let time = 2.0 + 0.05 * f64::from(tick);
+        let time = 2.0 + 0.1 * f64::from(tick);
         fine.run_until(time).expect("it runs");
-        block.run_past(time, 7.0).expect("it runs");
+        block.run_past(time, 12.0).expect("it runs");
         let exact = fine.output("place").expect("an output");
         let mut seen = f64::NAN;
         block
@@ -118,11 +124,11 @@ fn the_motion_goes_on() {
 fn an_input_brings_the_explicit_method_back() {
     let mut block = alone(Settings::accuracy(ACCURACY));
     let_go(&mut block);
-    block.run_until(7.0).expect("it runs");
+    block.run_until(10.0).expect("it runs");
     assert_eq!(block.settings().method, Method::TwoLevel);
     // It swings to and fro, and never sticks for long.
     for tick in 0..400 {
-        let time = 7.0 + 0.1 * f64::from(tick);
+        let time = 10.0 + 0.1 * f64::from(tick);
         block
             .set_input("pull", 100.0 * (1.4 * time).sin())
             .expect("an input");
@@ -177,7 +183,7 @@ fn collocation_leaves_a_motion_that_comes_to_a_singular_pose() {
         ..Settings::default()
     };
     // Rods that hang, an early pose, and one from which they sink for minutes.
-    for (start, damping, poses) in [(-20.0_f64, 40.0, 1), (10.0, 30.0, 1), (80.0, 300.0, 0)] {
+    for (start, damping, poses) in [(-20.0_f64, 40.0, 1), (10.0, 40.0, 1), (80.0, 300.0, 0)] {
         let creeping = || Creeping {
             start: start.to_radians(),
             damping,

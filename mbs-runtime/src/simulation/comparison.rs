@@ -29,11 +29,13 @@ const WEAKEST: f64 = 1e-5;
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
 /// Pairs without a comparison in a row, at most, where lengths follow the motion and where they are constant. With more of them
 /// the factor of the estimate is that of another part of the motion.
-const UNCOMPARED: [u32; 2] = [15, 7];
+const UNCOMPARED: [u32; 2] = [31, 7];
 /// The error ratio of an estimate, times the last factor, up to which a pair is kept without a comparison, …
-const CLEARLY: f64 = 0.5;
+const CLEARLY: f64 = 0.75;
 /// … and from which on it is not kept, where lengths follow the motion.
 const TOO_MUCH: f64 = 1.0;
+/// A second step that would be longer than this part of what is left takes all of it.
+const NEARLY: f64 = 0.8;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
 const PACED: f64 = 1e-5;
 
@@ -45,12 +47,14 @@ pub(super) struct Found {
     pub(super) of: ErrorOf,
     /// Sizes and radians a second.
     pub(super) speed: f64,
-    /// Whether the pair had its two equal steps.
+    /// Whether both steps have the lengths that were chosen for them.
     pub(super) even: bool,
     /// The factor of the embedded estimate, if the pair was compared.
     pub(super) estimate_factor: Option<f64>,
     /// Whether the stages give an estimate of the error of this pair.
     pub(super) is_embedded: bool,
+    /// The part of the estimate that each of the steps has.
+    pub(super) parts: Option<[f64; 2]>,
     /// The error of the energy balance after the first step, J.
     pub(super) imbalance: f64,
     pub(super) passage: Passage,
@@ -69,7 +73,7 @@ struct Bounds {
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Two steps of h, which stay, and others over the same time to compare them with. Their error may be that of a pair of
+    /// Two steps, the first of h, which stay, and others over the same time to compare them with. Their error may be that of a pair of
     /// `reach` seconds, and round-off may be larger than expected by the factor `indulgence`.
     pub(super) fn compare(
         &mut self,
@@ -79,6 +83,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (controller, start): (&StepController, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
+        let rejected = self.rejected;
         let first = self.guarded_step(h, left)?;
         let mut estimate = self.integrator.estimate();
         let middle = self.margin();
@@ -89,34 +94,46 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             even: first == h,
             estimate_factor: None,
             is_embedded: false,
+            parts: None,
             imbalance: self.balance.error,
             passage: Passage {
                 steps: [first, first],
                 margins: [start, middle, middle],
             },
         };
+        let rest = left - first;
+        let mut next = h;
         if found.even && self.follows() && !self.is_determined() {
             // In most pairs a part of what is allowed is enough.
             let some = SHARE * tolerance * first.max(reach) * controller.speed;
-            if controller.predicted_error_ratio(estimate, some) > TOO_MUCH {
+            let mut error_ratio = controller.predicted_error_ratio(estimate, some);
+            if error_ratio > TOO_MUCH {
                 let way = first.max(reach) * self.speed(first).max(controller.speed);
                 let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
-                found.error_ratio = controller.predicted_error_ratio(estimate, allowed);
+                error_ratio = controller.predicted_error_ratio(estimate, allowed);
+                found.error_ratio = error_ratio;
                 found.is_embedded = true;
                 // The second step would not make it better.
                 if found.error_ratio > TOO_MUCH {
                     return Ok(found);
                 }
             }
+            next = controller.second(self.settings.true_order(), h, error_ratio, self.pace());
+            next = if next < NEARLY * rest { next } else { rest };
         }
-        let second = self.guarded_step(h.min(left - first), left - first)?;
+        let second = self.guarded_step(next.min(rest), rest)?;
         let later = self.integrator.estimate();
-        estimate = estimate.zip(later).map(|(first, second)| first + second);
+        // Of a step that was taken in shorter ones it is that of the last of them.
+        let both = estimate.zip(later).filter(|_| self.rejected == rejected);
+        estimate = both.map(|(first, second)| first + second);
+        found.parts = both
+            .zip(estimate.filter(|sum| *sum > 0.0))
+            .map(|((first, second), sum)| [first / sum, second / sum]);
         let end = self.margin();
         let noise = indulgence * self.noise(start, end);
         let length = first + second;
         found.speed = self.speed(length);
-        found.even = first == h && second == h;
+        found.even = first == h && second == next;
         found.passage = Passage {
             steps: [first, second],
             margins: [start, middle, end],

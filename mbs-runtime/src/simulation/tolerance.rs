@@ -18,7 +18,7 @@
 //! | method | estimate | lengths |
 //! |---|---|---|
 //! | two-level, orders 4 to 8 | `alf3f/embedded.rs`; where forces depend on velocities, the distance of two means of `alf3f/extrapolation.rs`. It shows only that the motion is still the one of the last comparison: the factor counts for pairs of the same length, and no pair is rejected without a comparison | constant |
-//! | explicit, Radau | embedded method | follow the motion (`step_controller.rs`): they are not symmetric, and gain nothing by constant steps |
+//! | explicit, Radau | embedded method | follow the motion (`step_controller.rs`), of explicit methods in each step: they are not symmetric, and gain nothing by constant steps |
 //!
 //! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
 //! unequal steps, and after these with a shorter pair.
@@ -105,12 +105,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         step_controller.note(
                             found.estimate_factor,
                             found.error_ratio,
-                            self.follows(),
+                            self.follows().then(|| self.pace()),
                         );
                         if h == step_controller.step && found.is_embedded && self.follows() {
-                            let [first, second] = found.passage.steps;
-                            let mean = 0.5 * (first + second);
-                            step_controller.follow(order, mean, found.error_ratio, self.pace());
+                            let errors = (found.error_ratio, found.parts);
+                            let steps = found.passage.steps;
+                            step_controller.follow_pair(order, steps, errors, self.pace());
                         } else if h == step_controller.step && found.even && !self.follows() {
                             step_controller.lengthen(notches(order, found.error_ratio));
                         }
@@ -166,7 +166,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (const { Self::DRIVEN }) && self.assembly.rank == N
     }
 
-    fn pace(&self) -> Pace {
+    pub(super) fn pace(&self) -> Pace {
         match self.settings.method {
             Method::Radau => Pace::Kept,
             _ if self.is_determined() => Pace::Erratic,
