@@ -53,6 +53,8 @@ pub(super) struct Found {
     pub(super) estimate_factor: Option<f64>,
     /// Whether the stages give an estimate of the error of this pair.
     pub(super) is_embedded: bool,
+    /// The difficulty of the first step, if the second one was chosen for it.
+    pub(super) first: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
     /// The error of the energy balance after the first step, J.
@@ -94,6 +96,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             even: first == h,
             estimate_factor: None,
             is_embedded: false,
+            first: None,
             parts: None,
             imbalance: self.balance.error,
             passage: Passage {
@@ -118,7 +121,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     return Ok(found);
                 }
             }
-            next = controller.second(self.settings.true_order(), h, error_ratio, self.pace());
+            let order = self.settings.true_order();
+            (next, found.first) = controller.second(order, h, error_ratio, self.pace());
             next = if next < NEARLY * rest { next } else { rest };
         }
         let second = self.guarded_step(next.min(rest), rest)?;

@@ -24,8 +24,8 @@ pub(super) const TOO_LONG: f64 = 256.0;
 const PROMISE: f64 = 2.0;
 /// The error ratio for which a length that follows the motion is chosen: where each step of a pair has its own, and where
 /// both have the same. (With smaller ones hardly a pair is too long, and the error falls faster than the work grows: on nine
-/// mechanisms the work for the same error is least between 0.01 and 0.05.)
-const AIM: [f64; 2] = [0.05, 0.1];
+/// mechanisms the work for the same error is least between 0.01 and 0.05.) In powers of 2.
+const AIM: [f64; 2] = [-4.3, -3.3];
 /// The parts of the last change of the difficulty that are expected once more, where it grew and where it fell: from step to
 /// step, and from pair to pair.
 const TRENDS: [[f64; 2]; 2] = [[0.75, 0.0], [0.5, 0.3]];
@@ -41,9 +41,8 @@ const RETREATS: [f64; 2] = [0.2, 0.9];
 /// Factors with which the length is not changed where factors of matrices are kept for it.
 const SAME: [f64; 2] = [0.8, 1.25];
 /// The least factor of an embedded estimate that is believed: where the error is far below what is allowed, as in a start
-/// from rest, factors of a millionth were found, and one of a tenth a few steps later. The second is that of Radau, whose factor
-/// is about 1 unless a force jumps: there a small one is that of another part of the motion.
-const LEAST_FACTORS: [f64; 2] = [0.02, 1.0];
+/// from rest, factors of a millionth were found, and one of a tenth a few steps later.
+const LEAST_FACTOR: f64 = 0.02;
 /// With a smaller error ratio the error of a pair is mostly round-off, and the factor of its estimate is at most the one found.
 const TELLING: f64 = 1e-3;
 /// An error ratio below this is round-off.
@@ -74,6 +73,7 @@ pub(super) enum Pace {
 }
 
 impl Pace {
+    /// log₂ of the error ratio for which a length is chosen.
     fn aim(self) -> f64 {
         AIM[usize::from(self != Pace::Steady)]
     }
@@ -105,29 +105,23 @@ impl StepController {
         }
     }
 
-    /// Takes note of the factor of the estimate in a comparison with this error ratio, or of a pair that was not compared;
-    /// `pace` if lengths follow the motion.
-    pub(super) fn note(
-        &mut self,
-        estimate_factor: Option<f64>,
-        error_ratio: f64,
-        pace: Option<Pace>,
-    ) {
+    /// Takes note of the factor of the estimate in a comparison with this error ratio, or of a pair that was not compared; `follows`
+    /// if lengths follow the motion.
+    pub(super) fn note(&mut self, estimate_factor: Option<f64>, error_ratio: f64, follows: bool) {
         let Some(estimate_factor) = estimate_factor else {
             self.pairs_since_comparison = self.pairs_since_comparison.saturating_add(1);
             return;
         };
         self.pairs_since_comparison = 0;
-        let Some(pace) = pace else {
+        if !follows {
             self.estimate_factor = estimate_factor.max(0.5 * self.estimate_factor);
-            return;
-        };
-        let least = LEAST_FACTORS[usize::from(pace == Pace::Kept)];
-        if error_ratio > TELLING {
-            self.estimate_factor = estimate_factor.max(0.5 * self.estimate_factor).max(least);
+        } else if error_ratio > TELLING {
+            self.estimate_factor = estimate_factor
+                .max(0.5 * self.estimate_factor)
+                .max(LEAST_FACTOR);
         } else if self.estimate_factor > 0.0 {
             // The error is at most what the comparison shows.
-            let halved = (0.5 * self.estimate_factor).max(least);
+            let halved = (0.5 * self.estimate_factor).max(LEAST_FACTOR);
             self.estimate_factor = estimate_factor.max(halved).min(self.estimate_factor);
         } else if !self.searching {
             self.estimate_factor = 1.0;
@@ -196,7 +190,7 @@ impl StepController {
             }
             _ => (difficulty, difficulty + trend),
         };
-        let wanted = (pace.aim().log2() - expected) / order;
+        let wanted = (pace.aim() - expected) / order;
         let most = if self.searching { EAGER } else { FACTORS[1] };
         let factor = (wanted.exp2() / h).clamp(FACTORS[0], most);
         self.difficulty = Some(known);
@@ -205,34 +199,44 @@ impl StepController {
         self.searching &= factor == EAGER;
     }
 
-    /// The length of the second step of a pair, after a first one of h with this error ratio: h where the ratio is not known, and
-    /// where both have the same.
-    pub(super) fn second(&self, order: u8, h: f64, error_ratio: f64, pace: Pace) -> f64 {
+    /// The length of the second step of a pair, after a first one of h with this error ratio, and the difficulty of the first:
+    /// h where the ratio is not known, and where both have the same length.
+    pub(super) fn second(
+        &self,
+        order: u8,
+        h: f64,
+        error_ratio: f64,
+        pace: Pace,
+    ) -> (f64, Option<f64>) {
         if error_ratio.is_nan() || pace != Pace::Steady {
-            return h;
+            return (h, None);
         }
         let mut ahead = *self;
         ahead.follow(order, h, error_ratio, pace);
-        ahead.step
+        (ahead.step, ahead.difficulty)
     }
 
-    /// After a pair with this error ratio, of which each step has its part, or an equal one where the parts are not known.
+    /// After a pair with this error ratio, of which each step has its part, or an equal one where the parts are not known; with
+    /// the difficulty of the first step if that is known.
     pub(super) fn follow_pair(
         &mut self,
         order: u8,
         steps: [f64; 2],
         (error_ratio, parts): (f64, Option<[f64; 2]>),
+        first: Option<f64>,
         pace: Pace,
     ) {
         let length = steps[0] + steps[1];
-        match parts {
-            Some(parts) if pace == Pace::Steady => {
-                for (h, part) in steps.into_iter().zip(parts) {
-                    self.follow(order, h, error_ratio * part * length / h, pace);
-                }
-            }
-            _ => self.follow(order, 0.5 * length, error_ratio, pace),
+        let Some(parts) = parts.filter(|_| pace == Pace::Steady) else {
+            return self.follow(order, 0.5 * length, error_ratio, pace);
+        };
+        let [of_first, of_second] =
+            [0, 1].map(|i: usize| error_ratio * parts[i] * length / steps[i]);
+        match first {
+            Some(_) => self.difficulty = first,
+            None => self.follow(order, steps[0], of_first, pace),
         }
+        self.follow(order, steps[1], of_second, pace);
     }
 
     /// After steps of h were too long by an embedded method. If they were before, too, `again`, the factor of its estimate
@@ -244,7 +248,7 @@ impl StepController {
         error_ratio: f64,
         (again, pace): (bool, Pace),
     ) {
-        let factor = (pace.aim() / error_ratio).powf(1.0 / f64::from(order));
+        let factor = ((pace.aim() - error_ratio.log2()) / f64::from(order)).exp2();
         self.step = h * factor.clamp(RETREATS[0], RETREATS[1]);
         self.difficulty = match pace {
             Pace::Erratic => Some(difficulty(order, h, error_ratio)),
@@ -268,9 +272,9 @@ mod tests {
         let error = |time: f64, h: f64| d(time + 0.5 * h) * h.powi(9);
         while time < end {
             let first = controller.step;
-            let known = if controller.searching { f64::NAN } else { 1.0 };
-            let ratio = known * error(time, first) / first;
-            let second = controller.second(8, first, ratio, Pace::Steady);
+            let factor = if controller.searching { f64::NAN } else { 1.0 };
+            let ratio = factor * error(time, first) / first;
+            let (second, known) = controller.second(8, first, ratio, Pace::Steady);
             let (steps, length) = ([first, second], first + second);
             let errors = [error(time, first), error(time + first, second)];
             let sum = errors[0] + errors[1];
@@ -278,7 +282,7 @@ mod tests {
             match error_ratio <= 1.0 {
                 true => {
                     let parts = Some(errors.map(|error| error / sum));
-                    controller.follow_pair(8, steps, (error_ratio, parts), Pace::Steady);
+                    controller.follow_pair(8, steps, (error_ratio, parts), known, Pace::Steady);
                     time += length;
                 }
                 false => controller.retreat(8, first, error_ratio, (false, Pace::Steady)),
@@ -291,7 +295,7 @@ mod tests {
     #[test]
     fn a_constant_difficulty_has_a_constant_length() {
         let pairs = run(|_| 1e8, 10.0);
-        let wanted = (AIM[0] / 1e8).powf(0.125);
+        let wanted = (0.125 * (AIM[0] - 1e8f64.log2())).exp2();
         assert!(
             pairs
                 .iter()
@@ -317,10 +321,11 @@ mod tests {
     fn the_second_step_of_a_pair_is_shorter_where_the_first_one_was_hard() {
         let mut controller = StepController::starting(0.1);
         controller.searching = false;
-        let second = |error_ratio| controller.second(8, 0.1, error_ratio, Pace::Steady);
-        assert!((second(0.05) / 0.1 - 1.0).abs() < 1e-12);
-        assert!((second(0.8) / 0.1 - (0.05f64 / 0.8).powf(0.125)).abs() < 1e-12);
+        let second = |error_ratio| controller.second(8, 0.1, error_ratio, Pace::Steady).0;
+        let aim = AIM[0].exp2();
+        assert!((second(aim) / 0.1 - 1.0).abs() < 1e-12);
+        assert!((second(16.0 * aim) / 0.1 - 0.5f64.sqrt()).abs() < 1e-12);
         assert_eq!(second(f64::NAN), 0.1);
-        assert_eq!(controller.second(8, 0.1, 0.8, Pace::Kept), 0.1);
+        assert_eq!(controller.second(8, 0.1, 0.8, Pace::Kept), (0.1, None));
     }
 }

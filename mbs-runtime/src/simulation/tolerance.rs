@@ -105,12 +105,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         step_controller.note(
                             found.estimate_factor,
                             found.error_ratio,
-                            self.follows().then(|| self.pace()),
+                            self.follows(),
                         );
                         if h == step_controller.step && found.is_embedded && self.follows() {
                             let errors = (found.error_ratio, found.parts);
                             let steps = found.passage.steps;
-                            step_controller.follow_pair(order, steps, errors, self.pace());
+                            let first = found.first.filter(|_| found.estimate_factor.is_none());
+                            step_controller.follow_pair(order, steps, errors, first, self.pace());
                         } else if h == step_controller.step && found.even && !self.follows() {
                             step_controller.lengthen(notches(order, found.error_ratio));
                         }
