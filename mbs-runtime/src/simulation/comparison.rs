@@ -107,22 +107,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let rest = left - first;
         let mut next = h;
         if found.even && self.follows() && !self.is_determined() {
-            // In most pairs a part of what is allowed is enough.
-            let some = SHARE * tolerance * first.max(reach) * controller.speed;
-            let mut error_ratio = controller.predicted_error_ratio(estimate, some);
-            if error_ratio > TOO_MUCH {
-                let way = first.max(reach) * self.speed(first).max(controller.speed);
-                let allowed = (SHARE * tolerance * way).max(indulgence * self.noise(start, middle));
-                error_ratio = controller.predicted_error_ratio(estimate, allowed);
-                found.error_ratio = error_ratio;
+            let span = (tolerance, first, (reach, indulgence));
+            let estimated = (controller, estimate);
+            found.error_ratio = self.error_ratio_of_first(span, [start, middle], estimated);
+            // The second step would not make it better.
+            if found.error_ratio > TOO_MUCH {
                 found.is_embedded = true;
-                // The second step would not make it better.
-                if found.error_ratio > TOO_MUCH {
-                    return Ok(found);
-                }
+                return Ok(found);
             }
             let order = self.settings.true_order();
-            (next, found.first) = controller.second(order, h, error_ratio, self.pace());
+            (next, found.first) = controller.second(order, h, found.error_ratio, self.pace());
             next = if next < NEARLY * rest { next } else { rest };
         }
         let second = self.guarded_step(next.min(rest), rest)?;
@@ -170,6 +164,24 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.integrator.state_mut().copy_from(&self.pair_end);
         self.restore(kept)?;
         outcome.map(|()| found)
+    }
+
+    /// The ratio of the error of the first step to the allowed one by its estimate; NaN if the factor of that is not known.
+    fn error_ratio_of_first(
+        &self,
+        (tolerance, first, (reach, indulgence)): (f64, f64, (f64, f64)),
+        [start, middle]: [RankMargin; 2],
+        (controller, estimate): (&StepController, Option<f64>),
+    ) -> f64 {
+        let share = SHARE * tolerance * first.max(reach);
+        // In most pairs a part of what is allowed is enough.
+        let error_ratio = controller.predicted_error_ratio(estimate, share * controller.speed);
+        if error_ratio <= TOO_MUCH || error_ratio.is_nan() {
+            return error_ratio;
+        }
+        let way = share * self.speed(first).max(controller.speed);
+        let allowed = way.max(indulgence * self.noise(start, middle));
+        controller.predicted_error_ratio(estimate, allowed)
     }
 
     /// Takes other steps over the time of the pair, and notes its error.
