@@ -153,7 +153,7 @@ fn a_rotor_spins_down() {
 }
 
 mechanism!(Turning {
-    doc: "A block on a spring, released where friction does not hold it after a force has ended: it turns within microseconds.",
+    doc: "A pulled block slides, turns when the pull ends, and slides back: at the turn friction reverses within microseconds.",
     world: Planar(),
     pull: Input(5.0_N),
     x: Coordinate(0.0_m, rate = 2.0_m_per_s),
@@ -176,8 +176,7 @@ mechanism!(Turning {
     place: Output(x),
 });
 
-/// A step that does not converge is taken in shorter ones. The estimate of the last of them told nothing of the turn in another
-/// one: the place was wrong by 3500 tolerances, without a comparison.
+/// A step that does not converge is halved. The estimate of the last half told nothing of the turn in another one: the place was wrong by 3500 tolerances, without a comparison.
 #[test]
 fn a_turn_within_a_part_of_a_step_is_seen() {
     let places = [

@@ -256,7 +256,7 @@ impl Settings {
     /// An accuracy and nothing else: the largest error of a position over the run, in sizes of the mechanism and radians,
     /// between 1e-11 and 0.1.
     ///
-    /// The tolerance is an eighth of the accuracy. Where other candidates are compiled
+    /// The tolerance is a fifth of the accuracy. Where other candidates are compiled
     /// ([`Simulation::with_accuracy`](crate::Simulation::with_accuracy)) the simulation runs the beginning of the motion
     /// with the projected explicit method, with Radau where forces depend on velocities, and with the two-level method, and
     /// takes the one that needs the fewest operations for a second of it, from the start on; otherwise it takes the two-level

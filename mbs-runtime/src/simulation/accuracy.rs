@@ -24,7 +24,7 @@ use crate::methods::Methods;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepController, System};
 
 /// The tolerance for an accuracy of one: errors of steps add up and grow with the motion's own instability. On the scenes with
-/// a reference the largest error was up to 12 tolerances with steps of the projected method, and 31 with two-level ones.
+/// a reference the largest error was up to 23 tolerances with steps of the projected method, and 31 with two-level ones.
 const MARGIN: f64 = 0.2;
 
 /// The candidates in the order of their trials.

@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
-use super::step_controller::TOO_LONG;
+use super::step_controller::{Pace, TOO_LONG};
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{ErrorOf, SimulationError, StepController, System};
@@ -27,11 +27,12 @@ const WEAKEST: f64 = 1e-5;
 /// Corrections of explicit steps square what is left of the rows, and most end far below their tolerance: this part of it is
 /// expected, where σ is above the second number. Closer to a pose velocities have other errors.
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
-/// Pairs without a comparison in a row, at most, where lengths follow the motion and where they are constant. With more of them
-/// the factor of the estimate is that of another part of the motion.
-const UNCOMPARED: [u32; 2] = [31, 7];
-/// The error ratio of an estimate, times the last factor, up to which a pair is kept without a comparison, …
-const CLEARLY: f64 = 0.75;
+/// Pairs without a comparison in a row, at most: where each step has a length of its own, where a pair has one, and where lengths
+/// are constant. With more of them the factor of the estimate is that of another part of the motion.
+const UNCOMPARED: [u32; 3] = [31, 15, 7];
+/// The error ratio of an estimate, times the last factor, up to which a pair is kept without a comparison, where each step has a
+/// length of its own and otherwise, …
+const CLEARLY: [f64; 2] = [0.75, 0.5];
 /// … and from which on it is not kept, where lengths follow the motion.
 const TOO_MUCH: f64 = 1.0;
 /// A second step that would be longer than this part of what is left takes all of it.
@@ -48,13 +49,13 @@ pub(super) struct Found {
     /// Sizes and radians a second.
     pub(super) speed: f64,
     /// Whether both steps have the lengths that were chosen for them.
-    pub(super) even: bool,
+    pub(super) as_chosen: bool,
     /// The factor of the embedded estimate, if the pair was compared.
     pub(super) estimate_factor: Option<f64>,
     /// Whether the stages give an estimate of the error of this pair.
     pub(super) is_embedded: bool,
-    /// The difficulty of the first step, if the second one was chosen for it.
-    pub(super) first: Option<f64>,
+    /// The difficulty of the first step, if the second one was chosen for it and the pair was not compared.
+    pub(super) difficulty_of_first: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
     /// The error of the energy balance after the first step, J.
@@ -85,7 +86,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (controller, start): (&StepController, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
-        let rejected = self.rejected;
+        let rejected_before = self.rejected;
         let first = self.guarded_step(h, left)?;
         let mut estimate = self.integrator.estimate();
         let middle = self.margin();
@@ -93,10 +94,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             error_ratio: f64::NAN,
             of: ErrorOf::Motion,
             speed: 0.0,
-            even: first == h,
+            as_chosen: first == h,
             estimate_factor: None,
             is_embedded: false,
-            first: None,
+            difficulty_of_first: None,
             parts: None,
             imbalance: self.balance.error,
             passage: Passage {
@@ -105,8 +106,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             },
         };
         let rest = left - first;
+        let by_steps = self.follows() && self.pace() == Pace::Steps;
         let mut next = h;
-        if found.even && self.follows() && !self.is_determined() {
+        if found.as_chosen && self.follows() && !self.is_determined() {
             let span = (tolerance, first, (reach, indulgence));
             let estimated = (controller, estimate);
             found.error_ratio = self.error_ratio_of_first(span, [start, middle], estimated);
@@ -115,14 +117,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 found.is_embedded = true;
                 return Ok(found);
             }
-            let order = self.settings.true_order();
-            (next, found.first) = controller.second(order, h, found.error_ratio, self.pace());
-            next = if next < NEARLY * rest { next } else { rest };
+            if by_steps && !found.error_ratio.is_nan() {
+                let order = self.settings.true_order();
+                (next, found.difficulty_of_first) = controller.second(order, h, found.error_ratio);
+                next = if next < NEARLY * rest { next } else { rest };
+            }
         }
         let second = self.guarded_step(next.min(rest), rest)?;
         let later = self.integrator.estimate();
-        // Of a step that was taken in shorter ones it is that of the last of them.
-        let both = estimate.zip(later).filter(|_| self.rejected == rejected);
+        // The estimate of a step that was halved is that of its last part alone.
+        let both = estimate
+            .zip(later)
+            .filter(|_| self.rejected == rejected_before);
         estimate = both.map(|(first, second)| first + second);
         found.parts = both
             .zip(estimate.filter(|sum| *sum > 0.0))
@@ -131,7 +137,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let noise = indulgence * self.noise(start, end);
         let length = first + second;
         found.speed = self.speed(length);
-        found.even = first == h && second == next;
+        found.as_chosen = first == h && second == next;
         found.passage = Passage {
             steps: [first, second],
             margins: [start, middle, end],
@@ -146,21 +152,26 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             found.error_ratio = 0.0;
             return Ok(found);
         }
-        let most = UNCOMPARED[usize::from(!self.follows())];
-        let is_clear = found.error_ratio <= CLEARLY && controller.pairs_since_comparison < most;
+        let (clearly, most) = match (by_steps, self.follows()) {
+            (true, _) => (CLEARLY[0], UNCOMPARED[0]),
+            (_, true) => (CLEARLY[1], UNCOMPARED[1]),
+            _ => (CLEARLY[1], UNCOMPARED[2]),
+        };
+        let is_clear = found.error_ratio <= clearly && controller.pairs_since_comparison < most;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
             return Ok(found);
         }
         self.pair_end.copy_from(self.integrator.state());
         let kept = self.keep();
         found.error_ratio = f64::NAN;
+        found.difficulty_of_first = None;
         let bounds = Bounds {
             way,
             noise,
             allowed,
             share: SHARE * tolerance,
         };
-        let outcome = self.measure(&mut found, (h, controller.step), &bounds, (estimate, last));
+        let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
         self.integrator.state_mut().copy_from(&self.pair_end);
         self.restore(kept)?;
         outcome.map(|()| found)
@@ -174,28 +185,30 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (controller, estimate): (&StepController, Option<f64>),
     ) -> f64 {
         let share = SHARE * tolerance * first.max(reach);
-        // In most pairs a part of what is allowed is enough.
-        let error_ratio = controller.predicted_error_ratio(estimate, share * controller.speed);
+        let noise = indulgence * self.noise(start, middle);
+        // Only where the greatest speed so far is not enough the present one is needed.
+        let allowed = noise.max(share * controller.speed);
+        let error_ratio = controller.predicted_error_ratio(estimate, allowed);
         if error_ratio <= TOO_MUCH || error_ratio.is_nan() {
             return error_ratio;
         }
-        let way = share * self.speed(first).max(controller.speed);
-        let allowed = way.max(indulgence * self.noise(start, middle));
-        controller.predicted_error_ratio(estimate, allowed)
+        controller.predicted_error_ratio(estimate, allowed.max(share * self.speed(first)))
     }
 
     /// Takes other steps over the time of the pair, and notes its error.
     fn measure(
         &mut self,
         found: &mut Found,
-        (h, in_use): (f64, f64),
+        in_use: f64,
         bounds: &Bounds,
         (estimate, last): (Option<f64>, bool),
     ) -> Result<(), SimulationError> {
         let pair = found.passage.steps;
         let length: f64 = pair.into_iter().sum();
         let order = i32::from(self.settings.true_order());
-        // Relative to the length: powers of a short step vanish.
+        // As if the motion were as difficult in all steps: where the steps of the pair differ because it is not, the error is
+        // overestimated. (An estimate of the difficulties gave no better steps.) Relative to the length: powers of a short step
+        // vanish.
         let power = |h: f64| (h / length).powi(order + 1);
         let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();
         // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
@@ -216,7 +229,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             };
             converged = true;
-            let (apart, mut worst) = self.apart(h);
+            let (apart, mut worst) = self.apart(0.5 * length);
             let mut error_ratio = match apart > (UNLIKE * bounds.way).max(still) {
                 true => TOO_LONG,
                 false => apart / (ratio * bounds.allowed),
@@ -258,7 +271,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         let length: f64 = passage.steps.into_iter().sum();
         match passage.pose() {
-            None if found.even => true,
+            None if found.as_chosen => true,
             pose => {
                 let is_known = |pose: f64| self.is_known(&self.pair_start, pose / length, SAME);
                 passage.margins.iter().all(|margin| margin.least > FAR) && pose.is_none_or(is_known)

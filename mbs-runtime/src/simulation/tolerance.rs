@@ -1,14 +1,14 @@
 //! Steps chosen by a tolerance ([`Settings::tolerance`](crate::Settings::tolerance)).
 //!
-//! Steps come in pairs. Each pair is compared with other steps over the same time, as a rule with a single one of 2h: of
-//! order p it has 2ᵖ times the error e of the pair, so that the two differ by (2ᵖ − 1) e. The pair is kept where
+//! Steps come in pairs. Each pair is compared with other steps over the same time, as a rule with a single one: where both steps
+//! are h, one of 2h and order p has 2ᵖ times the error e of the pair, so that the two differ by (2ᵖ − 1) e. The pair is kept where
 //!
 //! ```text
-//! e ≤ share · tolerance · max(|Δq|, 2h · greatest speed so far)
+//! e ≤ share · tolerance · max(|Δq|, T · greatest speed so far)
 //! ```
 //!
-//! with h |Δv| counted like Δq. The length h stays the same until one comparison requires a shorter one, or several in
-//! a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step length does not
+//! with T the time of the pair, and ½ T |Δv| counted like Δq. The length h stays the same until one comparison requires a
+//! shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step length does not
 //! follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
 //! powers of 2^¼ times the first one.
 //!
@@ -61,7 +61,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Two steps of h, and of shorter ones until their error is small enough.
+    /// Two steps, the first of h, and shorter ones until their error is small enough.
     pub(super) fn pair(&mut self, tolerance: f64, left: f64) -> Result<Passage, SimulationError> {
         let mut step_controller = self.state().step_controller;
         if step_controller.step == 0.0 {
@@ -98,6 +98,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         let imbalance = self.imbalance(tolerance, &balance, &found);
                         if imbalance > found.error_ratio {
                             (found.error_ratio, found.of) = (imbalance, ErrorOf::Balance);
+                            (found.parts, found.difficulty_of_first) = (None, None);
                         }
                     }
                     if found.error_ratio <= 1.0 {
@@ -109,10 +110,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         );
                         if h == step_controller.step && found.is_embedded && self.follows() {
                             let errors = (found.error_ratio, found.parts);
-                            let steps = found.passage.steps;
-                            let first = found.first.filter(|_| found.estimate_factor.is_none());
-                            step_controller.follow_pair(order, steps, errors, first, self.pace());
-                        } else if h == step_controller.step && found.even && !self.follows() {
+                            step_controller.follow_pair(
+                                order,
+                                found.passage.steps,
+                                errors,
+                                found.difficulty_of_first,
+                                self.pace(),
+                            );
+                        } else if h == step_controller.step && found.as_chosen && !self.follows() {
                             step_controller.lengthen(notches(order, found.error_ratio));
                         }
                         self.integrator.state_mut().step_controller = step_controller;
@@ -171,7 +176,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match self.settings.method {
             Method::Radau => Pace::Kept,
             _ if self.is_determined() => Pace::Erratic,
-            _ => Pace::Steady,
+            // The balance of the work of drives is that of pairs.
+            _ if const { Self::DRIVEN } => Pace::Pairs,
+            _ => Pace::Steps,
         }
     }
 
