@@ -23,8 +23,8 @@ mechanism!(Folding {
 });
 
 /// Two poses, each passed twice.
-const POSES: f64 = 6.0;
-const END: f64 = 12.0;
+const POSES: f64 = 7.0;
+const END: f64 = 14.0;
 
 fn settings(method: Method, tolerance: f64) -> Settings {
     Settings {
