@@ -3,7 +3,7 @@
 //! | error by | length |
 //! |---|---|
 //! | comparison | the same until one comparison requires a shorter one, or several in a row allow a longer one |
-//! | an embedded method | follows the motion, within a pair as well: such that the next error is [`AIM`] |
+//! | an embedded method | follows the motion ([`Pace`]): such that the next error ratio is 2^[`AIM_OF_STEPS`], or 2^[`AIM_OF_PAIRS`] |
 //!
 //! A symmetric method keeps its long-time behaviour as long as its step length does not follow the motion (E. Hairer,
 //! C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Explicit methods have no such behaviour to keep. With
@@ -186,7 +186,7 @@ impl StepController {
         self.searching = false;
     }
 
-    /// After steps of h with this error ratio: the length with which the next one comes to [`AIM`].
+    /// After steps of h with this error ratio: the length with which the next one comes to the aim of the pace.
     fn follow(&mut self, order: u8, h: f64, error_ratio: f64, pace: Pace) {
         let difficulty = difficulty(order, h, error_ratio);
         let order = f64::from(order);
