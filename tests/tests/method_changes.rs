@@ -2,16 +2,17 @@
 
 use mbs_runtime::{AnySimulation, Method, Settings, Simulation, mechanism, methods};
 
-mechanism!(Block {
+mechanism!(pub(crate) Block {
     doc: "A block on a spring is pulled, slides, and sticks where friction holds it: there friction is a stiff damper.",
     world: Planar(),
     pull: Input(5.0_N),
+    stiffness: Param(0.5_N_per_m),
     x: Coordinate(0.0_m, rate = 2.0_m_per_s),
     block: Particle(mass = 1.0_kg, position = [x, 0.0_m]),
     spring: SpringDamper(
         ground.point(-1.0_m, 0.0_m),
         block.origin,
-        stiffness = 0.5_N_per_m,
+        stiffness = stiffness,
         length = 1.0_m
     ),
     cable: Force(block.origin, value = [pull, 0.0_N]),

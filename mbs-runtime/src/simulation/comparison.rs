@@ -76,8 +76,8 @@ struct Bounds {
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Two steps, the first of h, which stay, and others over the same time to compare them with. Their error may be that of a pair of
-    /// `reach` seconds, and round-off may be larger than expected by the factor `indulgence`.
+    /// Two steps, the first of h, which stay, and others over the same time to compare them with. Their error may be that of a
+    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`.
     pub(super) fn compare(
         &mut self,
         tolerance: f64,

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! with T the time of the pair, and ½ T |Δv| counted like Δq. The length h stays the same until one comparison requires a
-//! shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step length does not
-//! follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
+//! shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step
+//! length does not follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
 //! powers of 2^¼ times the first one.
 //!
 //! Not every pair is compared: a comparison tells by which factor an estimate from the stages differs from the error, and the
