@@ -178,3 +178,37 @@ fn a_turn_within_a_part_of_a_step_is_seen() {
     });
     assert!((places[0] - places[1]).abs() < 1e-8, "{places:?}");
 }
+
+/// Where friction turns, and where the block passes the fixed end of its spring, the force jumps within a step. There the error
+/// falls with the first or second power of the step, and the difference to another step is not 31 or 255 times the error.
+#[test]
+fn a_force_that_jumps_is_seen() {
+    let settings = |method, tolerance| Settings {
+        method,
+        order: if method == Method::Radau { 2 } else { 8 },
+        tolerance: Some(tolerance),
+        ..Settings::default()
+    };
+    let places = |settings| {
+        let mut simulation =
+            Simulation::with_methods(Block::default(), settings, methods::Accuracy)
+                .expect("it assembles");
+        simulation.run_until(2.0).expect("it runs");
+        simulation.set_input("pull", 0.0).expect("an input");
+        // After the turn at 2.7 s, and after the end of the spring at 6.45 s.
+        [6.0, 7.3].map(|time| {
+            simulation.run_until(time).expect("it runs");
+            simulation.output("place").expect("an output")
+        })
+    };
+    let fine = places(settings(Method::Projected, 1e-9));
+    for method in [Method::Projected, Method::Radau] {
+        for tolerance in [6e-5, 2e-5, 6e-6, 2e-6, 6e-7] {
+            let coarse = places(settings(method, tolerance));
+            let error = |i: usize| (coarse[i] - fine[i]).abs() / tolerance;
+            let largest = error(0).max(error(1));
+            println!("{}, {tolerance:e}: {largest:.2} tolerances", method.name());
+            assert!(largest < 4.0, "{}, {tolerance}: {largest}", method.name());
+        }
+    }
+}

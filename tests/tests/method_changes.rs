@@ -112,7 +112,7 @@ fn the_motion_goes_on() {
                 seen = block.output("place").expect("an output");
             })
             .expect("an instant of the last step");
-        assert!((seen - exact).abs() < 10.0 * ACCURACY, "{time}: {seen}");
+        assert!((seen - exact).abs() < 3.0 * ACCURACY, "{time}: {seen}");
     }
     assert_eq!(block.method_changes().len(), 1);
     let (energy, exact) = (block.energy(), fine.energy());

@@ -9,7 +9,8 @@
 //!
 //! The explicit one begins, as its trials take the least. If another one is hopeless beside it, that is all; otherwise
 //! both are counted over the same time, so that they see the same motion: where a stop or a spring makes a part of it stiff,
-//! few steps of the one may go as far as many of the other. Operations are counted, not timed, so that the choice is the same
+//! few steps of the one may go as far as many of the other. An earlier one is kept only with fewer operations in the last part
+//! of this time and in all of it. Operations are counted, not timed, so that the choice is the same
 //! in every run. It is made again where the motion has changed (`revision.rs`).
 //!
 //! Radau is a candidate where forces depend on velocities: it damps the vibration of stiff springs, which the two-level method
@@ -55,7 +56,7 @@ fn two_level(settings: Settings, accuracy: f64) -> Settings {
     }
 }
 
-/// Another candidate takes the place of this one only with less than this part of its operations for a second: motions with
+/// Another candidate is preferred to this one only with less than this part of its operations for a second: motions with
 /// friction and stiff dampers become stiff now and then, where others take many times the work of Radau.
 fn lead(candidate: Settings) -> f64 {
     match candidate.method {
@@ -125,19 +126,22 @@ where
         };
         // If none can begin here, the two-level one says why.
         let (mut second, mut best, mut leader) = (last, last, Trial::NONE);
-        let mut operations = vec![0.0; candidates.len()];
+        let (begin, mut trials) = (state.time, Vec::with_capacity(candidates.len()));
         for (index, &candidate) in candidates.iter().enumerate() {
             // A candidate that cannot begin here is none.
             let trial = make(shortened(candidate, &leader))
                 .map_or(Trial::NONE, |mut run| run.run_trial(f64::INFINITY, &leader));
-            operations[index] = trial.operations;
+            trials.push(trial);
             if !trial.rate.is_finite() {
                 continue;
             }
             if leader.rate.is_finite() {
                 let beside = Self::trial_beside(&make, candidates[best], &trial);
-                operations[best] = beside.operations;
-                if lead(candidates[best]) * beside.rate < trial.rate {
+                let [before, after] = [candidates[best], candidates[index]].map(lead);
+                let is_less = |rate: f64, other: f64| before * rate < after * other;
+                if is_less(beside.rate, trial.rate)
+                    && is_less(beside.mean_rate(begin), trial.mean_rate(begin))
+                {
                     leader = beside;
                     continue;
                 }
@@ -146,10 +150,9 @@ where
         }
         // Radau has seen another part of the motion than the two-level method where both were compared with the explicit one.
         let damps = |index: usize| candidates[index].method == Method::Radau;
-        let radau = (0..last).find(|&index| damps(index) && operations[index].is_finite());
+        let radau = (0..last).find(|&index| damps(index) && trials[index].has_run());
         if let Some(radau) = radau.filter(|_| best == last && !damps(second)) {
             let beside = Self::trial_beside(&make, candidates[radau], &leader);
-            operations[radau] += beside.operations;
             if lead(candidates[radau]) * beside.rate < leader.rate {
                 (best, leader) = (radau, beside);
             }
@@ -160,15 +163,13 @@ where
             simulation.integrator.state_mut().step_controller =
                 StepController::after_trial(leader.step, leader.estimate_factor);
         }
-        let operations = operations.iter().filter(|all| all.is_finite()).sum();
-        let start = simulation.time();
+        let is_hopeless = trials.iter().map(Trial::is_hopeless);
         let choice = Choice::new(
-            candidates,
+            candidates.into_iter().zip(is_hopeless).collect(),
             best,
             simulation.work(),
-            leader.way,
-            start,
-            operations,
+            simulation.time(),
+            &leader,
         );
         simulation.choice = Some(Box::new(choice));
         Ok(simulation)

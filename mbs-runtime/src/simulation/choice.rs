@@ -1,5 +1,6 @@
 //! The method that was chosen for an accuracy, and when the choice is made again (`revision.rs`).
 
+use super::trial::Trial;
 use crate::work::Work;
 use crate::{MethodChange, Report, Settings};
 
@@ -15,18 +16,21 @@ const LONGER: f64 = 2.0;
 const ANYWAY: f64 = 16.0;
 /// The part of the operations since the last trials that others may take, where ways are unlike and in any case.
 const PARTS: [f64; 2] = [0.25, 0.0625];
+/// Operations for a second of the motion that are so many times those of the trial are unlike those at the choice, too.
+const DEARER: f64 = 2.0;
 /// Pairs between looks at this number of operations.
 const SELDOM: u64 = 256;
 
 /// The method that was chosen, and what is known about it.
 #[derive(Debug, Clone)]
 pub(super) struct Choice {
-    candidates: Vec<Settings>,
+    /// With the settings of each, whether it was hopeless at the beginning.
+    candidates: Vec<(Settings, bool)>,
     current: usize,
     /// What a stage of the method in use takes.
     pub(super) work: Work,
-    /// The way of a pair at the choice, in sizes and radians.
-    way: f64,
+    /// What the motion was like at the choice.
+    character: Character,
     /// Pairs in a row whose ways are not like this one.
     unlike: u32,
     /// Pairs since the choice.
@@ -37,50 +41,65 @@ pub(super) struct Choice {
     changes: Vec<MethodChange>,
 }
 
+/// What a motion is like, as a trial shows it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Character {
+    /// The way of a pair, in sizes and radians.
+    pub(super) way: f64,
+    /// Operations for a second.
+    pub(super) rate: f64,
+}
+
 impl Choice {
-    /// After trials with so many operations: that of the method that was chosen had pairs of this way.
+    /// After the trial of the method that was chosen.
     pub(super) fn new(
-        candidates: Vec<Settings>,
+        candidates: Vec<(Settings, bool)>,
         current: usize,
         work: Work,
-        way: f64,
         start: f64,
-        operations: f64,
+        trial: &Trial,
     ) -> Self {
         Choice {
+            wait: candidates.len() as f64 * trial.operations,
             candidates,
             current,
             work,
-            way,
+            character: trial.character(),
             unlike: 0,
             pairs: 0,
             start: (start, Report::default()),
-            wait: operations,
             changes: Vec::new(),
         }
     }
 
     /// Takes note of a pair that goes this way; whether it is time to look at the operations since the choice.
     pub(super) fn note(&mut self, way: f64) -> bool {
-        let is_like = way * UNLIKE > self.way && way < UNLIKE * self.way;
+        let is_like = way * UNLIKE > self.character.way && way < UNLIKE * self.character.way;
         self.unlike = if is_like { 0 } else { self.unlike + 1 };
         self.pairs += 1;
         self.unlike >= IN_A_ROW || self.pairs.is_multiple_of(SELDOM)
     }
 
-    /// The operations that trials may take now, after so many since the choice; `None`: they may not be made yet.
-    pub(super) fn allowed(&self, done: f64) -> Option<f64> {
-        match self.unlike >= IN_A_ROW {
+    /// The operations that trials may take at this time, after so many since the choice; `None`: they may not be made yet.
+    pub(super) fn allowed(&self, done: f64, now: f64) -> Option<f64> {
+        let is_dear = done > DEARER * self.character.rate * (now - self.start.0);
+        match self.unlike >= IN_A_ROW || is_dear {
             true => (done >= self.wait).then_some(PARTS[0] * done),
             false => (done >= ANYWAY * self.wait).then_some(PARTS[1] * done),
         }
     }
 
-    /// After trials with so many operations, in which pairs went this way: the method stays. If the trials say nothing about the
+    /// After trials with so many operations, in which the motion had this character: the method stays. If the trials say nothing about the
     /// rest of the motion, the next ones are not made later than these.
-    pub(super) fn stay(&mut self, now: (f64, Report), spent: f64, way: f64, conclusive: bool) {
+    pub(super) fn stay(
+        &mut self,
+        now: (f64, Report),
+        spent: f64,
+        character: Character,
+        conclusive: bool,
+    ) {
         let longer = if conclusive { LONGER } else { 1.0 };
-        self.rest(now, (WAIT * spent).max(longer * self.wait), way);
+        self.rest(now, (WAIT * spent).max(longer * self.wait), character);
     }
 
     /// After the same, or where the method cannot go on: another candidate is taken.
@@ -88,15 +107,14 @@ impl Choice {
         &mut self,
         candidate: usize,
         now: (f64, Report),
-        spent: f64,
-        way: f64,
+        trial: &Trial,
         change: MethodChange,
     ) {
         self.current = candidate;
         self.changes.push(change);
-        match spent.is_finite() {
-            true => self.rest(now, WAIT * spent, way),
-            false => self.rest(now, self.wait, self.way),
+        match trial.operations.is_finite() {
+            true => self.rest(now, WAIT * trial.operations, trial.character()),
+            false => self.rest(now, self.wait, self.character),
         }
     }
 
@@ -111,20 +129,27 @@ impl Choice {
         self.current
     }
 
-    fn rest(&mut self, now: (f64, Report), wait: f64, way: f64) {
-        (self.start, self.wait, self.way) = (now, wait, way);
+    fn rest(&mut self, now: (f64, Report), wait: f64, character: Character) {
+        (self.start, self.wait, self.character) = (now, wait, character);
         (self.unlike, self.pairs) = (0, 0);
     }
 
-    /// The candidates that are not in use.
-    pub(super) fn others(&self) -> impl DoubleEndedIterator<Item = usize> + use<> {
-        let current = self.current;
-        (0..self.candidates.len()).filter(move |&candidate| candidate != current)
+    /// The candidates that are not in use, those that were hopeless at the beginning after the others.
+    pub(super) fn others(&self) -> Vec<usize> {
+        let others = (0..self.candidates.len()).filter(|&candidate| candidate != self.current);
+        let mut others: Vec<_> = others.collect();
+        others.sort_by_key(|&candidate| self.is_hopeless(candidate));
+        others
+    }
+
+    /// Whether a candidate was hopeless at the beginning.
+    pub(super) fn is_hopeless(&self, candidate: usize) -> bool {
+        self.candidates[candidate].1
     }
 
     /// The settings of a candidate.
     pub(super) fn settings_of(&self, candidate: usize) -> Settings {
-        self.candidates[candidate]
+        self.candidates[candidate].0
     }
 
     /// Time and report at the choice.
@@ -132,9 +157,9 @@ impl Choice {
         &self.start
     }
 
-    /// The way of a pair at the choice.
-    pub(super) fn way(&self) -> f64 {
-        self.way
+    /// What the motion was like at the choice.
+    pub(super) fn character(&self) -> Character {
+        self.character
     }
 
     /// The changes of the method so far.

@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
-use super::step_controller::{Pace, TOO_LONG};
+use super::step_controller::{Pace, TOO_LONG, difficulty};
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{ErrorOf, SimulationError, StepController, System};
@@ -35,6 +35,16 @@ const UNCOMPARED: [u32; 3] = [31, 15, 7];
 const CLEARLY: [f64; 2] = [0.75, 0.5];
 /// … and from which on it is not kept, where lengths follow the motion.
 const TOO_MUCH: f64 = 1.0;
+/// From one pair to the next the difficulty of smooth motion grows by less than this power of 2. Where an estimate grows more, a
+/// force jumps or bends, and powers that are right where the motion is smooth make the estimate too small: the pair is compared, …
+const BENDS: f64 = 10.0;
+/// … if its error ratio is not below this. Where the difference of a comparison grows by this power, its whole is the error, which
+/// may be so many times the usual one: jumps are rare.
+const HARMLESS: f64 = 1e-6;
+/// An error that is a smaller part of such an estimate was not seen: with both lengths all stages are beyond the jump.
+const BLIND: f64 = 1e-3;
+const JUMPS: f64 = 20.0;
+const RARE: f64 = 10.0;
 /// A second step that would be longer than this part of what is left takes all of it.
 const NEARLY: f64 = 0.8;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -73,17 +83,20 @@ struct Bounds {
     allowed: f64,
     /// The part of a way that is allowed.
     share: f64,
+    /// The difficulty of the last pair, where lengths follow the motion.
+    usual: Option<f64>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Two steps, the first of h, which stay, and others over the same time to compare them with. Their error may be that of a
-    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`.
+    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`; `usual` is the difficulty of
+    /// the last pair that was kept.
     pub(super) fn compare(
         &mut self,
         tolerance: f64,
         (h, left): (f64, f64),
         (reach, indulgence): (f64, f64),
-        (controller, start): (&StepController, RankMargin),
+        (controller, usual, start): (&StepController, Option<f64>, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
         let rejected_before = self.rejected;
@@ -157,7 +170,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             (_, true) => (CLEARLY[1], UNCOMPARED[1]),
             _ => (CLEARLY[1], UNCOMPARED[2]),
         };
-        let is_clear = found.error_ratio <= clearly && controller.pairs_since_comparison < most;
+        let seen = match (found.error_ratio.is_nan(), estimate) {
+            (true, Some(estimate)) => estimate / allowed,
+            _ => found.error_ratio,
+        };
+        let bends = seen > HARMLESS && self.grown_difficulty(usual, length, seen) > BENDS;
+        let is_recent = controller.pairs_since_comparison < most;
+        let is_clear = found.error_ratio <= clearly && is_recent && !bends;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
             return Ok(found);
         }
@@ -170,8 +189,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             noise,
             allowed,
             share: SHARE * tolerance,
+            usual: usual.filter(|_| self.follows()),
         };
         let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
+        if bends && found.estimate_factor.is_some_and(|factor| factor < BLIND) {
+            found.error_ratio = found.error_ratio.max(TOO_LONG);
+        }
         self.integrator.state_mut().copy_from(&self.pair_end);
         self.restore(kept)?;
         outcome.map(|()| found)
@@ -193,6 +216,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return error_ratio;
         }
         controller.predicted_error_ratio(estimate, allowed.max(share * self.speed(first)))
+    }
+
+    /// The power of 2 by which the difficulty has grown in a pair of this length with this error ratio.
+    fn grown_difficulty(&self, usual: Option<f64>, length: f64, error_ratio: f64) -> f64 {
+        let now = difficulty(self.settings.true_order(), 0.5 * length, error_ratio);
+        usual.map_or(0.0, |usual| now - usual)
     }
 
     /// Takes other steps over the time of the pair, and notes its error.
@@ -239,6 +268,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 && own / ratio > error_ratio
             {
                 (error_ratio, worst) = (own / ratio, state);
+            }
+            if self.grown_difficulty(bounds.usual, length, error_ratio) > JUMPS {
+                error_ratio *= (ratio / RARE).max(1.0);
             }
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
                 found.error_ratio = error_ratio;

@@ -8,9 +8,13 @@
 //! pair ─▶ way outside 1/8 to 8 times that at the choice, in 16 pairs in a row? ─▶ trials ─▶ the method with less work
 //! ```
 //!
+//! They are tried, too, where a second of the motion takes more than twice the operations that the trial at the choice has found:
+//! it has seen another motion.
+//!
 //! Trials cost as much as some hundred pairs. The next ones may be made after four times their operations, and later where they
 //! have changed nothing: in a periodic motion all of them together are a small part of a long run. Seldom they are made in any
-//! case, since those at the start may have seen another motion.
+//! case. A trial that would take too much is cut off, and counts with what it has shown up to then. A candidate that was hopeless
+//! at the beginning is tried only if no other can go on.
 
 use super::Simulation;
 use super::trial::{GAIN, Trial};
@@ -74,7 +78,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if !choice.note(way) {
             return None;
         }
-        self.choice.as_ref()?.allowed(self.done())
+        self.choice.as_ref()?.allowed(self.done(), self.time())
     }
 
     /// The operations since the choice.
@@ -110,11 +114,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 return self.take_candidate(best, [current, other]);
             }
             match other.rate.is_finite() && current.rate.is_finite() {
-                true => {
-                    choice.stay(now, spent, current.way, !is_better);
-                }
+                true => choice.stay(now, spent, current.character(), !is_better),
                 // One of them fails, or needs a longer trial: the motion stays unlike that at the choice.
-                false => choice.stay(now, most, choice.way(), true),
+                false => choice.stay(now, most, choice.character(), true),
             }
         }
         Ok(())
@@ -123,19 +125,26 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The best of the candidates that are not in use, its trial, and the operations of all trials, at most `most`. If none can
     /// go on, it is the last one, the two-level method.
     fn best_other(&self, most: f64) -> (usize, Trial, f64) {
-        let (mut best, mut leader, mut spent) = (0, Trial::NONE, 0.0);
-        let candidates = self.choice.as_ref().map(|choice| choice.others());
-        for candidate in candidates.into_iter().flatten() {
+        let Some(choice) = &self.choice else {
+            return (0, Trial::NONE, 0.0);
+        };
+        let others = choice.others();
+        let (mut best, mut leader, mut spent) = (others.iter().copied().max(), Trial::NONE, 0.0);
+        for candidate in others {
+            let is_enough = leader.rate.is_finite() && choice.is_hopeless(candidate);
+            if is_enough || spent >= most {
+                break;
+            }
             let trial = (self.with_candidate(candidate))
                 .map_or(Trial::NONE, |mut run| run.run_trial(most - spent, &leader));
             if trial.operations.is_finite() {
                 spent += trial.operations.min(most - spent);
             }
-            if trial.rate < leader.rate || !leader.rate.is_finite() {
-                (best, leader) = (candidate, trial);
+            if trial.rate < leader.rate {
+                (best, leader) = (Some(candidate), trial);
             }
         }
-        (best, leader, spent)
+        (best.unwrap_or(0), leader, spent)
     }
 
     /// A simulation with this candidate from here on.
@@ -169,7 +178,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let now = (self.time(), self.report());
         if let Some(choice) = &mut self.choice {
-            choice.change(candidate, now, after.operations, after.way, change);
+            choice.change(candidate, now, &after, change);
             choice.work = renewed.work();
         }
         renewed.take_over_motion(self);

@@ -58,7 +58,7 @@ pub(super) fn notches(order: u8, error_ratio: f64) -> f64 {
 }
 
 /// log₂ of the difficulty d of the motion: with order p the error ratio of steps of h is d hᵖ.
-fn difficulty(order: u8, h: f64, error_ratio: f64) -> f64 {
+pub(super) fn difficulty(order: u8, h: f64, error_ratio: f64) -> f64 {
     // Powers of a step may overflow or vanish.
     error_ratio.max(ROUND_OFF).log2() - f64::from(order) * h.log2()
 }

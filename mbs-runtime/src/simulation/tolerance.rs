@@ -67,6 +67,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
         }
+        let usual = step_controller.difficulty;
         let (books, balance) = (self.books, self.balance);
         self.pair_start.copy_from(self.integrator.state());
         let margin = self.margin();
@@ -86,7 +87,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             } else {
                 (0.0, 1.0)
             };
-            let controller = (&step_controller, margin);
+            let controller = (&step_controller, usual, margin);
             let found = self.compare(tolerance, (h, left), allowance, controller, last);
             let order = self.settings.true_order();
             let (error_ratio, is_embedded, error) = match found {

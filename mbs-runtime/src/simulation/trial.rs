@@ -1,12 +1,13 @@
 //! What a method needs for a motion: it runs ahead, and its operations are counted.
 
 use super::Simulation;
+use super::choice::Character;
 use super::pose::FAR;
 use crate::work::Work;
 use crate::{Method, SimulationError, System};
 
 /// Pairs of steps that are counted, after the first length of steps was found.
-const COUNTED: usize = 12;
+const COUNTED: f64 = 12.0;
 /// How often they are counted anew while steps grow, and by which factor at least they do so in the time of a count where their
 /// length follows the motion.
 const WINDOWS: usize = 6;
@@ -31,7 +32,7 @@ pub(super) struct Trial {
     pub(super) rate: f64,
     /// The times between which they were counted, s.
     pub(super) span: [f64; 2],
-    /// All operations of the trial; if it was hopeless, those that it would have taken.
+    /// All operations of the trial.
     pub(super) operations: f64,
     /// The length of its steps at the end of the trial, s, …
     pub(super) step: f64,
@@ -55,6 +56,24 @@ impl Trial {
         damps: false,
     };
 
+    /// Whether the candidate could go on.
+    pub(super) fn has_run(&self) -> bool {
+        self.operations.is_finite()
+    }
+
+    /// Whether it was given up because another one needs far less.
+    pub(super) fn is_hopeless(&self) -> bool {
+        self.has_run() && !self.rate.is_finite()
+    }
+
+    /// What the motion was like.
+    pub(super) fn character(&self) -> Character {
+        Character {
+            way: self.way,
+            rate: self.rate,
+        }
+    }
+
     /// Whether the lengths of its steps are those that the motion needs.
     pub(super) fn follows_the_motion(&self) -> bool {
         self.rate.is_finite() && (self.damps || self.way > MOVING)
@@ -69,18 +88,24 @@ impl Trial {
     fn outdoes(&self, operations: f64, rate: f64) -> bool {
         self.follows_the_motion() && operations > self.operations && rate > HOPELESS * self.rate
     }
+
+    /// The same for one that has come to this time, whatever its rate there.
+    fn is_far_ahead(&self, operations: f64, time: f64) -> bool {
+        let many = HOPELESS * self.operations;
+        self.follows_the_motion() && operations > many && time < self.span[1]
+    }
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// What the method needs from this state on: it runs until the length of the steps is found, and then counts. It ends with
-    /// [`Trial::NONE`] where it cannot go on, and after so many operations; without a finite rate where it is hopeless beside
-    /// the other one.
+    /// what was found up to then after so many operations, with [`Trial::NONE`] where it cannot go on, and without a finite rate
+    /// where it is hopeless beside the other one.
     pub(super) fn run_trial(&mut self, most: f64, other: &Trial) -> Trial {
         self.tried(most, other).unwrap_or(Trial::NONE)
     }
 
     fn tried(&mut self, most: f64, other: &Trial) -> Result<Trial, SimulationError> {
-        let (work, begin) = (self.work(), self.report());
+        let (work, begin, start) = (self.work(), self.report(), self.time());
         if self.damps() && !(self.margin().least > FAR) {
             return Ok(Trial::NONE);
         }
@@ -89,8 +114,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 break;
             }
             self.forward(self.nominal(), f64::INFINITY)?;
-            if work.between(&begin, &self.report()) > most {
-                return Ok(Trial::NONE);
+            let operations = work.between(&begin, &self.report());
+            if other.is_far_ahead(operations, self.time()) {
+                return Ok(Trial {
+                    operations,
+                    ..Trial::NONE
+                });
+            }
+            if operations > most {
+                let rate = operations / (self.time() - start);
+                return Ok(self.trial(rate, [start, self.time()], operations, self.way()));
             }
         }
         // A transient at the start needs short steps: the count begins anew while they grow, and until the other candidate has
@@ -100,9 +133,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         for window in 1.. {
             let step = self.nominal();
             let before = work.between(&begin, &self.report());
-            trial = self.count(&work, before, other)?;
+            trial = self.count(&work, before, most, other)?;
             if trial.operations > most {
-                return Ok(Trial::NONE);
+                break;
             }
             let is_behind = self.time() < other.span[1] && trial.operations < other.operations;
             // A hopeless trial has no length.
@@ -130,15 +163,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             let (time, operations) = (self.time(), work.between(&start, &self.report()));
             (way, pairs) = (way + self.way(), pairs + 1.0);
-            let trial = |rate| Trial {
-                rate,
-                span: [begin, time],
-                operations,
-                step: self.nominal(),
-                estimate_factor: self.estimate_factor(),
-                way: way / pairs,
-                damps: self.damps(),
-            };
+            let trial = |rate| self.trial(rate, [begin, time], operations, way / pairs);
             if time >= to {
                 return trial((operations - before.1) / (time - before.0));
             }
@@ -154,31 +179,43 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The operations of some pairs, after those `before` them.
-    fn count(&mut self, work: &Work, before: f64, other: &Trial) -> Result<Trial, SimulationError> {
+    fn count(
+        &mut self,
+        work: &Work,
+        before: f64,
+        most: f64,
+        other: &Trial,
+    ) -> Result<Trial, SimulationError> {
         let (start, begin) = (self.time(), self.report());
-        let (mut way, mut operations) = (0.0, 0.0);
-        for pairs in 1..=COUNTED {
+        let (mut way, mut operations, mut pairs) = (0.0, 0.0, 0.0);
+        while pairs < COUNTED && before + operations <= most {
             self.forward(self.nominal(), f64::INFINITY)?;
-            way += self.way();
+            (way, pairs) = (way + self.way(), pairs + 1.0);
             operations = work.between(&begin, &self.report());
             let rate = operations / (self.time() - start);
-            if other.outdoes(before + operations, rate) {
-                let all = operations * (COUNTED as f64 / pairs as f64);
+            let all = before + operations;
+            if other.outdoes(all, rate) || other.is_far_ahead(all, self.time()) {
                 return Ok(Trial {
-                    operations: before + all,
+                    operations: all,
                     ..Trial::NONE
                 });
             }
         }
-        Ok(Trial {
-            rate: operations / (self.time() - start),
-            span: [start, self.time()],
-            operations: before + operations,
+        let (span, all) = ([start, self.time()], before + operations);
+        Ok(self.trial(operations / (span[1] - start), span, all, way / pairs))
+    }
+
+    /// What was found up to now: operations for a second, the span in which they were counted, all of them, and the way of pairs.
+    fn trial(&self, rate: f64, span: [f64; 2], operations: f64, way: f64) -> Trial {
+        Trial {
+            rate,
+            span,
+            operations,
             step: self.nominal(),
             estimate_factor: self.estimate_factor(),
-            way: way / COUNTED as f64,
+            way,
             damps: self.damps(),
-        })
+        }
     }
 
     /// The factor of the estimates by which lengths follow the motion; otherwise zero.
