@@ -1,6 +1,7 @@
 //! One interface for all integrators.
 
 use crate::alf3f::{Counters, StepMonitor};
+use crate::estimate::Estimate;
 use crate::singular::RankMargin;
 use crate::stepper::{AnyStepper, MakeStepper, Trace};
 use crate::{Flow, Method, Settings, SimulationError, State, System, TwoLevelStepper};
@@ -76,10 +77,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
-    /// The error of the last step by an embedded method, in sizes of the mechanism and radians; `None` without one.
-    pub(crate) fn estimate(&self) -> Option<f64> {
+    /// The error of the last step by an embedded method; `None` without one.
+    pub(crate) fn estimate(&self) -> Option<Estimate> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.estimate(),
+            Integrator::TwoLevel(stepper) => stepper.estimate().map(Estimate::of),
             Integrator::Other(stepper) => stepper.estimate(),
         }
     }

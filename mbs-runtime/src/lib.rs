@@ -99,6 +99,7 @@ mod energy;
 #[cfg(feature = "std")]
 mod ensemble;
 mod error;
+mod estimate;
 mod fault;
 mod fixed_step_simulation;
 mod flow;

@@ -4,6 +4,7 @@
 //! program that does not name a method there does not compile it.
 
 use crate::alf3f::{Counters, PaperStepper, StepMonitor};
+use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::singular::RankMargin;
 use crate::{BaselineStepper, Flow, Settings, SimulationError, State, System};
@@ -26,7 +27,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn flow(&self) -> Flow;
     fn counters(&self) -> Counters;
     fn is_sparse(&self) -> bool;
-    fn estimate(&self) -> Option<f64>;
+    fn estimate(&self) -> Option<Estimate>;
     fn expected_clearance(&self, length: f64) -> f64;
 }
 
@@ -144,7 +145,7 @@ where
         false
     }
 
-    fn estimate(&self) -> Option<f64> {
+    fn estimate(&self) -> Option<Estimate> {
         None
     }
 
@@ -223,7 +224,7 @@ where
         BaselineStepper::is_sparse(self)
     }
 
-    fn estimate(&self) -> Option<f64> {
+    fn estimate(&self) -> Option<Estimate> {
         BaselineStepper::estimate(self)
     }
 

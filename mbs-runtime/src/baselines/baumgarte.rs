@@ -14,6 +14,7 @@ use super::index1::Index1;
 use super::rule::{AnyRule, Rule};
 use super::runge_kutta::{RungeKutta, classical};
 use super::tableau::{CLASSICAL, Tableau};
+use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
@@ -104,12 +105,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.equations.weakest_rows(bench)
     }
 
-    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<f64> {
+    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
         let h = self.length.abs();
         let size = |turn: &SVector<f64, N>, change: &SVector<f64, N>| {
             (yardstick.measure(turn)).max(h * yardstick.measure(change))
         };
-        Some(h * self.stages.estimate(size)?)
+        let estimate = self.stages.estimate(size)?;
+        Some(Estimate {
+            error: h * estimate.error,
+            ..estimate
+        })
     }
 
     fn is_sparse(&self) -> bool {

@@ -20,6 +20,7 @@ use super::radau_coefficients::{COMPLEX, EMBEDDED, FROM_BASIS, INTO_BASIS, NODES
 use super::radau_memory::{Known, Memory};
 use super::rule::{AnyRule, Rule};
 use super::saddle::Saddle;
+use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::flow::unroll;
 use crate::linear::{RowMatrix, accumulate, add_scaled, dot, vector, zeros};
@@ -455,17 +456,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
     }
 
     /// The formula has the order 3. A power of what it gives, as a part of the way, has the order of the step.
-    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<f64> {
+    fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
         let errors = self.errors.as_ref()?;
         let h = self.length.abs();
         let error = yardstick
             .measure(&errors.turn)
             .max(h * yardstick.measure(&errors.change));
         let part = error / yardstick.measure(&errors.way);
-        Some(match part < 1.0 {
+        Some(Estimate::of(match part < 1.0 {
             true => error * part.powf(ORDERS),
             false => error,
-        })
+        }))
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

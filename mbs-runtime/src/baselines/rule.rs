@@ -1,6 +1,7 @@
 //! What the baselines have in common: steps from the state of the bench.
 
 use super::bench::Bench;
+use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
@@ -28,8 +29,8 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
         SVector::zeros()
     }
 
-    /// The error of the last step by an embedded method, in sizes of the mechanism and radians; `None` without one.
-    fn estimate(&self, _: &Yardstick<Q, N>) -> Option<f64> {
+    /// The error of the last step by an embedded method; `None` without one.
+    fn estimate(&self, _: &Yardstick<Q, N>) -> Option<Estimate> {
         None
     }
 

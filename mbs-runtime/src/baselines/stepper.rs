@@ -6,6 +6,7 @@ use super::registry;
 use super::rule::{AnyRule, MakeRule};
 use crate::alf3f::Counters;
 use crate::constraint_geometry::ConstraintGeometry;
+use crate::estimate::Estimate;
 use crate::fault::Fault;
 use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
@@ -135,7 +136,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// See [`Rule::estimate`](super::rule::Rule::estimate).
-    pub(crate) fn estimate(&self) -> Option<f64> {
+    pub(crate) fn estimate(&self) -> Option<Estimate> {
         self.rule.estimate(&self.bench.yardstick)
     }
 

@@ -85,6 +85,8 @@ struct Bounds {
     share: f64,
     /// The difficulty of the last pair, where lengths follow the motion.
     usual: Option<f64>,
+    /// Whether a force jumps or bends in the pair, as its estimates show.
+    is_rough: bool,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
@@ -101,7 +103,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ) -> Result<Found, SimulationError> {
         let rejected_before = self.rejected;
         let first = self.guarded_step(h, left)?;
-        let mut estimate = self.integrator.estimate();
+        let estimate = self.integrator.estimate();
         let middle = self.margin();
         let mut found = Found {
             error_ratio: f64::NAN,
@@ -123,7 +125,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut next = h;
         if found.as_chosen && self.follows() && !self.is_determined() {
             let span = (tolerance, first, (reach, indulgence));
-            let estimated = (controller, estimate);
+            let estimated = (controller, estimate.map(|estimate| estimate.error));
             found.error_ratio = self.error_ratio_of_first(span, [start, middle], estimated);
             // The second step would not make it better.
             if found.error_ratio > TOO_MUCH {
@@ -142,10 +144,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let both = estimate
             .zip(later)
             .filter(|_| self.rejected == rejected_before);
-        estimate = both.map(|(first, second)| first + second);
+        let whole = both.map(|(first, second)| first.with(second));
         found.parts = both
-            .zip(estimate.filter(|sum| *sum > 0.0))
-            .map(|((first, second), sum)| [first / sum, second / sum]);
+            .zip(whole.filter(|whole| whole.error > 0.0))
+            .map(|((first, second), whole)| [first, second].map(|part| part.error / whole.error));
         let end = self.margin();
         let noise = indulgence * self.noise(start, end);
         let length = first + second;
@@ -159,7 +161,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let allowed = (SHARE * tolerance * way).max(noise);
         // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
         found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
-        let estimate = estimate.filter(|_| found.is_embedded);
+        let whole = whole.filter(|_| found.is_embedded);
+        let estimate = whole.map(|whole| whole.error);
+        let is_rough = whole.is_some_and(|whole| whole.is_rough);
         found.error_ratio = controller.predicted_error_ratio(estimate, allowed);
         if found.is_embedded && self.follows() && self.is_determined() {
             found.error_ratio = 0.0;
@@ -174,7 +178,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             (true, Some(estimate)) => estimate / allowed,
             _ => found.error_ratio,
         };
-        let bends = seen > HARMLESS && self.grown_difficulty(usual, length, seen) > BENDS;
+        let bends = match usual {
+            Some(_) => {
+                let grown = self.grown_difficulty(usual, length, seen);
+                seen > HARMLESS && (is_rough || grown > BENDS)
+            }
+            None => seen > TOO_MUCH,
+        };
         let is_recent = controller.pairs_since_comparison < most;
         let is_clear = found.error_ratio <= clearly && is_recent && !bends;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
@@ -190,6 +200,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             allowed,
             share: SHARE * tolerance,
             usual: usual.filter(|_| self.follows()),
+            is_rough,
         };
         let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
         if bends && found.estimate_factor.is_some_and(|factor| factor < BLIND) {
@@ -269,7 +280,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             {
                 (error_ratio, worst) = (own / ratio, state);
             }
-            if self.grown_difficulty(bounds.usual, length, error_ratio) > JUMPS {
+            let grown = self.grown_difficulty(bounds.usual, length, error_ratio);
+            if bounds.is_rough || grown > JUMPS {
                 error_ratio *= (ratio / RARE).max(1.0);
             }
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
