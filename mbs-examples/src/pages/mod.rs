@@ -24,6 +24,7 @@ pub mod orders;
 mod others;
 mod paper;
 pub mod phases;
+pub mod random_jumps;
 mod random_passages;
 pub mod record;
 pub mod registry;

@@ -3,8 +3,8 @@
 use super::data::Data;
 use super::{
     accuracies, calls, candidates, charts, compile_times, compositions, damped, derivation,
-    instructions, method_changes, model_size, orders, others, paper, phases, random_passages,
-    rival, rows, scenes, springs, sweep, symbolic, tolerances, tuning, which,
+    instructions, method_changes, model_size, orders, others, paper, phases, random_jumps,
+    random_passages, rival, rows, scenes, springs, sweep, symbolic, tolerances, tuning, which,
 };
 
 /// From the data to Markdown; the error is a message about missing data.
@@ -134,6 +134,7 @@ pub const ENTRIES: &[Entry] = &[
     block(SWEEPS, "by method", sweep::by_method),
     block(SWEEPS, "by scene", sweep::by_scene),
     block(SWEEPS, "random passages", random_passages::table),
+    block(SWEEPS, "random jumps", random_jumps::table),
     file(
         "book/src/results/work-precision-tables.txt",
         charts::work_precision,

@@ -44,7 +44,7 @@ const HARMLESS: f64 = 1e-6;
 /// An error that is a smaller part of such an estimate was not seen: with both lengths all stages are beyond the jump.
 const BLIND: f64 = 1e-3;
 const JUMPS: f64 = 20.0;
-const RARE: f64 = 10.0;
+const RARE: f64 = 3.0;
 /// A second step that would be longer than this part of what is left takes all of it.
 const NEARLY: f64 = 0.8;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.

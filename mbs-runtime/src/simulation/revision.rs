@@ -157,7 +157,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         state.forget_factors();
         state.step_controller = StepController {
             speed: state.step_controller.speed,
-            ..StepController::starting(settings.step)
+            // A longer step may be too long for a stop that the method in use has just met.
+            ..StepController::starting(settings.step.min(self.nominal()))
         };
         let (system, assembly) = (self.system().clone(), self.assembly.clone());
         Self::from_state(system, settings, state, assembly, self.other)

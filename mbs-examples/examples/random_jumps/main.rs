@@ -1,0 +1,133 @@
+//! Random motions with forces that jump or bend, each with several accuracies, against a fine reference.
+//!
+//! Errors are the largest ones of a coordinate at ten instants, in m or rad. They are compared with the accuracy and, where the
+//! motion amplifies errors, with as many times it: by so much the motion changes if the first parameter does.
+//!
+//! `cargo run --release -p mbs-examples --example random_jumps -- [COUNT] [SEED] [--csv book/src/results/readme]`
+
+mod mechanisms;
+#[allow(dead_code)] // For tests, too.
+#[path = "../../../tests/src/random.rs"]
+mod random;
+
+use mbs_examples::pages::random_jumps::{COLUMNS, KEYS};
+use mbs_examples::pages::record::Recorder;
+use mbs_runtime::{Method, Settings, SimulationError};
+use mechanisms::{KINDS, Kind};
+use random::Random;
+
+const ACCURACIES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+/// The length of a run, s, and the instants that are compared.
+const DURATION: f64 = 5.0;
+const INSTANTS: u32 = 10;
+/// Of the reference, and of a run that shows how sure it is.
+const TOLERANCES: [f64; 2] = [1e-11, 1e-10];
+/// Accuracies are left out where the reference is not sure to this part of them.
+const SURE: f64 = 0.3;
+/// A relative change of the first parameter.
+const CHANGE: f64 = 1e-7;
+/// An error of so many accuracies is too large.
+const MOST: f64 = 10.0;
+
+/// Coordinates at the instants.
+type Motion = Vec<Vec<f64>>;
+
+fn main() -> Result<(), String> {
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example random_jumps");
+    let number = |place: usize, usual: usize| {
+        let text = recorder.arguments.get(place);
+        text.and_then(|text| text.parse().ok()).unwrap_or(usual)
+    };
+    let (count, seed) = (number(0, 100), number(1, 1));
+    let mut file = recorder.file("random_jumps.csv", &COLUMNS, KEYS)?;
+    println!("{}", COLUMNS.join(", "));
+    let mut all_beyond = 0;
+    for kind in &KINDS {
+        let mut errors = Vec::new();
+        for run in 0..count {
+            errors.extend(measure(kind, seed, run)?);
+        }
+        errors.sort_by(f64::total_cmp);
+        let beyond = errors.iter().filter(|error| !(**error <= MOST)).count();
+        all_beyond += beyond;
+        let [median, largest] = [errors.len() / 2, errors.len().saturating_sub(1)]
+            .map(|place| errors.get(place).copied().unwrap_or(f64::NAN));
+        let line = vec![
+            kind.name.to_owned(),
+            errors.len().to_string(),
+            beyond.to_string(),
+            format!("{median:.3}"),
+            format!("{largest:.2}"),
+        ];
+        println!("{}", line.join(", "));
+        file.put(line)?;
+    }
+    match all_beyond {
+        0 => Ok(()),
+        _ => Err(format!("{all_beyond} errors are above {MOST} accuracies")),
+    }
+}
+
+/// The errors of a random motion, as multiples of the accuracies of which the reference is sure.
+fn measure(kind: &Kind, seed: usize, run: usize) -> Result<Vec<f64>, String> {
+    let random = &mut Random::of(&format!("{seed} {} {run}", kind.name));
+    let mut draw = |&[least, most]: &[f64; 2]| {
+        let mut among = |a: f64, b: f64| 0.5 * (a + b) + random.within(0.5 * (b - a));
+        match least > 0.0 && most > 10.0 * least {
+            true => among(least.ln(), most.ln()).exp(),
+            false => among(least, most),
+        }
+    };
+    let numbers: Vec<f64> = kind.ranges.iter().map(&mut draw).collect();
+    let what = format!("{} {numbers:?}", kind.name);
+    let of_reference = |error: SimulationError| format!("{what}: {error}");
+    let [fine, coarser] = TOLERANCES.map(|tolerance| reference(kind, &numbers, tolerance));
+    let (fine, coarser) = (fine.map_err(of_reference)?, coarser.map_err(of_reference)?);
+    let mut changed = numbers.clone();
+    changed[0] *= 1.0 + CHANGE;
+    let changed = reference(kind, &changed, TOLERANCES[0]).map_err(of_reference)?;
+    let amplified = (apart(&changed, &fine) / CHANGE).max(1.0);
+    let unsure = apart(&coarser, &fine);
+    let sure = ACCURACIES
+        .into_iter()
+        .filter(|accuracy| unsure <= SURE * accuracy);
+    Ok(sure
+        .map(|accuracy| {
+            let motion = motion(kind, &numbers, Settings::accuracy(accuracy));
+            let error = motion.map_or(f64::INFINITY, |motion| apart(&motion, &fine));
+            let error = error / (accuracy * amplified);
+            if !(error <= MOST) {
+                println!("{what}, {accuracy:e}: {error:.1} accuracies");
+            }
+            error
+        })
+        .collect())
+}
+
+/// By Radau where it is a candidate, otherwise by explicit steps.
+fn reference(kind: &Kind, numbers: &[f64], tolerance: f64) -> Result<Motion, SimulationError> {
+    let settings = |method, order| Settings {
+        method,
+        order,
+        tolerance: Some(tolerance),
+        ..Settings::default()
+    };
+    motion(kind, numbers, settings(Method::Radau, 2))
+        .or_else(|_| motion(kind, numbers, settings(Method::Projected, 8)))
+}
+
+fn motion(kind: &Kind, numbers: &[f64], settings: Settings) -> Result<Motion, SimulationError> {
+    let mut simulation = (kind.build)(numbers, settings)?;
+    (1..=INSTANTS)
+        .map(|instant| {
+            simulation.run_until(DURATION * f64::from(instant) / f64::from(INSTANTS))?;
+            Ok(simulation.coordinates())
+        })
+        .collect()
+}
+
+/// The largest difference of a coordinate.
+fn apart(one: &Motion, other: &Motion) -> f64 {
+    let pairs = one.iter().flatten().zip(other.iter().flatten());
+    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
