@@ -1,26 +1,26 @@
-//! What a step tells of its own error.
+//! The estimate of the error of a step by an embedded method.
 
-/// By an embedded method.
+/// Of a step, or of a pair of steps.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Estimate {
     /// In sizes of the mechanism and radians.
     pub(crate) error: f64,
-    /// Whether a force jumps or bends in the step, or the step is too long for any estimate: its terms of higher order are not
-    /// smaller than those of lower order.
+    /// Whether the terms of higher order are not small beside those of lower order: a force jumps or bends in the step, or the
+    /// step is too long.
     pub(crate) is_rough: bool,
 }
 
 impl Estimate {
     /// By a method that does not see whether forces are smooth.
-    pub(crate) fn of(error: f64) -> Self {
+    pub(crate) fn smooth(error: f64) -> Self {
         Estimate {
             error,
             is_rough: false,
         }
     }
 
-    /// Of two steps.
-    pub(crate) fn with(self, other: Estimate) -> Self {
+    /// Of both steps.
+    pub(crate) fn plus(self, other: Estimate) -> Self {
         Estimate {
             error: self.error + other.error,
             is_rough: self.is_rough || other.is_rough,

@@ -15,6 +15,7 @@ mod energy_guard;
 mod fixed_steps;
 mod hermite;
 mod imbalance;
+mod jumps;
 mod known_poses;
 mod names;
 mod other_methods;

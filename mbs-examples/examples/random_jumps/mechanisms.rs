@@ -30,11 +30,11 @@ mechanism!(Block {
 mechanism!(Pendulum {
     doc: "A pendulum with friction in its bearing may swing against a stop.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
-    height: Param(1.0_rad),
     friction: Param(0.5),
+    start: Param(0.0_rad),
     opening: Param(2.0_rad),
     stiffness: Param(1000.0_N_m),
-    rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 1.0_rad - height),
+    rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = start),
     pivot: Revolute(ground.origin, rod.a),
     bush: Friction(
         rod.rate,
@@ -100,7 +100,7 @@ mechanism!(Lines {
 });
 
 mechanism!(Crank {
-    doc: "A slider-crank whose slider rubs, and turns twice in a revolution.",
+    doc: "A slider-crank with friction on its slider, which turns twice in a revolution.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
     rate: Param(10.0_rad_per_s),
     friction: Param(0.3),
@@ -158,7 +158,7 @@ macro_rules! kind {
 /// All of them.
 pub const KINDS: [Kind; 7] = [
     kind!("block on a spring", Block { speed: 0.3, 4.0; stiffness: 1.0, 100.0; kinetic: 0.05, 0.3; breakaway: 0.3, 0.5; }),
-    kind!("pendulum with a stop", Pendulum { height: 0.05, 2.0; friction: 0.05, 1.0; opening: 1.5, 2.0; stiffness: 1e2, 1e5; }),
+    kind!("pendulum with a stop", Pendulum { friction: 0.05, 1.0; start: -1.0, 1.0; opening: 1.5, 2.0; stiffness: 1e2, 1e5; }),
     kind!("gap", Gap { force: 0.5, 5.0; frequency: 1.0, 10.0; speed: 0.0, 0.2; stiffness: 1e3, 1e6; dissipation: 0.0, 1.0; }),
     kind!("ball", Ball { height: 0.3, 3.0; stiffness: 1e3, 1e6; }),
     kind!("straight lines", Lines { speed: 0.2, 1.5; bend: -0.05, 0.25; soft: -10.0, 0.0; stiff: 5.0, 100.0; }),

@@ -49,6 +49,7 @@ fn check_controller(controller: &StepController) -> Result<(), SimulationError> 
     let what = "the step controller";
     check_finite(what, &[step, allowed, speed, estimate_factor])?;
     check_finite(what, controller.difficulty.as_slice())?;
+    check_finite(what, controller.estimated_difficulty.as_slice())?;
     match [step, speed, estimate_factor]
         .into_iter()
         .find(|value| *value < 0.0)

@@ -463,7 +463,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
             .measure(&errors.turn)
             .max(h * yardstick.measure(&errors.change));
         let part = error / yardstick.measure(&errors.way);
-        Some(Estimate::of(match part < 1.0 {
+        Some(Estimate::smooth(match part < 1.0 {
             true => error * part.powf(ORDERS),
             false => error,
         }))

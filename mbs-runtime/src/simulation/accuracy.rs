@@ -17,7 +17,7 @@
 //! does not. Its matrices are dense, so that it serves small mechanisms.
 
 use super::Simulation;
-use super::choice::Choice;
+use super::choice::{Candidate, Choice};
 use super::other_methods::OtherMethods;
 use super::trial::{GAIN, Trial};
 use crate::baselines::registry::has_radau;
@@ -163,9 +163,13 @@ where
             simulation.integrator.state_mut().step_controller =
                 StepController::after_trial(leader.step, leader.estimate_factor);
         }
-        let is_hopeless = trials.iter().map(Trial::is_hopeless);
+        let tried = candidates.iter().zip(&trials);
+        let tried = tried.map(|(&settings, trial)| Candidate {
+            settings,
+            is_hopeless: trial.is_hopeless(),
+        });
         let choice = Choice::new(
-            candidates.into_iter().zip(is_hopeless).collect(),
+            tried.collect(),
             best,
             simulation.work(),
             simulation.time(),

@@ -14,9 +14,9 @@ const WAIT: f64 = 4.0;
 const LONGER: f64 = 2.0;
 /// After as many times these operations trials are made in any case.
 const ANYWAY: f64 = 16.0;
-/// The part of the operations since the last trials that others may take, where ways are unlike and in any case.
+/// The part of the operations since the last trials that others may take, where the motion has changed and in any case.
 const PARTS: [f64; 2] = [0.25, 0.0625];
-/// Operations for a second of the motion that are so many times those of the trial are unlike those at the choice, too.
+/// The motion has changed, too, if a second of it takes this many times the operations of the trial.
 const DEARER: f64 = 2.0;
 /// Pairs between looks at this number of operations.
 const SELDOM: u64 = 256;
@@ -24,8 +24,7 @@ const SELDOM: u64 = 256;
 /// The method that was chosen, and what is known about it.
 #[derive(Debug, Clone)]
 pub(super) struct Choice {
-    /// With the settings of each, whether it was hopeless at the beginning.
-    candidates: Vec<(Settings, bool)>,
+    candidates: Vec<Candidate>,
     current: usize,
     /// What a stage of the method in use takes.
     pub(super) work: Work,
@@ -41,6 +40,14 @@ pub(super) struct Choice {
     changes: Vec<MethodChange>,
 }
 
+/// A method that may be chosen.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Candidate {
+    pub(super) settings: Settings,
+    /// Whether its trial at the beginning was given up.
+    pub(super) is_hopeless: bool,
+}
+
 /// What a motion is like, as a trial shows it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Character {
@@ -53,14 +60,17 @@ pub(super) struct Character {
 impl Choice {
     /// After the trial of the method that was chosen.
     pub(super) fn new(
-        candidates: Vec<(Settings, bool)>,
+        candidates: Vec<Candidate>,
         current: usize,
         work: Work,
         start: f64,
         trial: &Trial,
     ) -> Self {
         Choice {
-            wait: candidates.len() as f64 * trial.operations,
+            wait: match trial.has_run() {
+                true => candidates.len() as f64 * trial.operations,
+                false => 0.0,
+            },
             candidates,
             current,
             work,
@@ -144,12 +154,12 @@ impl Choice {
 
     /// Whether a candidate was hopeless at the beginning.
     pub(super) fn is_hopeless(&self, candidate: usize) -> bool {
-        self.candidates[candidate].1
+        self.candidates[candidate].is_hopeless
     }
 
     /// The settings of a candidate.
     pub(super) fn settings_of(&self, candidate: usize) -> Settings {
-        self.candidates[candidate].0
+        self.candidates[candidate].settings
     }
 
     /// Time and report at the choice.

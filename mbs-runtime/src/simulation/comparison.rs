@@ -1,9 +1,10 @@
 //! What a pair of steps is compared with, and the error that this shows ([`tolerance`](super::tolerance)).
 
 use super::Simulation;
+use super::jumps::{Smoothness, is_blind};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
-use super::step_controller::{Pace, TOO_LONG, difficulty};
+use super::step_controller::{Pace, TOO_LONG};
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{ErrorOf, SimulationError, StepController, System};
@@ -35,16 +36,6 @@ const UNCOMPARED: [u32; 3] = [31, 15, 7];
 const CLEARLY: [f64; 2] = [0.75, 0.5];
 /// … and from which on it is not kept, where lengths follow the motion.
 const TOO_MUCH: f64 = 1.0;
-/// From one pair to the next the difficulty of smooth motion grows by less than this power of 2. Where an estimate grows more, a
-/// force jumps or bends, and powers that are right where the motion is smooth make the estimate too small: the pair is compared, …
-const BENDS: f64 = 10.0;
-/// … if its error ratio is not below this. Where the difference of a comparison grows by this power, its whole is the error, which
-/// may be so many times the usual one: jumps are rare.
-const HARMLESS: f64 = 1e-6;
-/// An error that is a smaller part of such an estimate was not seen: with both lengths all stages are beyond the jump.
-const BLIND: f64 = 1e-3;
-const JUMPS: f64 = 20.0;
-const RARE: f64 = 3.0;
 /// A second step that would be longer than this part of what is left takes all of it.
 const NEARLY: f64 = 0.8;
 /// The least step, as a part of the first one, with which a mechanism can be at rest.
@@ -66,6 +57,8 @@ pub(super) struct Found {
     pub(super) is_embedded: bool,
     /// The difficulty of the first step, if the second one was chosen for it and the pair was not compared.
     pub(super) difficulty_of_first: Option<f64>,
+    /// The difficulty of the pair by its estimate alone.
+    pub(super) estimated_difficulty: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
     /// The error of the energy balance after the first step, J.
@@ -83,27 +76,24 @@ struct Bounds {
     allowed: f64,
     /// The part of a way that is allowed.
     share: f64,
-    /// The difficulty of the last pair, where lengths follow the motion.
-    usual: Option<f64>,
-    /// Whether a force jumps or bends in the pair, as its estimates show.
-    is_rough: bool,
+    smoothness: Smoothness,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Two steps, the first of h, which stay, and others over the same time to compare them with. Their error may be that of a
-    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`; `usual` is the difficulty of
-    /// the last pair that was kept.
+    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`; `usual` are the
+    /// difficulties of the last pair that was kept.
     pub(super) fn compare(
         &mut self,
         tolerance: f64,
         (h, left): (f64, f64),
         (reach, indulgence): (f64, f64),
-        (controller, usual, start): (&StepController, Option<f64>, RankMargin),
+        (controller, usual, start): (&StepController, [Option<f64>; 2], RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
         let rejected_before = self.rejected;
         let first = self.guarded_step(h, left)?;
-        let estimate = self.integrator.estimate();
+        let of_first = self.integrator.estimate();
         let middle = self.margin();
         let mut found = Found {
             error_ratio: f64::NAN,
@@ -113,6 +103,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             estimate_factor: None,
             is_embedded: false,
             difficulty_of_first: None,
+            estimated_difficulty: None,
             parts: None,
             imbalance: self.balance.error,
             passage: Passage {
@@ -125,7 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut next = h;
         if found.as_chosen && self.follows() && !self.is_determined() {
             let span = (tolerance, first, (reach, indulgence));
-            let estimated = (controller, estimate.map(|estimate| estimate.error));
+            let estimated = (controller, of_first.map(|estimate| estimate.error));
             found.error_ratio = self.error_ratio_of_first(span, [start, middle], estimated);
             // The second step would not make it better.
             if found.error_ratio > TOO_MUCH {
@@ -139,15 +130,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
         }
         let second = self.guarded_step(next.min(rest), rest)?;
-        let later = self.integrator.estimate();
+        let of_second = self.integrator.estimate();
         // The estimate of a step that was halved is that of its last part alone.
-        let both = estimate
-            .zip(later)
+        let both = of_first
+            .zip(of_second)
             .filter(|_| self.rejected == rejected_before);
-        let whole = both.map(|(first, second)| first.with(second));
+        let of_pair = both.map(|(first, second)| first.plus(second));
         found.parts = both
-            .zip(whole.filter(|whole| whole.error > 0.0))
-            .map(|((first, second), whole)| [first, second].map(|part| part.error / whole.error));
+            .zip(of_pair.filter(|pair| pair.error > 0.0))
+            .map(|((first, second), pair)| [first, second].map(|step| step.error / pair.error));
         let end = self.margin();
         let noise = indulgence * self.noise(start, end);
         let length = first + second;
@@ -161,9 +152,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let allowed = (SHARE * tolerance * way).max(noise);
         // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
         found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
-        let whole = whole.filter(|_| found.is_embedded);
-        let estimate = whole.map(|whole| whole.error);
-        let is_rough = whole.is_some_and(|whole| whole.is_rough);
+        let of_pair = of_pair.filter(|_| found.is_embedded);
+        let estimate = of_pair.map(|pair| pair.error);
         found.error_ratio = controller.predicted_error_ratio(estimate, allowed);
         if found.is_embedded && self.follows() && self.is_determined() {
             found.error_ratio = 0.0;
@@ -174,19 +164,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             (_, true) => (CLEARLY[1], UNCOMPARED[1]),
             _ => (CLEARLY[1], UNCOMPARED[2]),
         };
-        let seen = match (found.error_ratio.is_nan(), estimate) {
-            (true, Some(estimate)) => estimate / allowed,
-            _ => found.error_ratio,
+        let smoothness = Smoothness {
+            usual,
+            is_rough: of_pair.is_some_and(|pair| pair.is_rough && pair.error > noise),
+            length,
         };
-        let bends = match usual {
-            Some(_) => {
-                let grown = self.grown_difficulty(usual, length, seen);
-                seen > HARMLESS && (is_rough || grown > BENDS)
-            }
-            None => seen > TOO_MUCH,
-        };
+        let estimated_ratio = estimate.map(|estimate| estimate / allowed);
+        found.estimated_difficulty = estimated_ratio.map(|ratio| self.difficulty_of(length, ratio));
+        let may_jump = |ratio| self.may_jump(&smoothness, ratio);
+        let jumps = estimate > Some(noise) && estimated_ratio.is_some_and(may_jump);
         let is_recent = controller.pairs_since_comparison < most;
-        let is_clear = found.error_ratio <= clearly && is_recent && !bends;
+        let is_clear = found.error_ratio <= clearly && is_recent && !jumps;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
             return Ok(found);
         }
@@ -199,11 +187,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             noise,
             allowed,
             share: SHARE * tolerance,
-            usual: usual.filter(|_| self.follows()),
-            is_rough,
+            smoothness,
         };
         let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
-        if bends && found.estimate_factor.is_some_and(|factor| factor < BLIND) {
+        if jumps && is_blind(found.estimate_factor) {
             found.error_ratio = found.error_ratio.max(TOO_LONG);
         }
         self.integrator.state_mut().copy_from(&self.pair_end);
@@ -227,12 +214,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return error_ratio;
         }
         controller.predicted_error_ratio(estimate, allowed.max(share * self.speed(first)))
-    }
-
-    /// The power of 2 by which the difficulty has grown in a pair of this length with this error ratio.
-    fn grown_difficulty(&self, usual: Option<f64>, length: f64, error_ratio: f64) -> f64 {
-        let now = difficulty(self.settings.true_order(), 0.5 * length, error_ratio);
-        usual.map_or(0.0, |usual| now - usual)
     }
 
     /// Takes other steps over the time of the pair, and notes its error.
@@ -280,10 +261,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             {
                 (error_ratio, worst) = (own / ratio, state);
             }
-            let grown = self.grown_difficulty(bounds.usual, length, error_ratio);
-            if bounds.is_rough || grown > JUMPS {
-                error_ratio *= (ratio / RARE).max(1.0);
-            }
+            error_ratio = self.over_a_jump(&bounds.smoothness, error_ratio, ratio);
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
                 found.error_ratio = error_ratio;
                 let worst = S::MODEL.velocities.get(worst);

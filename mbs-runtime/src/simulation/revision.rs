@@ -13,8 +13,8 @@
 //!
 //! Trials cost as much as some hundred pairs. The next ones may be made after four times their operations, and later where they
 //! have changed nothing: in a periodic motion all of them together are a small part of a long run. Seldom they are made in any
-//! case. A trial that would take too much is cut off, and counts with what it has shown up to then. A candidate that was hopeless
-//! at the beginning is tried only if no other can go on.
+//! case. A trial that would take too much is cut off, and counts with what it has shown up to then. Candidates that were hopeless
+//! at the beginning are tried last, and only if no other has shown less work than the method in use.
 
 use super::Simulation;
 use super::trial::{GAIN, Trial};
@@ -60,7 +60,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline(never)]
     fn leave_candidate(&mut self) -> Result<(), SimulationError> {
         let left = self.choice.as_ref().map(|choice| choice.current());
-        let (best, trial, _) = self.best_other(f64::INFINITY);
+        let (best, trial, _) = self.best_other(f64::INFINITY, f64::MAX);
         self.take_candidate(best, [Trial::NONE, trial])?;
         if let (Some(choice), Some(left)) = (&mut self.choice, left) {
             choice.leave_out(left);
@@ -92,7 +92,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     #[inline(never)]
     fn choose_again(&mut self, most: f64) -> Result<(), SimulationError> {
-        let (best, other, mut spent) = self.best_other(most);
+        let now = (self.time(), self.report());
+        let Some(choice) = &self.choice else {
+            return Ok(());
+        };
+        let gain = match self.settings.method {
+            Method::Radau => RETURN,
+            _ => GAIN,
+        };
+        // What is hard for both, as where a block slips for a moment, says nothing about the rest.
+        let enough = gain * self.done() / (now.0 - choice.start().0);
+        let (best, other, mut spent) = self.best_other(most, enough);
         let mut current = Trial::NONE;
         if other.rate.is_finite() {
             let mut run = self.clone();
@@ -100,19 +110,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             current = run.run_beside(&other);
             spent += current.operations;
         }
-        let now = (self.time(), self.report());
-        let done = self.done();
+        let is_better = other.rate < gain * current.rate;
+        let is_less = other.rate.min(other.mean_rate(now.0)) < enough;
+        if is_better && (is_less || !current.has_run()) {
+            return self.take_candidate(best, [current, other]);
+        }
         if let Some(choice) = &mut self.choice {
-            // What is hard for both, as where a block slips for a moment, says nothing about the rest.
-            let mean = done / (now.0 - choice.start().0);
-            let gain = match self.settings.method {
-                Method::Radau => RETURN,
-                _ => GAIN,
-            };
-            let is_better = other.rate < gain * current.rate;
-            if is_better && other.rate.min(other.mean_rate(now.0)) < gain * mean {
-                return self.take_candidate(best, [current, other]);
-            }
             match other.rate.is_finite() && current.rate.is_finite() {
                 true => choice.stay(now, spent, current.character(), !is_better),
                 // One of them fails, or needs a longer trial: the motion stays unlike that at the choice.
@@ -123,15 +126,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The best of the candidates that are not in use, its trial, and the operations of all trials, at most `most`. If none can
-    /// go on, it is the last one, the two-level method.
-    fn best_other(&self, most: f64) -> (usize, Trial, f64) {
+    /// go on, it is the last of them. One that was hopeless is not tried if another one has at most the rate `enough`.
+    fn best_other(&self, most: f64, enough: f64) -> (usize, Trial, f64) {
         let Some(choice) = &self.choice else {
             return (0, Trial::NONE, 0.0);
         };
         let others = choice.others();
         let (mut best, mut leader, mut spent) = (others.iter().copied().max(), Trial::NONE, 0.0);
         for candidate in others {
-            let is_enough = leader.rate.is_finite() && choice.is_hopeless(candidate);
+            let is_enough = leader.rate <= enough && choice.is_hopeless(candidate);
             if is_enough || spent >= most {
                 break;
             }

@@ -67,7 +67,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
         }
-        let usual = step_controller.difficulty;
+        let usual = match self.follows() {
+            true => [
+                step_controller.estimated_difficulty,
+                step_controller.difficulty,
+            ],
+            false => [None; 2],
+        };
         let (books, balance) = (self.books, self.balance);
         self.pair_start.copy_from(self.integrator.state());
         let margin = self.margin();
@@ -104,6 +110,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.error_ratio <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
+                        if self.follows() {
+                            step_controller.estimated_difficulty = found.estimated_difficulty;
+                        }
                         step_controller.note(
                             found.estimate_factor,
                             found.error_ratio,

@@ -19,7 +19,8 @@ const TRIED: usize = 60;
 /// until the new lengths are found.
 pub(super) const GAIN: f64 = 0.7;
 /// A candidate is given up once its trial has taken more operations than the whole trial of the leader, if it takes over this
-/// many times as many for a second: its steps become four times as long at most where they grow once more.
+/// many times as many for a second: its steps become four times as long at most where they grow once more. It is given up, too, once
+/// it has taken this many times the operations of that trial and has not come as far.
 const HOPELESS: f64 = 4.0;
 /// Pairs of explicit steps that go a shorter way, in sizes and radians, are short for another reason than the motion: a stiff
 /// damper, or a tolerance near round-off. Then steps of the other candidate may grow a hundred times longer.
@@ -28,7 +29,7 @@ const MOVING: f64 = 0.01;
 /// What a candidate needs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Trial {
-    /// Operations for a second of the motion; infinite if it cannot go on.
+    /// Operations for a second of the motion; infinite if it cannot go on, or was given up.
     pub(super) rate: f64,
     /// The times between which they were counted, s.
     pub(super) span: [f64; 2],
@@ -38,7 +39,7 @@ pub(super) struct Trial {
     pub(super) step: f64,
     /// … and the factor of the estimates of its errors.
     pub(super) estimate_factor: f64,
-    /// The mean way of its pairs, in sizes and radians.
+    /// The mean way of the pairs that were counted, in sizes and radians.
     pub(super) way: f64,
     /// Whether stiff dampers do not shorten its steps.
     damps: bool,
@@ -66,6 +67,14 @@ impl Trial {
         self.has_run() && !self.rate.is_finite()
     }
 
+    /// Of a candidate that was given up after so many operations.
+    fn hopeless(operations: f64) -> Self {
+        Trial {
+            operations,
+            ..Trial::NONE
+        }
+    }
+
     /// What the motion was like.
     pub(super) fn character(&self) -> Character {
         Character {
@@ -84,15 +93,12 @@ impl Trial {
         self.operations / (self.span[1] - begin)
     }
 
-    /// Whether a candidate that has taken so many operations, at this rate, need not be tried further.
-    fn outdoes(&self, operations: f64, rate: f64) -> bool {
-        self.follows_the_motion() && operations > self.operations && rate > HOPELESS * self.rate
-    }
-
-    /// The same for one that has come to this time, whatever its rate there.
-    fn is_far_ahead(&self, operations: f64, time: f64) -> bool {
-        let many = HOPELESS * self.operations;
-        self.follows_the_motion() && operations > many && time < self.span[1]
+    /// Whether a candidate that has come to this time with so many operations, at this rate if it is known, need not be tried further.
+    fn outdoes(&self, operations: f64, time: f64, rate: Option<f64>) -> bool {
+        let is_faster =
+            operations > self.operations && rate.is_some_and(|rate| rate > HOPELESS * self.rate);
+        let is_ahead = operations > HOPELESS * self.operations && time < self.span[1];
+        self.follows_the_motion() && (is_faster || is_ahead)
     }
 }
 
@@ -115,11 +121,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             self.forward(self.nominal(), f64::INFINITY)?;
             let operations = work.between(&begin, &self.report());
-            if other.is_far_ahead(operations, self.time()) {
-                return Ok(Trial {
-                    operations,
-                    ..Trial::NONE
-                });
+            if other.outdoes(operations, self.time(), None) {
+                return Ok(Trial::hopeless(operations));
             }
             if operations > most {
                 let rate = operations / (self.time() - start);
@@ -194,11 +197,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             operations = work.between(&begin, &self.report());
             let rate = operations / (self.time() - start);
             let all = before + operations;
-            if other.outdoes(all, rate) || other.is_far_ahead(all, self.time()) {
-                return Ok(Trial {
-                    operations: all,
-                    ..Trial::NONE
-                });
+            if other.outdoes(all, self.time(), Some(rate)) {
+                return Ok(Trial::hopeless(all));
             }
         }
         let (span, all) = ([start, self.time()], before + operations);
