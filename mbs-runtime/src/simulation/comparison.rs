@@ -193,6 +193,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if jumps && is_blind(found.estimate_factor) {
             found.error_ratio = found.error_ratio.max(TOO_LONG);
         }
+        if jumps {
+            // The factor of smooth motion is not smaller because of a jump.
+            let usual = controller.estimate_factor;
+            found.estimate_factor = found.estimate_factor.map(|factor| factor.max(usual));
+        }
         self.integrator.state_mut().copy_from(&self.pair_end);
         self.restore(kept)?;
         outcome.map(|()| found)
