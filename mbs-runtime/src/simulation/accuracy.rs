@@ -173,7 +173,7 @@ where
             best,
             simulation.work(),
             simulation.time(),
-            &leader,
+            (leader.operations, leader.character()),
         );
         simulation.choice = Some(Box::new(choice));
         Ok(simulation)

@@ -1,6 +1,5 @@
 //! The method that was chosen for an accuracy, and when the choice is made again (`revision.rs`).
 
-use super::trial::Trial;
 use crate::work::Work;
 use crate::{MethodChange, Report, Settings};
 
@@ -58,23 +57,23 @@ pub(super) struct Character {
 }
 
 impl Choice {
-    /// After the trial of the method that was chosen.
+    /// After a trial of the method that was chosen, with so many operations; infinite: there was none.
     pub(super) fn new(
         candidates: Vec<Candidate>,
         current: usize,
         work: Work,
         start: f64,
-        trial: &Trial,
+        (operations, character): (f64, Character),
     ) -> Self {
         Choice {
-            wait: match trial.has_run() {
-                true => candidates.len() as f64 * trial.operations,
+            wait: match operations.is_finite() {
+                true => candidates.len() as f64 * operations,
                 false => 0.0,
             },
             candidates,
             current,
             work,
-            character: trial.character(),
+            character,
             unlike: 0,
             pairs: 0,
             start: (start, Report::default()),
@@ -117,13 +116,13 @@ impl Choice {
         &mut self,
         candidate: usize,
         now: (f64, Report),
-        trial: &Trial,
+        (operations, character): (f64, Character),
         change: MethodChange,
     ) {
         self.current = candidate;
         self.changes.push(change);
-        match trial.operations.is_finite() {
-            true => self.rest(now, WAIT * trial.operations, trial.character()),
+        match operations.is_finite() {
+            true => self.rest(now, WAIT * operations, character),
             false => self.rest(now, self.wait, self.character),
         }
     }

@@ -182,7 +182,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let now = (self.time(), self.report());
         if let Some(choice) = &mut self.choice {
-            choice.change(candidate, now, &after, change);
+            choice.change(
+                candidate,
+                now,
+                (after.operations, after.character()),
+                change,
+            );
             choice.work = renewed.work();
         }
         renewed.take_over_motion(self);
