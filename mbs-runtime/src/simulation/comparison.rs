@@ -1,7 +1,7 @@
 //! What a pair of steps is compared with, and the error that this shows ([`tolerance`](super::tolerance)).
 
 use super::Simulation;
-use super::jumps::{Smoothness, is_blind};
+use super::jumps::{Smoothness, is_blind, may_jump};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
@@ -169,10 +169,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             is_rough: of_pair.is_some_and(|pair| pair.is_rough && pair.error > noise),
             length,
         };
-        let estimated_ratio = estimate.map(|estimate| estimate / allowed);
-        found.estimated_difficulty = estimated_ratio.map(|ratio| self.difficulty_of(length, ratio));
-        let may_jump = |ratio| self.may_jump(&smoothness, ratio);
-        let jumps = estimate > Some(noise) && estimated_ratio.is_some_and(may_jump);
+        let estimated = estimate.filter(|_| self.follows()).map(|estimate| {
+            let ratio = estimate / allowed;
+            (ratio, self.difficulty_of(length, ratio))
+        });
+        found.estimated_difficulty = estimated.map(|(_, difficulty)| difficulty);
+        let may_jump = |estimated| may_jump(&smoothness, estimated);
+        let jumps = estimate > Some(noise) && estimated.is_some_and(may_jump);
         let is_recent = controller.pairs_since_comparison < most;
         let is_clear = found.error_ratio <= clearly && is_recent && !jumps;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {

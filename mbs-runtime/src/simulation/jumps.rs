@@ -37,19 +37,6 @@ pub(super) struct Smoothness {
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Whether an estimate with this ratio to the allowed error shows that a force may jump in the pair. Before the first pair
-    /// nothing is usual: then any pair that seems too long may have a jump.
-    pub(super) fn may_jump(&self, pair: &Smoothness, estimated_ratio: f64) -> bool {
-        if !self.follows() {
-            return false;
-        }
-        let now = self.difficulty_of(pair.length, estimated_ratio);
-        match pair.usual[0] {
-            Some(usual) => estimated_ratio > HARMLESS && (pair.is_rough || now > usual + GROWN[0]),
-            None => estimated_ratio > 1.0,
-        }
-    }
-
     /// The error ratio where a comparison has found this one as a part, 1/`ratio`, of the difference.
     pub(super) fn over_a_jump(&self, pair: &Smoothness, error_ratio: f64, ratio: f64) -> f64 {
         let now = self.difficulty_of(pair.length, error_ratio);
@@ -63,6 +50,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// The difficulty of a pair of this length with this ratio of its error to the allowed one.
     pub(super) fn difficulty_of(&self, length: f64, error_ratio: f64) -> f64 {
         difficulty(self.settings.true_order(), 0.5 * length, error_ratio)
+    }
+}
+
+/// Whether an estimate with this ratio to the allowed error, and this difficulty, shows that a force may jump in the pair. Before
+/// the first pair nothing is usual: then any pair that seems too long may have a jump.
+pub(super) fn may_jump(pair: &Smoothness, (ratio, difficulty): (f64, f64)) -> bool {
+    match pair.usual[0] {
+        Some(usual) => ratio > HARMLESS && (pair.is_rough || difficulty > usual + GROWN[0]),
+        None => ratio > 1.0,
     }
 }
 

@@ -110,9 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.error_ratio <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
-                        if self.follows() {
-                            step_controller.estimated_difficulty = found.estimated_difficulty;
-                        }
+                        step_controller.estimated_difficulty = found.estimated_difficulty;
                         step_controller.note(
                             found.estimate_factor,
                             found.error_ratio,
