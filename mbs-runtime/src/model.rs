@@ -279,6 +279,9 @@ pub struct Structure {
     pub position_forces: bool,
     /// A row or force depends on time, or a row on an input, or a velocity row is not homogeneous.
     pub time_dependent: bool,
+    /// M, forces and rows consist of sums, products, quotients, sines and cosines. Otherwise a force may jump or bend, or come near to
+    /// it: friction, stops, tables, laws, distances, `abs`.
+    pub smooth: bool,
     /// The number of leading rows that are holonomic.
     pub holonomic_rows: usize,
     /// The number of unit quaternions among the coordinates.

@@ -1,7 +1,7 @@
 //! Friction against closed forms and a fine integration.
 
 use crate::method_changes::Block;
-use mbs_runtime::{Method, Settings, Simulation, mechanism, methods};
+use mbs_runtime::{Mechanism, Method, Settings, Simulation, mechanism, methods};
 
 fn settings(step: f64) -> Settings {
     Settings {
@@ -179,13 +179,46 @@ fn a_turn_within_a_part_of_a_step_is_seen() {
     assert!((places[0] - places[1]).abs() < 1e-8, "{places:?}");
 }
 
+mechanism!(Swing {
+    doc: "Two rods swing, without friction.",
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    upper: Bar(mass = 1.0_kg, length = 1.0_m, angle = 30.0_deg),
+    lower: Bar(mass = 1.0_kg, length = 1.0_m, angle = -60.0_deg),
+    pivot: Revolute(ground.origin, upper.a),
+    elbow: Revolute(upper.b, lower.a),
+});
+
+mechanism!(Hung {
+    doc: "A rod hangs by a spring, whose direction is none where its ends meet.",
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m),
+    spring: SpringDamper(
+        ground.point(0.0, 1.0_m),
+        rod.a,
+        stiffness = 10.0_N_per_m,
+        length = 0.5_m
+    ),
+});
+
+/// Steps with a tolerance look for jumps only where there can be some.
+#[test]
+fn mechanisms_without_jumps_are_known() {
+    for (model, smooth) in [
+        (Swing::MODEL, true),
+        (Hung::MODEL, false),
+        (Blocks::MODEL, false),
+    ] {
+        assert_eq!(model.structure.smooth, smooth, "{}", model.name);
+    }
+}
+
 /// Where friction turns, and where the block passes the fixed end of its spring, the force jumps within a step. There the error
 /// falls with the first or second power of the step, and the difference to another step is not 31 or 255 times the error.
 #[test]
 fn a_force_that_jumps_is_seen() {
-    let settings = |method, tolerance| Settings {
+    let settings = |(method, order), tolerance| Settings {
         method,
-        order: if method == Method::Radau { 2 } else { 8 },
+        order,
         tolerance: Some(tolerance),
         ..Settings::default()
     };
@@ -201,13 +234,15 @@ fn a_force_that_jumps_is_seen() {
             simulation.output("place").expect("an output")
         })
     };
-    let fine = places(settings(Method::Projected, 1e-9));
-    for method in [Method::Projected, Method::Radau] {
+    let fine = places(settings((Method::Projected, 8), 1e-9));
+    let two_level = [4, 6, 8].map(|order| (Method::TwoLevel, order));
+    let others = [(Method::Projected, 8), (Method::Radau, 2)];
+    for method in two_level.into_iter().chain(others) {
         for tolerance in [6e-5, 2e-5, 6e-6, 2e-6, 6e-7] {
             let coarse = places(settings(method, tolerance));
             let error = |i: usize| (coarse[i] - fine[i]).abs() / tolerance;
             let largest = error(0).max(error(1));
-            assert!(largest < 10.0, "{}, {tolerance}: {largest}", method.name());
+            assert!(largest < 10.0, "{method:?}, {tolerance}: {largest}");
         }
     }
 }

@@ -1,4 +1,5 @@
-//! Random motions with forces that jump or bend, each with several accuracies, against a fine reference.
+//! Random motions with forces that jump or bend, against a fine reference: each with several accuracies, and with the tolerances that
+//! an accuracy gives to its methods and two-level steps of orders 4, 6 and 8.
 //!
 //! Errors are the largest ones of a coordinate at ten instants, in m or rad. They are divided by the accuracy times max(1, A), where
 //! A = |Δq|/δ is the change of the motion for a relative change δ of the first parameter.
@@ -10,7 +11,7 @@ mod mechanisms;
 #[path = "../../../tests/src/random.rs"]
 mod random;
 
-use mbs_examples::pages::random_jumps::{COLUMNS, KEYS};
+use mbs_examples::pages::random_jumps::{COLUMNS, KEYS, WAYS};
 use mbs_examples::pages::record::Recorder;
 use mbs_runtime::{Method, Settings, SimulationError};
 use mechanisms::{KINDS, Kind};
@@ -31,6 +32,9 @@ const AMPLIFIED: f64 = 1e3;
 /// An error of so many accuracies is too large.
 const MOST: f64 = 10.0;
 
+/// The tolerance of two-level steps for an accuracy of one, as an accuracy has it.
+const SHARE: f64 = 0.2;
+
 /// Coordinates at the instants.
 type Motion = Vec<Vec<f64>>;
 
@@ -45,24 +49,31 @@ fn main() -> Result<(), String> {
     println!("{}", COLUMNS.join(", "));
     let mut all_beyond = 0;
     for kind in &KINDS {
-        let mut errors = Vec::new();
+        let mut errors = WAYS.map(|_| Vec::new());
         for run in 0..count {
-            errors.extend(measure(kind, seed, run));
+            let found = measure(kind, seed, run);
+            errors
+                .iter_mut()
+                .zip(found)
+                .for_each(|(all, found)| all.extend(found));
         }
-        errors.sort_by(f64::total_cmp);
-        let beyond = errors.iter().filter(|error| !(**error <= MOST)).count();
-        all_beyond += beyond;
-        let [median, largest] = [errors.len() / 2, errors.len().saturating_sub(1)]
-            .map(|place| errors.get(place).copied().unwrap_or(f64::NAN));
-        let line = vec![
-            kind.name.to_owned(),
-            errors.len().to_string(),
-            beyond.to_string(),
-            format!("{median:.3}"),
-            format!("{largest:.2}"),
-        ];
-        println!("{}", line.join(", "));
-        file.put(line)?;
+        for (way, mut errors) in WAYS.into_iter().zip(errors) {
+            errors.sort_by(f64::total_cmp);
+            let beyond = errors.iter().filter(|error| !(**error <= MOST)).count();
+            all_beyond += beyond;
+            let [median, largest] = [errors.len() / 2, errors.len().saturating_sub(1)]
+                .map(|place| errors.get(place).copied().unwrap_or(f64::NAN));
+            let line = vec![
+                kind.name.to_owned(),
+                way.to_owned(),
+                errors.len().to_string(),
+                beyond.to_string(),
+                format!("{median:.3}"),
+                format!("{largest:.2}"),
+            ];
+            println!("{}", line.join(", "));
+            file.put(line)?;
+        }
     }
     match all_beyond {
         0 => Ok(()),
@@ -70,8 +81,21 @@ fn main() -> Result<(), String> {
     }
 }
 
-/// The errors of a random motion, as multiples of the accuracies of which the reference is sure; none without a reference.
-fn measure(kind: &Kind, seed: usize, run: usize) -> Vec<f64> {
+/// How a motion is computed for an accuracy in each of the [`WAYS`].
+fn settings(way: &str, accuracy: f64) -> Settings {
+    match way.strip_prefix("two-level ").map(str::parse) {
+        Some(Ok(order)) => Settings {
+            order,
+            tolerance: Some(SHARE * accuracy),
+            ..Settings::default()
+        },
+        _ => Settings::accuracy(accuracy),
+    }
+}
+
+/// The errors of a random motion in each of the [`WAYS`], as multiples of the accuracies of which the reference is sure; none without
+/// a reference.
+fn measure(kind: &Kind, seed: usize, run: usize) -> [Vec<f64>; WAYS.len()] {
     let random = &mut Random::of(&format!("{seed} {} {run}", kind.name));
     let mut draw = |&[least, most]: &[f64; 2]| {
         let mut among = |a: f64, b: f64| 0.5 * (a + b) + random.within(0.5 * (b - a));
@@ -91,26 +115,29 @@ fn measure(kind: &Kind, seed: usize, run: usize) -> Vec<f64> {
     ];
     let [Ok(fine), Ok(coarser), Ok(changed)] = &references else {
         println!("{what}: a reference fails");
-        return Vec::new();
+        return WAYS.map(|_| Vec::new());
     };
     let amplified = (apart(changed, fine) / CHANGE).max(1.0);
     if amplified > AMPLIFIED {
-        return Vec::new();
+        return WAYS.map(|_| Vec::new());
     }
     let unsure = apart(coarser, fine);
-    let sure = ACCURACIES
+    let sure: Vec<f64> = ACCURACIES
         .into_iter()
-        .filter(|accuracy| unsure <= SURE * accuracy);
-    sure.map(|accuracy| {
-        let motion = motion(kind, &numbers, Settings::accuracy(accuracy));
-        let error = motion.map_or(f64::INFINITY, |motion| apart(&motion, fine));
-        let error = error / (accuracy * amplified);
-        if !(error <= MOST) {
-            println!("{what}, {accuracy:e}: {error:.1} accuracies");
-        }
-        error
+        .filter(|accuracy| unsure <= SURE * accuracy)
+        .collect();
+    WAYS.map(|way| {
+        let error = |&accuracy: &f64| {
+            let motion = motion(kind, &numbers, settings(way, accuracy));
+            let error = motion.map_or(f64::INFINITY, |motion| apart(&motion, fine));
+            let error = error / (accuracy * amplified);
+            if !(error <= MOST) {
+                println!("{what}, {way}, {accuracy:e}: {error:.1} accuracies");
+            }
+            error
+        };
+        sure.iter().map(error).collect()
     })
-    .collect()
 }
 
 /// By Radau where it is a candidate, otherwise by explicit steps.

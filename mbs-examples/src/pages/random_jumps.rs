@@ -4,10 +4,12 @@ use super::data::Data;
 use super::markdown::{table as markdown, thousands};
 
 const FILE: &str = "readme/random_jumps.csv";
-/// Columns of the file; the first identifies a line.
-pub const COLUMNS: [&str; 5] = ["mechanism", "runs", "beyond", "median", "largest"];
+/// Columns of the file; the first two identify a line.
+pub const COLUMNS: [&str; 6] = ["mechanism", "way", "runs", "beyond", "median", "largest"];
 /// How many of them identify a line.
-pub const KEYS: usize = 1;
+pub const KEYS: usize = 2;
+/// How motions are computed: by an accuracy, or by two-level steps of an order with a tolerance.
+pub const WAYS: [&str; 4] = ["accuracy", "two-level 4", "two-level 6", "two-level 8"];
 
 /// The errors by mechanism.
 ///
@@ -15,23 +17,24 @@ pub const KEYS: usize = 1;
 /// Results that are missing.
 pub fn table(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
-    let head = [
-        "mechanism",
-        "runs",
-        "above 10 accuracies",
-        "median error, accuracies",
-        "largest",
-    ];
+    let ways = WAYS.map(|way| format!("`{way}`"));
+    let head: Vec<&str> = ["mechanism", "runs"]
+        .into_iter()
+        .chain(ways.iter().map(String::as_str))
+        .collect();
     let rows: Result<Vec<Vec<String>>, String> = results
         .lines()
-        .map(|line| {
-            Ok(vec![
-                line.text("mechanism")?.to_owned(),
-                thousands(line.number("runs")?),
-                thousands(line.number("beyond")?),
-                line.text("median")?.to_owned(),
-                line.text("largest")?.to_owned(),
-            ])
+        .step_by(WAYS.len())
+        .map(|first| {
+            let mechanism = first.text("mechanism")?;
+            let mut row = vec![mechanism.to_owned(), thousands(first.number("runs")?)];
+            for way in WAYS {
+                let line = results.find(&[("mechanism", mechanism), ("way", way)])?;
+                let texts = ["beyond", "median", "largest"].map(|column| line.text(column));
+                let [beyond, median, largest] = texts;
+                row.push(format!("{}; {}, {}", beyond?, median?, largest?));
+            }
+            Ok(row)
         })
         .collect();
     Ok(format!(

@@ -148,6 +148,15 @@ fn structure(out: &mut String, model: &Model) {
             "does not appear"
         )
     );
+    let _ = writeln!(
+        out,
+        "  smoothness   {}",
+        depends(
+            structure.smooth,
+            "all derivatives exist",
+            "a row or force may jump or bend (distance, friction, stop, table, law, `abs`)"
+        )
+    );
     let (rows, holonomic) = (model.rows.len(), structure.holonomic_rows);
     let _ = writeln!(
         out,

@@ -1,7 +1,7 @@
 //! What a pair of steps is compared with, and the error that this shows ([`tolerance`](super::tolerance)).
 
 use super::Simulation;
-use super::jumps::{Smoothness, is_blind, may_jump};
+use super::jumps::Smoothness;
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
@@ -166,16 +166,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let smoothness = Smoothness {
             usual,
-            is_rough: of_pair.is_some_and(|pair| pair.is_rough && pair.error > noise),
+            usual_factor: controller.estimate_factor,
+            estimated: estimate.map(|estimate| {
+                let ratio = estimate / allowed;
+                [ratio, self.difficulty_of(length, ratio)]
+            }),
+            is_rough: of_pair.is_some_and(|pair| pair.is_rough),
+            is_clear: estimate > Some(noise),
             length,
         };
-        let estimated = estimate.filter(|_| self.follows()).map(|estimate| {
-            let ratio = estimate / allowed;
-            (ratio, self.difficulty_of(length, ratio))
-        });
-        found.estimated_difficulty = estimated.map(|(_, difficulty)| difficulty);
-        let may_jump = |estimated| may_jump(&smoothness, estimated);
-        let jumps = estimate > Some(noise) && estimated.is_some_and(may_jump);
+        found.estimated_difficulty = smoothness.estimated.map(|[_, difficulty]| difficulty);
+        let jumps = self.may_jump(&smoothness);
         let is_recent = controller.pairs_since_comparison < most;
         let is_clear = found.error_ratio <= clearly && is_recent && !jumps;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
@@ -193,7 +194,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             smoothness,
         };
         let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
-        if jumps && is_blind(found.estimate_factor) {
+        if jumps && self.is_blind(found.estimate_factor) {
             found.error_ratio = found.error_ratio.max(TOO_LONG);
         }
         if jumps {
@@ -269,7 +270,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             {
                 (error_ratio, worst) = (own / ratio, state);
             }
-            error_ratio = self.over_a_jump(&bounds.smoothness, error_ratio, ratio);
+            let factor = estimate.map(|estimate| apart / ratio / estimate);
+            error_ratio = self.over_a_jump(&bounds.smoothness, (error_ratio, ratio), factor);
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
                 found.error_ratio = error_ratio;
                 let worst = S::MODEL.velocities.get(worst);

@@ -67,13 +67,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
         }
-        let usual = match self.follows() {
-            true => [
-                step_controller.estimated_difficulty,
-                step_controller.difficulty,
-            ],
-            false => [None; 2],
-        };
+        let usual = [
+            step_controller.estimated_difficulty,
+            step_controller.difficulty,
+        ];
         let (books, balance) = (self.books, self.balance);
         self.pair_start.copy_from(self.integrator.state());
         let margin = self.margin();

@@ -251,6 +251,14 @@ fn structure(derived: &Derived) -> Structure {
             .any(|row| on_time(&row.expr) || on_inputs(&row.expr))
             || derived.rheonomic.iter().any(|&b| !graph.is_zero(b))
             || system.forces.iter().any(on_time),
+        smooth: graph.is_smooth(
+            system
+                .rows
+                .iter()
+                .map(|row| row.expr)
+                .chain(system.forces.iter().copied())
+                .chain(system.mass.values().copied()),
+        ),
         rotations: system.layout.rotations.len(),
         holonomic_rows: system.holonomic_rows(),
     }

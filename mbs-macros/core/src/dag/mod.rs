@@ -129,6 +129,8 @@ pub struct Structure {
     pub position_forces: bool,
     /// A row or force depends on time.
     pub time_dependent: bool,
+    /// M, forces and rows have all derivatives.
+    pub smooth: bool,
     /// The number of unit quaternions.
     pub rotations: usize,
     /// The number of leading holonomic rows.

@@ -428,6 +428,16 @@ impl Graph {
     pub fn contains_law(&self, expr: Expr) -> bool {
         self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
     }
+
+    /// Whether expressions consist of sums, products, quotients, sines and cosines alone. Others may jump or bend, or come near to
+    /// it (friction).
+    pub fn is_smooth(&self, roots: impl IntoIterator<Item = Expr>) -> bool {
+        !self.any_inside(roots, |node| match node {
+            Node::Constant(_) | Node::Symbol(_) | Node::Sum { .. } | Node::Product(_) => false,
+            Node::Function(function, _) => !matches!(function, Function::Sin | Function::Cos),
+            Node::Atan2(..) | Node::Power(..) | Node::Law { .. } | Node::Table { .. } => true,
+        })
+    }
 }
 
 /// Expressions that a walk has met. Most walks are short, and the first few are in a list.
