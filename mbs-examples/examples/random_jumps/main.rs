@@ -1,5 +1,5 @@
-//! Random motions with forces that jump or bend, against a fine reference: each with several accuracies, and with the tolerances that
-//! an accuracy gives to its methods and two-level steps of orders 4, 6 and 8.
+//! Random motions with forces that jump or bend, against a fine reference. Each runs with several accuracies; and with two-level steps
+//! of orders 4, 6 and 8 and the tolerances that these accuracies give to their methods.
 //!
 //! Errors are the largest ones of a coordinate at ten instants, in m or rad. They are divided by the accuracy times max(1, A), where
 //! A = |Δq|/δ is the change of the motion for a relative change δ of the first parameter.
@@ -11,7 +11,7 @@ mod mechanisms;
 #[path = "../../../tests/src/random.rs"]
 mod random;
 
-use mbs_examples::pages::random_jumps::{COLUMNS, KEYS, WAYS};
+use mbs_examples::pages::random_jumps::{COLUMNS, KEYS, METHODS};
 use mbs_examples::pages::record::Recorder;
 use mbs_runtime::{Method, Settings, SimulationError};
 use mechanisms::{KINDS, Kind};
@@ -32,7 +32,7 @@ const AMPLIFIED: f64 = 1e3;
 /// An error of so many accuracies is too large.
 const MOST: f64 = 10.0;
 
-/// The tolerance of two-level steps for an accuracy of one, as an accuracy has it.
+/// The tolerance of two-level steps for an accuracy of one: that which `Settings::accuracy` gives to its methods.
 const SHARE: f64 = 0.2;
 
 /// Coordinates at the instants.
@@ -49,7 +49,7 @@ fn main() -> Result<(), String> {
     println!("{}", COLUMNS.join(", "));
     let mut all_beyond = 0;
     for kind in &KINDS {
-        let mut errors = WAYS.map(|_| Vec::new());
+        let mut errors = METHODS.map(|_| Vec::new());
         for run in 0..count {
             let found = measure(kind, seed, run);
             errors
@@ -57,7 +57,7 @@ fn main() -> Result<(), String> {
                 .zip(found)
                 .for_each(|(all, found)| all.extend(found));
         }
-        for (way, mut errors) in WAYS.into_iter().zip(errors) {
+        for ((method, _), mut errors) in METHODS.into_iter().zip(errors) {
             errors.sort_by(f64::total_cmp);
             let beyond = errors.iter().filter(|error| !(**error <= MOST)).count();
             all_beyond += beyond;
@@ -65,7 +65,7 @@ fn main() -> Result<(), String> {
                 .map(|place| errors.get(place).copied().unwrap_or(f64::NAN));
             let line = vec![
                 kind.name.to_owned(),
-                way.to_owned(),
+                method.to_owned(),
                 errors.len().to_string(),
                 beyond.to_string(),
                 format!("{median:.3}"),
@@ -81,21 +81,21 @@ fn main() -> Result<(), String> {
     }
 }
 
-/// How a motion is computed for an accuracy in each of the [`WAYS`].
-fn settings(way: &str, accuracy: f64) -> Settings {
-    match way.strip_prefix("two-level ").map(str::parse) {
-        Some(Ok(order)) => Settings {
+/// The settings for an accuracy, with two-level steps of this order or by the accuracy alone.
+fn settings(order: Option<u8>, accuracy: f64) -> Settings {
+    match order {
+        Some(order) => Settings {
             order,
             tolerance: Some(SHARE * accuracy),
             ..Settings::default()
         },
-        _ => Settings::accuracy(accuracy),
+        None => Settings::accuracy(accuracy),
     }
 }
 
-/// The errors of a random motion in each of the [`WAYS`], as multiples of the accuracies of which the reference is sure; none without
+/// The errors of a random motion by each of the [`METHODS`], as multiples of the accuracies of which the reference is sure; none without
 /// a reference.
-fn measure(kind: &Kind, seed: usize, run: usize) -> [Vec<f64>; WAYS.len()] {
+fn measure(kind: &Kind, seed: usize, run: usize) -> [Vec<f64>; METHODS.len()] {
     let random = &mut Random::of(&format!("{seed} {} {run}", kind.name));
     let mut draw = |&[least, most]: &[f64; 2]| {
         let mut among = |a: f64, b: f64| 0.5 * (a + b) + random.within(0.5 * (b - a));
@@ -115,24 +115,24 @@ fn measure(kind: &Kind, seed: usize, run: usize) -> [Vec<f64>; WAYS.len()] {
     ];
     let [Ok(fine), Ok(coarser), Ok(changed)] = &references else {
         println!("{what}: a reference fails");
-        return WAYS.map(|_| Vec::new());
+        return METHODS.map(|_| Vec::new());
     };
     let amplified = (apart(changed, fine) / CHANGE).max(1.0);
     if amplified > AMPLIFIED {
-        return WAYS.map(|_| Vec::new());
+        return METHODS.map(|_| Vec::new());
     }
     let unsure = apart(coarser, fine);
     let sure: Vec<f64> = ACCURACIES
         .into_iter()
         .filter(|accuracy| unsure <= SURE * accuracy)
         .collect();
-    WAYS.map(|way| {
+    METHODS.map(|(method, order)| {
         let error = |&accuracy: &f64| {
-            let motion = motion(kind, &numbers, settings(way, accuracy));
+            let motion = motion(kind, &numbers, settings(order, accuracy));
             let error = motion.map_or(f64::INFINITY, |motion| apart(&motion, fine));
             let error = error / (accuracy * amplified);
             if !(error <= MOST) {
-                println!("{what}, {way}, {accuracy:e}: {error:.1} accuracies");
+                println!("{what}, {method}, {accuracy:e}: {error:.1} accuracies");
             }
             error
         };

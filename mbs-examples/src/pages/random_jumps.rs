@@ -4,12 +4,24 @@ use super::data::Data;
 use super::markdown::{table as markdown, thousands};
 
 const FILE: &str = "readme/random_jumps.csv";
-/// Columns of the file; the first two identify a line.
-pub const COLUMNS: [&str; 6] = ["mechanism", "way", "runs", "beyond", "median", "largest"];
+/// Columns of the file.
+pub const COLUMNS: [&str; 6] = [
+    "mechanism",
+    "method",
+    "errors",
+    "beyond",
+    "median",
+    "largest",
+];
 /// How many of them identify a line.
 pub const KEYS: usize = 2;
-/// How motions are computed: by an accuracy, or by two-level steps of an order with a tolerance.
-pub const WAYS: [&str; 4] = ["accuracy", "two-level 4", "two-level 6", "two-level 8"];
+/// Names of the ways to compute a motion, and the order of those with two-level steps and a tolerance.
+pub const METHODS: [(&str, Option<u8>); 4] = [
+    ("accuracy", None),
+    ("two-level 4", Some(4)),
+    ("two-level 6", Some(6)),
+    ("two-level 8", Some(8)),
+];
 
 /// The errors by mechanism.
 ///
@@ -17,19 +29,19 @@ pub const WAYS: [&str; 4] = ["accuracy", "two-level 4", "two-level 6", "two-leve
 /// Results that are missing.
 pub fn table(data: &Data) -> Result<String, String> {
     let results = data.table(FILE)?;
-    let ways = WAYS.map(|way| format!("`{way}`"));
-    let head: Vec<&str> = ["mechanism", "runs"]
+    let methods = METHODS.map(|(method, _)| format!("`{method}`"));
+    let head: Vec<&str> = ["mechanism", "errors"]
         .into_iter()
-        .chain(ways.iter().map(String::as_str))
+        .chain(methods.iter().map(String::as_str))
         .collect();
     let rows: Result<Vec<Vec<String>>, String> = results
         .lines()
-        .step_by(WAYS.len())
+        .filter(|line| line.text("method") == Ok(METHODS[0].0))
         .map(|first| {
             let mechanism = first.text("mechanism")?;
-            let mut row = vec![mechanism.to_owned(), thousands(first.number("runs")?)];
-            for way in WAYS {
-                let line = results.find(&[("mechanism", mechanism), ("way", way)])?;
+            let mut row = vec![mechanism.to_owned(), thousands(first.number("errors")?)];
+            for (method, _) in METHODS {
+                let line = results.find(&[("mechanism", mechanism), ("method", method)])?;
                 let texts = ["beyond", "median", "largest"].map(|column| line.text(column));
                 let [beyond, median, largest] = texts;
                 row.push(format!("{}; {}, {}", beyond?, median?, largest?));

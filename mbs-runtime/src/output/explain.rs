@@ -153,8 +153,8 @@ fn structure(out: &mut String, model: &Model) {
         "  smoothness   {}",
         depends(
             structure.smooth,
-            "all derivatives exist",
-            "a row or force may jump or bend (distance, friction, stop, table, law, `abs`)"
+            "sums, products, sines and cosines alone",
+            "other functions, too: steps with a tolerance look for jumps of forces"
         )
     );
     let (rows, holonomic) = (model.rows.len(), structure.holonomic_rows);

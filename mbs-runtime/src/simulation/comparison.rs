@@ -1,7 +1,7 @@
 //! What a pair of steps is compared with, and the error that this shows ([`tolerance`](super::tolerance)).
 
 use super::Simulation;
-use super::jumps::Smoothness;
+use super::jumps::{Previous, Signs, over_a_jump};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
@@ -76,19 +76,20 @@ struct Bounds {
     allowed: f64,
     /// The part of a way that is allowed.
     share: f64,
-    smoothness: Smoothness,
+    /// What shows a jump, where there can be one.
+    signs: Option<Signs>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Two steps, the first of h, which stay, and others over the same time to compare them with. Their error may be that of a
-    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`; `usual` are the
-    /// difficulties of the last pair that was kept.
+    /// pair of `reach` seconds, and round-off may be larger than expected by the factor `indulgence`; `previous` is what the pairs
+    /// before were like.
     pub(super) fn compare(
         &mut self,
         tolerance: f64,
         (h, left): (f64, f64),
         (reach, indulgence): (f64, f64),
-        (controller, usual, start): (&StepController, [Option<f64>; 2], RankMargin),
+        (controller, previous, start): (&StepController, Previous, RankMargin),
         last: bool,
     ) -> Result<Found, SimulationError> {
         let rejected_before = self.rejected;
@@ -164,21 +165,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             (_, true) => (CLEARLY[1], UNCOMPARED[1]),
             _ => (CLEARLY[1], UNCOMPARED[2]),
         };
-        let smoothness = Smoothness {
-            usual,
-            usual_factor: controller.estimate_factor,
-            estimated: estimate.map(|estimate| {
-                let ratio = estimate / allowed;
-                [ratio, self.difficulty_of(length, ratio)]
-            }),
-            is_rough: of_pair.is_some_and(|pair| pair.is_rough),
-            is_clear: estimate > Some(noise),
-            length,
-        };
-        found.estimated_difficulty = smoothness.estimated.map(|[_, difficulty]| difficulty);
-        let jumps = self.may_jump(&smoothness);
+        let signs = self.signs(previous, of_pair, (length, allowed, noise));
+        found.estimated_difficulty = signs.and_then(|signs| signs.difficulty());
+        let may_jump = signs.is_some_and(|signs| signs.may_jump());
         let is_recent = controller.pairs_since_comparison < most;
-        let is_clear = found.error_ratio <= clearly && is_recent && !jumps;
+        let is_clear = found.error_ratio <= clearly && is_recent && !may_jump;
         if is_clear || found.error_ratio > TOO_MUCH && self.follows() {
             return Ok(found);
         }
@@ -191,13 +182,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             noise,
             allowed,
             share: SHARE * tolerance,
-            smoothness,
+            signs,
         };
         let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
-        if jumps && self.is_blind(found.estimate_factor) {
-            found.error_ratio = found.error_ratio.max(TOO_LONG);
-        }
-        if jumps {
+        if may_jump {
+            if self.follows() && signs.is_some_and(|signs| signs.is_blind(found.estimate_factor)) {
+                found.error_ratio = found.error_ratio.max(TOO_LONG);
+            }
             // The factor of smooth motion is not smaller because of a jump.
             let usual = controller.estimate_factor;
             found.estimate_factor = found.estimate_factor.map(|factor| factor.max(usual));
@@ -271,7 +262,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 (error_ratio, worst) = (own / ratio, state);
             }
             let factor = estimate.map(|estimate| apart / ratio / estimate);
-            error_ratio = self.over_a_jump(&bounds.smoothness, (error_ratio, ratio), factor);
+            let is_jump = bounds
+                .signs
+                .is_some_and(|signs| signs.is_jump(error_ratio, factor));
+            if is_jump {
+                error_ratio = over_a_jump(error_ratio, ratio);
+            }
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
                 found.error_ratio = error_ratio;
                 let worst = S::MODEL.velocities.get(worst);

@@ -1,27 +1,34 @@
 //! Jumps of forces within a pair of steps: friction that turns, stops, corners of tables.
 //!
 //! The estimates assume that errors are proportional to a power of h. Over a jump they are not, and an error is larger than its
-//! estimate by factors of thousands. A pair that may have a jump is compared with other steps, and where these show one, too,
-//! their whole difference counts as the error:
+//! estimate by factors of thousands. A pair that may have a jump is compared with other steps. Where it has one, the whole
+//! difference counts as the error:
 //!
 //! | methods | the pair may have a jump | it has one |
 //! |---|---|---|
-//! | explicit of order 8 | the estimate of order 5 is more than a tenth of that of order 3 (`Estimate::is_rough`) | the same |
-//! | explicit, Radau | the difficulty by the estimate is more than 2¹⁰ times that of the last pair | by the comparison it is more than 2²⁰ times that |
-//! | two-level | it is more than √2 times that | it is more than 2³ times that, or the error is more than 8 times what the usual factor of the estimate makes of it |
+//! | explicit of order 8 | the estimate of order 5 is more than a tenth of that of order 3 ([`Estimate::is_rough`]) | the same |
+//! | explicit of order 8, Radau | the difficulty by the estimate is more than 2¹⁰ times the previous one | the difficulty by the comparison is more than 2²⁰ times the previous one |
+//! | two-level, orders 4 to 8 | the difficulty by the estimate is more than √2 times the previous one | it is more than 2³ times that, or the error is more than 8 times the estimate with its previous factor |
 //!
-//! Mechanisms of sums, products, sines and cosines alone ([`Structure::smooth`](crate::Structure::smooth)) have no jumps.
+//! The previous values are those of the last pair that was kept and had the chosen length. Methods without an estimate compare
+//! every pair. Mechanisms with [`Structure::smooth`](crate::Structure::smooth) have no jumps.
 
 use super::Simulation;
 use super::step_controller::difficulty;
-use crate::System;
+use crate::estimate::Estimate;
+use crate::{StepController, System};
 
-/// Powers of 2 by which the difficulty grows from one pair to the next only over a jump where lengths follow the motion, by an estimate
-/// and by a comparison.
-const GROWN: [f64; 2] = [10.0, 20.0];
-/// The same by the estimate where lengths are constant: over what may be a jump, and over what is one.
-const SUDDEN: [f64; 2] = [0.5, 3.0];
-/// How many times its usual multiple of the estimate the error is at least over a jump, where lengths are constant.
+/// Where lengths follow the motion, the difficulty grows from one pair to the next by more than this power of 2 only over a jump: by
+/// the estimate, …
+const GROWTH_BY_ESTIMATE: f64 = 10.0;
+/// … and by the comparison.
+const GROWTH_BY_COMPARISON: f64 = 20.0;
+/// The same by the estimate where lengths are constant: with a larger growth there may be a jump, …
+const SUDDEN: f64 = 0.5;
+/// … and with this one there is. (With 0.5 and 3 the errors of random motions were the least of those tried, with a tenth more stages at
+/// order 4, 0.4 more at order 8. With 3 and 3 single turns of friction were not seen: the estimate of order 4 grew by 2^0.8.)
+const CERTAIN: f64 = 3.0;
+/// Where lengths are constant, the multiple of the estimate that the error is has grown by more than this factor only over a jump.
 const UNUSUAL: f64 = 8.0;
 /// With a smaller error ratio of the estimate a jump is harmless, or round-off.
 const HARMLESS: f64 = 1e-6;
@@ -30,85 +37,187 @@ const BLIND: f64 = 1e-4;
 /// Over a jump the error may be so many times the usual one, since jumps are rare.
 const RARE: f64 = 3.0;
 
-/// What is known of a pair before it is compared.
+/// What the pairs before were like.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Smoothness {
-    /// The difficulties of the last pair that was kept, by its estimate alone and, where lengths follow the motion, as its error was
-    /// judged.
-    pub(super) usual: [Option<f64>; 2],
-    /// The factor of the estimates before; zero: not known.
-    pub(super) usual_factor: f64,
+pub(super) struct Previous {
+    /// The difficulty by the estimate alone.
+    estimated: Option<f64>,
+    /// The difficulty as the error was judged, where lengths follow the motion.
+    judged: Option<f64>,
+    /// The factor of the estimate; zero: not known.
+    factor: f64,
+}
+
+impl Previous {
+    pub(super) fn of(controller: &StepController) -> Self {
+        Previous {
+            estimated: controller.estimated_difficulty,
+            judged: controller.difficulty,
+            factor: controller.estimate_factor,
+        }
+    }
+}
+
+/// What shows a jump in a pair.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Signs {
+    previous: Previous,
     /// The ratio of the estimate to the allowed error, and the difficulty by it.
-    pub(super) estimated: Option<[f64; 2]>,
-    /// Whether the estimates of the steps show a jump ([`crate::estimate::Estimate`]).
-    pub(super) is_rough: bool,
+    estimated: Option<[f64; 2]>,
     /// Whether the estimate is more than round-off.
-    pub(super) is_clear: bool,
-    /// The length of the pair, s.
-    pub(super) length: f64,
+    is_clear: bool,
+    /// [`Estimate::is_rough`].
+    is_rough: bool,
+    /// Whether lengths follow the motion.
+    follows: bool,
+    order: u8,
+    /// The mean length of the steps, s.
+    step: f64,
 }
 
-impl Smoothness {
-    /// Powers of 2 by which the difficulty has grown by the estimate, where a pair before is known.
-    fn grown(&self) -> Option<f64> {
-        let [_, difficulty] = self.estimated?;
-        self.usual[0].map(|usual| difficulty - usual)
+impl Signs {
+    /// The difficulty by the estimate.
+    pub(super) fn difficulty(&self) -> Option<f64> {
+        self.estimated.map(|[_, difficulty]| difficulty)
     }
-}
 
-impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Whether a force may jump in the pair. Before the first pair nothing is usual: then any pair that seems too long may have a jump.
-    pub(super) fn may_jump(&self, pair: &Smoothness) -> bool {
-        let Some([ratio, _]) = pair.estimated.filter(|_| pair.is_clear) else {
+    /// Powers of 2 by which the difficulty has grown by the estimate, where the previous one is known.
+    fn growth(&self) -> Option<f64> {
+        let previous = self.previous.estimated?;
+        self.difficulty().map(|now| now - previous)
+    }
+
+    /// Whether a force may jump in the pair, before it is compared. Where lengths follow the motion and nothing is known of
+    /// pairs before, any pair that seems too long may have a jump.
+    pub(super) fn may_jump(&self) -> bool {
+        let Some([ratio, _]) = self.estimated.filter(|_| self.is_clear) else {
             return false;
         };
-        if const { S::STRUCTURE.smooth } {
-            return false;
-        }
-        match (self.follows(), pair.grown()) {
+        let has_grown = match (self.follows, self.growth()) {
             (true, None) => ratio > 1.0,
-            (false, None) => false,
-            (true, Some(grown)) => ratio > HARMLESS && (pair.is_rough || grown > GROWN[0]),
-            (false, Some(grown)) => ratio > HARMLESS && grown > SUDDEN[0],
-        }
+            (true, Some(growth)) => growth > GROWTH_BY_ESTIMATE,
+            (false, growth) => growth.is_some_and(|growth| growth > SUDDEN),
+        };
+        ratio > HARMLESS && (self.is_rough || has_grown)
     }
 
-    /// The error ratio where a comparison has found this one as a part, 1/`ratio`, of the difference; `factor` is that of the
-    /// estimate.
-    pub(super) fn over_a_jump(
-        &self,
-        pair: &Smoothness,
-        (error_ratio, ratio): (f64, f64),
-        factor: Option<f64>,
-    ) -> f64 {
-        if const { S::STRUCTURE.smooth } {
-            return error_ratio;
+    /// Whether a force jumps in the pair, if the comparison has found this error ratio and this factor of the estimate.
+    pub(super) fn is_jump(&self, error_ratio: f64, factor: Option<f64>) -> bool {
+        if self.follows {
+            let now = difficulty(self.order, self.step, error_ratio);
+            let previous = self.previous.judged;
+            let has_grown = previous.is_some_and(|judged| now > judged + GROWTH_BY_COMPARISON);
+            return has_grown || (self.is_clear && self.is_rough);
         }
-        let is_jump = match self.follows() {
-            true => {
-                let now = self.difficulty_of(pair.length, error_ratio);
-                let has_grown = pair.usual[1].is_some_and(|usual| now > usual + GROWN[1]);
-                pair.is_clear && pair.is_rough || has_grown
-            }
-            false => {
-                let usual = UNUSUAL * pair.usual_factor;
-                let is_unusual = usual > 0.0 && factor.is_some_and(|factor| factor > usual);
-                pair.is_clear && (is_unusual || pair.grown().is_some_and(|grown| grown > SUDDEN[1]))
-            }
-        };
-        match is_jump {
-            true => error_ratio * (ratio / RARE).max(1.0),
-            false => error_ratio,
-        }
+        let usual = UNUSUAL * self.previous.factor;
+        let is_unusual = usual > 0.0 && factor.is_some_and(|factor| factor > usual);
+        self.is_clear && (is_unusual || self.growth().is_some_and(|growth| growth > CERTAIN))
     }
 
     /// Whether a comparison has not seen the jump that an estimate shows: the error that it found is this factor times the estimate.
     pub(super) fn is_blind(&self, factor: Option<f64>) -> bool {
-        self.follows() && factor.is_some_and(|factor| factor < BLIND)
+        factor.is_some_and(|factor| factor < BLIND)
+    }
+}
+
+/// An error ratio over a jump, if a smooth motion had the first one as the part 1/`ratio` of the difference.
+pub(super) fn over_a_jump(error_ratio: f64, ratio: f64) -> f64 {
+    error_ratio * (ratio / RARE).max(1.0)
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// What shows a jump in a pair of this length, of which this error is allowed; `None` in a mechanism that has no jumps.
+    pub(super) fn signs(
+        &self,
+        previous: Previous,
+        estimate: Option<Estimate>,
+        (length, allowed, noise): (f64, f64, f64),
+    ) -> Option<Signs> {
+        if const { S::STRUCTURE.smooth } {
+            return None;
+        }
+        let (order, step) = (self.settings.true_order(), 0.5 * length);
+        let estimated = estimate.map(|pair| {
+            let ratio = pair.error / allowed;
+            [ratio, difficulty(self.order_of_estimate(), step, ratio)]
+        });
+        Some(Signs {
+            previous,
+            estimated,
+            is_clear: estimate.is_some_and(|pair| pair.error > noise),
+            is_rough: estimate.is_some_and(|pair| pair.is_rough),
+            follows: self.follows(),
+            order,
+            step,
+        })
     }
 
-    /// The difficulty of a pair of this length with this ratio of its error to the allowed one.
-    pub(super) fn difficulty_of(&self, length: f64, error_ratio: f64) -> f64 {
-        difficulty(self.settings.true_order(), 0.5 * length, error_ratio)
+    /// The power of h of an estimate divided by the length of the pair. For two-level steps of order 8, and for all of them where
+    /// forces depend on velocities, it is less than that of the error (`alf3f/embedded.rs`, `alf3f/extrapolation.rs`).
+    fn order_of_estimate(&self) -> u8 {
+        let order = self.settings.true_order();
+        let is_lower = !self.follows() && (order == 8 || S::STRUCTURE.velocity_forces);
+        order - u8::from(is_lower)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pair whose estimate is this part of the allowed error and makes the motion more difficult than before by this power of 2.
+    fn signs(follows: bool, ratio: f64, growth: Option<f64>) -> Signs {
+        Signs {
+            previous: Previous {
+                estimated: growth.map(|growth| 7.0 - growth),
+                judged: Some(difficulty(8, 0.1, 1e-3)),
+                factor: 0.1,
+            },
+            estimated: Some([ratio, 7.0]),
+            is_clear: true,
+            is_rough: false,
+            follows,
+            order: 8,
+            step: 0.1,
+        }
+    }
+
+    #[test]
+    fn what_may_be_a_jump_is_compared() {
+        for (follows, ratio, growth, expected) in [
+            (true, 0.1, Some(9.0), false),
+            (true, 0.1, Some(11.0), true),
+            (true, 1e-7, Some(11.0), false),
+            (true, 0.9, None, false),
+            (true, 1.1, None, true),
+            (false, 0.1, Some(0.4), false),
+            (false, 0.1, Some(0.6), true),
+            (false, 1e-7, Some(0.6), false),
+            (false, 1.1, None, false),
+        ] {
+            let may_jump = signs(follows, ratio, growth).may_jump();
+            assert_eq!(may_jump, expected, "{follows} {ratio} {growth:?}");
+        }
+        let rough = Signs {
+            is_rough: true,
+            ..signs(true, 0.1, None)
+        };
+        assert!(rough.may_jump());
+        let round_off = Signs {
+            is_clear: false,
+            ..rough
+        };
+        assert!(!round_off.may_jump());
+    }
+
+    #[test]
+    fn growth_and_an_unusual_factor_show_a_jump() {
+        let two_level = |growth, factor| signs(false, 0.1, growth).is_jump(1.0, Some(factor));
+        assert!(!two_level(Some(2.9), 0.7));
+        assert!(two_level(Some(3.1), 0.7));
+        assert!(two_level(None, 0.9));
+        let explicit = |error_ratio| signs(true, 0.1, Some(11.0)).is_jump(error_ratio, Some(1.0));
+        assert!(!explicit(1e-3 * 2f64.powi(19)));
+        assert!(explicit(1e-3 * 2f64.powi(21)));
     }
 }

@@ -51,6 +51,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         state.fields = ThreeFields::default();
         state.poses_ahead = PosesAhead::default();
         state.known_poses = KnownPoses::none();
+        // The difficulties of another motion.
+        state.step_controller.estimated_difficulty = None;
+        state.step_controller.difficulty = None;
         let verdict = refit(&system, &self.settings, &mut state)?;
         state.ledger.nonconservative_work += total(&system, &state) - total(self.system(), before);
         let mut renewed =

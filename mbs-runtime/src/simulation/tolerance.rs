@@ -13,7 +13,7 @@
 //! powers of 2^¼ times the first one.
 //!
 //! Not every pair is compared: a comparison tells by which factor an estimate from the stages differs from the error, and the
-//! pairs that follow use this factor.
+//! pairs that follow use this factor. Where a force may have jumped, a pair is compared (`jumps.rs`).
 //!
 //! | method | estimate | lengths |
 //! |---|---|---|
@@ -26,6 +26,7 @@
 //! A pair that leaps over a pose that is nearly singular is not kept, though its error seems small (`passage.rs`).
 
 use super::Simulation;
+use super::jumps::Previous;
 use super::pose::Passage;
 use super::step_controller::{Pace, TOO_LONG, notches};
 use crate::{ErrorOf, Method, SimulationError, StepController, System};
@@ -67,10 +68,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if step_controller.step == 0.0 {
             step_controller = StepController::starting(self.settings.step);
         }
-        let usual = [
-            step_controller.estimated_difficulty,
-            step_controller.difficulty,
-        ];
+        let previous = Previous::of(&step_controller);
         let (books, balance) = (self.books, self.balance);
         self.pair_start.copy_from(self.integrator.state());
         let margin = self.margin();
@@ -90,7 +88,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             } else {
                 (0.0, 1.0)
             };
-            let controller = (&step_controller, usual, margin);
+            let controller = (&step_controller, previous, margin);
             let found = self.compare(tolerance, (h, left), allowance, controller, last);
             let order = self.settings.true_order();
             let (error_ratio, is_embedded, error) = match found {
@@ -107,7 +105,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.error_ratio <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
-                        step_controller.estimated_difficulty = found.estimated_difficulty;
+                        // In the short last pair of a run an estimate is mostly round-off.
+                        if h == step_controller.step && found.estimated_difficulty.is_some() {
+                            step_controller.estimated_difficulty = found.estimated_difficulty;
+                        }
                         step_controller.note(
                             found.estimate_factor,
                             found.error_ratio,

@@ -129,7 +129,7 @@ pub struct Structure {
     pub position_forces: bool,
     /// A row or force depends on time.
     pub time_dependent: bool,
-    /// M, forces and rows have all derivatives.
+    /// M, forces and rows are [smooth](crate::symbolic::Graph::is_smooth).
     pub smooth: bool,
     /// The number of unit quaternions.
     pub rotations: usize,

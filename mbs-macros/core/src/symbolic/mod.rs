@@ -429,13 +429,28 @@ impl Graph {
         self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
     }
 
-    /// Whether expressions consist of sums, products, quotients, sines and cosines alone. Others may jump or bend, or come near to
-    /// it (friction).
+    /// Whether expressions consist of sums, products, sines and cosines of what varies within a step. Others may jump or bend, or come
+    /// near to it (friction).
     pub fn is_smooth(&self, roots: impl IntoIterator<Item = Expr>) -> bool {
+        let varies = |expr: Expr| {
+            let is_fixed =
+                |symbol: Symbol| symbol.is_parameter_like() || matches!(symbol, Symbol::Input(_));
+            self.depends_on(expr, |symbol| !is_fixed(symbol))
+        };
+        let is_plain = |function| {
+            use Function::{Apart, Cos, Same, Sin};
+            matches!(function, Sin | Cos | Same | Apart)
+        };
         !self.any_inside(roots, |node| match node {
-            Node::Constant(_) | Node::Symbol(_) | Node::Sum { .. } | Node::Product(_) => false,
-            Node::Function(function, _) => !matches!(function, Function::Sin | Function::Cos),
-            Node::Atan2(..) | Node::Power(..) | Node::Law { .. } | Node::Table { .. } => true,
+            Node::Constant(_) | Node::Symbol(_) | Node::Sum { .. } => false,
+            Node::Product(factors) => {
+                let mut divisors = factors.iter().filter(|(_, power)| *power < 0);
+                divisors.any(|&(factor, _)| varies(factor))
+            }
+            Node::Function(function, x) => !is_plain(*function) && varies(*x),
+            Node::Power(x, _) | Node::Table { x, .. } => varies(*x),
+            Node::Atan2(y, x) => varies(*y) || varies(*x),
+            Node::Law { arguments, .. } => arguments.iter().any(|&argument| varies(argument)),
         })
     }
 }
