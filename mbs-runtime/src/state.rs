@@ -289,7 +289,7 @@ pub struct StepController {
     /// log₂ of what the error ratio of the last pair, or of its last step, by an embedded method would be with steps of a second.
     #[cfg_attr(feature = "serde", serde(default))]
     pub difficulty: Option<f64>,
-    /// The same of the last pair by the estimate alone, without its factor.
+    /// The same of the last pair of the chosen length by the estimate alone, without its factor.
     #[cfg_attr(feature = "serde", serde(default))]
     pub estimated_difficulty: Option<f64>,
 }

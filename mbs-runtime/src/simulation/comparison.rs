@@ -186,7 +186,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
         if may_jump {
-            if self.follows() && signs.is_some_and(|signs| signs.is_blind(found.estimate_factor)) {
+            if signs.is_some_and(|signs| signs.is_blind(found.estimate_factor)) {
                 found.error_ratio = found.error_ratio.max(TOO_LONG);
             }
             // The factor of smooth motion is not smaller because of a jump.

@@ -25,8 +25,9 @@ const GROWTH_BY_ESTIMATE: f64 = 10.0;
 const GROWTH_BY_COMPARISON: f64 = 20.0;
 /// The same by the estimate where lengths are constant: with a larger growth there may be a jump, …
 const SUDDEN: f64 = 0.5;
-/// … and with this one there is. (With 0.5 and 3 the errors of random motions were the least of those tried, with a tenth more stages at
-/// order 4, 0.4 more at order 8. With 3 and 3 single turns of friction were not seen: the estimate of order 4 grew by 2^0.8.)
+/// … and with this one there is. (Of the values tried, these gave the least errors of random motions, for a tenth more stages at order 4
+/// and four tenths at order 8. A turn of friction in which the estimate of order 4 grew by 2^0.8 alone was not seen with 3 in place of
+/// 0.5.)
 const CERTAIN: f64 = 3.0;
 /// Where lengths are constant, the multiple of the estimate that the error is has grown by more than this factor only over a jump.
 const UNUSUAL: f64 = 8.0;
@@ -116,7 +117,7 @@ impl Signs {
 
     /// Whether a comparison has not seen the jump that an estimate shows: the error that it found is this factor times the estimate.
     pub(super) fn is_blind(&self, factor: Option<f64>) -> bool {
-        factor.is_some_and(|factor| factor < BLIND)
+        self.follows && factor.is_some_and(|factor| factor < BLIND)
     }
 }
 
