@@ -110,11 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         let size = |turn: &SVector<f64, N>, change: &SVector<f64, N>| {
             (yardstick.measure(turn)).max(h * yardstick.measure(change))
         };
-        let estimate = self.stages.estimate(size)?;
-        Some(Estimate {
-            error: h * estimate.error,
-            ..estimate
-        })
+        self.stages.estimate(h, size)
     }
 
     fn is_sparse(&self) -> bool {

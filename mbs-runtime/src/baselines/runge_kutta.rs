@@ -145,11 +145,18 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         [turn, change]
     }
 
-    /// An estimate of the error of the last step, as that of the code DOP853 (Hairer, Nørsett, Wanner: Solving Ordinary
-    /// Differential Equations I, II.10), e₅²/√(e₅² + e₃²/100), with `size` of a change of θ and v, divided by h; `None` where
-    /// the method has none.
+    /// An estimate of the error of the last step, which was one of h, with `size` of a change of θ and v in sizes of the mechanism
+    /// and radians; `None` where the method has none.
+    ///
+    /// The differences e₅ and e₃ of the embedded methods of the code DOP853 (Hairer, Nørsett, Wanner: Solving Ordinary Differential
+    /// Equations I, II.10) vary as h⁵ and h³. The error follows (h e₅)^(4/3), of order h⁸: a motion whose way in a step has the part
+    /// x of its time scale has h e₅ ≈ x⁶ and an error of x⁹. Where e₅ is not small beside e₃ there are stiff or fast parts, of which
+    /// no power can be expected: the error is as h e₅. (log₂ of the ratio of error and estimate had a standard deviation of 1.0
+    /// in eleven mechanisms at tolerances of 1e-2 to 1e-8. With DOP853's h e₅²/√(e₅² + e₃²/100) it was 1.3: where e₃ vanishes,
+    /// as at turning points, that is up to thousands of times too large.)
     pub(crate) fn estimate(
         &self,
+        h: f64,
         size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
     ) -> Option<Estimate> {
         let Embedded { stages, factors } = self.embedded.as_ref()?;
@@ -164,13 +171,11 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             }
         }
         let [fifth, third] = sums.map(|[turn, change]| size(&turn.into(), &change.into()));
-        let both = (fifth * fifth + 0.01 * third * third).sqrt();
+        let error = h * fifth;
+        // Both vanish at rest.
+        let stiffness = (fifth / (ROUGH * third)).min(1.0).powi(2);
         Some(Estimate {
-            error: if both == 0.0 {
-                0.0
-            } else {
-                fifth * fifth / both
-            },
+            error: error * error.cbrt().max(stiffness),
             is_rough: fifth > ROUGH * third,
         })
     }

@@ -30,7 +30,7 @@ const WEAKEST: f64 = 1e-5;
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
 /// Pairs without a comparison in a row, at most: where each step has a length of its own, where a pair has one, and where lengths
 /// are constant. With more of them the factor of the estimate is that of another part of the motion.
-const UNCOMPARED: [u32; 3] = [31, 15, 7];
+const UNCOMPARED: [u32; 3] = [63, 15, 7];
 /// The error ratio of an estimate, times the last factor, up to which a pair is kept without a comparison, where each step has a
 /// length of its own and otherwise, …
 const CLEARLY: [f64; 2] = [0.75, 0.5];

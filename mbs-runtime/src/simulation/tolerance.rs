@@ -112,7 +112,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         step_controller.note(
                             found.estimate_factor,
                             found.error_ratio,
-                            self.follows(),
+                            self.follows().then(|| self.pace()),
                         );
                         if h == step_controller.step && found.is_embedded && self.follows() {
                             let errors = (found.error_ratio, found.parts);
