@@ -45,7 +45,7 @@ const SAME: [f64; 2] = [0.8, 1.25];
 /// The least factor of an embedded estimate that is believed: of explicit methods (its mean over a run is between 0.06 and 2.5, for
 /// most mechanisms about 0.5), and of Radau. Where the error is far below what is allowed, as in a start from rest, factors of a
 /// millionth were found, and one of a tenth a few steps later.
-const LEAST_FACTORS: [f64; 2] = [0.2, 0.02];
+const LEAST_FACTORS: [f64; 2] = [0.1, 0.02];
 /// With a smaller error ratio the error of a pair is mostly round-off, and the factor of its estimate is at most the one found.
 const TELLING: f64 = 1e-3;
 /// An error ratio below this is round-off.
