@@ -196,6 +196,36 @@ fn errors_follow_the_tolerance_from_a_start_at_rest() {
     }
 }
 
+/// At turning points the lower of the two differences of which the estimate is made vanishes.
+#[test]
+fn turning_points_are_no_harder_than_the_rest() {
+    let settings = Settings {
+        method: Method::Projected,
+        ..settings(8, 1e-9)
+    };
+    let run = |settings: Settings| {
+        let mut simulation =
+            Simulation::with_methods(PendulumAtRest {}, settings, methods::Projected).unwrap();
+        let mut steps = Vec::new();
+        while simulation.time() < 10.0 {
+            let before = simulation.time();
+            simulation.run_past(before.next_up(), 10.0).unwrap();
+            steps.push(simulation.time() - before);
+        }
+        (*simulation.positions(), simulation.report().stages, steps)
+    };
+    let (exact, ..) = run(Settings {
+        step: 1e-3,
+        tolerance: None,
+        ..settings
+    });
+    let (positions, calls, steps) = run(settings);
+    let error = distance(&positions, &exact);
+    let least = steps[10..].iter().copied().fold(f64::INFINITY, f64::min);
+    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+    println!("{calls} calls, error {error:.1e}, least {least}, mean {mean}");
+}
+
 /// A thousand seconds: the energy error does not grow, as the steps hardly change.
 #[test]
 fn energy_does_not_drift() {

@@ -156,7 +156,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
     /// Differential Equations I, II.10), which vary as h⁵ and h³. In smooth motion the first of both counts, and the estimate varies
     /// as h⁸. Where e₅ is not small beside e₃ the step is long for the fastest parts of the motion, and the error is hardly less than
     /// h e₅. (Of eleven mechanisms at tolerances of 1e-2 to 1e-8, log₂ of the ratio of error and estimate has a standard deviation
-    /// of 1.0; with the estimate of DOP853, h e₅²/√(e₅² + e₃²/100), it has 1.3. The latter is thousands of times too large where
+    /// of 1.1; with the estimate of DOP853, h e₅²/√(e₅² + e₃²/100), it has 1.3. The latter is thousands of times too large where
     /// e₃ vanishes, as at turning points. Of the exponents 1.25 to 1.5 in the place of 4/3 none is better.)
     pub(crate) fn estimate(
         &self,
