@@ -292,6 +292,9 @@ pub struct StepController {
     /// The same of the last pair of the chosen length by the estimate alone, without its factor.
     #[cfg_attr(feature = "serde", serde(default))]
     pub estimated_difficulty: Option<f64>,
+    /// Powers of 2 by which errors are aimed below the usual aim, after pairs that were too long.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub caution: f64,
 }
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.

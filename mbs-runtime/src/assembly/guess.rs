@@ -44,13 +44,19 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
 }
 
 fn check_controller(controller: &StepController) -> Result<(), SimulationError> {
-    let StepController { step, allowed, .. } = *controller;
-    let (speed, estimate_factor) = (controller.speed, controller.estimate_factor);
+    let StepController {
+        step,
+        allowed,
+        speed,
+        estimate_factor,
+        caution,
+        ..
+    } = *controller;
     let what = "the step controller";
-    check_finite(what, &[step, allowed, speed, estimate_factor])?;
+    check_finite(what, &[step, allowed, speed, estimate_factor, caution])?;
     check_finite(what, controller.difficulty.as_slice())?;
     check_finite(what, controller.estimated_difficulty.as_slice())?;
-    match [step, speed, estimate_factor]
+    match [step, speed, estimate_factor, caution]
         .into_iter()
         .find(|value| *value < 0.0)
     {
