@@ -196,7 +196,8 @@ fn errors_follow_the_tolerance_from_a_start_at_rest() {
     }
 }
 
-/// At turning points the lower of the two differences of which the estimate is made vanishes.
+/// At turning points one of the two differences of which the estimate is made vanishes. With the estimate of DOP853 this run has 2784
+/// calls of the accelerations and an error of 8.2e-11.
 #[test]
 fn turning_points_are_no_harder_than_the_rest() {
     let settings = Settings {
@@ -206,24 +207,18 @@ fn turning_points_are_no_harder_than_the_rest() {
     let run = |settings: Settings| {
         let mut simulation =
             Simulation::with_methods(PendulumAtRest {}, settings, methods::Projected).unwrap();
-        let mut steps = Vec::new();
-        while simulation.time() < 10.0 {
-            let before = simulation.time();
-            simulation.run_past(before.next_up(), 10.0).unwrap();
-            steps.push(simulation.time() - before);
-        }
-        (*simulation.positions(), simulation.report().stages, steps)
+        simulation.run_until(10.0).unwrap();
+        (*simulation.positions(), simulation.report().stages)
     };
-    let (exact, ..) = run(Settings {
+    let (exact, _) = run(Settings {
         step: 1e-3,
         tolerance: None,
         ..settings
     });
-    let (positions, calls, steps) = run(settings);
+    let (positions, calls) = run(settings);
     let error = distance(&positions, &exact);
-    let least = steps[10..].iter().copied().fold(f64::INFINITY, f64::min);
-    let mean = steps.iter().sum::<f64>() / steps.len() as f64;
-    println!("{calls} calls, error {error:.1e}, least {least}, mean {mean}");
+    println!("{calls} calls, error {error:.1e}");
+    assert!(calls < 2720 && error < 8e-11);
 }
 
 /// A thousand seconds: the energy error does not grow, as the steps hardly change.
