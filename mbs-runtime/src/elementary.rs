@@ -39,7 +39,6 @@ macro_rules! elementary {
 
 elementary! {
     sqrt() = libm::sqrt;
-    cbrt() = libm::cbrt;
     sin() = libm::sin;
     cos() = libm::cos;
     tan() = libm::tan;
