@@ -32,6 +32,10 @@ macro_rules! methods_of_any_simulation {
             fn input(&, name: &str) -> Result<f64, UnknownName>;
             /// Sets an `Input`.
             fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
+            /// The values of all `Input`s.
+            fn input_values(&) -> Vec<f64>;
+            /// Sets all `Input`s.
+            fn set_input_values(&mut, values: &[f64]) -> Result<(), SimulationError>;
             /// The value of a `State`.
             fn state_value(&, name: &str) -> Result<f64, UnknownName>;
             /// Sets a `State`.

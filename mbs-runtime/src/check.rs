@@ -12,6 +12,8 @@ const TOLERANCES: [f64; 2] = [Settings::LEAST_TOLERANCE, 0.1];
 const ACCURACIES: [f64; 2] = [1e-11, 0.1];
 /// The range of steps: powers of others overflow or vanish.
 const STEPS: [f64; 2] = [1e-100, 1e100];
+/// The most iterations: rows that can be satisfied take some ten, and others must come to an end.
+const ITERATIONS: usize = 10_000;
 /// The least tolerance of rows, and of methods that control their error. It is far below round-off, and its powers are
 /// numbers.
 const LEAST: f64 = 1e-30;
@@ -22,14 +24,14 @@ impl Settings {
         let counted = (STEPS[0]..=STEPS[1]).contains(&self.step);
         require("step", self.step, counted, "a value from 1e-100 to 1e100")?;
         tolerance("constraint_tolerance", self.constraint_tolerance)?;
-        positive("max_iterations", self.max_iterations as f64)?;
+        count("max_iterations", self.max_iterations)?;
         let known = ORDERS.contains(&self.order);
         require("order", self.order.into(), known, "2, 4, 6 or 8")?;
         if let Some(count) = self.fixed_iterations {
             let free = self.tolerance.is_none() && matches!(self.method, Method::TwoLevel);
             let wanted = "`None` with a tolerance or another method than the two-level one";
             require("fixed_iterations", count as f64, free, wanted)?;
-            require("fixed_iterations", count as f64, count > 0, "1 or more")?;
+            self::count("fixed_iterations", count)?;
         }
         if let Some(wished) = self.accuracy {
             let possible = (ACCURACIES[0]..=ACCURACIES[1]).contains(&wished);
@@ -37,6 +39,9 @@ impl Settings {
             let free = self.tolerance.is_none() && self.fixed_iterations.is_none();
             let wanted = "`None` with a tolerance or fixed iterations: it chooses them";
             require("accuracy", wished, free, wanted)?;
+            let wanted = "`None` with a method or an order: it chooses them";
+            let is_open = self.method == Method::TwoLevel && self.order == 2;
+            require("accuracy", wished, is_open, wanted)?;
         }
         if let Some(wished) = self.tolerance {
             let possible = (TOLERANCES[0]..=TOLERANCES[1]).contains(&wished);
@@ -49,8 +54,20 @@ impl Settings {
                 "`None` with this method: `two-level`, `projected` and `radau` choose their steps";
             require("tolerance", wished, paced, wanted)?;
         }
+        if self.flow.is_some() && self.method != Method::TwoLevel {
+            return Err(SimulationError::OtherMethod {
+                method: self.method.name(),
+                wanted: "`Method::TwoLevel`, or leave `flow` out",
+            });
+        }
         match &self.method {
             Method::TwoLevel | Method::Projected => Ok(()),
+            Method::Baumgarte(BaumgarteSettings {
+                adaptive: Some(_), ..
+            }) if self.order > 4 => Err(SimulationError::Order {
+                order: self.order,
+                because: "with error control the method has the pair of orders 5 and 4",
+            }),
             Method::Baumgarte(baumgarte) => baumgarte.check(),
             Method::Rattle
             | Method::Penalty(_)
@@ -92,9 +109,9 @@ impl PaperSettings {
         positive("penalty", self.penalty)?;
         positive("max_penalty", self.max_penalty)?;
         positive("augmentation_ratio", self.augmentation_ratio)?;
-        positive("max_newton_iterations", self.max_newton_iterations as f64)?;
-        positive("max_augmentations", self.max_augmentations as f64)?;
-        positive("max_updates", self.max_updates as f64)?;
+        count("max_newton_iterations", self.max_newton_iterations)?;
+        count("max_augmentations", self.max_augmentations)?;
+        count("max_updates", self.max_updates)?;
         positive("smallest_step", self.smallest_step)?;
         require(
             "penalty_growth",
@@ -152,6 +169,11 @@ impl BaumgarteSettings {
 
 fn positive(name: &'static str, value: f64) -> Result<(), SimulationError> {
     require(name, value, value > 0.0, "a positive finite value")
+}
+
+fn count(name: &'static str, value: usize) -> Result<(), SimulationError> {
+    let possible = (1..=ITERATIONS).contains(&value);
+    require(name, value as f64, possible, "a number from 1 to 10000")
 }
 
 fn tolerance(name: &'static str, value: f64) -> Result<(), SimulationError> {

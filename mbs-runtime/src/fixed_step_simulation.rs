@@ -41,6 +41,7 @@ use nalgebra::SVector;
 /// # Ok(())
 /// # }
 /// ```
+#[derive(Clone)]
 pub struct FixedStepSimulation<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     stepper: TwoLevelStepper<S, Q, N, R>,
     /// The length of a step, s.
@@ -67,7 +68,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         Self::begin(system, state, &settings)
     }
 
-    /// A simulation that continues from a state, for example of a [`Simulation`](crate::Simulation).
+    /// A simulation that continues from a state, for example of a [`Simulation`](crate::Simulation), with its inputs. (Without the
+    /// feature `std` a state has none: they are those that are declared.)
     ///
     /// # Errors
     /// As [`FixedStepSimulation::new`], and a state that is not finite or violates the constraints.
@@ -77,7 +79,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         state: State<Q, N, R>,
     ) -> Result<Self, SimulationError> {
         check_settings(&settings)?;
-        let system = mechanism.prepare()?;
+        #[cfg_attr(not(feature = "std"), allow(unused_mut))]
+        let mut system = mechanism.prepare()?;
+        #[cfg(feature = "std")]
+        state.give_inputs(&mut system)?;
         check(&system, &settings, &state)?;
         Self::begin(system, state, &settings)
     }
@@ -93,6 +98,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             step: settings.step,
             power: 0.0,
         };
+        simulation.note_inputs();
         simulation.take_stock();
         let energy = simulation.energy();
         let ledger = &mut simulation.stepper.context.state.ledger;
@@ -154,7 +160,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         })
     }
 
-    /// Sets the `Input`s from now on, or none if one of them is NaN or infinite.
+    /// Sets the `Input`s from now on, or none if one of them is NaN or infinite. Where a `Drive` follows an input, the mechanism gets
+    /// to its new place in the next step, and the work of this is not in the energy balance; a [`Simulation`](crate::Simulation)
+    /// moves it at once.
     ///
     /// # Errors
     /// A value that is NaN or infinite, with the name of its input.
@@ -169,6 +177,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             current.zip(values).for_each(|(old, &new)| *old = new);
             Ok(())
         })?;
+        self.note_inputs();
         self.stepper.context.state.forget_factors();
         let refreshed = self.stepper.refresh();
         refreshed.map_err(|fault| self.error(fault))?;
@@ -186,6 +195,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         &self.stepper.context.system
     }
 
+    /// The state has the inputs, too, where it has any.
+    fn note_inputs(&mut self) {
+        #[cfg(feature = "std")]
+        {
+            let context = &mut self.stepper.context;
+            context.state.inputs.clear();
+            context
+                .state
+                .inputs
+                .extend_from_slice(context.system.inputs());
+        }
+    }
+
     /// Power at the current instant, for the energy balance of the next step.
     fn take_stock(&mut self) {
         let state = self.state();
@@ -195,6 +217,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     fn error(&self, fault: Fault) -> SimulationError {
         SimulationError::from_fault(fault, S::MODEL, self.time(), self.step)
+    }
+}
+
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> core::fmt::Debug
+    for FixedStepSimulation<S, Q, N, R>
+{
+    fn fmt(&self, out: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        out.debug_struct("FixedStepSimulation")
+            .field("mechanism", &S::MODEL.name)
+            .field("state", self.state())
+            .finish_non_exhaustive()
     }
 }
 

@@ -129,6 +129,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// Notes the inputs of the system in the state.
+    pub(crate) fn note_inputs(&mut self) {
+        let mut inputs = std::mem::take(&mut self.state_mut().inputs);
+        inputs.clear();
+        inputs.extend_from_slice(self.system().inputs());
+        self.state_mut().inputs = inputs;
+    }
+
     /// To be called after the state or an input was changed.
     pub(crate) fn refresh(&mut self, settings: &Settings) -> Result<(), SimulationError> {
         match self {

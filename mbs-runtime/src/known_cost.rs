@@ -59,8 +59,10 @@ impl Model {
         // Bᵀ(BBᵀ + εI)⁻¹ and the residual of each pass.
         let solve = PASSES * (8 * r * r + 12 * r) + 2 * r * r;
         let multiplier = 2 * n * r + 4 * r;
-        let evaluations = (iterations + 1) * (cost("constraints") + flight + 3 * r);
-        let corrections = iterations * (solve + multiplier);
+        // Counts that no setting admits have no number.
+        let evaluation = cost("constraints") + flight + 3 * r;
+        let evaluations = iterations.checked_add(1)?.checked_mul(evaluation)?;
+        let corrections = iterations.checked_mul(solve + multiplier)?;
         let position = metric + delassus + directions + 2 * factorisation;
         let velocity = VELOCITY_SOLVES * (solve + rates + multiplier);
         let motion = cost("acceleration") + 2 * multiplier + 12 * n + flight + 10 * r;
@@ -70,6 +72,7 @@ impl Model {
             + rates
             + factorisation
             + 10 * r;
-        Some(evaluations + corrections + position + velocity + motion + books)
+        let once = position + velocity + motion + books;
+        evaluations.checked_add(corrections)?.checked_add(once)
     }
 }

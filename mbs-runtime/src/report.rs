@@ -50,7 +50,7 @@ pub struct Report {
     pub velocity_error: f64,
     /// Numerical rank of A at the start, or where parameters were changed last.
     pub rank: usize,
-    /// Singular poses passed; each is in [`Simulation::rank_losses`](crate::Simulation::rank_losses).
+    /// Singular poses passed; [`Simulation::rank_losses`](crate::Simulation::rank_losses) has the last 64.
     pub rank_losses: usize,
     /// Changes of the method for an accuracy; each is in [`Simulation::method_changes`](crate::Simulation::method_changes).
     pub method_changes: usize,

@@ -6,6 +6,29 @@ use crate::{AnySimulation, Sample, SimulationError};
 /// intervals.
 pub(crate) const SLACK: f64 = 1e-6;
 
+/// The least interval, as a part of the duration of a run and of its times: the clock cannot count shorter ones.
+const COUNTED: f64 = 1e-13;
+
+/// Refuses an interval, of this name, that is none or that the clock cannot count between two times.
+pub(crate) fn check_interval(
+    name: &'static str,
+    interval: f64,
+    [from, to]: [f64; 2],
+) -> Result<(), SimulationError> {
+    let wanted = match interval > 0.0 && interval.is_finite() {
+        false => "a positive finite value",
+        true if to.is_finite() && interval < COUNTED * (to - from).max(from.abs()) => {
+            "one that the clock can count, above 1e-13 of the duration"
+        }
+        true => return Ok(()),
+    };
+    Err(SimulationError::Setting {
+        name,
+        value: interval,
+        wanted,
+    })
+}
+
 /// Iterator over samples; made by [`Simulation::samples`](crate::Simulation::samples).
 ///
 /// Each item runs the simulation to the next sample; the iterator ends after the first error.
@@ -33,14 +56,7 @@ impl<'a> Samples<'a> {
     }
 
     fn advance(&mut self) -> Result<Option<Sample>, SimulationError> {
-        let (name, value) = ("sample interval", self.interval);
-        if !(value > 0.0 && value.is_finite()) {
-            return Err(SimulationError::Setting {
-                name,
-                value,
-                wanted: "a positive finite value",
-            });
-        }
+        check_interval("sample interval", self.interval, [self.start, self.until])?;
         if !(self.until.is_finite() && self.until >= self.start) {
             return Err(SimulationError::Time {
                 now: self.start,

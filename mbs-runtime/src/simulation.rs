@@ -163,10 +163,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Self::with_methods(mechanism, Settings::accuracy(accuracy), methods::Accuracy)
     }
 
-    /// A simulation that continues from a state: bit for bit if mechanism, settings and inputs are the same.
+    /// A simulation that continues from a state, with its inputs: bit for bit if mechanism and settings are the same.
     ///
     /// # Errors
-    /// As [`Simulation::with_settings`], and a state that is not finite or violates the constraints.
+    /// As [`Simulation::with_settings`], and a state that is not finite, violates the constraints, or has inputs of another mechanism.
     pub fn resume<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,
@@ -249,6 +249,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A row that does not converge, even with much smaller steps, or a state that is not finite; the message names the
     /// row and the time.
     pub fn step(&mut self) -> Result<(), SimulationError> {
+        self.check_inputs()?;
+        // `look_at` is for runs.
+        self.last_step_start.time = f64::INFINITY;
         self.forward(self.nominal(), f64::INFINITY)
     }
 
@@ -367,7 +370,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         &self.assembly
     }
 
-    /// The singular poses passed so far, in the order of time. Rows that are always redundant do not count.
+    /// The singular poses passed so far, in the order of time, the last 64 of them; [`Report::rank_losses`] counts all. Rows that are
+    /// always redundant do not count.
     pub fn rank_losses(&self) -> &[RankLoss] {
         self.singularities.losses()
     }
@@ -391,7 +395,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             holonomic_error: self.books.holonomic_error,
             velocity_error: self.books.velocity_error,
             rank: self.assembly.rank,
-            rank_losses: self.singularities.losses().len(),
+            rank_losses: self.singularities.count(),
             method_changes: self.method_changes().len(),
         }
     }

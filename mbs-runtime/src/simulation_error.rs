@@ -54,6 +54,13 @@ pub enum SimulationError {
         /// Why not.
         because: &'static str,
     },
+    /// A method that is not one of this stepper.
+    OtherMethod {
+        /// The method of the settings.
+        method: &'static str,
+        /// Those that the stepper has.
+        wanted: &'static str,
+    },
     /// A method that this simulation was not compiled with.
     NotCompiled {
         /// The method of the settings.
@@ -277,6 +284,11 @@ impl SimulationError {
                 iterations,
             },
             Fault::Astray(by) => SimulationError::Astray { time, step, by },
+            Fault::Length(wanted) => SimulationError::Setting {
+                name: "step",
+                value: step,
+                wanted,
+            },
             Fault::NonFinite(what) => SimulationError::NonFinite { time, what },
             Fault::Mass => SimulationError::Mass { time },
             Fault::Underflow { row, step } => SimulationError::StepUnderflow {
@@ -327,6 +339,12 @@ impl fmt::Display for SimulationError {
                 out,
                 "the method {method} cannot integrate this mechanism: {because}; use two-level"
             ),
+            OtherMethod { method, wanted } => {
+                write!(
+                    out,
+                    "this stepper has no method `{method}`; give it {wanted}"
+                )
+            }
             NotCompiled { method } => write!(
                 out,
                 "method `{method}` is not compiled into this simulation; construct it with `Simulation::with_methods` and a value of `mbs_runtime::methods`, or resume it with `Simulation::resume_with_methods`"

@@ -16,6 +16,8 @@ use crate::memory::Box;
 use crate::memory::StageList;
 use crate::row_scale::RowScale;
 use crate::singular::{USUAL_GROWTH, USUAL_GROWTH_WEAK};
+#[cfg(feature = "std")]
+use crate::{SimulationError, System};
 #[cfg(feature = "sparse")]
 pub use backward_differences::BackwardDifferences;
 #[cfg(feature = "sparse")]
@@ -51,6 +53,11 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub multiplier_changes: SVector<f64, R>,
     /// The same two, stage by stage, of the last step of a composition; empty for second order.
     pub stage_multipliers: StageList<[SVector<f64, R>; 2]>,
+    /// The inputs, in the order and units of [`Model::inputs`](crate::Model::inputs); empty for those that are declared. (Without the
+    /// feature `std` a state has no inputs.)
+    #[cfg(feature = "std")]
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub inputs: Vec<f64>,
     /// Accumulated work.
     pub ledger: Ledger,
     /// Data of the step controller, for runs with a tolerance.
@@ -75,6 +82,27 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
 }
 
 impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
+    /// Gives a system the inputs of this state, if it has any.
+    #[cfg(feature = "std")]
+    pub(crate) fn give_inputs<S: System<Q, N, R>>(
+        &self,
+        system: &mut S,
+    ) -> Result<(), SimulationError> {
+        let inputs = system.inputs_mut();
+        let refuse = |what, value| Err(SimulationError::State { what, value });
+        if self.inputs.is_empty() {
+            return Ok(());
+        }
+        if self.inputs.len() != inputs.len() {
+            return refuse("the number of inputs", self.inputs.len() as f64);
+        }
+        if let Some(&value) = self.inputs.iter().find(|value| !value.is_finite()) {
+            return refuse("an input", value);
+        }
+        inputs.copy_from_slice(&self.inputs);
+        Ok(())
+    }
+
     /// The impulses κ₁ that a step of h begins with.
     #[inline(always)]
     pub(crate) fn expected_impulse(&self, h: f64) -> SVector<f64, R> {
@@ -178,7 +206,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
     }
 
     /// Copies `other`, without allocation if the capacity is sufficient; not what is known of poses, which steps that are
-    /// taken back have found, too.
+    /// taken back have found, too, and not the inputs, which no step changes.
     #[inline]
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.copy_motion_from(other);
@@ -238,6 +266,8 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             multipliers: SVector::zeros(),
             multiplier_changes: SVector::zeros(),
             stage_multipliers: StageList::new(),
+            #[cfg(feature = "std")]
+            inputs: Vec::new(),
             ledger: Ledger::default(),
             step_controller: StepController::default(),
             fields: ThreeFields::default(),

@@ -2,7 +2,7 @@
 
 use crate::common::alloc::count;
 use mbs_runtime::nalgebra::SVector;
-use mbs_runtime::{AnySimulation, Simulation, SimulationError, mechanism};
+use mbs_runtime::{AnySimulation, Settings, Simulation, SimulationError, mechanism};
 
 mechanism!(Cart {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -139,4 +139,58 @@ fn outputs_and_reactions_by_name_do_not_allocate() {
     let reaction = dynamics.reaction("rail", "fy").unwrap();
     assert_eq!(reaction, simulation.reaction("rail", "fy").unwrap());
     assert!(dynamics.reaction("rail", "fz").is_err());
+}
+
+/// The error of such an input came from the next step although the value was right again, or never, after a look.
+#[test]
+fn an_error_of_inputs_is_told_once_or_repaired() {
+    let mut simulation = cart();
+    simulation.inputs_mut().push = f64::NAN;
+    simulation.inputs_mut().push = 1.0;
+    simulation.step().unwrap();
+    simulation.run_past(0.1, 1.0).unwrap();
+    simulation.inputs_mut().push = f64::NAN;
+    let now = simulation.time();
+    simulation.look_at(now, &mut |_| {}).unwrap();
+    let told = simulation.run_until(1.0);
+    assert!(
+        matches!(told, Err(SimulationError::Input { name: "push", .. })),
+        "{told:?}"
+    );
+    assert_eq!(simulation.time(), now);
+    simulation.run_until(1.0).unwrap();
+}
+
+#[test]
+fn all_inputs_are_set_at_once_or_none() {
+    let mut simulation = cart();
+    simulation
+        .set_inputs(CartInputs {
+            push: 2.0,
+            pull: 1.0,
+        })
+        .unwrap();
+    assert_eq!(simulation.input_values(), [2.0, 1.0]);
+    assert!(simulation.set_input_values(&[3.0, f64::NAN]).is_err());
+    assert!(simulation.set_input_values(&[3.0]).is_err());
+    let any: &mut dyn AnySimulation = &mut simulation;
+    assert_eq!(any.input_values(), [2.0, 1.0]);
+    any.set_input_values(&[4.0, 1.0]).unwrap();
+    assert_eq!(simulation.inputs().push, 4.0);
+}
+
+/// A state did not have them: a resumed run went on with those that are declared.
+#[test]
+fn a_state_has_the_inputs() {
+    let mut simulation = cart();
+    simulation.inputs_mut().push = 5.0;
+    simulation.run_until(0.5).unwrap();
+    let state = simulation.state().clone();
+    assert_eq!(state.inputs, [5.0, 1.5]);
+    let mut resumed: CartSimulation =
+        Simulation::resume(Cart::default(), Settings::default(), state).unwrap();
+    simulation.run_until(1.0).unwrap();
+    resumed.run_until(1.0).unwrap();
+    assert_eq!(resumed.state(), simulation.state());
+    assert_eq!(resumed.inputs().push, 5.0);
 }

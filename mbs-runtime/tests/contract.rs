@@ -308,7 +308,11 @@ fn steppers_work_alone_and_simulations_behind_a_face() {
     let system = Parameters(SliderCrank).prepare().unwrap();
     let settings = Settings::default();
     let state = State::new(0.0, q.into(), v.into());
-    let mut paper = PaperStepper::new(system, state, &settings).unwrap();
+    let algorithm_1 = Settings {
+        method: Method::Paper(PaperSettings::default()),
+        ..settings
+    };
+    let mut paper = PaperStepper::new(system, state, &algorithm_1).unwrap();
     paper.step(1e-3).unwrap();
     assert_eq!(paper.state().time, 1e-3);
     let mut any: Box<dyn AnySimulation> = Box::new(new(FourBar, settings).unwrap());

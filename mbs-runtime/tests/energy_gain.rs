@@ -240,3 +240,60 @@ fn stiff_dampers_are_not_refused() {
         }
     }
 }
+
+/// The shorter steps that take the place of one that leaps over a turn were all that was taken of it: the clock of a control loop
+/// fell behind.
+#[test]
+fn steps_without_placement_have_their_length() {
+    for order in [2, 4, 6] {
+        for step in [0.05, 0.1, 0.2, 0.3, 0.5, 1.0] {
+            let settings = Settings {
+                placement: false,
+                ..settings(step, order)
+            };
+            let mut pendulum =
+                Simulation::with_settings(NaturalPendulum::default(), settings).unwrap();
+            for _ in 0..200 {
+                let before = pendulum.time();
+                pendulum.step().unwrap();
+                let passed = pendulum.time() - before;
+                assert!((passed - step).abs() < 1e-12, "{order} {step}: {passed}");
+            }
+        }
+    }
+}
+
+/// The state was that after the refused step.
+#[test]
+fn a_step_that_fails_moves_nothing() {
+    let bob = Bob {
+        stiffness: 2e10,
+        stretch: 1e-4,
+    };
+    for placement in [true, false] {
+        let settings = Settings {
+            placement,
+            ..settings(1e-3, 2)
+        };
+        let mut bob = Simulation::with_settings(bob, settings).unwrap();
+        loop {
+            let (before, report) = (bob.state().clone(), bob.report());
+            let Err(error) = bob.step() else {
+                continue;
+            };
+            assert!(
+                matches!(error, SimulationError::EnergyGain { .. }),
+                "{error}"
+            );
+            let now = bob.state();
+            assert_eq!((now.time, now.clock), (before.time, before.clock));
+            assert_eq!(
+                (now.positions, now.velocities),
+                (before.positions, before.velocities)
+            );
+            assert_eq!(now.ledger, before.ledger);
+            assert_eq!(bob.report().steps, report.steps);
+            break;
+        }
+    }
+}

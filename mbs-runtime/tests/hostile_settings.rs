@@ -1,6 +1,9 @@
 //! Settings beyond the range of numbers are refused by name; none leads to a panic or to a loop without end.
 
-use mbs_runtime::{BaumgarteSettings, Method, Settings, Simulation, SimulationError, mechanism};
+use mbs_runtime::{
+    BaselineStepper, BaumgarteSettings, Flow, Foreseen, Mechanism, Method, PaperStepper, Settings,
+    Simulation, SimulationError, TwoLevelStepper, mechanism,
+};
 
 mechanism!(SliderCrank {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
@@ -153,7 +156,7 @@ fn states_that_are_not_finite_are_refused() {
     let mut simulation = Simulation::with_settings(SliderCrank::default(), settings).unwrap();
     simulation.run_until(0.01).unwrap();
     let state = simulation.state();
-    let changed: [fn(&mut mbs_runtime::State<_, _, _>); 9] = [
+    let changed: [fn(&mut mbs_runtime::State<_, _, _>); 12] = [
         |state| state.clock = f64::NAN,
         |state| state.ledger.nonconservative_work = f64::NAN,
         |state| state.ledger.initial = Some(f64::INFINITY),
@@ -163,6 +166,15 @@ fn states_that_are_not_finite_are_refused() {
         |state| state.step_controller.caution = -1.0,
         |state| state.fields.momentum[0] = f64::NAN,
         |state| state.multipliers[0] = f64::NAN,
+        |state| state.inputs = vec![1.0],
+        |state| {
+            // Every step would have been taken in 100,000 parts.
+            state.poses_ahead.foreseen = Some(Foreseen::Turn {
+                least: 0.0,
+                rate: -1.0,
+            });
+        },
+        |state| state.poses_ahead.foreseen = Some(Foreseen::Singular(f64::NAN)),
     ];
     for (index, change) in changed.into_iter().enumerate() {
         let mut state = state.clone();
@@ -170,6 +182,147 @@ fn states_that_are_not_finite_are_refused() {
         let resumed = Simulation::resume(SliderCrank::default(), settings, state);
         let refused = matches!(resumed, Err(SimulationError::State { .. }));
         assert!(refused, "change {index}");
+    }
+    // Counters at their end overflowed.
+    let mut state = state.clone();
+    state.step_controller.quiet = u32::MAX;
+    state.step_controller.patience = u32::MAX;
+    state.step_controller.pairs_since_comparison = u32::MAX;
+    state.step_controller.raised = true;
+    let mut resumed = Simulation::resume(SliderCrank::default(), settings, state).unwrap();
+    resumed.run_until(0.5).unwrap();
+}
+
+/// A step without an end of its iterations did not end.
+#[test]
+fn counts_out_of_range() {
+    for count in [0, 10_001, usize::MAX] {
+        let most = Settings {
+            max_iterations: count,
+            ..Settings::default()
+        };
+        assert_eq!(setting(most), "max_iterations");
+        let fixed = Settings {
+            fixed_iterations: Some(count),
+            ..Settings::default()
+        };
+        assert_eq!(setting(fixed), "fixed_iterations");
+    }
+    assert_eq!(SliderCrank::MODEL.step_flops(usize::MAX), None);
+    assert_eq!(SliderCrank::MODEL.step_flops(usize::MAX - 1), None);
+}
+
+/// Settings that others overrule were ignored.
+#[test]
+fn settings_that_contradict_each_other() {
+    for (method, order) in [(Method::Projected, 2), (Method::TwoLevel, 4)] {
+        let settings = Settings {
+            method,
+            order,
+            ..Settings::accuracy(1e-6)
+        };
+        assert_eq!(setting(settings), "accuracy");
+    }
+    let flow = Settings {
+        method: Method::Projected,
+        flow: Some(Flow::Midpoint),
+        ..Settings::default()
+    };
+    let error = steps(flow).unwrap_err();
+    assert!(
+        matches!(error, SimulationError::OtherMethod { .. }),
+        "{error}"
+    );
+    let adaptive = Settings {
+        method: Method::Baumgarte(BaumgarteSettings {
+            adaptive: Some(1e-6),
+            ..BaumgarteSettings::default()
+        }),
+        order: 8,
+        ..Settings::default()
+    };
+    let error = steps(adaptive).unwrap_err();
+    assert!(
+        matches!(error, SimulationError::Order { order: 8, .. }),
+        "{error}"
+    );
+}
+
+/// Such a list has more entries than a memory.
+#[test]
+fn intervals_that_the_clock_cannot_count() {
+    let crank = || Simulation::new(SliderCrank::default()).unwrap();
+    for interval in [1e-300, 1e-20, 0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let error = crank().record(1.0).every(interval).run().unwrap_err().error;
+        assert!(
+            matches!(error, SimulationError::Setting { .. }),
+            "{interval}: {error}"
+        );
+        let first = crank().samples(1.0, interval).next();
+        assert!(
+            matches!(first, Some(Err(SimulationError::Setting { .. }))),
+            "{interval}"
+        );
+    }
+    // The end is the beginning.
+    assert!(crank().record(0.0).every(f64::NAN).run().is_err());
+    // An end that cannot be run to is told first.
+    let first = crank().samples(f64::INFINITY, 0.1).next();
+    assert!(matches!(first, Some(Err(SimulationError::Time { .. }))));
+}
+
+/// Each remainder was left out: the clock went on, and the mechanism stood still.
+#[test]
+fn many_short_runs_go_as_far_as_a_long_one() {
+    let mut long = Simulation::new(SliderCrank::default()).unwrap();
+    let mut short = long.clone();
+    let end = 1e-6;
+    long.run_until(end).unwrap();
+    for part in 1..=2000 {
+        short.run_until(end * f64::from(part) / 2000.0).unwrap();
+    }
+    let start = Simulation::new(SliderCrank::default()).unwrap();
+    let way = long.positions() - start.positions();
+    let off = long.positions() - short.positions();
+    assert!(off.norm() < 1e-4 * way.norm(), "{off} {way}");
+}
+
+/// Zero is a number: the message said that the step had become infinite.
+#[test]
+fn steps_of_no_length() {
+    let state = Simulation::new(SliderCrank::default()).unwrap();
+    let (system, state) = (state.system(), state.state());
+    let settings = Settings::default();
+    let mut two_level = TwoLevelStepper::new(system.clone(), state.clone(), &settings).unwrap();
+    let bdf = Settings {
+        method: Method::by_name("bdf").unwrap(),
+        ..settings
+    };
+    let mut bdf = BaselineStepper::new(system.clone(), state.clone(), &bdf).unwrap();
+    for error in [
+        two_level.step(0.0).unwrap_err(),
+        two_level.step(f64::NAN).unwrap_err(),
+        bdf.step(-1e-3).unwrap_err(),
+        bdf.step(0.0).unwrap_err(),
+    ] {
+        assert!(
+            matches!(error, SimulationError::Setting { name: "step", .. }),
+            "{error}"
+        );
+    }
+    let rattle = Settings {
+        method: Method::Rattle,
+        ..settings
+    };
+    for error in [
+        PaperStepper::new(system.clone(), state.clone(), &rattle).unwrap_err(),
+        TwoLevelStepper::new(system.clone(), state.clone(), &rattle).unwrap_err(),
+        BaselineStepper::new(system.clone(), state.clone(), &settings).unwrap_err(),
+    ] {
+        assert!(
+            matches!(error, SimulationError::OtherMethod { .. }),
+            "{error}"
+        );
     }
 }
 

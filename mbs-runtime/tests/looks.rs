@@ -104,3 +104,23 @@ fn the_energy_guard_sees_the_motion_alone() {
     assert!(alone.is_err());
     assert_eq!(end(3000), alone);
 }
+
+/// Such an instant was computed again from an earlier one, over many steps: another motion than the one of the run.
+#[test]
+fn only_instants_of_the_last_step_are_shown() {
+    let mut crank = Simulation::new(SliderCrank::default()).unwrap();
+    crank.run_past(0.1, 1.0).unwrap();
+    crank.look_at(crank.time() - 1e-4, &mut |_| {}).unwrap();
+    crank.run_until(0.5).unwrap();
+    for wanted in [0.2, 0.4999] {
+        let refused = crank.look_at(wanted, &mut |_| {});
+        assert!(
+            matches!(refused, Err(SimulationError::Time { .. })),
+            "{refused:?}"
+        );
+    }
+    crank.run_past(0.6, 1.0).unwrap();
+    let last = crank.time() - 1e-4;
+    crank.step().unwrap();
+    assert!(crank.look_at(last, &mut |_| {}).is_err());
+}

@@ -138,3 +138,17 @@ fn events_in_the_pose_itself_count_once() {
         assert!((loss.time - time).abs() < 1e-3, "{loss:?}");
     }
 }
+
+/// The list grew with the run, and allocated in a step.
+#[test]
+fn the_last_passages_are_kept_and_all_are_counted() {
+    let mut simulation = start(SliderCrank, 2, 1e-2, true);
+    simulation.run_until(80.0).unwrap();
+    let (losses, count) = (simulation.rank_losses(), simulation.report().rank_losses);
+    assert_eq!(losses.len(), 64);
+    assert!((85..95).contains(&count), "{count}");
+    assert!(losses.windows(2).all(|pair| pair[0].time < pair[1].time));
+    assert!(losses[63].time > 78.0 && losses[0].time > 10.0);
+    let copy = simulation.clone();
+    assert_eq!(copy.report().rank_losses, count);
+}

@@ -2,7 +2,9 @@
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
-use mbs_runtime::{AnySimulation, Settings, Simulation, SimulationError, mechanism};
+use mbs_runtime::{
+    AnySimulation, FixedStepSimulation, Settings, Simulation, SimulationError, mechanism,
+};
 use mbs_tests::with_room;
 
 // A hoist of 2 kg, and a rotor of 3 kg m² whose speed is driven.
@@ -189,4 +191,50 @@ fn the_work_of_a_drive_is_right_between_the_ends_of_two_level_steps() {
             }
         }
     });
+}
+
+/// The rows of such a state are satisfied with its inputs alone.
+#[test]
+fn a_state_is_resumed_where_inputs_have_driven_it() {
+    let mut plant = Simulation::new(Plant::default()).expect("it assembles");
+    plant.set_input("height", 0.3).expect("it is reached");
+    plant.set_input("speed", 4.0).expect("it is reached");
+    plant.run_until(0.1).expect("it runs");
+    let state = plant.state().clone();
+    let settings = *plant.settings();
+    let mut resumed = Simulation::resume(Plant::default(), settings, state.clone())
+        .expect("it is one of this mechanism");
+    plant.run_until(0.2).expect("it runs");
+    resumed.run_until(0.2).expect("it runs");
+    assert_eq!(resumed.state(), plant.state());
+    let mut fixed =
+        FixedStepSimulation::resume(Plant::default(), settings, state).expect("the same");
+    assert_eq!(fixed.inputs().height, 0.3);
+    fixed.step().expect("it runs");
+}
+
+mechanism!(TwoReach {
+    world: Planar(),
+    near: Input(0.5_m),
+    far: Input(0.0_m),
+    arm: Bar(mass = 1.0_kg, length = 1.0_m, angle = 60.0_deg),
+    pivot: Revolute(ground.origin, arm.a),
+    drive: Drive(arm.b.x, value = near + far),
+});
+
+/// One after the other they passed 1.2 m, out of reach.
+#[test]
+fn inputs_that_are_set_together_pass_no_pose_between() {
+    let mut reach = Simulation::new(TwoReach::default()).expect("it assembles");
+    reach
+        .set_input_values(&[0.9, -0.4])
+        .expect("it is where it was");
+    reach
+        .set_input_values(&[1.6, -1.1])
+        .expect("it is where it was");
+    assert!(reach.energy().drive_work.abs() < 1e-9);
+    let before = reach.state().clone();
+    assert!(reach.set_input_values(&[1.6, 0.3]).is_err());
+    assert_eq!(reach.input_values(), [1.6, -1.1]);
+    assert_eq!(reach.state().positions, before.positions);
 }

@@ -41,10 +41,10 @@ pub struct Simulate {
     #[arg(long, value_name = "X", allow_hyphen_values = true, conflicts_with_all = ["tolerance", "method", "order"])]
     pub accuracy: Option<String>,
     /// Integrator: two-level, alf3f-paper, m-alf, index3-projections, generalized-alpha, bdf, radau, rattle, baumgarte,
-    /// projected or penalty [default: two-level, with a constant step unless there is --tolerance].
+    /// projected or penalty [default: two-level with --step, --order or --tolerance, otherwise the one chosen for the accuracy].
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
-    /// Order of the method: 2, 4, 6 or 8 [default: 2, or the order that fits --tolerance].
+    /// Order of the method: 2, 4, 6 or 8 [default: 2 with --step, otherwise the one that fits --tolerance or --accuracy].
     #[arg(long, value_name = "N")]
     pub order: Option<String>,
     /// Value of a parameter or an input; may be repeated.

@@ -198,7 +198,7 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
             report.holonomic_error, report.velocity_error
         )?;
     }
-    write_events(out, run.simulation.rank_losses())?;
+    write_events(out, run.simulation.rank_losses(), report.rank_losses)?;
     for (index, (output, value)) in model
         .outputs
         .iter()
@@ -246,7 +246,8 @@ fn write_method_changes(out: &mut String, changes: &[MethodChange]) -> std::fmt:
 }
 
 /// The first singular poses, and how many there were.
-fn write_events(out: &mut String, losses: &[RankLoss]) -> std::fmt::Result {
+/// `count`: of all, of which the last ones are in the list.
+fn write_events(out: &mut String, losses: &[RankLoss], count: usize) -> std::fmt::Result {
     for (index, loss) in losses.iter().take(SHOWN).enumerate() {
         writeln!(
             out,
@@ -261,7 +262,7 @@ fn write_events(out: &mut String, losses: &[RankLoss]) -> std::fmt::Result {
             }
         )?;
     }
-    match losses.len().saturating_sub(SHOWN) {
+    match count.saturating_sub(losses.len().min(SHOWN)) {
         0 => Ok(()),
         more => writeln!(out, "               and {more} more"),
     }

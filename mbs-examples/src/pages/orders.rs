@@ -169,9 +169,9 @@ pub fn samples(data: &Data) -> Result<String, String> {
         ))
     };
     Ok(paragraph(&format!(
-        "Without a tolerance a step ends at each sample. After a step whose length was changed by placement, the last step before \
-         the sample is shorter. So a run depends on its samples. `mbs simulate slider-crank --order 6 --step 0.025`, with a \
-         sample every 0.05 s, takes {}; the run in the table of orders, with a sample every 0.5 s, takes {}.",
+        "A sample is an instant at which results are recorded. Without a tolerance a step ends at each sample, and after a step whose \
+         length was changed by placement the last step before the sample is shorter: so a run depends on its samples. `mbs simulate \
+         slider-crank --order 6 --step 0.025`, with a sample every 0.05 s, takes {}; the same with a sample every 0.5 s takes {}.",
         says(line("5e-2")?)?,
         says(line("5e-1")?)?,
     )))

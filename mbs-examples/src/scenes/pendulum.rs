@@ -1,12 +1,12 @@
-//! The planar pendulum (IFToMM A01): a point mass on a massless bar, released from the horizontal. As a bar it has the
-//! two coordinates of its tip and a row for its length; in its angle it has one coordinate and no row. Reference:
-//! closed form with elliptic functions.
+//! The planar pendulum (IFToMM A01): a point mass on a massless bar, released from the horizontal. Once it is
+//! a bar in a joint, of which the compiler takes the angle as coordinate, once this angle is declared. Reference: closed form
+//! with elliptic functions.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};
 
 mechanism!(Pendulum {
-    doc: "A point mass on a massless bar, as a bar: two coordinates and one row.",
+    doc: "A point mass on a massless bar in a joint: the compiler takes the angle of the bar as coordinate.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
 
     /// Length of the bar.
@@ -26,7 +26,7 @@ mechanism!(Pendulum {
 });
 
 mechanism!(PendulumByAngle {
-    doc: "The same pendulum in its angle: one coordinate, no row.",
+    doc: "The same pendulum with the angle of the bar as a declared coordinate.",
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
 
     /// Length of the bar.

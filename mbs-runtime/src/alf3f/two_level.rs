@@ -14,7 +14,7 @@ use crate::large::{check_dense, is_large, is_sparse};
 use crate::linear::{add, added, vector};
 use crate::memory::{Box, MOST_STAGES};
 use crate::singular::RankMargin;
-use crate::{Flow, Settings, SimulationError, State, System};
+use crate::{Flow, Method, Settings, SimulationError, State, System};
 use core::fmt;
 use nalgebra::SVector;
 
@@ -108,12 +108,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// An integrator that starts from `state`, which has to satisfy the constraints.
     ///
     /// # Errors
-    /// Settings that cannot be used, or a mass matrix that is not positive definite at the state.
+    /// Settings that cannot be used or with another method, or a mass matrix that is not positive definite at the state.
     pub fn new(
         system: S,
         state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
+        if settings.method != Method::TwoLevel {
+            return Err(SimulationError::OtherMethod {
+                method: settings.method.name(),
+                wanted: "`Method::TwoLevel`",
+            });
+        }
         Self::for_steps(system, state, settings, false)
     }
 
@@ -419,9 +425,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     #[inline(always)]
     fn try_step(&mut self, h: f64) -> Result<(), Fault> {
-        if !(h.is_finite() && h != 0.0) {
-            return Err(Fault::NonFinite("step"));
-        }
+        Fault::check_length(h, true)?;
         let context = &mut self.context;
         match &mut self.flow {
             Stepping::Leapfrog(flow) if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {

@@ -4,7 +4,8 @@ use crate::linear::{largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
 use crate::{
-    Coordinate, Model, Settings, SimulationError, State, StepController, System, ThreeFields,
+    Coordinate, Foreseen, Model, PosesAhead, Settings, SimulationError, State, StepController,
+    System, ThreeFields,
 };
 use nalgebra::SVector;
 
@@ -33,6 +34,9 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
     check_finite("the energy at the start", ledger.initial.as_slice())?;
     check_controller(&state.step_controller)?;
     check_fields(&state.fields)?;
+    check_poses_ahead(&state.poses_ahead)?;
+    #[cfg(feature = "sparse")]
+    check_factors(state)?;
     let q = &state.positions;
     let unit = unit_rotations(system, q)?;
     for (given, unit) in q.iter().zip(unit.iter()) {
@@ -63,6 +67,52 @@ fn check_controller(controller: &StepController) -> Result<(), SimulationError> 
         Some(value) => Err(SimulationError::State { what, value }),
         None => Ok(()),
     }
+}
+
+/// Rates and lengths of what is ahead are positive: steps are divided by them.
+fn check_poses_ahead(poses: &PosesAhead) -> Result<(), SimulationError> {
+    let what = "a pose ahead";
+    let wrong = |values: &[f64], positive: &[f64]| {
+        let not_finite = values
+            .iter()
+            .chain(positive)
+            .find(|value| !value.is_finite());
+        not_finite
+            .or_else(|| positive.iter().find(|value| **value < 0.0))
+            .copied()
+    };
+    let of_step = poses
+        .last_step
+        .and_then(|step| wrong(&[step.begin, step.length], &[step.least]));
+    let of_pose = match poses.foreseen {
+        Some(Foreseen::Singular(time)) => wrong(&[time], &[]),
+        Some(Foreseen::Turn { least, rate }) => wrong(&[], &[least, rate]),
+        None => None,
+    };
+    match of_step.or(of_pose) {
+        Some(value) => Err(SimulationError::State { what, value }),
+        None => Ok(()),
+    }
+}
+
+/// Where factors were made, and the differences that corrections begin with, are numbers.
+#[cfg(feature = "sparse")]
+fn check_factors<const Q: usize, const N: usize, const R: usize>(
+    state: &State<Q, N, R>,
+) -> Result<(), SimulationError> {
+    if let Some(factors) = &state.factors {
+        let what = "the origin of factors";
+        check_finite(what, &[factors.time, factors.step])?;
+        check_finite(what, factors.positions.as_slice())?;
+        check_finite(what, factors.velocities.as_slice())?;
+    }
+    if let Some(kept) = &state.differences {
+        check_finite("a difference of velocities", &[kept.step, kept.third])?;
+        for difference in &kept.differences {
+            check_finite("a difference of velocities", difference.as_slice())?;
+        }
+    }
+    Ok(())
 }
 
 fn check_fields<const N: usize, const R: usize>(

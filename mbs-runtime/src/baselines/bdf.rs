@@ -111,9 +111,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
-        if !(h > 0.0) {
-            return Err(Fault::NonFinite("step"));
-        }
+        Fault::check_length(h, false)?;
         let end = bench.state.time + h;
         if self.history.len() == 0 {
             self.start(bench, h)?;

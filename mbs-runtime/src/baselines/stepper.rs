@@ -37,9 +37,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
         if let Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) = settings.method {
-            return Err(SimulationError::Setting {
-                name: "method",
-                value: f64::NAN,
+            return Err(SimulationError::OtherMethod {
+                method: settings.method.name(),
                 wanted: "one of the baselines",
             });
         }
@@ -85,8 +84,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// Advances by h seconds.
     ///
     /// # Errors
-    /// A row that does not converge, by name; a state that is not finite; a mass matrix that is not positive definite.
-    /// The state is then still that before the step.
+    /// A length of zero, or one that is not finite or back in time for a method that has no such steps; a row that does not converge,
+    /// by name; a state that is not finite; a mass matrix that is not positive definite. The state is then that before the step, or,
+    /// of a method that divides it into steps of its own, where it could not go on.
     #[inline]
     pub fn step(&mut self, h: f64) -> Result<(), SimulationError> {
         self.try_step(h)
@@ -95,9 +95,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
 
     #[inline(always)]
     fn try_step(&mut self, h: f64) -> Result<(), Fault> {
-        if !(h.is_finite() && h != 0.0) {
-            return Err(Fault::NonFinite("step"));
-        }
+        Fault::check_length(h, true)?;
         self.bench.works = Works::default();
         let outcome = self.rule.advance(&mut self.bench, h);
         // A step that failed leaves the geometry of its last trial.

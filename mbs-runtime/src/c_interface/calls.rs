@@ -125,15 +125,7 @@ pub unsafe fn set_inputs(plant: *mut Plant, inputs: *const f64, size: usize) -> 
         let quantities = plant.0.model().inputs;
         // SAFETY: as for this function.
         let values = unsafe { read(quantities, inputs, size) }?;
-        let mut named = quantities.iter().zip(values);
-        if let Some((input, &value)) = named.find(|(_, value)| !value.is_finite()) {
-            let name = input.name;
-            return Err(SimulationError::Input { name, value }.into());
-        }
-        for (input, &value) in quantities.iter().zip(values) {
-            plant.0.set_input(input.name, value)?;
-        }
-        Ok(())
+        Ok(plant.0.set_input_values(values)?)
     })
 }
 

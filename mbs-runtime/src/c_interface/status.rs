@@ -65,6 +65,7 @@ impl From<SimulationError> for Failure {
             | E::Flow { .. }
             | E::Method { .. }
             | E::NotCompiled { .. }
+            | E::OtherMethod { .. }
             | E::Order { .. }
             | E::Large { .. }
             | E::Time { .. }

@@ -4,8 +4,8 @@
 //! p(q_m, v_m) − h/2 F(q_m, v_m) = p(q₀, v_a),   q_m = q₀ ⊕ h/2 v_m,   q₁ = q₀ ⊕ h v_m,   p(q₁, v_b) = 2 p(q_m, v_m) − p(q₀, v_a)
 //! ```
 //!
-//! Half a step of the backward Euler method, then half a step of the forward one: symmetric and symplectic like the
-//! trapezoid, which has the two halves in the other order. It needs one evaluation of F less per step. On Bricard's
+//! Half a step of the backward Euler method, then half a step of the forward one: symmetric and, where v = q̇, symplectic. The
+//! trapezoid has the two halves in the other order: symmetric, and conjugate to this one. It needs one evaluation of F less per step. On Bricard's
 //! mechanism its energy error is 0.77 times that of the trapezoid, its position error 1.4 times.
 //!
 //! A stage that continues another takes over its p(q₁, v_b). M(q₁) v_b, computed from M and v_b again, differs from it by

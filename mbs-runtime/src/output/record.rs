@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Frame, ProgressBar};
-use crate::samples::SLACK;
+use crate::samples::{SLACK, check_interval};
 use crate::{AnySimulation, Model, Simulation, SimulationError, System};
 
 /// The largest number of intervals where none is given.
@@ -142,7 +142,7 @@ impl<'a> Record<'a> {
         self
     }
 
-    /// Calls `progress` at every recorded instant.
+    /// Calls `progress` at every recorded instant after the first one.
     pub fn progress(mut self, progress: impl FnMut(Progress) + 'a) -> Self {
         self.progress = Some(Box::new(progress));
         self
@@ -157,7 +157,7 @@ impl<'a> Record<'a> {
     /// Runs and records. A step ends at each instant, but for runs with a tolerance, where instants lie between steps.
     ///
     /// # Errors
-    /// An interval that is not positive and finite; otherwise as [`Simulation::run_until`](crate::Simulation::run_until).
+    /// An interval that is not positive and finite, or that the clock cannot count; otherwise as [`Simulation::run_until`](crate::Simulation::run_until).
     /// The error has all instants until then, and as the last one the state after the last good step.
     pub fn run(mut self) -> Result<Recording, Interrupted> {
         let mut frames = Vec::new();
@@ -205,17 +205,12 @@ impl<'a> Record<'a> {
         let interval = self.interval.unwrap_or_else(|| self.usual(until - start));
         let at = |time| Progress { start, time, until };
         keep(Frame::record(self.simulation))?;
+        if let Some(given) = self.interval {
+            check_interval("recording interval", given, [start, until])?;
+        }
         // Refuses what cannot be run to.
         if !(until.is_finite() && until > start) {
             return Ok(self.simulation.run_until(until)?);
-        }
-        if !(interval > 0.0 && interval.is_finite()) {
-            let error = SimulationError::Setting {
-                name: "recording interval",
-                value: interval,
-                wanted: "a positive finite value",
-            };
-            return Err(error.into());
         }
         let between = self.simulation.settings().tolerance.is_some();
         // Multiples of the interval, not a running sum: the instants do not drift.

@@ -172,7 +172,7 @@ pub struct Settings {
     ///
     /// Between 1e-12 and 0.1. [`Settings::for_tolerance`] chooses the order with it.
     pub tolerance: Option<f64>,
-    /// The runtime chooses the method, too: [`Settings::accuracy`].
+    /// The runtime chooses the method and its order, too: [`Settings::accuracy`]. Together with a method or an order it is an error.
     pub accuracy: Option<f64>,
     /// Whether a step of the two-level or of the projected method with a stage that would end beside a singular pose gets
     /// another length (0.5 to 1.15 times h). At second order only if digits would be lost. Not with [`Settings::fixed_iterations`].
@@ -180,11 +180,11 @@ pub struct Settings {
     /// exactly there.
     pub placement: bool,
     /// The flow of the two-level step; `None` chooses it from the structure of the mechanism and the stiffness of its
-    /// forces.
+    /// forces. With another method it is an error.
     pub flow: Option<Flow>,
     /// Tolerance of the position rows, as a distance relative to the size of the mechanism.
     pub constraint_tolerance: f64,
-    /// Iterations after which a step fails.
+    /// Iterations after which a step fails, up to 10,000.
     pub max_iterations: usize,
     /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ with one factorisation, and
     /// accepts the residual of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)); the next stage reduces

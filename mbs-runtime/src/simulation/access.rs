@@ -74,9 +74,31 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.inputs_changed(&before)
     }
 
-    /// Sets all inputs, in the order of [`Model::inputs`](crate::Model::inputs), or none if one of them is NaN or
-    /// infinite.
-    fn set_inputs(&mut self, values: &[f64]) -> Result<(), SimulationError> {
+    /// Sets all `Input`s from now on, at once, or none.
+    ///
+    /// # Errors
+    /// A value that is NaN or infinite, with the name of its input; otherwise as [`Simulation::set_input`].
+    pub fn set_inputs(&mut self, inputs: S::Inputs) -> Result<(), SimulationError> {
+        inputs.with_values(|values| self.set_input_values(values))
+    }
+
+    /// The current values of all `Input`s, in the order and units of [`Model::inputs`](crate::Model::inputs).
+    pub fn input_values(&self) -> Vec<f64> {
+        self.system().inputs().to_vec()
+    }
+
+    /// Sets all `Input`s from now on, at once, in the order of [`Model::inputs`](crate::Model::inputs), or none.
+    ///
+    /// # Errors
+    /// Another number of values than of inputs; otherwise as [`Simulation::set_inputs`].
+    pub fn set_input_values(&mut self, values: &[f64]) -> Result<(), SimulationError> {
+        if values.len() != S::MODEL.inputs.len() {
+            return Err(SimulationError::Setting {
+                name: "number of inputs",
+                value: values.len() as f64,
+                wanted: "as many values as the mechanism has inputs",
+            });
+        }
         let mut named = values.iter().zip(S::MODEL.inputs);
         if let Some((&value, input)) = named.find(|(value, _)| !value.is_finite()) {
             return Err(SimulationError::Input {
@@ -84,12 +106,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 value,
             });
         }
+        // The inputs are good now.
+        self.refused = None;
         if self.system().inputs() == values {
             return Ok(());
         }
         let before = self.driving_inputs();
         copy(values, self.integrator.system_mut().inputs_mut());
         self.inputs_changed(&before)
+    }
+
+    /// Returns the error of inputs that [`Self::inputs_mut`] was given, once.
+    pub(super) fn check_inputs(&mut self) -> Result<(), SimulationError> {
+        // `take` alone would move a place for an error in every step.
+        match self.refused.is_some() {
+            true => self.refused.take().map_or(Ok(()), Err),
+            false => Ok(()),
+        }
     }
 
     fn inputs_changed(&mut self, before: &[f64]) -> Result<(), SimulationError> {
@@ -99,6 +132,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.integrator.refresh(&self.settings)?;
             return Err(error);
         }
+        self.integrator.note_inputs();
         self.integrator.refresh(&self.settings)?;
         self.take_stock();
         // The last step belongs to the motion with the old input.
@@ -159,7 +193,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Drop
         let simulation = &mut *self.simulation;
         let outcome = self
             .values
-            .with_values(|values| simulation.set_inputs(values));
+            .with_values(|values| simulation.set_input_values(values));
         if let Err(error) = outcome {
             simulation.refused = Some(error);
         }

@@ -30,12 +30,6 @@ pub(super) struct Kept {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// One step of h: halved where it does not converge. Returns its clearance from singular poses.
     pub(crate) fn advance(&mut self, h: f64) -> Result<f64, SimulationError> {
-        // `take` alone would move a place for an error in every step.
-        if self.refused.is_some()
-            && let Some(refused) = self.refused.take()
-        {
-            return Err(refused);
-        }
         let known = self.rank_margin;
         let rank_margin = known.or_else(|| self.integrator.rank_margin());
         let mut monitor = StepMonitor::new(self.books.power, rank_margin);

@@ -34,7 +34,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Result<Self, SimulationError> {
         settings.check()?;
-        let system = mechanism.prepare()?;
+        let mut system = mechanism.prepare()?;
+        state.give_inputs(&mut system)?;
         let verdict = crate::assembly::inspect(&system, &settings, &state)?;
         let simulation = Self::begin(system, settings, state, verdict, other)?;
         let rates = simulation.integrator.trace().rates;
@@ -69,6 +70,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         assembly: AssemblyVerdict,
         other: Option<&'static OtherMethods<Self, S, Q, N, R>>,
     ) -> Self {
+        integrator.note_inputs();
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
         let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();

@@ -43,11 +43,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         let latest = latest.max(time);
         self.check_target(latest)?;
+        self.check_inputs()?;
+        let mut next = self.first_step(latest);
         while self.time() < time
-            && let Some(h) = self.next_step(latest)
+            && let Some(h) = next
         {
             self.leave_behind();
             self.forward(h, latest - self.time())?;
+            next = self.next_step(latest);
         }
         self.land(latest);
         Ok(())
@@ -85,7 +88,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Methods with a memory besides the state ([`Method`](crate::Method)) are copied before, which allocates.
     ///
     /// # Errors
-    /// A time that is not in the last step of [`Simulation::run_past`]; otherwise as [`Simulation::step`].
+    /// A time that is not in the last step of [`Simulation::run_past`], or after [`Simulation::step`] and
+    /// [`Simulation::run_until`] any but the present one; otherwise as [`Simulation::step`].
     pub fn look_at(
         &mut self,
         time: f64,

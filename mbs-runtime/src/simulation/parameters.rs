@@ -78,7 +78,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.books.power = power;
         (self.rejected, self.placed) = (before.rejected, before.placed);
         self.counted = before.counters();
-        self.singularities.take_over(before.rank_losses());
+        self.singularities.take_over(&before.singularities);
         self.refused = before.refused.take();
         self.choice = before.choice.take();
     }

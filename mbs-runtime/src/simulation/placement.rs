@@ -5,6 +5,7 @@
 
 use super::Simulation;
 use super::advance::HALVINGS;
+use super::books::Books;
 use super::energy_guard::Refused;
 use crate::linear::dot;
 use crate::{Method, SimulationError, State, System, alf3f};
@@ -30,6 +31,24 @@ const LENGTHS: [f64; 7] = [0.8, 0.64, 1.15, 0.9, 0.72, 0.5, 0.57];
 const REMAINDER: f64 = 0.1;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
+    /// A step of about h, at most `left`; after an error the state is that before it.
+    pub(super) fn given_step(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
+        let is_free = self.is_free();
+        if !is_free {
+            // The methods that carry other fields from step to step, too.
+            self.step_start.copy_from(self.integrator.state());
+            self.books_at_step_start = self.books;
+        }
+        let Err(error) = self.guarded_step(h, left) else {
+            return Ok(());
+        };
+        if !is_free {
+            self.integrator.state_mut().copy_from(&self.step_start);
+        }
+        self.back()?;
+        Err(error)
+    }
+
     /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn guarded_step(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
         let before = self.balance.error;
@@ -59,6 +78,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Err(SimulationError::NonFinite { time, what });
         }
         let free = self.is_free() && self.settings.tolerance.is_none();
+        let books = self.books_at_step_start;
         if refused
             .leapt
             .is_some_and(|by| free && by > self.error_of_forces())
@@ -73,7 +93,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 };
                 let refused = (self.energy_guard).refuses(&self.balance, &self.books, before);
                 if refused.is_none() {
-                    return Ok(shorter);
+                    return match self.settings.placement {
+                        true => Ok(shorter),
+                        false => self.complete(shorter, (h, left), books),
+                    };
                 }
             }
             self.back()?;
@@ -83,6 +106,30 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             true => Err(self.nonsense(length, refused.available)),
             false => Ok(length),
         }
+    }
+
+    /// The rest of a step that has to have its length, after a shorter part of it. `books` are those at its beginning, to which it
+    /// goes back after an error.
+    fn complete(
+        &mut self,
+        part: f64,
+        (h, left): (f64, f64),
+        books: Books,
+    ) -> Result<f64, SimulationError> {
+        // Of a run with looks this is the beginning already.
+        let is_unused = self.last_step_start.time == f64::INFINITY;
+        if is_unused {
+            self.last_step_start.copy_motion_from(&self.step_start);
+        }
+        let rest = self.guarded_step(h - part, left - part);
+        if rest.is_err() {
+            self.step_start.copy_motion_from(&self.last_step_start);
+            self.books_at_step_start = books;
+        }
+        if is_unused {
+            self.last_step_start.time = f64::INFINITY;
+        }
+        rest.map(|rest| part + rest)
     }
 
     /// A bound of the energy that forces have given or taken too late in the last step, J: none if they are constant. Where

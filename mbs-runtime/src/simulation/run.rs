@@ -24,8 +24,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if time <= self.time() {
             return Ok(());
         }
-        while let Some(h) = self.next_step(time) {
+        self.check_inputs()?;
+        self.last_step_start.time = f64::INFINITY;
+        let mut next = self.first_step(time);
+        while let Some(h) = next {
             self.forward(h, time - self.time())?;
+            next = self.next_step(time);
         }
         self.land(time);
         Ok(())
@@ -68,6 +72,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
+    /// The same for the first step of a run: a remainder is left out only at the end of others, so that many short runs go as far as
+    /// a long one.
+    pub(super) fn first_step(&self, time: f64) -> Option<f64> {
+        let left = time - self.time();
+        self.next_step(time)
+            .or_else(|| (left > rounding(time)).then_some(left))
+    }
+
     /// The remainder that is no step, s. With a tolerance the last steps end at the time that was asked for, and a mechanism at
     /// rest may have steps of any length.
     fn sliver(&self, time: f64) -> f64 {
@@ -103,8 +115,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .position(|name| *name == event)
             .ok_or_else(|| UnknownName::new("event", event, known.iter().copied()))?;
         self.check_target(latest)?;
+        self.check_inputs()?;
         let mut before = self.event(index)?;
-        while let Some(h) = self.next_step(latest) {
+        let mut next = self.first_step(latest);
+        while let Some(h) = next {
             self.leave_behind();
             let books = self.books;
             self.forward(h, latest - self.time())?;
@@ -117,6 +131,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 return Ok(Some(self.time()));
             }
             before = after;
+            next = self.next_step(latest);
         }
         Ok(None)
     }

@@ -16,8 +16,8 @@ const NOISE: f64 = 1e-3;
 const STRAIGHT: f64 = 0.2;
 /// A row takes part in a loss with at least this part of the largest weight.
 const INVOLVED: f64 = 0.1;
-/// Losses that are kept without an allocation.
-const ROOM: usize = 64;
+/// Losses that are kept, those of the last poses: a step does not allocate, and a run may last for weeks.
+const KEPT: usize = 64;
 
 /// The end of a step: time, and σ_min of the rows that are not always redundant.
 #[derive(Debug, Clone, Copy)]
@@ -66,18 +66,35 @@ pub(super) struct SingularityDetector {
 
 /// What was reported so far.
 #[derive(Debug)]
-struct Losses(Vec<RankLoss>);
+struct Losses {
+    last: Vec<RankLoss>,
+    count: usize,
+}
 
 impl Losses {
     fn none() -> Self {
-        Losses(Vec::with_capacity(ROOM))
+        Losses {
+            last: Vec::with_capacity(KEPT),
+            count: 0,
+        }
+    }
+
+    fn push(&mut self, loss: RankLoss) {
+        if self.last.len() == KEPT {
+            self.last.remove(0);
+        }
+        self.last.push(loss);
+        self.count += 1;
     }
 }
 
 impl Clone for Losses {
     /// With the same room, so that steps of a copy do not allocate either.
     fn clone(&self) -> Self {
-        Losses(cloned_with_room(&self.0))
+        Losses {
+            last: cloned_with_room(&self.last),
+            count: self.count,
+        }
     }
 }
 
@@ -103,12 +120,21 @@ impl SingularityDetector {
     }
 
     /// Begins with the losses of a detector before it.
-    pub(super) fn take_over(&mut self, losses: &[RankLoss]) {
-        self.losses.0.splice(0..0, losses.iter().copied());
+    pub(super) fn take_over(&mut self, before: &Self) {
+        let own = std::mem::replace(&mut self.losses, before.losses.clone());
+        for loss in own.last {
+            self.losses.push(loss);
+        }
     }
 
+    /// Those of the last poses.
     pub(super) fn losses(&self) -> &[RankLoss] {
-        &self.losses.0
+        &self.losses.last
+    }
+
+    /// The number of all.
+    pub(super) fn count(&self) -> usize {
+        self.losses.count
     }
 
     /// Takes note of the end of a step; time and σ_min of a singular pose that has just been passed.
@@ -259,7 +285,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .filter_map(|&i| Some(S::MODEL.rows.get(i)?.entry));
         let undetermined = self.singularities.leaves_rest(time);
         let loss = RankLoss::new(time, sigma, undetermined, involved);
-        self.singularities.losses.0.push(loss);
+        self.singularities.losses.push(loss);
     }
 }
 

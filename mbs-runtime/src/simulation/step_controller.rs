@@ -6,7 +6,7 @@
 //! | an embedded method | follows the motion ([`Pace`]): such that the next error ratio is 2^[`AIM_OF_STEPS`], or less after pairs that were too long, or 2^[`AIM_OF_PAIRS`] |
 //!
 //! A symmetric method keeps its long-time behaviour as long as its step length does not follow the motion (E. Hairer,
-//! C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Explicit methods have no such behaviour to keep. With
+//! C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.1). Explicit methods have no such behaviour to keep. With
 //! constant steps the slider-crank at accuracy 1e-6 uses a hundred-millionth of the allowed error in half of its motion.
 
 use crate::StepController;
@@ -174,7 +174,7 @@ impl StepController {
         self.step = h * (notches.clamp(-LEAP, -1.0) / NOTCHES).exp2();
         self.estimate_factor = 0.0;
         if std::mem::take(&mut self.raised) {
-            self.patience = (2 * self.patience).min(PATIENCE[1]);
+            self.patience = self.patience.saturating_mul(2).min(PATIENCE[1]);
         }
         self.settle();
     }
@@ -184,7 +184,7 @@ impl StepController {
         if notches < PROMISE {
             return self.settle();
         }
-        self.quiet += 1;
+        self.quiet = self.quiet.saturating_add(1);
         self.allowed = self.allowed.min(notches - 1.0);
         if self.searching || self.quiet >= self.patience {
             self.step = LONGEST.min(self.step * (self.allowed / NOTCHES).exp2());

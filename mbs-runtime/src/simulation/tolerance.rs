@@ -9,7 +9,7 @@
 //!
 //! with T the time of the pair, and ½ T |Δv| counted like Δq. The length h stays the same until one comparison requires a
 //! shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step
-//! length does not follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.2). Lengths are
+//! length does not follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.1). Lengths are
 //! powers of 2^¼ times the first one.
 //!
 //! Not every pair is compared: a comparison tells by which factor an estimate from the stages differs from the error, and the
@@ -54,7 +54,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step of h or, with a tolerance, a pair of what it calls for; `left` at most.
     pub(super) fn forward(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
         let Some(tolerance) = self.settings.tolerance else {
-            return self.guarded_step(h, left).map(drop);
+            return self.given_step(h, left);
         };
         match self.other {
             Some(other) if self.choice.is_some() => (other.pair)(self, tolerance, left),

@@ -80,7 +80,7 @@ impl<const N: usize> BackwardDifferences<N> {
         }
         // Of one step alone no prediction has an error.
         self.used = self.used.max(usize::from(self.known == 0));
-        self.known = (self.known + 1).min(MOST);
+        self.known = self.known.saturating_add(1).min(MOST);
     }
 }
 

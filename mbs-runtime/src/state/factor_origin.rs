@@ -79,9 +79,9 @@ impl Renewal {
     /// The mean cost of a step is (COST + more)/steps. It is least where a further step would cost more than this mean.
     pub(crate) fn add(&mut self, corrections: u64) -> bool {
         let more = corrections.saturating_sub(self.fewest);
-        self.steps += 1;
-        self.more += more;
-        more * self.steps > COST + self.more
+        self.steps = self.steps.saturating_add(1);
+        self.more = self.more.saturating_add(more);
+        more.saturating_mul(self.steps) > self.more.saturating_add(COST)
     }
 }
 

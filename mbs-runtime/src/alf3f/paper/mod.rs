@@ -69,7 +69,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let (motion, paper) = match settings.method {
             Method::MAlf(paper) => (RowMotion::Static, paper),
             Method::Paper(paper) => (RowMotion::Own, paper),
-            _ => (RowMotion::Own, PaperSettings::default()),
+            other => {
+                return Err(SimulationError::OtherMethod {
+                    method: other.name(),
+                    wanted: "`Method::Paper` or `Method::MAlf`",
+                });
+            }
         };
         let instant = |system: &S| {
             Instant::new(system, &state.positions, motion)
@@ -156,9 +161,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
     /// Lines 1 and 2 with the step control of the algorithm: the step is halved after a failure and doubled again after
     /// a success.
     fn advance(&mut self, h: f64) -> Result<(), Fault> {
-        if !(h.is_finite() && h > 0.0) {
-            return Err(Fault::NonFinite("step"));
-        }
+        Fault::check_length(h, false)?;
         let end = self.state.time + h;
         (self.impulse, self.drive) = (SVector::zeros(), SVector::zeros());
         self.length = h;
