@@ -32,9 +32,9 @@ macro_rules! methods_of_any_simulation {
             fn input(&, name: &str) -> Result<f64, UnknownName>;
             /// Sets an `Input`.
             fn set_input(&mut, name: &str, value: f64) -> Result<(), SimulationError>;
-            /// The values of all `Input`s.
+            /// The values of all `Input`s, in the order of [`Model::inputs`](crate::Model::inputs).
             fn input_values(&) -> Vec<f64>;
-            /// Sets all `Input`s.
+            /// Sets all `Input`s, in the order of [`Model::inputs`](crate::Model::inputs), or none.
             fn set_input_values(&mut, values: &[f64]) -> Result<(), SimulationError>;
             /// The value of a `State`.
             fn state_value(&, name: &str) -> Result<f64, UnknownName>;

@@ -39,8 +39,8 @@ impl Settings {
             let free = self.tolerance.is_none() && self.fixed_iterations.is_none();
             let wanted = "`None` with a tolerance or fixed iterations: it chooses them";
             require("accuracy", wished, free, wanted)?;
-            let wanted = "`None` with a method or an order: it chooses them";
-            let is_open = self.method == Method::TwoLevel && self.order == 2;
+            let wanted = "`None` with a method, an order or a flow: it chooses them";
+            let is_open = self.method == Method::TwoLevel && self.order == 2 && self.flow.is_none();
             require("accuracy", wished, is_open, wanted)?;
         }
         if let Some(wished) = self.tolerance {
@@ -57,7 +57,7 @@ impl Settings {
         if self.flow.is_some() && self.method != Method::TwoLevel {
             return Err(SimulationError::OtherMethod {
                 method: self.method.name(),
-                wanted: "`Method::TwoLevel`, or leave `flow` out",
+                wanted: "`Method::TwoLevel`, which alone has a flow, or no `flow`",
             });
         }
         match &self.method {

@@ -59,7 +59,7 @@ impl Model {
         // Bᵀ(BBᵀ + εI)⁻¹ and the residual of each pass.
         let solve = PASSES * (8 * r * r + 12 * r) + 2 * r * r;
         let multiplier = 2 * n * r + 4 * r;
-        // Counts that no setting admits have no number.
+        // Only counts far beyond those of settings overflow.
         let evaluation = cost("constraints") + flight + 3 * r;
         let evaluations = iterations.checked_add(1)?.checked_mul(evaluation)?;
         let corrections = iterations.checked_mul(solve + multiplier)?;

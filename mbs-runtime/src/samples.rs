@@ -9,7 +9,7 @@ pub(crate) const SLACK: f64 = 1e-6;
 /// The least interval, as a part of the duration of a run and of its times: the clock cannot count shorter ones.
 const COUNTED: f64 = 1e-13;
 
-/// Refuses an interval, of this name, that is none or that the clock cannot count between two times.
+/// Refuses an interval that is not positive and finite, or that the clock cannot count between two times.
 pub(crate) fn check_interval(
     name: &'static str,
     interval: f64,
@@ -18,7 +18,7 @@ pub(crate) fn check_interval(
     let wanted = match interval > 0.0 && interval.is_finite() {
         false => "a positive finite value",
         true if to.is_finite() && interval < COUNTED * (to - from).max(from.abs()) => {
-            "one that the clock can count, above 1e-13 of the duration"
+            "one that the clock can count, above 1e-13 of the duration and of the time"
         }
         true => return Ok(()),
     };

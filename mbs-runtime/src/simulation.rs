@@ -97,8 +97,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     yardstick: Box<Yardstick<Q, N>>,
     /// Whether the method estimates the errors of its steps. No embedded method sees states.
     is_estimated: bool,
-    /// The error of the last inputs, until a step has returned it.
-    refused: Option<SimulationError>,
+    /// The last inputs, if they were refused, until a step has returned the error.
+    refused: Option<access::Refused<S::Inputs>>,
     /// Values of the `Event`s; stored, so that the search for an event does not allocate.
     events: Vec<f64>,
 }
@@ -179,7 +179,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// begin anew ([`Method`](crate::Method) says which).
     ///
     /// # Errors
-    /// As [`Simulation::with_methods`], and a state that is not finite or violates the constraints.
+    /// As [`Simulation::with_methods`] and [`Simulation::resume`].
     pub fn resume_with_methods<M: Mechanism<System = S>, C: Methods>(
         mechanism: M,
         settings: Settings,
@@ -242,15 +242,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         &self.state().velocities
     }
 
-    /// One step of [`Settings::step`], or of another length beside singular poses ([`Settings::placement`]). With a
-    /// tolerance one or two steps of the length that it determines.
+    /// One step of [`Settings::step`], or of another length beside singular poses and where it would leap over a turn of the motion
+    /// ([`Settings::placement`]; off, all steps have their length). With a tolerance one or two steps of the length that it determines.
     ///
     /// # Errors
     /// A row that does not converge, even with much smaller steps, or a state that is not finite; the message names the
-    /// row and the time.
+    /// row and the time. The state is then that before the step; runs that end with such an error keep the steps before it.
     pub fn step(&mut self) -> Result<(), SimulationError> {
         self.check_inputs()?;
-        // `look_at` is for runs.
+        // `look_at` shows the last step of `run_past` alone.
         self.last_step_start.time = f64::INFINITY;
         self.forward(self.nominal(), f64::INFINITY)
     }

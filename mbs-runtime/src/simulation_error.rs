@@ -54,11 +54,11 @@ pub enum SimulationError {
         /// Why not.
         because: &'static str,
     },
-    /// A method that is not one of this stepper.
+    /// A method that a stepper, or another setting, is not for.
     OtherMethod {
         /// The method of the settings.
         method: &'static str,
-        /// Those that the stepper has.
+        /// What can be given.
         wanted: &'static str,
     },
     /// A method that this simulation was not compiled with.
@@ -342,7 +342,7 @@ impl fmt::Display for SimulationError {
             OtherMethod { method, wanted } => {
                 write!(
                     out,
-                    "this stepper has no method `{method}`; give it {wanted}"
+                    "the method `{method}` cannot be used here: give {wanted}"
                 )
             }
             NotCompiled { method } => write!(

@@ -53,8 +53,9 @@ pub struct State<const Q: usize, const N: usize, const R: usize> {
     pub multiplier_changes: SVector<f64, R>,
     /// The same two, stage by stage, of the last step of a composition; empty for second order.
     pub stage_multipliers: StageList<[SVector<f64, R>; 2]>,
-    /// The inputs, in the order and units of [`Model::inputs`](crate::Model::inputs); empty for those that are declared. (Without the
-    /// feature `std` a state has no inputs.)
+    /// The inputs, in the order and units of [`Model::inputs`](crate::Model::inputs), which `resume` gives to the mechanism; if this is
+    /// empty, it has those that are declared. Steppers that are given a system have its inputs. (Without the feature `std` a state has
+    /// no inputs.)
     #[cfg(feature = "std")]
     #[cfg_attr(feature = "serde", serde(default))]
     pub inputs: Vec<f64>,
@@ -180,7 +181,7 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
             .get_or_insert_with(|| Box::new(BackwardDifferences::none()));
     }
 
-    /// The next step of a large mechanism makes new factors: an input has changed, which the state does not have.
+    /// The next step of a large mechanism makes new factors: an input has changed, which the origin of factors does not have.
     pub(crate) fn forget_factors(&mut self) {
         #[cfg(feature = "sparse")]
         if let Some(factors) = &mut self.factors {

@@ -146,7 +146,15 @@ fn outputs_and_reactions_by_name_do_not_allocate() {
 fn an_error_of_inputs_is_told_once_or_repaired() {
     let mut simulation = cart();
     simulation.inputs_mut().push = f64::NAN;
+    // That another one is set, or is looked at, does not make it right.
+    simulation.inputs_mut().pull = 1.0;
+    assert!(simulation.inputs_mut().push.is_nan());
+    assert_eq!(simulation.inputs().pull, 1.5);
     simulation.inputs_mut().push = 1.0;
+    assert_eq!(simulation.input_values(), [1.0, 1.0]);
+    simulation.step().unwrap();
+    simulation.inputs_mut().push = f64::NAN;
+    simulation.set_input("push", 2.0).unwrap();
     simulation.step().unwrap();
     simulation.run_past(0.1, 1.0).unwrap();
     simulation.inputs_mut().push = f64::NAN;

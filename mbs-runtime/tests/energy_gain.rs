@@ -292,6 +292,9 @@ fn a_step_that_fails_moves_nothing() {
                 (before.positions, before.velocities)
             );
             assert_eq!(now.ledger, before.ledger);
+            assert_eq!(now.poses_ahead, before.poses_ahead);
+            let again = bob.step().unwrap_err();
+            assert_eq!(again, error);
             assert_eq!(bob.report().steps, report.steps);
             break;
         }

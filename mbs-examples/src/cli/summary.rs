@@ -52,6 +52,7 @@ pub fn json(run: &Run) -> String {
         "velocity_error": report.velocity_error,
         "rejected_steps": report.rejected_steps,
         "placed_steps": report.placed_steps,
+        "rank_losses": report.rank_losses,
         "events": events(run.simulation.rank_losses()),
         "status": if run.stopped.is_some() { "stopped" } else { "ok" },
         "message": run.stopped.as_ref().map(ToString::to_string),
@@ -264,6 +265,13 @@ fn write_events(out: &mut String, losses: &[RankLoss], count: usize) -> std::fmt
     }
     match count.saturating_sub(losses.len().min(SHOWN)) {
         0 => Ok(()),
+        _ if count > losses.len() => {
+            let kept = losses.len();
+            writeln!(
+                out,
+                "               {count} in all; these are the first of the last {kept}"
+            )
+        }
         more => writeln!(out, "               and {more} more"),
     }
 }

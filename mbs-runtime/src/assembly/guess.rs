@@ -69,7 +69,7 @@ fn check_controller(controller: &StepController) -> Result<(), SimulationError> 
     }
 }
 
-/// Rates and lengths of what is ahead are positive: steps are divided by them.
+/// What is ahead is finite, and its rate positive: it divides.
 fn check_poses_ahead(poses: &PosesAhead) -> Result<(), SimulationError> {
     let what = "a pose ahead";
     let wrong = |values: &[f64], positive: &[f64]| {
@@ -83,9 +83,10 @@ fn check_poses_ahead(poses: &PosesAhead) -> Result<(), SimulationError> {
     };
     let of_step = poses
         .last_step
-        .and_then(|step| wrong(&[step.begin, step.length], &[step.least]));
+        .and_then(|step| wrong(&[step.begin], &[step.length, step.least]));
     let of_pose = match poses.foreseen {
         Some(Foreseen::Singular(time)) => wrong(&[time], &[]),
+        Some(Foreseen::Turn { rate: 0.0, .. }) => Some(0.0),
         Some(Foreseen::Turn { least, rate }) => wrong(&[], &[least, rate]),
         None => None,
     };

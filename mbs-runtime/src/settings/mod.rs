@@ -186,7 +186,7 @@ pub struct Settings {
     pub constraint_tolerance: f64,
     /// Iterations after which a step fails, up to 10,000.
     pub max_iterations: usize,
-    /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ with one factorisation, and
+    /// Known cost, for real time: every stage makes exactly this many corrections of κ₁ (10,000 at most) with one factorisation, and
     /// accepts the residual of φ ([`Report::holonomic_error`](crate::Report::holonomic_error)); the next stage reduces
     /// it again, so that residuals do not grow. [`Model::step_flops`](crate::Model::step_flops) bounds the work. There is no placement. For the
     /// leapfrog flow without nonholonomic rows; for other mechanisms and methods, and with a tolerance or an accuracy, it is

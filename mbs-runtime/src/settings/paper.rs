@@ -49,14 +49,14 @@ pub struct PaperSettings {
     /// A row satisfies the augmentation criterion (line 15) when |ψ̇| is below this fraction of its value before the
     /// last Newton block.
     pub augmentation_ratio: f64,
-    /// i_max of line 14.
+    /// i_max of line 14, 10,000 at most.
     pub max_newton_iterations: usize,
-    /// j_max of line 28.
+    /// j_max of line 28, 10,000 at most.
     pub max_augmentations: usize,
     /// The least number of updates of q₁ (lines 6–32). If M or the forces depend on q, the first update leaves an error
     /// of second order in each step, which adds up to one of first order; the second update removes it.
     pub min_updates: usize,
-    /// k_max of line 32.
+    /// k_max of line 32, 10,000 at most.
     pub max_updates: usize,
     /// The step is halved on failure, down to this, s.
     pub smallest_step: f64,

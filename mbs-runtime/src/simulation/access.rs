@@ -20,11 +20,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The `Input`s as fields to be set: `simulation.inputs_mut().torque = 2.0`. They take effect when the returned
-    /// value goes out of scope. If one of them is NaN or infinite, the next step returns the error;
-    /// [`Simulation::set_input`] returns it immediately.
+    /// value goes out of scope. If one of them is NaN or infinite, all keep their values and the next step returns the error, unless
+    /// this one was set again before; [`Simulation::set_inputs`] and [`Simulation::set_input`] return it immediately.
     pub fn inputs_mut(&mut self) -> InputsMut<'_, S, Q, N, R> {
+        let refused = self.refused.as_ref().map(|refused| refused.inputs);
         InputsMut {
-            values: self.inputs(),
+            values: refused.unwrap_or_else(|| self.inputs()),
             simulation: self,
         }
     }
@@ -62,6 +63,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             // The model names as many inputs as were found.
             let name = S::MODEL.inputs.get(index).map_or("", |input| input.name);
             return Err(SimulationError::Input { name, value });
+        }
+        let error = self.refused.as_ref().map(|refused| &refused.error);
+        if matches!(error, Some(SimulationError::Input { name: refused, .. }) if *refused == name) {
+            self.refused = None;
         }
         // Of a value that it has already the motion takes no note.
         if self.system().inputs().get(index) == Some(&value) {
@@ -106,21 +111,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 value,
             });
         }
-        // The inputs are good now.
-        self.refused = None;
-        if self.system().inputs() == values {
-            return Ok(());
+        if self.system().inputs() != values {
+            let before = self.driving_inputs();
+            copy(values, self.integrator.system_mut().inputs_mut());
+            self.inputs_changed(&before)?;
         }
-        let before = self.driving_inputs();
-        copy(values, self.integrator.system_mut().inputs_mut());
-        self.inputs_changed(&before)
+        self.refused = None;
+        Ok(())
     }
 
     /// Returns the error of inputs that [`Self::inputs_mut`] was given, once.
     pub(super) fn check_inputs(&mut self) -> Result<(), SimulationError> {
         // `take` alone would move a place for an error in every step.
         match self.refused.is_some() {
-            true => self.refused.take().map_or(Ok(()), Err),
+            true => (self.refused.take()).map_or(Ok(()), |refused| Err(refused.error)),
             false => Ok(()),
         }
     }
@@ -163,6 +167,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 }
 
+/// Inputs that were refused, and why.
+#[derive(Debug, Clone)]
+pub(super) struct Refused<I> {
+    pub(super) error: SimulationError,
+    inputs: I,
+}
+
 /// The inputs of a simulation as fields; made by [`Simulation::inputs_mut`].
 pub struct InputsMut<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     simulation: &'a mut Simulation<S, Q, N, R>,
@@ -195,7 +206,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Drop
             .values
             .with_values(|values| simulation.set_input_values(values));
         if let Err(error) = outcome {
-            simulation.refused = Some(error);
+            let inputs = self.values;
+            simulation.refused = Some(Refused { error, inputs });
         }
     }
 }

@@ -44,13 +44,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let latest = latest.max(time);
         self.check_target(latest)?;
         self.check_inputs()?;
-        let mut next = self.first_step(latest);
         while self.time() < time
-            && let Some(h) = next
+            && let Some(h) = self.next_step(latest)
         {
             self.leave_behind();
-            self.forward(h, latest - self.time())?;
-            next = self.next_step(latest);
+            self.forward(h, self.left(latest))?;
         }
         self.land(latest);
         Ok(())

@@ -5,7 +5,6 @@
 
 use super::Simulation;
 use super::advance::HALVINGS;
-use super::books::Books;
 use super::energy_guard::Refused;
 use crate::linear::dot;
 use crate::{Method, SimulationError, State, System, alf3f};
@@ -33,9 +32,9 @@ const REMAINDER: f64 = 0.1;
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, at most `left`; after an error the state is that before it.
     pub(super) fn given_step(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
-        let is_free = self.is_free();
+        let (is_free, poses_ahead) = (self.is_free(), self.state().poses_ahead);
         if !is_free {
-            // The methods that carry other fields from step to step, too.
+            // With the fields that only some methods carry from step to step.
             self.step_start.copy_from(self.integrator.state());
             self.books_at_step_start = self.books;
         }
@@ -45,7 +44,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if !is_free {
             self.integrator.state_mut().copy_from(&self.step_start);
         }
-        self.back()?;
+        // If that fails, too, the first error tells more.
+        let _ = self.back();
+        self.integrator.state_mut().poses_ahead = poses_ahead;
+        self.balance = self.energy();
         Err(error)
     }
 
@@ -78,25 +80,26 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Err(SimulationError::NonFinite { time, what });
         }
         let free = self.is_free() && self.settings.tolerance.is_none();
-        let books = self.books_at_step_start;
         if refused
             .leapt
             .is_some_and(|by| free && by > self.error_of_forces())
         {
-            let mut part = h;
-            for _ in 0..HALVINGS {
-                part *= 0.5;
+            for halvings in 1..=HALVINGS {
                 self.back()?;
                 self.rejected += 1;
+                if !self.settings.placement {
+                    if self.in_parts(h, 1 << halvings)? {
+                        return Ok(h);
+                    }
+                    continue;
+                }
+                let part = h / f64::from(1 << halvings);
                 let Ok(shorter) = self.step_past_poses(part, left) else {
                     continue;
                 };
                 let refused = (self.energy_guard).refuses(&self.balance, &self.books, before);
                 if refused.is_none() {
-                    return match self.settings.placement {
-                        true => Ok(shorter),
-                        false => self.complete(shorter, (h, left), books),
-                    };
+                    return Ok(shorter);
                 }
             }
             self.back()?;
@@ -108,28 +111,25 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// The rest of a step that has to have its length, after a shorter part of it. `books` are those at its beginning, to which it
-    /// goes back after an error.
-    fn complete(
-        &mut self,
-        part: f64,
-        (h, left): (f64, f64),
-        books: Books,
-    ) -> Result<f64, SimulationError> {
-        // Of a run with looks this is the beginning already.
-        let is_unused = self.last_step_start.time == f64::INFINITY;
-        if is_unused {
-            self.last_step_start.copy_motion_from(&self.step_start);
+    /// A step of h in equal parts, with placement off; whether all of them are accepted. Otherwise the state is that before it.
+    fn in_parts(&mut self, h: f64, count: u32) -> Result<bool, SimulationError> {
+        for _ in 0..count {
+            let before = self.balance.error;
+            let is_taken = match self.advance(h / f64::from(count)) {
+                Ok(_) => (self.energy_guard)
+                    .refuses(&self.balance, &self.books, before)
+                    .is_none(),
+                Err(error) if error.asks_for_less() => false,
+                Err(error) => return Err(error),
+            };
+            if !is_taken {
+                self.back()?;
+                self.balance = self.energy();
+                return Ok(false);
+            }
+            self.watch();
         }
-        let rest = self.guarded_step(h - part, left - part);
-        if rest.is_err() {
-            self.step_start.copy_motion_from(&self.last_step_start);
-            self.books_at_step_start = books;
-        }
-        if is_unused {
-            self.last_step_start.time = f64::INFINITY;
-        }
-        rest.map(|rest| part + rest)
+        Ok(true)
     }
 
     /// A bound of the energy that forces have given or taken too late in the last step, J: none if they are constant. Where

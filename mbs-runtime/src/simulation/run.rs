@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::books::Books;
 use super::hermite::Hermite;
-use crate::{SimulationError, System, UnknownName};
+use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
 
 /// A remainder below this fraction of a given step is added to the last step. It is larger than the rounding error of a sum
@@ -26,10 +26,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.check_inputs()?;
         self.last_step_start.time = f64::INFINITY;
-        let mut next = self.first_step(time);
-        while let Some(h) = next {
-            self.forward(h, time - self.time())?;
-            next = self.next_step(time);
+        while let Some(h) = self.next_step(time) {
+            self.forward(h, self.left(time))?;
         }
         self.land(time);
         Ok(())
@@ -57,8 +55,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// The step to take towards `time`; `None` on arrival.
     pub(super) fn next_step(&self, time: f64) -> Option<f64> {
-        let left = time - self.time();
-        let step = self.nominal();
+        let (left, step) = (self.left(time), self.nominal());
         let (rounding, sliver) = (rounding(time), self.sliver(time));
         if left <= sliver {
             None
@@ -72,12 +69,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// The same for the first step of a run: a remainder is left out only at the end of others, so that many short runs go as far as
-    /// a long one.
-    pub(super) fn first_step(&self, time: f64) -> Option<f64> {
-        let left = time - self.time();
-        self.next_step(time)
-            .or_else(|| (left > rounding(time)).then_some(left))
+    /// The time that is left, s. What the last runs have left out of it counts, so that many short runs go as far as a long one.
+    pub(super) fn left(&self, time: f64) -> f64 {
+        let State {
+            time: now, clock, ..
+        } = self.state();
+        let behind = if clock.abs() > rounding(time) {
+            *clock
+        } else {
+            0.0
+        };
+        time - now - behind
     }
 
     /// The remainder that is no step, s. With a tolerance the last steps end at the time that was asked for, and a mechanism at
@@ -90,11 +92,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Removes the rounding of the sum of steps from the clock.
+    /// Removes the rounding of the sum of steps from the clock; the next step makes up for a remainder that was no step.
     pub(super) fn land(&mut self, time: f64) {
         if self.next_step(time).is_none() {
+            let left = self.left(time);
+            let behind = if left > rounding(time) { -left } else { 0.0 };
             let state = self.integrator.state_mut();
-            (state.time, state.clock) = (time, 0.0);
+            (state.time, state.clock) = (time, behind);
         }
     }
 
@@ -117,11 +121,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.check_target(latest)?;
         self.check_inputs()?;
         let mut before = self.event(index)?;
-        let mut next = self.first_step(latest);
-        while let Some(h) = next {
+        while let Some(h) = self.next_step(latest) {
             self.leave_behind();
             let books = self.books;
-            self.forward(h, latest - self.time())?;
+            self.forward(h, self.left(latest))?;
             self.land(latest);
             let after = self.event(index)?;
             if before * after < 0.0 || (after == 0.0 && before != 0.0) {
@@ -131,7 +134,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 return Ok(Some(self.time()));
             }
             before = after;
-            next = self.next_step(latest);
         }
         Ok(None)
     }
