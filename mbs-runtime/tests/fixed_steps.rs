@@ -122,12 +122,12 @@ fn what_cannot_be_is_refused() {
     assert!(matches!(other, Some(SimulationError::NotCompiled { .. })));
 
     let far = FixedStepSimulation::new(Plant { height: 1.0 }, SETTINGS);
-    let far = far.err().expect("the rail is out of reach").to_string();
+    let far = far.expect_err("the rail is out of reach").to_string();
     let named = |row: &mbs_runtime::Row| far.contains(&format!("`{}`", row.name));
     assert!(far.contains("cannot be assembled"), "{far}");
     assert!(Plant::MODEL.rows.iter().any(named), "{far}");
     let held = HeldFixedStepSimulation::new(Held {}, SETTINGS);
-    let held = held.err().expect("it holds an angle").to_string();
+    let held = held.expect_err("it holds an angle").to_string();
     assert!(held.contains("`rod.angle`"), "{held}");
 
     let mut plant = plant();
