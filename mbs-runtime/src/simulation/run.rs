@@ -6,8 +6,8 @@ use super::hermite::Hermite;
 use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
 
-/// A remainder below this fraction of a given step is added to the last step. It is larger than the rounding error of a sum
-/// of 1e8 steps.
+/// A remainder below this fraction of a given step is no step: the next one makes up for it. It is larger than the rounding error of a
+/// sum of 1e8 steps.
 const SLIVER: f64 = 1e-6;
 /// Bisections on the cubic of a step: its own error is larger than what they leave.
 const BISECTIONS: usize = 40;
@@ -15,7 +15,8 @@ const BISECTIONS: usize = 40;
 const BEYOND: f64 = 1.5;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
-    /// Runs to `time` exactly: the last step is shortened.
+    /// Runs to `time` exactly: the last step is shortened. (What is less than a millionth of a given step is left to the next step or
+    /// run; the time is that which was asked for.)
     ///
     /// # Errors
     /// A time in the past or not finite; otherwise as [`Simulation::step`].
