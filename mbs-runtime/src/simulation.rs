@@ -46,8 +46,8 @@ use crate::methods::{self, Methods};
 use crate::singular::RankMargin;
 use crate::yardstick::Yardstick;
 use crate::{
-    AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, RankLoss, Reactions, Report, Sample,
-    Samples, Settings, SimulationError, State, System,
+    AssemblyVerdict, Dynamics, Energy, Flow, Mechanism, Model, PosesAhead, RankLoss, Reactions,
+    Report, Sample, Samples, Settings, SimulationError, State, System,
 };
 use nalgebra::SVector;
 
@@ -86,8 +86,10 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     singularities: SingularityDetector,
     /// Where the step that is being tried begins, …
     step_start: Box<State<Q, N, R>>,
-    /// … and the books there.
+    /// … the books there, …
     books_at_step_start: Books,
+    /// … and what was known of poses ahead.
+    poses_at_step_start: PosesAhead,
     /// Where the last whole step began, for `look_at`; its time is infinite if there is none.
     last_step_start: Box<State<Q, N, R>>,
     /// Where the pair of steps that is looked at begins, …

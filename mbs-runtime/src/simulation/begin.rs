@@ -10,7 +10,9 @@ use crate::assembly::{Wanted, assemble, check_rates};
 use crate::integrator::Integrator;
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Energy, Mechanism, Settings, SimulationError, State, System};
+use crate::{
+    AssemblyVerdict, Energy, Mechanism, PosesAhead, Settings, SimulationError, State, System,
+};
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// With `other` for the methods other than the two-level one, from the declared guess; `ASKED` if values may be wanted.
@@ -112,6 +114,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             placed: 0,
             rank_margin: None,
             books_at_step_start: Books::EMPTY,
+            poses_at_step_start: PosesAhead::default(),
             is_estimated,
             singularities: SingularityDetector::new(rest),
             refused: None,

@@ -31,24 +31,32 @@ const REMAINDER: f64 = 0.1;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// A step of about h, at most `left`; after an error the state is that before it.
+    #[inline]
     pub(super) fn given_step(&mut self, h: f64, left: f64) -> Result<(), SimulationError> {
-        let (is_free, poses_ahead) = (self.is_free(), self.state().poses_ahead);
-        if !is_free {
+        self.poses_at_step_start = self.state().poses_ahead;
+        if !self.is_free() {
             // With the fields that only some methods carry from step to step.
             self.step_start.copy_from(self.integrator.state());
             self.books_at_step_start = self.books;
         }
-        let Err(error) = self.guarded_step(h, left) else {
-            return Ok(());
-        };
-        if !is_free {
+        match self.guarded_step(h, left) {
+            Ok(_) => Ok(()),
+            Err(error) => Err(self.undone(error)),
+        }
+    }
+
+    /// After a step that has failed: goes back to its beginning.
+    #[cold]
+    #[inline(never)]
+    fn undone(&mut self, error: SimulationError) -> SimulationError {
+        if !self.is_free() {
             self.integrator.state_mut().copy_from(&self.step_start);
         }
         // If that fails, too, the first error tells more.
         let _ = self.back();
-        self.integrator.state_mut().poses_ahead = poses_ahead;
+        self.integrator.state_mut().poses_ahead = self.poses_at_step_start;
         self.balance = self.energy();
-        Err(error)
+        error
     }
 
     /// A step of about h, at most `left`, with placement; returns its length.
