@@ -23,6 +23,7 @@ mod parameters;
 mod passage;
 mod placement;
 mod pose;
+mod refused;
 mod revision;
 mod run;
 mod singularity_detector;
@@ -37,6 +38,7 @@ use self::books::Books;
 use self::choice::Choice;
 use self::energy_guard::EnergyGuard;
 use self::other_methods::OtherMethods;
+use self::refused::Refused;
 use self::singularity_detector::SingularityDetector;
 use crate::alf3f::Counters;
 use crate::fault::Fault;
@@ -100,7 +102,7 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// Whether the method estimates the errors of its steps. No embedded method sees states.
     is_estimated: bool,
     /// The last inputs, if they were refused, until a step has returned the error.
-    refused: Option<access::Refused<S::Inputs>>,
+    refused: Option<Refused<S::Inputs>>,
     /// Values of the `Event`s; stored, so that the search for an event does not allocate.
     events: Vec<f64>,
 }

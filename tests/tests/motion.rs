@@ -13,6 +13,7 @@ mod damped_poses;
 mod driven_poses;
 mod drives;
 mod folding;
+mod followers;
 mod friction;
 mod independent_velocities;
 mod long_family;

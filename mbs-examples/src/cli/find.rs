@@ -26,7 +26,11 @@ pub fn scene(name: &str) -> Result<&'static Scene, Failure> {
 
 /// The message for something that this build does not have, with the command line that has it.
 pub fn absent(what: &str) -> String {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    // A path need not be text.
+    let arguments = std::env::args_os().skip(1);
+    let arguments: Vec<String> = arguments
+        .map(|argument| argument.to_string_lossy().into_owned())
+        .collect();
     absent::message(what, arguments.iter().map(String::as_str))
 }
 

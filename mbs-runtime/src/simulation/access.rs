@@ -1,6 +1,7 @@
 //! Inputs and outputs: as fields, and by name for tools.
 
 use super::Simulation;
+use super::refused::Refused;
 use crate::acceleration_level::outputs;
 use crate::{NamedValues, SimulationError, System, UnknownName};
 use std::ops::{Deref, DerefMut};
@@ -165,13 +166,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         outputs(self.system(), self.state(), &mut values);
         values
     }
-}
-
-/// Inputs that were refused, and why.
-#[derive(Debug, Clone)]
-pub(super) struct Refused<I> {
-    pub(super) error: SimulationError,
-    inputs: I,
 }
 
 /// The inputs of a simulation as fields; made by [`Simulation::inputs_mut`].

@@ -119,6 +119,12 @@ where
     ) -> Result<Self, SimulationError> {
         let candidates = candidates(settings, accuracy, const { has_radau::<S, Q, N, R>() });
         let last = candidates.len() - 1;
+        // Steps, factors and difficulties of a state belong to the method that it comes from.
+        let mut state = state;
+        state.step_controller = StepController {
+            speed: state.step_controller.speed,
+            ..StepController::default()
+        };
         let other = Some(other);
         let make = |candidate| {
             let (system, state, assembly) = (system.clone(), state.clone(), assembly.clone());

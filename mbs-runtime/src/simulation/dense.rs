@@ -190,6 +190,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// on the way.
     pub(super) fn reach(&mut self, span: f64, longest: f64) -> Result<f64, SimulationError> {
         let mut clearance = f64::INFINITY;
+        if span == 0.0 {
+            return Ok(clearance);
+        }
         if let Some(Foreseen::Turn { rate, .. }) = self.foreseen() {
             let mut left = span;
             while left != 0.0 {

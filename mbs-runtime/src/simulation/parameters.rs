@@ -54,6 +54,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // The difficulties of another motion.
         state.step_controller.estimated_difficulty = None;
         state.step_controller.difficulty = None;
+        state.step_controller.estimate_factor = 0.0;
         let verdict = refit(&system, &self.settings, &mut state)?;
         state.ledger.nonconservative_work += total(&system, &state) - total(self.system(), before);
         let mut renewed =
@@ -69,6 +70,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.energy_guard.take_over(&before.energy_guard);
         std::mem::swap(&mut self.singularities, &mut before.singularities);
         std::mem::swap(&mut self.last_step_start, &mut before.last_step_start);
+        // What an event goes back to belongs to this method.
+        self.last_step_start.step_controller = self.state().step_controller;
+        self.last_step_start.fields = self.state().fields;
     }
 
     /// Sums over the run from before the parameters changed.

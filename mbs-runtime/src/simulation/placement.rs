@@ -96,6 +96,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 self.back()?;
                 self.rejected += 1;
                 if !self.settings.placement {
+                    self.balance = self.energy();
                     if self.in_parts(h, 1 << halvings)? {
                         return Ok(h);
                     }
@@ -132,7 +133,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             if !is_taken {
                 self.back()?;
-                self.balance = self.energy();
                 return Ok(false);
             }
             self.watch();

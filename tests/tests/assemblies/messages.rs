@@ -320,3 +320,32 @@ mechanism!(M { world: Planar(), place: Point([1.0_m, 2.0_m]), a: Assembly(A, at 
         "{code}"
     );
 }
+
+/// The memory was full before anything was said.
+#[test]
+fn entries_of_which_there_are_too_many() {
+    refused(
+        "
+assembly!(Row { world: Planar(), p: Each(0..10000, |i| Particle(mass = 1.0_kg, free = true)) });
+mechanism!(Net { world: Planar(), row: Each(0..10000, |i| Assembly(Row)) });
+                                  ~~~ with this assembly there are more than 100000 entries; declare fewer
+        ",
+    );
+}
+
+/// The second struct of outputs had the name of the first one.
+#[test]
+fn assemblies_whose_names_begin_alike() {
+    let text = expanded(
+        "
+assembly!(Corner { world: Planar(), p: Particle(mass = 1.0_kg, free = true), x: Output(p.origin.x) });
+assembly!(Corner2 { world: Planar(), p: Particle(mass = 1.0_kg, free = true), y: Output(p.origin.y) });
+mechanism!(Car { world: Planar(), rear: Assembly(Corner2), front: Assembly(Corner) });
+        ",
+    );
+    let text: String = text.iter().map(ToString::to_string).collect();
+    for name in ["CarOutputsOfCorner2", "CarOutputsOfCorner"] {
+        let count = text.matches(&format!("struct {name} ")).count();
+        assert_eq!(count, 1, "{name}");
+    }
+}

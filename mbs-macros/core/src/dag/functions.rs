@@ -14,6 +14,9 @@ use crate::equations::InverseMass;
 use crate::model::Rotation;
 use crate::symbolic::{Expr, Graph, Symbol};
 
+/// Bytes of the formula of a constant that are kept, for its documentation.
+const WRITTEN: usize = 400;
+
 /// The guesses of more coordinates are computed when they are asked for.
 const MOST_KEPT_GUESSES: usize = 200;
 
@@ -377,7 +380,7 @@ fn constants(graph: &mut Graph, hoisted: &mut Hoisted) -> (Vec<Constant>, [Funct
     let constants = list
         .iter()
         .map(|&(expr, _)| Constant {
-            text: graph.text(expr),
+            text: graph.start_of_text(expr, WRITTEN),
             after_inverse: uses_inverse(graph, expr),
         })
         .collect();

@@ -126,14 +126,14 @@ impl<'f> Types<'f> {
                 continue;
             }
             let wanted = format!("{name}Of{}", instance.definition.name);
-            let same = list
-                .iter()
-                .filter(|(_, known, ..)| known.to_string().starts_with(&wanted));
-            let own = match same.count() {
-                0 => format_ident!("{wanted}", span = name.span()),
-                others => format_ident!("{wanted}{}", others + 1, span = name.span()),
-            };
-            list.push((shape, own, instance, fields));
+            let is_free = |name: &Ident| list.iter().all(|(_, known, ..)| known != name);
+            let own = (1..)
+                .map(|number| match number {
+                    1 => format_ident!("{wanted}", span = name.span()),
+                    _ => format_ident!("{wanted}{number}", span = name.span()),
+                })
+                .find(is_free);
+            list.extend(own.map(|own| (shape, own, instance, fields)));
         }
         Types { list }
     }

@@ -116,6 +116,7 @@ fn structure(
     quote! {
         #documentation
         #[derive(Debug, Clone, Copy, PartialEq)]
+        #[allow(non_snake_case)]
         #visibility struct #name {
             #( #declared )*
         }

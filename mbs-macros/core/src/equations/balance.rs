@@ -117,10 +117,18 @@ impl Balance<'_> {
         graph.sum(terms)
     }
 
-    /// ω × J ω of a part that turns in space, in its axes.
-    fn gyroscopic_torque(&self, graph: &mut Graph, part: &Part, first: u32) -> Vector {
+    /// ω × ∂T/∂ω of a part that turns in space, in its axes: of its own J ω, and of parts that follow it.
+    fn gyroscopic_torque(&self, graph: &mut Graph, first: u32) -> Vector {
         let omega = [0, 1, 2].map(|k| graph.symbol(Symbol::LocalVelocity(first + k)));
-        let spin = part.inertia.map(|row| graph.dot(row, omega));
+        let spin = [0, 1, 2].map(|k| {
+            let row = self.inertia.range((first + k, 0)..=(first + k, u32::MAX));
+            let terms = row.map(|(&(_, other), &mass)| {
+                let speed = graph.symbol(Symbol::LocalVelocity(other));
+                graph.mul(mass, speed)
+            });
+            let terms: Vec<Expr> = terms.collect();
+            graph.sum(terms)
+        });
         graph.cross(omega, spin)
     }
 
@@ -145,7 +153,7 @@ impl Balance<'_> {
         let mut terms = Vec::new();
         for part in &self.model.outline.parts {
             let gyroscopic = part.rotation().map(|first| {
-                let gyroscopic = self.gyroscopic_torque(graph, part, first);
+                let gyroscopic = self.gyroscopic_torque(graph, first);
                 (first, gyroscopic)
             });
             for &local in &part.locals {
@@ -184,7 +192,7 @@ impl Balance<'_> {
             (Some(first), _) => {
                 let own = [0, 1, 2].map(|k| self.needed(graph, first + k));
                 // … and ω × J ω, because the axes turn.
-                let gyroscopic = self.gyroscopic_torque(graph, part, first);
+                let gyroscopic = self.gyroscopic_torque(graph, first);
                 let own = graph.vector_add(own, gyroscopic);
                 graph.turn(&part.frame.axes, own)
             }

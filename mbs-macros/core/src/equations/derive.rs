@@ -100,7 +100,7 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
     let pull = start::pull(&mut graph, &mut reduction, &model, &inertia);
-    let mut kinetic = kinetic::energy(&mut graph, &mut reduction, &model, &inertia)
+    let mut kinetic = kinetic::energy(&mut graph, &mut reduction, &model)
         .map(|energy| Kinetic::new(&mut graph, size, energy));
     let mut mass = match &kinetic {
         Some(kinetic) => kinetic.mass(&mut graph),

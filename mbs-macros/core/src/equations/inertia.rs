@@ -31,7 +31,10 @@ fn components(graph: &mut Graph, locals: &[u32]) -> Vector {
     point
 }
 
-pub(super) fn local_mass(graph: &mut Graph, parts: &[Part]) -> LocalMass {
+pub(super) fn local_mass<'p>(
+    graph: &mut Graph,
+    parts: impl IntoIterator<Item = &'p Part>,
+) -> LocalMass {
     let mut mass = LocalMass::new();
     for part in parts {
         match part.representation {

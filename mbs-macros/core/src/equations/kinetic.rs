@@ -1,35 +1,34 @@
 //! The kinetic energy of joint coordinates, body by body.
 
-use super::inertia::LocalMass;
+use super::inertia::local_mass;
 use crate::model::Model;
 use crate::symbolic::{Expr, Graph, Length, Substitution, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// T for joint coordinates: ½ (m v·v + ω·Jω) of each part of the tree, and ½ ṡ·M ṡ of all other
-/// parts.
+/// T for joint coordinates: ½ (m v·v + ω·Jω) of each part of the tree, and ½ ṡ·M ṡ of all other parts, also of those that follow parts
+/// of the tree.
 pub(super) fn energy(
     graph: &mut Graph,
     reduction: &mut Substitution,
     model: &Model,
-    local: &LocalMass,
 ) -> Option<Expr> {
     if model.twists.is_empty() {
         return None;
     }
     let mut terms = Vec::new();
-    let mut carried: BTreeSet<u32> = BTreeSet::new();
+    let mut carried: BTreeSet<usize> = BTreeSet::new();
     for twist in &model.twists {
         let part = &model.outline.parts[twist.part];
-        carried.extend(&part.locals);
+        carried.insert(twist.part);
         let square = graph.dot(twist.velocity, twist.velocity);
         terms.push(graph.mul(part.mass, square));
         let spin = twist.inertia.map(|row| graph.dot(row, twist.omega));
         terms.push(graph.dot(twist.omega, spin));
     }
-    for (&(i, k), &mass) in local {
-        if carried.contains(&i) {
-            continue;
-        }
+    let parts = model.outline.parts.iter().enumerate();
+    let others = parts.filter(|(index, _)| !carried.contains(index));
+    let mass = local_mass(graph, others.map(|(_, part)| part));
+    for ((i, k), mass) in mass {
         let rates = [i, k].map(|local| {
             let rate = graph.symbol(Symbol::LocalVelocity(local));
             graph.substitute(rate, reduction)

@@ -12,6 +12,9 @@ use super::rows::norm;
 const STARTS: u64 = 8;
 /// Steps of one descent.
 const STEPS: usize = 150;
+/// Multiplications of all descents, at most: with more of them the compiler would seem to hang. (A mechanism of a hundred coordinates
+/// takes less with all its descents; one of a thousand takes a step.)
+const WORK: f64 = 3e8;
 /// A gradient below this fraction of |A| |φ| vanishes.
 const STATIONARY: f64 = 1e-7;
 /// A residual above this, in units of what is large for its rows, is clearly not zero.
@@ -41,8 +44,9 @@ enum End {
 pub(super) fn close(numbers: &Numbers, guess: Vec<f64>) -> Result<Option<Vec<f64>>, Open> {
     let mut ends: Vec<(f64, Vec<f64>)> = Vec::new();
     let mut start = guess.clone();
+    let mut work = 0.0;
     for seed in 0..=STARTS {
-        match descend(numbers, start) {
+        match descend(numbers, start, &mut work) {
             End::Closed(pose) if seed == 0 => return Ok(Some(pose)),
             End::Closed(_) | End::Underway => return Ok(None),
             End::Stationary(pose) => {
@@ -79,7 +83,8 @@ fn anywhere(numbers: &Numbers, guess: &[f64], seed: u64) -> Vec<f64> {
     layout.moved(guess, &change, 1.0)
 }
 
-fn descend(numbers: &Numbers, mut q: Vec<f64>) -> End {
+/// `work`: the multiplications so far.
+fn descend(numbers: &Numbers, mut q: Vec<f64>, work: &mut f64) -> End {
     let system = numbers.system;
     let mut phi = numbers.residual(&q);
     let mut damping = 1e-3;
@@ -100,6 +105,10 @@ fn descend(numbers: &Numbers, mut q: Vec<f64>) -> End {
         }
         let weight = norm(&a.concat()).powi(2) / phi.len().max(1) as f64;
         loop {
+            *work += (system.size as f64).powi(3) / 6.0;
+            if *work > WORK {
+                return End::Underway;
+            }
             let step = damped_step(&a, &gradient, damping * weight);
             let next = step.map(|step| system.layout.moved(&q, &step, -1.0));
             let better = next.and_then(|next| {

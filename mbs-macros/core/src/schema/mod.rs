@@ -37,6 +37,9 @@ pub const PRIMITIVES: &[&str] = &[
 /// Endings of the types that a mechanism has beside its own.
 pub const SUFFIXES: &[&str] = &["Equations", "Simulation", "Inputs", "Outputs"];
 
+/// The ending of a mechanism's name with which the type of its simulation would be that of another one's fixed steps.
+pub const FIXED_STEP: &str = "FixedStep";
+
 /// The world of this name.
 pub fn world(name: &str) -> Option<World> {
     World::ALL

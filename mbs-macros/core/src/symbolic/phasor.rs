@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 type Phasors = BTreeMap<Expr, [Expr; 2]>;
 
 impl Graph {
-    /// a·b of vectors of the plane: by differences of angles, where each of them is a single symbol or nothing, and so
+    /// a·b; of vectors of the plane by differences of angles, where each of them is a single symbol or nothing, and so
     /// simpler than what it replaces.
     pub fn planar_dot(&mut self, a: [Expr; 3], b: [Expr; 3]) -> Expr {
         match (self.phasors(a), self.phasors(b)) {
@@ -47,8 +47,11 @@ impl Graph {
         Some(self.sum(terms))
     }
 
-    /// A vector as phasors, if it is a sum of such.
-    fn phasors(&mut self, [x, y, _]: [Expr; 3]) -> Option<Phasors> {
+    /// A vector of the plane as phasors, if it is a sum of such.
+    fn phasors(&mut self, [x, y, z]: [Expr; 3]) -> Option<Phasors> {
+        if !self.is_zero(z) {
+            return None;
+        }
         let (x, y) = (self.harmonics(x)?, self.harmonics(y)?);
         if !x.keys().eq(y.keys()) {
             return None;

@@ -42,10 +42,31 @@ impl Graph {
         self.text_naming(expr, &BTreeMap::new())
     }
 
+    /// The beginning of this text, up to about `most` bytes: written out, an expression whose operands have common parts may be
+    /// exponentially long.
+    pub fn start_of_text(&self, expr: Expr, most: usize) -> String {
+        let mut out = String::new();
+        let names = &BTreeMap::new();
+        let writer = Writer {
+            graph: self,
+            names,
+            most,
+        };
+        writer.write_node(expr, Precedence::Sum, &mut out);
+        if out.len() > most {
+            out.push_str(" …");
+        }
+        out
+    }
+
     /// The expression as text, with names in place of those of its operands that have one.
     pub fn text_naming(&self, expr: Expr, names: &BTreeMap<Expr, String>) -> String {
         let mut out = String::new();
-        let writer = Writer { graph: self, names };
+        let writer = Writer {
+            graph: self,
+            names,
+            most: usize::MAX,
+        };
         writer.write_node(expr, Precedence::Sum, &mut out);
         out
     }
@@ -54,6 +75,8 @@ impl Graph {
 struct Writer<'a> {
     graph: &'a Graph,
     names: &'a BTreeMap<Expr, String>,
+    /// With so many bytes nothing is added.
+    most: usize,
 }
 
 impl Writer<'_> {
@@ -65,6 +88,9 @@ impl Writer<'_> {
     }
 
     fn write_node(&self, expr: Expr, outer: Precedence, out: &mut String) {
+        if out.len() > self.most {
+            return;
+        }
         match self.graph.node(expr) {
             Node::Constant(number) => {
                 let value = number.value();

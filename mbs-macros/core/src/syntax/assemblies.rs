@@ -156,39 +156,57 @@ impl Definition {
     }
 }
 
-/// Puts assemblies in the place of entries `Assembly(…)`, and those that these name in turn.
-pub(super) fn put_all(declaration: &mut Declaration, kinds: &Kinds, errors: &mut Errors) {
+/// The most entries of a mechanism with all assemblies in place: with more its compilation would run out of memory.
+const MOST_ENTRIES: usize = 100_000;
+
+/// Puts assemblies in the place of entries `Assembly(…)`, and those that these name in turn; whether there were not too many.
+pub(super) fn put_all(declaration: &mut Declaration, kinds: &Kinds, errors: &mut Errors) -> bool {
     if declaration
         .entries
         .iter()
         .all(|entry| entry.kind != ASSEMBLY)
     {
-        return;
+        return true;
     }
     let outside = Outside::of(declaration);
     for entry in std::mem::take(&mut declaration.entries) {
-        match entry.kind == ASSEMBLY {
-            true => put(&entry, &outside, kinds, declaration, errors),
-            false => declaration.entries.push(entry),
+        if entry.kind != ASSEMBLY {
+            declaration.entries.push(entry);
+            continue;
+        }
+        if !put(&entry, &outside, kinds, declaration, errors) {
+            return false;
+        }
+        if declaration.entries.len() > MOST_ENTRIES {
+            errors.at(
+                entry.name.span(),
+                format!(
+                    "with this assembly there are more than {MOST_ENTRIES} entries; declare fewer"
+                ),
+            );
+            return false;
         }
     }
+    true
 }
 
+/// Whether there are not too many entries in it.
 fn put(
     entry: &Entry,
     outside: &Outside,
     kinds: &Kinds,
     declaration: &mut Declaration,
     errors: &mut Errors,
-) {
+) -> bool {
     let Some(path) = entry.positional.first() else {
-        return errors.at(
+        errors.at(
             entry.kind.span(),
             format!(
                 "an assembly comes first: `{}: {ASSEMBLY}(Name, …)`",
                 entry.name
             ),
         );
+        return true;
     };
     let text = path_text(path);
     let known = declaration
@@ -196,10 +214,11 @@ fn put(
         .iter()
         .find(|(path, _)| *path == text);
     let Some(definition) = known.map(|(_, definition)| Rc::clone(definition)) else {
-        return errors.at(
+        errors.at(
             Place::of(path),
             "expected the path of an assembly, as `assembly!` declares it",
         );
+        return true;
     };
     let before = errors.enter(entry.name.as_str());
     let found = errors.count();
@@ -214,19 +233,21 @@ fn put(
         path: path.clone(),
         definition: Rc::clone(&definition),
     });
+    let mut fits = true;
     if errors.count() == found {
         let mut inside = Declaration::nameable(definition.name.clone());
         inside.definitions = definition.definitions.clone();
         for item in &definition.items {
             scope.put(item, kinds, &mut inside, errors);
         }
-        put_all(&mut inside, kinds, errors);
+        fits = put_all(&mut inside, kinds, errors);
         declaration.entries.append(&mut inside.entries);
         declaration.families.append(&mut inside.families);
         declaration.instances.append(&mut inside.instances);
         declaration.given.append(&mut inside.given);
     }
     errors.leave(before);
+    fits
 }
 
 /// Notes the values of ports and parameters by their names.

@@ -78,7 +78,19 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
             }
         }
     }
+    take_value(&mut entry);
     Ok(entry)
+}
+
+/// `Let(value = x)` is `Let(x)`, as `Output` and `Event` are.
+fn take_value(entry: &mut Entry) {
+    let kinds = ["Let", "Output", "Event"];
+    if entry.positional.is_empty() && kinds.iter().any(|kind| entry.kind == kind) {
+        let is_value = |argument: &NamedArgument| argument.name == "value";
+        if let Some(place) = entry.named.iter().position(is_value) {
+            entry.positional.push(entry.named.remove(place).value);
+        }
+    }
 }
 
 /// Whether the entry was stored.
@@ -125,7 +137,9 @@ pub(super) fn place(
         return true;
     }
     // `Planar` is a joint of space, too, and then has partners.
-    if schema::world(&entry.kind.to_string()).is_some() && entry.positional.is_empty() {
+    let has_partners = ["parent", "child"].map(|name| entry.named(name).is_some());
+    let is_alone = entry.positional.is_empty() && has_partners == [false; 2];
+    if schema::world(&entry.kind.to_string()).is_some() && is_alone {
         errors.at(
             entry.name.span(),
             format!(

@@ -75,13 +75,19 @@ pub(super) fn is_family(call: &ExprCall) -> bool {
     matches!(&*call.func, Expr::Path(path) if path.path.is_ident(EACH))
 }
 
-/// `Param([x, y, z], …)` as the family that it stands for: `Each([x, y, z], |value| Param(value, …))`.
+/// `Param([x, y, z], …)` or `Param(value = [x, y, z], …)` as the family that it stands for: `Each([x, y, z], |value| Param(value, …))`.
 pub(super) fn of_list(call: &ExprCall) -> Option<ExprCall> {
     let is_parameter = matches!(&*call.func, Expr::Path(path) if path.path.is_ident("Param"));
     let mut arguments = call.args.iter();
-    let list = arguments
-        .next()
-        .filter(|first| matches!(first, Expr::Array(_)))?;
+    let list = match arguments.next()? {
+        Expr::Assign(first) if matches!(&*first.left, Expr::Path(name) if name.path.is_ident("value")) => {
+            &first.right
+        }
+        first => first,
+    };
+    if !matches!(list, Expr::Array(_)) {
+        return None;
+    }
     let (kind, span) = (&call.func, call.func.span());
     let each = Ident::new(EACH, span);
     is_parameter.then(|| {

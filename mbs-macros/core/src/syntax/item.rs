@@ -166,13 +166,17 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
     for attribute in attributes {
         match &attribute.meta {
             Meta::NameValue(pair) if pair.path.is_ident("doc") => {
-                if let Expr::Lit(ExprLit {
+                let Expr::Lit(ExprLit {
                     lit: Lit::Str(line),
                     ..
                 }) = &pair.value
-                {
-                    lines.push(line.value().trim().to_owned());
-                }
+                else {
+                    return Err(syn::Error::new_spanned(
+                        &pair.value,
+                        "expected a text in quotes: documentation is read where the declaration is",
+                    ));
+                };
+                lines.push(line.value().trim().to_owned());
             }
             other => {
                 return Err(syn::Error::new_spanned(

@@ -106,6 +106,15 @@ pub(super) fn check_name(name: &Ident, what: &str, errors: &mut Errors) {
             format!("a mechanism `{stem}` would have a type `{text}` beside its own; choose another name for this {what}"),
         );
     }
+    if let Some(stem) = text
+        .strip_suffix(schema::FIXED_STEP)
+        .filter(|stem| !stem.is_empty())
+    {
+        errors.at(
+            name.span(),
+            format!("a mechanism `{stem}` would have a type `{text}Simulation`, as a mechanism `{text}` has; choose another name for this {what}"),
+        );
+    }
 }
 
 /// The name of the mechanism, also if other parts have errors.

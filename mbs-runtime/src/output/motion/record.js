@@ -37,8 +37,8 @@ const extent = size(low.map((x, k) => high[k] - x)) || 1;
 
 /* ---- what is drawn --------------------------------------------------------------------------------------------- */
 
-// A part that is one of many with the same stem (`crank12`) shares its colour with them.
-const stem = (name) => name.replace(/[_.]?\d+$/, "") || name;
+// A part that is one of many with the same stem (`crank12`, `crank[12]`, `stage[3].rod`) shares its colour with them.
+const stem = (name) => name.replace(/\[\d+\]/g, "").replace(/[_.]?\d+$/, "") || name;
 const shown = [...new Set([...data.parts, ...data.segments.map((s) => s[0])])];
 const groupOf = data.parts.length > 8 ? stem : (name) => name;
 const groups = [...new Set(data.parts.map(groupOf))];

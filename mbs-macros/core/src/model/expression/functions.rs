@@ -252,7 +252,13 @@ impl Resolver<'_> {
 
     fn power(&mut self, base: &Syntax, exponent: &Syntax) -> Option<Value> {
         let (x, dimension) = self.scalar(base)?;
-        let (exponent_expr, _) = self.scalar(exponent)?;
+        let (exponent_expr, of_exponent) = self.scalar(exponent)?;
+        if let Some(found) = of_exponent.filter(|found| *found != Dimension::NONE) {
+            return self.fail(
+                Place::of(exponent),
+                format!("an exponent is a number without unit, but this is {found}"),
+            );
+        }
         let Some(exponent_value) = self.graph.as_constant(exponent_expr) else {
             return self.fail(Place::of(exponent), "the exponent must be a number");
         };

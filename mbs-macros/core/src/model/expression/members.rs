@@ -6,9 +6,12 @@ use crate::model::resolver::Resolver;
 use crate::model::value::Value;
 use crate::model::{Owner, Point, Representation, Vector};
 use crate::schema::World;
-use crate::symbolic::{Node, Symbol};
+use crate::symbolic::{Expr, Node, Symbol};
 use proc_macro2::Span;
 use syn::Expr as Syntax;
+
+/// Bytes of a formula in the name of a point, at most.
+const LABEL: usize = 400;
 
 impl Resolver<'_> {
     pub(super) fn member(&mut self, value: &Value, member: &str, span: Span) -> Option<Value> {
@@ -230,9 +233,21 @@ impl Resolver<'_> {
                 format!("`{name}` is a slender bar: its points lie on it, at `point(x, 0.0, 0.0)`; give it `radius =` or `inertia =` for others"),
             );
         }
-        let texts: Vec<String> = found.iter().map(|&(x, _)| self.graph.text(x)).collect();
+        let texts: Vec<String> = found
+            .iter()
+            .map(|&(x, _)| self.coordinate_text(x))
+            .collect();
         let label = format!("{}.point({})", self.owner_name(owner), texts.join(", "));
         Some(self.point_of(owner, local, label))
+    }
+
+    /// A coordinate in the name of a point; of a long formula the beginning, and the number of its node, by which names differ.
+    fn coordinate_text(&self, x: Expr) -> String {
+        let text = self.graph.start_of_text(x, LABEL);
+        match text.len() > LABEL {
+            true => format!("{text} {x:?}"),
+            false => text,
+        }
     }
 
     /// `part.frame([x, y, z], axis)`: axes whose z is `axis`, given in those of the part.

@@ -121,6 +121,12 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
 /// value + rate · (t − since) + acceleration · (t − since)²/2.
 fn value(arguments: &mut Arguments) -> Option<(Expr, Option<Dimension>)> {
     let (mut value, dimension) = known(arguments, "value")?;
+    if arguments.has("since") && !arguments.has("rate") && !arguments.has("acceleration") {
+        return arguments.fail(
+            "since",
+            "`since =` is the time of `rate =` and `acceleration =`; give one of them, or leave it out".to_owned(),
+        );
+    }
     let mut factor = 1.0;
     for (field, order) in [("rate", 1), ("acceleration", 2)] {
         if !arguments.has(field) {

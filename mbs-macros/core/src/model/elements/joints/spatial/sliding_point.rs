@@ -35,7 +35,7 @@ pub(super) fn held_across(
     Joint {
         conditions,
         reactions,
-        points: vec![point, other],
+        points: vec![other, point],
         ..Joint::default()
     }
 }
