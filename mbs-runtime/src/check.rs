@@ -54,12 +54,9 @@ impl Settings {
                 "`None` with this method: `two-level`, `projected` and `radau` choose their steps";
             require("tolerance", wished, paced, wanted)?;
         }
-        if self.flow.is_some() && self.method != Method::TwoLevel {
-            return Err(SimulationError::OtherMethod {
-                method: self.method.name(),
-                wanted: "`Method::TwoLevel`, which alone has a flow, or no `flow`",
-            });
-        }
+        let fits = self.flow.is_none() || self.method == Method::TwoLevel;
+        let wanted = "`Method::TwoLevel`, which alone has a flow, or no `flow`";
+        self.require_method(fits, wanted)?;
         match &self.method {
             Method::TwoLevel | Method::Projected => Ok(()),
             Method::Baumgarte(BaumgarteSettings {
@@ -97,6 +94,21 @@ impl Settings {
                 because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
             }),
             Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
+        }
+    }
+}
+
+impl Settings {
+    /// Refuses the method unless this holds; `wanted`: what can be given.
+    pub(crate) fn require_method(
+        &self,
+        holds: bool,
+        wanted: &'static str,
+    ) -> Result<(), SimulationError> {
+        let method = self.method.name();
+        match holds {
+            true => Ok(()),
+            false => Err(SimulationError::OtherMethod { method, wanted }),
         }
     }
 }

@@ -9,6 +9,11 @@ pub(crate) const SLACK: f64 = 1e-6;
 /// The least interval, as a part of the duration of a run and of its times: the clock cannot count shorter ones.
 const COUNTED: f64 = 1e-13;
 
+/// Whether the clock can count steps or intervals of this length between two times.
+pub(crate) fn is_counted(length: f64, [from, to]: [f64; 2]) -> bool {
+    !(length < COUNTED * (to - from).max(from.abs()))
+}
+
 /// Refuses an interval that is not positive and finite, or that the clock cannot count between two times.
 pub(crate) fn check_interval(
     name: &'static str,
@@ -17,7 +22,7 @@ pub(crate) fn check_interval(
 ) -> Result<(), SimulationError> {
     let wanted = match interval > 0.0 && interval.is_finite() {
         false => "a positive finite value",
-        true if to.is_finite() && interval < COUNTED * (to - from).max(from.abs()) => {
+        true if to.is_finite() && !is_counted(interval, [from, to]) => {
             "one that the clock can count, above 1e-13 of the duration and of the time"
         }
         true => return Ok(()),

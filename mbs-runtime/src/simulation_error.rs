@@ -1,10 +1,12 @@
 //! Errors of a simulation: what happened, where (row, coordinate, time), and what to do.
 
 mod clock;
+mod error_of;
 #[cfg(feature = "std")]
 mod start;
 
 use self::clock::clock;
+pub use self::error_of::ErrorOf;
 use core::fmt;
 
 use crate::fault::Fault;
@@ -222,20 +224,6 @@ pub enum SimulationError {
         /// Its value or residual.
         value: f64,
     },
-}
-
-/// What a tolerance finds too large.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ErrorOf {
-    /// The coordinate of this velocity, as the model names it, which is worst in a comparison of steps.
-    Velocity(&'static str),
-    /// The motion as a whole, by the estimate of an embedded method or where other steps do not converge.
-    Motion,
-    /// The energy balance.
-    Balance,
-    /// The branch of the motion past a pose that is nearly singular.
-    Branch,
 }
 
 impl SimulationError {

@@ -89,30 +89,29 @@ fn what_follows_a_part_has_its_mass() {
     }
 }
 
-mechanism!(Plate {
-    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = Joint),
-    plate: Body(
-        mass = 1.0_kg,
-        inertia = diag(0.1, 0.2, 0.25),
-        at = [0.2_m, 0.0, 0.0],
-        angular_velocity = [1.0_rad_per_s, 2.0, 3.0]
-    ),
-    ball: Spherical(ground, plate, at = [0.0, 0.0, 0.0]),
+macro_rules! plate {
+    ($name:ident, $coordinates:ident, $($load:tt)*) => {
+        mechanism!($name {
+            world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2], coordinates = $coordinates),
+            plate: Body(
+                mass = 1.0_kg,
+                inertia = diag(0.1, 0.2, 0.25),
+                at = [0.2_m, 0.0, 0.0],
+                angular_velocity = [1.0_rad_per_s, 2.0, 3.0]
+            ),
+            ball: Spherical(ground, plate, at = [0.0, 0.0, 0.0]),
+            $($load)*
+        });
+    };
+}
+plate!(
+    Plate,
+    Joint,
     load: Particle(mass = 2.0_kg, position = plate.point(0.1_m, 0.2_m, 0.0_m)),
-});
-
-mechanism!(LoadedPlate {
-    world: Spatial(
-        gravity = [0.0, 0.0, -9.81_m_per_s2],
-        coordinates = Reference
-    ),
-    plate: Body(
-        mass = 1.0_kg,
-        inertia = diag(0.1, 0.2, 0.25),
-        at = [0.2_m, 0.0, 0.0],
-        angular_velocity = [1.0_rad_per_s, 2.0, 3.0]
-    ),
-    ball: Spherical(ground, plate, at = [0.0, 0.0, 0.0]),
+);
+plate!(
+    LoadedPlate,
+    Reference,
     load: Body(
         mass = 2.0_kg,
         inertia = diag(1e-9, 1e-9, 1e-9),
@@ -120,7 +119,7 @@ mechanism!(LoadedPlate {
         angular_velocity = [1.0_rad_per_s, 2.0, 3.0]
     ),
     weld: Fixed(plate, load, at = [0.3_m, 0.2, 0.0]),
-});
+);
 
 /// The force in the ball joint is that of both masses, and there is no torque in it.
 #[test]

@@ -246,8 +246,7 @@ fn write_method_changes(out: &mut String, changes: &[MethodChange]) -> std::fmt:
     }
 }
 
-/// The first singular poses, and how many there were.
-/// `count`: of all, of which the last ones are in the list.
+/// The first singular poses of the list, which has the last ones of `count` in all.
 fn write_events(out: &mut String, losses: &[RankLoss], count: usize) -> std::fmt::Result {
     for (index, loss) in losses.iter().take(SHOWN).enumerate() {
         writeln!(

@@ -1,6 +1,6 @@
-//! The planar pendulum (IFToMM A01): a point mass on a massless bar, released from the horizontal. Once it is
-//! a bar in a joint, of which the compiler takes the angle as coordinate, once this angle is declared. Reference: closed form
-//! with elliptic functions.
+//! The planar pendulum (IFToMM A01): a point mass on a massless bar, released from the horizontal. In one
+//! scene it is a bar in a joint, of which the compiler takes the angle as coordinate; in the other this angle is declared.
+//! Reference: closed form with elliptic functions.
 
 use crate::scene::{Reference, Scene};
 use mbs_runtime::{Mechanism, mechanism};

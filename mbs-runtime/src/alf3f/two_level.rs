@@ -114,12 +114,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
-        if settings.method != Method::TwoLevel {
-            return Err(SimulationError::OtherMethod {
-                method: settings.method.name(),
-                wanted: "`Method::TwoLevel`",
-            });
-        }
+        settings.require_method(settings.method == Method::TwoLevel, "`Method::TwoLevel`")?;
         Self::for_steps(system, state, settings, false)
     }
 

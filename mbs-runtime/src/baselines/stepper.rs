@@ -36,12 +36,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         state: State<Q, N, R>,
         settings: &Settings,
     ) -> Result<Self, SimulationError> {
-        if let Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) = settings.method {
-            return Err(SimulationError::OtherMethod {
-                method: settings.method.name(),
-                wanted: "one of the baselines",
-            });
-        }
+        let is_other = matches!(
+            settings.method,
+            Method::TwoLevel | Method::Paper(_) | Method::MAlf(_)
+        );
+        settings.require_method(!is_other, "one of the baselines")?;
         Self::with(registry::any, system, state, settings)
     }
 

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! Half a step of the backward Euler method, then half a step of the forward one: symmetric and, where v = q̇, symplectic. The
-//! trapezoid has the two halves in the other order: symmetric, and conjugate to this one. It needs one evaluation of F less per step. On Bricard's
-//! mechanism its energy error is 0.77 times that of the trapezoid, its position error 1.4 times.
+//! trapezoid has the two halves in the other order: symmetric, and conjugate to this one. Midpoint needs one evaluation of F less per
+//! step. On Bricard's mechanism its energy error is 0.77 times that of the trapezoid, its position error 1.4 times.
 //!
 //! A stage that continues another takes over its p(q₁, v_b). M(q₁) v_b, computed from M and v_b again, differs from it by
 //! the rounding of the constants in M and its factor. This is the same in every stage, so that the energy would drift.

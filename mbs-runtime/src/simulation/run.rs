@@ -3,6 +3,7 @@
 use super::Simulation;
 use super::books::Books;
 use super::hermite::Hermite;
+use crate::samples::is_counted;
 use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
 
@@ -43,7 +44,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         // Such a run would not end: its steps are below the round-off of the time. With a tolerance they grow.
         let is_given = self.settings.tolerance.is_none();
-        if is_given && wanted > now && step < 1e-13 * (wanted - now).max(now.abs()) {
+        if is_given && wanted > now && !is_counted(step, [now, wanted]) {
             let wanted = "a step that the clock can count to the end of the run, above 1e-13 of its duration";
             return Err(SimulationError::Setting {
                 name: "step",
