@@ -75,7 +75,6 @@ fn a_wrong_world_is_one_mistake() {
     refused(
         "
 mechanism!(M {
-    /// The plane.
     world: Planar,
            ~~~~~~ expected `world: Kind(…)`, for example `world: Planar()`
     p: Particle(mass = 1.0_kg, free = true),

@@ -1,5 +1,6 @@
 //! Places and directions of the home pose of space that are given by points and axes of parts.
 
+use crate::common::expansion::refused;
 use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, System, mechanism};
 
 /// Every number is written out.
@@ -147,4 +148,23 @@ fn values_of_the_home_pose_are_computed_once() {
     );
     let (_, outcome) = mbs_macros_core::analyse(text.parse().expect("these are tokens"));
     assert!(outcome.is_ok());
+}
+
+/// The rows of such joints are products of axes, which vanish for opposite axes, too; joint coordinates would start half a
+/// turn off.
+#[test]
+fn opposite_axes_are_refused() {
+    refused(
+        r#"mechanism!(Opposite {
+    world: Spatial(),
+    arm: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+    hand: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+    knob: Body(mass = 1.0_kg, inertia = 0.1_kg_m2),
+    pin: Revolute(ground.frame([0.0, 0.0, 0.0], Z), arm.frame([0.0, 0.0, 0.0], -Z)),
+    ~~~ in the home pose the axes at `ground.frame` and at `arm.frame` are 180.0° off those that this `Revolute` holds together; turn one of the frames or parts, or give the axis once by `axis =`
+    slide: Prismatic(arm.frame([0.0, 0.0, 0.0], Z), hand.frame([0.0, 0.0, 0.0], -Z)),
+    ~~~~~ in the home pose the axes at `arm.frame` and at `hand.frame` are 180.0° off those that this `Prismatic` holds together; turn one of the frames or parts, or give the axis once by `axis =`
+    ball: Spherical(hand.frame([0.0, 0.0, 0.0], Z), knob.frame([0.0, 0.0, 0.0], -Z)),
+});"#,
+    );
 }

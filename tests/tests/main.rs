@@ -36,6 +36,7 @@ mod reactions;
 mod recordings;
 mod reference_page;
 mod rustfmt;
+mod silent;
 mod simplification;
 mod snapshots;
 mod spans;

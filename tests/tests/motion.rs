@@ -15,6 +15,7 @@ mod drives;
 mod folding;
 mod followers;
 mod friction;
+mod held_angles;
 mod independent_velocities;
 mod long_family;
 mod marks;

@@ -216,11 +216,7 @@ impl<'a> Body<'a> {
                 )
             }
             Operation::Power(a, exponent) => (
-                format!(
-                    "{}.powf({})",
-                    self.operand(*a, Precedence::Atom),
-                    number(exponent.value())
-                ),
+                format!("{}.powf({})", self.receiver(*a), number(exponent.value())),
                 Precedence::Atom,
             ),
             Operation::Law(law, arguments) => {
@@ -304,14 +300,15 @@ impl<'a> Body<'a> {
         match function {
             Elementary::Sign => format!("::mbs_runtime::generated::sign({plain})"),
             Elementary::Step => format!("::mbs_runtime::generated::step({plain})"),
-            _ => {
-                let receiver = match argument {
-                    // `2.0.sin()` needs its type.
-                    Operand::Number(value) => format!("({}_f64)", number(value.value())),
-                    _ => self.operand(argument, Precedence::Atom),
-                };
-                format!("{receiver}.{}()", function.name())
-            }
+            _ => format!("{}.{}()", self.receiver(argument), function.name()),
+        }
+    }
+
+    /// What a method is called on: `2.0.sin()` needs its type.
+    fn receiver(&self, operand: Operand) -> String {
+        match operand {
+            Operand::Number(value) => format!("({}_f64)", number(value.value())),
+            _ => self.operand(operand, Precedence::Atom),
         }
     }
 }

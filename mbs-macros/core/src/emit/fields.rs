@@ -4,9 +4,9 @@ use super::items;
 use super::text::doc;
 use crate::model::Quantity;
 use crate::names::split;
-use crate::syntax::{Declaration, Instance, path_text};
+use crate::syntax::{Declaration, Family, Instance, Name, path_text};
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use std::collections::{BTreeMap, HashMap};
 
 /// A field, for some of the values of a list.
@@ -32,14 +32,41 @@ pub(super) type TypeOf<'t> = &'t dyn Fn(&Instance, &[Field]) -> TokenStream;
 pub(super) fn fields<'q>(declaration: &'q Declaration, list: &'q [Quantity]) -> Vec<Field<'q>> {
     let list: Vec<(usize, &Quantity)> = list.iter().enumerate().collect();
     let instances = declaration.instances.iter();
-    let instances = instances.map(|instance| (instance.name.as_str(), instance));
-    fields_in(declaration, &instances.collect(), "", &list)
+    let names = Names {
+        // The first of these has the name: a family, what is declared alone, an assembly.
+        declared: (declaration.instances.iter().map(|instance| &instance.name))
+            .chain(declaration.entries.iter().map(|entry| &entry.name))
+            .chain(declaration.families.iter().map(|family| &family.name))
+            .map(|name| (name.as_str(), name))
+            .collect(),
+        families: (declaration.families.iter())
+            .map(|family| (family.name.as_str(), family))
+            .collect(),
+        instances: instances
+            .map(|instance| (instance.name.as_str(), instance))
+            .collect(),
+    };
+    fields_in(&names, "", &list)
+}
+
+/// What is declared under a name.
+struct Names<'q> {
+    declared: HashMap<&'q str, &'q Name>,
+    families: HashMap<&'q str, &'q Family>,
+    instances: HashMap<&'q str, &'q Instance>,
+}
+
+impl Names<'_> {
+    /// The field `word` of a value of this name, or of a family of them, with the span of its declaration.
+    fn field(&self, name: &str, word: &str) -> Ident {
+        let declared = self.declared.get(name);
+        declared.map_or_else(|| format_ident!("{word}"), |name| name.word().clone())
+    }
 }
 
 /// Of the values whose names begin with `assembly`.
 fn fields_in<'q>(
-    declaration: &'q Declaration,
-    instances: &HashMap<&str, &'q Instance>,
+    names: &Names<'q>,
     assembly: &str,
     list: &[(usize, &'q Quantity)],
 ) -> Vec<Field<'q>> {
@@ -51,9 +78,9 @@ fn fields_in<'q>(
         let (word, indices, component) = split(own);
         let base = format!("{assembly}{word}");
         let at = *known.entry(word).or_insert_with(|| {
-            let family = declaration.family(&base);
+            let family = names.families.get(base.as_str());
             fields.push(Field {
-                name: items::field(declaration, &base, word),
+                name: names.field(&base, word),
                 sizes: family.map_or_else(Vec::new, |family| family.sizes()),
                 members: BTreeMap::new(),
             });
@@ -61,7 +88,7 @@ fn fields_in<'q>(
         });
         let text = &quantity.name[..quantity.name.len() - component.len()];
         let members = &mut fields[at].members;
-        if let Some(&instance) = instances.get(text) {
+        if let Some(&instance) = names.instances.get(text) {
             members.insert(indices, Content::Assembly(instance, Vec::new()));
             inner
                 .entry(text.to_owned())
@@ -83,7 +110,7 @@ fn fields_in<'q>(
         if let Content::Assembly(instance, inside) = content
             && let Some(list) = inner.get(instance.name.as_str())
         {
-            *inside = fields_in(declaration, instances, &format!("{}.", instance.name), list);
+            *inside = fields_in(names, &format!("{}.", instance.name), list);
         }
     }
     fields

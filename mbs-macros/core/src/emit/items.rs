@@ -60,18 +60,6 @@ pub(super) fn inputs_and_outputs(declaration: &Declaration) -> (Ident, Ident) {
     (of("Inputs"), of("Outputs"))
 }
 
-/// The field `word` of a parameter, input or output of this name, or of a family of them, with the span of its
-/// declaration.
-pub(super) fn field(declaration: &Declaration, name: &str, word: &str) -> Ident {
-    let family = declaration.family(name).map(|family| &family.name);
-    let entry = || declaration.entries.iter().find(|entry| entry.name == name);
-    let instance = || declaration.instance(name).map(|instance| &instance.name);
-    let declared = family
-        .or_else(|| entry().map(|entry| &entry.name))
-        .or_else(instance);
-    declared.map_or_else(|| format_ident!("{word}"), |name| name.word().clone())
-}
-
 /// The documentation of a value, and its unit in parentheses.
 pub(super) fn documented(text: &str, unit: &str) -> String {
     let unit = match unit {
@@ -80,6 +68,8 @@ pub(super) fn documented(text: &str, unit: &str) -> String {
     };
     match text {
         "" => format!("({unit})"),
+        // A paragraph of its own: the last line may be the end of a block of code.
+        text if text.contains('\n') => format!("{text}\n\n({unit})"),
         text => format!("{text} ({unit})"),
     }
 }

@@ -21,6 +21,11 @@ impl Resolver<'_> {
         index
     }
 
+    /// Whether this is a point with mass, which has no orientation.
+    pub(super) fn is_particle(&self, owner: Owner) -> bool {
+        matches!(owner, Owner::Part(part) if self.parts[part].kind == "Particle")
+    }
+
     /// The frame of the ground or of a part.
     pub(super) fn frame(&mut self, owner: Owner) -> Frame {
         match owner {

@@ -2,7 +2,7 @@
 
 use crate::schema::{Expects, Kinds};
 use crate::syntax::{Declaration, Entry, children, reference};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use syn::{Expr as Syntax, Member};
 
 /// The names whose angle a joint, force or condition uses, and the partners of joints among them. Natural coordinates
@@ -13,13 +13,38 @@ pub(super) fn needs_angle(declaration: &Declaration, kinds: &Kinds) -> HashSet<S
     for entry in &declaration.entries {
         note_entry(entry, declaration, kinds, &mut names);
     }
+    follow_other_names(declaration, &mut names);
     let mut joints = declaration.entries.iter();
     let joints = joints
         .by_ref()
         .filter(|entry| entry.kind == "Revolute" && names.contains(entry.name.as_str()));
     let partners: Vec<String> = joints.flat_map(partners).collect();
     names.extend(partners);
+    follow_other_names(declaration, &mut names);
     names
+}
+
+/// A `Let` may be another name of a part, and of such a name in turn.
+fn follow_other_names(declaration: &Declaration, names: &mut HashSet<String>) {
+    let others = declaration
+        .entries
+        .iter()
+        .filter(|entry| entry.kind == "Let");
+    let others: HashMap<&str, String> = others
+        .filter_map(|entry| {
+            let named = entry.named("value").map(|argument| &argument.value);
+            let part = reference(entry.positional.first().or(named)?)?.ok()?;
+            Some((entry.name.as_str(), part.text()))
+        })
+        .collect();
+    let mut front: Vec<String> = names.iter().cloned().collect();
+    while let Some(name) = front.pop() {
+        if let Some(part) = others.get(name.as_str())
+            && names.insert(part.clone())
+        {
+            front.push(part.clone());
+        }
+    }
 }
 
 /// The parts whose points a joint names.

@@ -82,10 +82,7 @@ pub fn resolve(
     // Vacuous rows. AFTER THIS POINT: every row that is neither solved nor vacuous depends on the motion (or an error is
     // recorded).
     let vacuous = vacuous::rows(resolver, &joints, &tree, &mut reduction);
-    // A joint coordinate moves all parts after its joint.
-    if tree.joints.is_empty() {
-        check::massive(resolver, &reduction);
-    }
+    check::massive(resolver, &tree, &reduction);
 
     // The layout. AFTER THIS POINT: every generalized coordinate has its position in q, and every velocity its
     // coordinate.

@@ -91,7 +91,8 @@ impl Total {
     }
 
     pub(super) fn value(&self) -> f64 {
-        if self.sum.abs() <= 4.0 * f64::EPSILON * self.size {
+        // A sum that is not finite is found where values are checked.
+        if self.sum.is_finite() && self.sum.abs() <= 4.0 * f64::EPSILON * self.size {
             0.0
         } else {
             self.sum

@@ -130,9 +130,11 @@ impl Graph {
             Node::Product(factors) => {
                 for (k, (a, power)) in factors.iter().enumerate() {
                     for (l, (b, other)) in factors.iter().enumerate().skip(k) {
-                        let times = power * if l == k { power - 1 } else { *other };
+                        let power = f64::from(*power);
+                        let other = f64::from(*other);
+                        let times = power * if l == k { power - 1.0 } else { other };
                         let (Some(&a), Some(&b), true) =
-                            (order.places.get(a), order.places.get(b), times != 0)
+                            (order.places.get(a), order.places.get(b), times != 0.0)
                         else {
                             continue;
                         };
@@ -140,7 +142,7 @@ impl Graph {
                         rest[k].1 -= 1;
                         rest[l].1 -= 1;
                         let rest = self.product(&rest);
-                        found.push((a, b, self.scale(f64::from(times), rest)));
+                        found.push((a, b, self.scale(times, rest)));
                     }
                 }
             }

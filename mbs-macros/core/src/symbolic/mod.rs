@@ -429,6 +429,20 @@ impl Graph {
         self.any_inside([expr], |node| matches!(node, Node::Law { .. }))
     }
 
+    /// Whether a partial of a user's law occurs in the expression: its derivatives are not known.
+    pub fn contains_partial(&self, expr: Expr) -> bool {
+        let is_partial = |node: &Node| {
+            matches!(
+                node,
+                Node::Law {
+                    partial: Some(_),
+                    ..
+                }
+            )
+        };
+        self.any_inside([expr], is_partial)
+    }
+
     /// Whether expressions consist of sums, products, sines and cosines of what varies within a step. Others may jump or bend, or come
     /// near to it (friction).
     pub fn is_smooth(&self, roots: impl IntoIterator<Item = Expr>) -> bool {

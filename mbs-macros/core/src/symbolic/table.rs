@@ -1,6 +1,6 @@
 //! Functions given by measured values: a polynomial of third degree in each interval.
 
-use super::{Expr, Graph, Node, Number, Symbol};
+use super::{Expr, Function, Graph, Node, Number, Symbol};
 use std::sync::Arc;
 
 /// Between the knots.
@@ -255,6 +255,31 @@ impl Graph {
                 order,
                 x,
             }),
+        }
+    }
+
+    /// Whether a step, or a sign, is added to the rest with a constant factor: the value jumps.
+    pub fn jumps(&self, expr: Expr) -> bool {
+        let is_step = |factor: Expr| match self.node(factor) {
+            Node::Function(Function::Step | Function::Sign, x) => {
+                self.depends_on(*x, |symbol| !symbol.is_parameter_like())
+            }
+            _ => false,
+        };
+        let is_constant = |factor: Expr| {
+            !self.depends_on(factor, |symbol| !symbol.is_parameter_like())
+                && !self.contains_law(factor)
+        };
+        let term_jumps = |term: Expr| match self.node(term) {
+            Node::Product(factors) => {
+                let mut factors = factors.iter().map(|&(factor, _)| factor);
+                factors.clone().any(is_step) && factors.all(|x| is_step(x) || is_constant(x))
+            }
+            _ => is_step(term),
+        };
+        match self.node(expr) {
+            Node::Sum { terms, .. } => terms.iter().any(|&(term, _)| term_jumps(term)),
+            _ => term_jumps(expr),
         }
     }
 

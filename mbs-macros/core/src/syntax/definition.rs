@@ -12,7 +12,7 @@ use super::Entry;
 use super::assemblies::{Definition, Definitions, Port, Takes};
 use super::chunk::{read, split_at_commas};
 use super::entry::{ASSEMBLY, PORT};
-use super::item::{Item, WITHOUT_RAW, read_header};
+use super::item::{Item, read_header};
 use super::levels::is_level;
 use super::parse::check_name;
 use super::paths::path_text;
@@ -91,7 +91,6 @@ pub fn define(
     };
     check_name(&header.name, "assembly", errors);
     if header.name.to_string().starts_with("r#") {
-        errors.at(header.name.span(), WITHOUT_RAW);
         return None;
     }
     let mut definition = Definition {

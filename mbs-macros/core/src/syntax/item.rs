@@ -96,6 +96,18 @@ impl Item {
                 format!("expected `{name}: Kind(…)`"),
             ));
         }
+        if let Some(last) = attributes.last()
+            && ["world", "deny", "allow", "doc"]
+                .iter()
+                .any(|setting| name == setting)
+        {
+            return Err(syn::Error::new_spanned(
+                last,
+                format!(
+                    "`{name}:` has no documentation of its own; that of the whole stands before its name, or in `doc:`"
+                ),
+            ));
+        }
         let value: Expr = input.parse()?;
         if !input.is_empty() {
             return Err(input.error("expected `,` between entries"));
@@ -176,7 +188,9 @@ fn documentation(attributes: &[Attribute]) -> syn::Result<String> {
                         "expected a text in quotes: documentation is read where the declaration is",
                     ));
                 };
-                lines.push(line.value().trim().to_owned());
+                let line = line.value();
+                let line = line.strip_prefix(' ').unwrap_or(&line);
+                lines.push(line.trim_end().to_owned());
             }
             other => {
                 return Err(syn::Error::new_spanned(

@@ -4,7 +4,7 @@ use super::assemblies::put_all;
 use super::chunk::{read, split_at_commas, without_attributes};
 use super::definition::{declared_twice, with_definitions};
 use super::entry::{lost_parameter, place};
-use super::item::{Item, is_word_of_rust, read_header, word_of_rust};
+use super::item::{Item, WITHOUT_RAW, is_word_of_rust, read_header, word_of_rust};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
 use super::{Declaration, Entry, nested};
@@ -88,6 +88,9 @@ fn is_first(item: &Item, names: &mut HashSet<String>, errors: &mut Errors) -> bo
 /// Refuses names of mechanisms and assemblies that generated code could not live with.
 pub(super) fn check_name(name: &Ident, what: &str, errors: &mut Errors) {
     let text = name.to_string();
+    if text.starts_with("r#") {
+        errors.at(name.span(), WITHOUT_RAW);
+    }
     if is_word_of_rust(name) {
         errors.at(name.span(), word_of_rust(name));
     }

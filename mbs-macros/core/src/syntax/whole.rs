@@ -18,7 +18,7 @@ pub(super) fn whole(expr: &Expr) -> syn::Result<i64> {
     match inner(expr) {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(number) if number.suffix().is_empty() => {
-                number.base10_parse().map_err(|_| wrong())
+                number.base10_parse().map_err(|_| too_large())
             }
             _ => Err(wrong()),
         },

@@ -133,7 +133,11 @@ impl Arguments<'_, '_> {
                 Hold::Part(owner) => {
                     let at = at?;
                     let arm = resolver.graph.vector_sub(at, home.origin);
-                    let local = resolver.graph.components(&home.axes, arm);
+                    // A particle has no point but itself; where it is not at this place, the check of the home pose tells.
+                    let local = match resolver.is_particle(owner) {
+                        true => resolver.graph.zero_vector(),
+                        false => resolver.graph.components(&home.axes, arm),
+                    };
                     let label = format!("{} at {name}", resolver.owner_name(owner));
                     resolver.attach(owner, local, axes, label)
                 }

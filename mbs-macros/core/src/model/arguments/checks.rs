@@ -169,8 +169,14 @@ impl Resolver<'_> {
             .find_map(|child| self.reaction_in(child))
     }
 
-    /// Refuses tables whose slope jumps, and their derivatives, from one of an order on.
+    /// Refuses values that jump, and tables whose slope jumps, and their derivatives, from one of an order on.
     fn without_kinks(&mut self, syntax: &Syntax, exprs: &[Expr], order: i8) -> Option<()> {
+        if exprs.iter().any(|&x| self.graph.jumps(x)) {
+            return self.fail(
+                Place::of(syntax),
+                "this jumps, and the parts would have to jump with it: use a value that changes steadily, an `Input` that the program sets, or a force",
+            );
+        }
         if !exprs.iter().any(|&x| self.graph.contains_kink(x, order)) {
             return Some(());
         }

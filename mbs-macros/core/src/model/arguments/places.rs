@@ -110,7 +110,7 @@ impl Arguments<'_, '_> {
 
     /// The part of this index is a particle, which has no orientation.
     pub fn is_particle(&self, owner: Owner) -> bool {
-        matches!(owner, Owner::Part(part) if self.resolver.parts[part].kind == "Particle")
+        self.resolver.is_particle(owner)
     }
 
     /// The name of a part.
@@ -173,6 +173,19 @@ impl Arguments<'_, '_> {
             return self.resolver.no_direction(syntax);
         }
         Some(self.resolver.graph.unit(vector))
+    }
+
+    /// Refuses a place or motion at the start beside that of coordinates.
+    pub fn refuse_start(&mut self, follows: &str) -> Option<()> {
+        let fields = ["at", "from", "to", "angle", "velocity", "rate"];
+        let Some(field) = fields.into_iter().find(|field| self.has(field)) else {
+            return Some(());
+        };
+        let name = self.entry_name();
+        self.fail(
+            field,
+            format!("`{name}` follows its `{follows}`, at the start, too: leave `{field} =` out, and give the coordinates their values"),
+        )
     }
 
     /// `Frame([x, y], angle)`.

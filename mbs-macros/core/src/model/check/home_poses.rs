@@ -5,8 +5,10 @@ use crate::model::elements::JointEntry;
 use crate::model::geometry::Point;
 use crate::model::home::NEARLY_TOGETHER;
 use crate::model::initial_pose::Guesses;
+use crate::model::mobilizer::Freedom;
 use crate::model::resolver::Resolver;
 use proc_macro2::Span;
+use std::f64::consts::PI;
 
 /// In space, the frames that a joint holds together are together in the home pose, with the defaults of all parameters.
 /// (Differences within the rounding of a written number are left to assembly.)
@@ -25,7 +27,11 @@ pub(in crate::model) fn home_poses(
         let points = &element.joint.points;
         if let (true, [parent, child]) = (resolver.has_frames(entry), points.as_slice()) {
             let kind = entry.kind.to_string();
-            let disagreement = Disagreement::new(resolver, element, kind, [parent, child], guesses);
+            let mut disagreement =
+                Disagreement::new(resolver, element, kind, [parent, child], guesses);
+            if points_back(resolver, element, guesses) {
+                disagreement.angle = PI - disagreement.angle;
+            }
             let homes = disagreement.homes.as_flattened().iter();
             size = homes.fold(size, |size, x| size.max(x.abs()));
             found.push(disagreement);
@@ -47,6 +53,24 @@ fn size_of_parts(resolver: &Resolver) -> f64 {
         places.chain(part.length)
     });
     lengths.fold(0.0, |size, x| size.max(resolver.by_default(x).abs()))
+}
+
+/// Whether axes that the joint holds parallel are opposite: its rows, which are products of axes, vanish there too.
+fn points_back(resolver: &mut Resolver, element: &JointEntry, guesses: &Guesses) -> bool {
+    let Some(mobilizer) = &element.joint.mobilizer else {
+        return false;
+    };
+    let mut turns = mobilizer.freedoms.iter().filter(|freedom| freedom.turns());
+    let held: &[usize] = match (turns.next(), turns.next()) {
+        (None, _) => &[2, 0],
+        (Some(Freedom::Turn(_) | Freedom::Helix(_)), None) => &[2],
+        _ => &[],
+    };
+    held.iter().any(|&k| {
+        let axes = [&mobilizer.parent, &mobilizer.child].map(|side| side.axes[k]);
+        let cosine = resolver.graph.dot(axes[0], axes[1]);
+        resolver.at_home(cosine, guesses) < 0.0
+    })
 }
 
 /// How far the partners of a joint are from where it holds them.

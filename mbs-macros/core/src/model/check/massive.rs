@@ -3,15 +3,22 @@
 use crate::model::parts::{Part, Representation};
 use crate::model::reduction::Reduction;
 use crate::model::resolver::Resolver;
+use crate::model::tree::Tree;
 use crate::symbolic::{Graph, Symbol};
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 
-/// There is at least one coordinate, and every coordinate moves a mass.
-pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) {
+/// There is at least one coordinate, and every coordinate moves a mass. (Coordinates of joints are not looked at, nor those
+/// of parts that carry others: they move all parts after them.)
+pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction: &Reduction) {
     if !resolver.errors.is_empty() {
         return;
     }
+    let carriers: BTreeSet<usize> = tree
+        .joints
+        .iter()
+        .filter_map(|joint| joint.parent)
+        .collect();
     let graph = &resolver.graph;
     let coordinate = |local: &u32| reduction.coordinate_of(graph, *local);
     let heavy: BTreeSet<u32> = resolver
@@ -23,7 +30,10 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) 
     // Of the parts that share a massless coordinate the first gets the error.
     let mut known = heavy.clone();
     let mut massless: Vec<(String, Span, String)> = Vec::new();
-    for part in &resolver.parts {
+    for (index, part) in resolver.parts.iter().enumerate() {
+        if carriers.contains(&index) {
+            continue;
+        }
         let light: Vec<u32> = part
             .locals
             .iter()
@@ -43,7 +53,7 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, reduction: &Reduction) 
             massless.push((part.name.clone(), part.span, message));
         }
     }
-    if known.is_empty() {
+    if known.is_empty() && tree.joints.is_empty() {
         let message = "nothing in this mechanism moves: declare a `Bar`, `Body` or `Particle` that the ground does not hold";
         resolver.fail::<()>(resolver.declaration.name.span(), message);
     }

@@ -23,6 +23,19 @@ pub struct Joint {
     pub merges: Option<[Point; 2]>,
     /// The freedoms between its partners, if they can become joint coordinates.
     pub mobilizer: Option<Mobilizer>,
+    /// In the plane, an angle that it holds (guesses are propagated along it).
+    pub held_angle: Option<HeldAngle>,
+}
+
+/// The angle of a part of the plane against another, or against the ground.
+#[derive(Debug, Clone, Copy)]
+pub struct HeldAngle {
+    /// The partner that the angle is counted from.
+    pub parent: Owner,
+    /// The part that has the angle.
+    pub child: Owner,
+    /// A function of time, parameters and inputs.
+    pub angle: Expr,
 }
 
 /// An expression in local coordinates that is to be zero.

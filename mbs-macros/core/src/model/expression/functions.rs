@@ -201,6 +201,13 @@ impl Resolver<'_> {
                 "rate(…) of an expression that has velocities is an acceleration",
             )?;
         }
+        let partial = |x: Expr| self.graph.contains_partial(x);
+        if value.expressions().into_iter().any(partial) {
+            return self.fail(
+                Place::of(a),
+                "a law gives value and first partials, and this rate needs second ones: write the expression out",
+            );
+        }
         match value {
             Value::Scalar(x, d) => Some(Value::Scalar(
                 self.graph.rate(x),

@@ -74,7 +74,13 @@ impl Resolver<'_> {
         if let Some(axis) = axis {
             return Some(Value::Vector(axes[axis], Some(Dimension::NONE)));
         }
+        let particle = self.is_particle(owner);
         match (self.world, member) {
+            (_, "angle" | "rate" | "angular_velocity" | "angular_acceleration") if particle => {
+                let known = [self.point_names(owner), &["velocity", "acceleration"]].concat();
+                let advice = "a particle has no orientation";
+                self.no_such_member(&Value::Frame(owner), member, &known, advice, span)
+            }
             (World::Planar, "rate") => Some(Value::Scalar(frame.spin[2], Some(Dimension::RATE))),
             (World::Spatial, "angular_velocity") => {
                 Some(Value::Vector(frame.spin, Some(Dimension::RATE)))
@@ -233,6 +239,13 @@ impl Resolver<'_> {
                 format!("`{name}` is a slender bar: its points lie on it, at `point(x, 0.0, 0.0)`; give it `radius =` or `inertia =` for others"),
             );
         }
+        if self.is_particle(owner) && local.iter().any(|&x| !self.graph.is_zero(x)) {
+            let name = self.owner_name(owner).to_owned();
+            return self.fail(
+                span,
+                format!("`{name}` is a particle, and has no point but itself: write `{name}.origin`, or use a Body"),
+            );
+        }
         let texts: Vec<String> = found
             .iter()
             .map(|&(x, _)| self.coordinate_text(x))
@@ -255,6 +268,15 @@ impl Resolver<'_> {
         if self.world == World::Planar {
             return self.fail(span, "a planar joint takes points; write `point(x, y)`");
         }
+        if self.is_particle(owner) {
+            let name = self.owner_name(owner).to_owned();
+            return self.fail(
+                span,
+                format!(
+                    "`{name}` is a particle and has no orientation: name it alone, or use a Body"
+                ),
+            );
+        }
         let [place, axis] = self.take(arguments.to_vec(), "frame", span)?;
         let (local, dimension) = self.vector(place)?;
         if dimension.is_some_and(|d| d != Dimension::LENGTH) {
@@ -263,7 +285,13 @@ impl Resolver<'_> {
                 "the coordinates of a point are lengths (m)",
             );
         }
-        let (direction, _) = self.vector(axis)?;
+        let (direction, dimension) = self.vector(axis)?;
+        if let Some(found) = dimension.filter(|d| *d != Dimension::NONE) {
+            return self.fail(
+                Place::of(axis),
+                format!("the axis of a frame is a direction without unit, but this is {found}"),
+            );
+        }
         let moving = |symbol: Symbol| !symbol.is_parameter_like();
         for (vector, syntax) in [(local, place), (direction, axis)] {
             if vector.iter().any(|&x| self.graph.depends_on(x, moving)) {

@@ -2,6 +2,7 @@
 
 mod at_home;
 mod guesses;
+mod held_angles;
 mod joint;
 mod planar;
 mod quaternion;

@@ -4,6 +4,7 @@
 //! are known, and its neighbours follow; so does what is declared to start at one of its points. Unknown angles and positions start at 0; assembly corrects all of them.
 
 use super::guesses::Guesses;
+use super::held_angles::{Angle, HeldAngles};
 use crate::model::elements::JointEntry;
 use crate::model::geometry::{Axes, Owner, Point, Vector};
 use crate::model::mobilizer::Freedom;
@@ -46,7 +47,8 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             }
         }
     }
-    let mut coordinates = declared_coordinates(&mut resolver.graph, &parts);
+    let mut coordinates = known_at_start(resolver, &parts);
+    let mut angles = HeldAngles::new(&mut resolver.graph, &parts, joints, &mut coordinates);
     let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
     let mut desperate = false;
     loop {
@@ -69,7 +71,8 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
                 let pose = poses[owner]?;
                 Some(point_of(graph, &pose, point.local).position)
             }));
-            if let Some(pose) = pose(graph, part, &known, desperate) {
+            if let Some(pose) = pose(graph, part, angles.of(index), &known, desperate) {
+                angles.set(graph, index, (pose.angle, Some(pose.rate)));
                 poses[index] = Some(pose);
                 progress = true;
                 if desperate {
@@ -155,9 +158,14 @@ fn known_points(
     known
 }
 
-/// The declared coordinates with their guesses.
-fn declared_coordinates(graph: &mut Graph, parts: &[Part]) -> Substitution {
+/// The declared coordinates with their guesses, the inputs with their defaults, and t = 0.
+fn known_at_start(resolver: &mut Resolver, parts: &[Part]) -> Substitution {
+    let graph = &mut resolver.graph;
     let mut coordinates = Substitution::default();
+    coordinates.insert(Symbol::Time, graph.zero());
+    for (input, quantity) in (0..).zip(&resolver.inputs) {
+        coordinates.insert(Symbol::Input(input), graph.constant(quantity.default));
+    }
     for part in parts.iter().filter(|part| part.representation.is_number()) {
         let value = part.guess.angle.unwrap_or_else(|| graph.zero());
         coordinates.insert(Symbol::LocalPosition(part.locals[0]), value);
@@ -202,14 +210,15 @@ fn point_of(graph: &mut Graph, pose: &Pose, local: Vector) -> Known {
 fn pose(
     graph: &mut Graph,
     part: &Part,
+    angle: Option<Angle>,
     known: &[(Vector, Known)],
     desperate: bool,
 ) -> Option<Pose> {
     let zero = graph.zero();
     let guess = &part.guess;
     let is_point = part.kind == "Particle";
-    let (angle, rate) = match (guess.angle, two_points(graph, known)) {
-        (Some(angle), _) => (angle, guess.rate.unwrap_or(zero)),
+    let (angle, rate) = match (angle, two_points(graph, known)) {
+        (Some((angle, rate)), _) => (angle, guess.rate.or(rate).unwrap_or(zero)),
         _ if is_point => (zero, zero),
         (None, Some((angle, rate))) => (angle, guess.rate.unwrap_or(rate)),
         (None, None) if desperate => (zero, guess.rate.unwrap_or(zero)),

@@ -51,6 +51,7 @@ impl Resolver<'_> {
             "a bar has a positive length; for a point mass use `Particle`",
         )?;
         let prescribed = if arguments.has("frame") {
+            arguments.refuse_start("frame")?;
             Some(arguments.prescribed_frame("frame")?)
         } else {
             None
@@ -127,6 +128,7 @@ impl Resolver<'_> {
         };
         let free = arguments.flag("free");
         let prescribed = if arguments.has("frame") {
+            arguments.refuse_start("frame")?;
             Some(arguments.prescribed_frame("frame")?)
         } else {
             None

@@ -81,6 +81,7 @@ impl Resolver<'_> {
         };
         let free = arguments.flag("free");
         let prescribed = if arguments.has("position") {
+            arguments.refuse_start("position")?;
             Some(arguments.prescribed_position("position")?)
         } else {
             None
@@ -89,6 +90,12 @@ impl Resolver<'_> {
         let name = entry.name.to_string();
         let zero = self.graph.zero();
         let axes = self.graph.ground_axes();
+        let home = guess.origin.as_ref().map(StartPlace::position);
+        let home = match prescribed {
+            _ if self.world == World::Planar => None,
+            Some(position) => Some(self.in_home_pose_of(position)),
+            None => Some(home.unwrap_or([zero; 3])),
+        };
         let (representation, locals, origin) = match prescribed {
             Some(position) => (Representation::Prescribed, Vec::new(), position),
             None => {
@@ -114,13 +121,7 @@ impl Resolver<'_> {
                 angle: Some(zero),
                 spin: [zero; 3],
             },
-            home: (self.world == World::Spatial).then(|| Home {
-                origin: guess
-                    .origin
-                    .as_ref()
-                    .map_or([zero; 3], StartPlace::position),
-                axes,
-            }),
+            home: home.map(|origin| Home { origin, axes }),
             guess,
             shape: None,
             free,

@@ -1,6 +1,7 @@
 //! Two scalars keep a linear relation.
 
 use super::{conditions, relation};
+use crate::diagnostics::Place;
 use crate::model::arguments::Arguments;
 use crate::model::elements::joint::{Condition, Joint, Level, ReactionComponent};
 use crate::model::elements::kind::JointKind;
@@ -76,6 +77,11 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
             "ratio",
             format!("the ratio takes {from} to {to}: it is {}", to.over(from)),
         );
+    }
+    if let (Some(syntax), Some(wanted)) = (arguments.syntax("offset"), to)
+        && let Some((_, found)) = arguments.quantity("offset")
+    {
+        arguments.check_dimension("offset", found, wanted, Place::of(syntax))?;
     }
     let graph = arguments.graph();
     let condition = Condition {

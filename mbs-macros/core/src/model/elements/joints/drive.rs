@@ -4,7 +4,7 @@ use super::conditions;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
-use crate::model::elements::joint::{Condition, Joint, Level, ReactionComponent};
+use crate::model::elements::joint::{Condition, HeldAngle, Joint, Level, ReactionComponent};
 use crate::model::elements::kind::JointKind;
 use crate::model::geometry::{Owner, Vector};
 use crate::schema::World;
@@ -78,7 +78,8 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
             format!("the target is {target}, but this is {value}"),
         );
     }
-    // target − value(t); for a direction sin(θ − value), whose multiplier is the same torque.
+    // target − value(t); for a direction sin(θ − value), whose multiplier is the same torque. An input may jump to where the
+    // sine has its other zero; the angle between the directions has one.
     let graph = arguments.graph();
     let mut level = Level::Position;
     let expr = match target {
@@ -90,7 +91,14 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
         }
         Target::Direction(axis) => {
             let wanted = graph.direction(value);
-            graph.planar_cross(wanted, axis)
+            let sine = graph.planar_cross(wanted, axis);
+            match graph.depends_on(value, |symbol| matches!(symbol, Symbol::Input(_))) {
+                true => {
+                    let cosine = graph.dot(wanted, axis);
+                    graph.atan2(sine, cosine)
+                }
+                false => sine,
+            }
         }
     };
     let condition = Condition {
@@ -114,6 +122,11 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
         conditions: vec![condition],
         reactions: vec![reaction],
         owners: owner.into_iter().collect(),
+        held_angle: owner.map(|child| HeldAngle {
+            parent: Owner::Ground,
+            child,
+            angle: value,
+        }),
         ..Joint::default()
     })
 }

@@ -30,7 +30,13 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
                 format!("`{name}` is a particle: a torque cannot turn it"),
             );
         }
-        if field == "axes" && arguments.is_slender(owner) {
+        if field != "axes" && arguments.is_slender(owner) {
+            return arguments.fail(
+                field,
+                format!("`{name}` is a slender bar without inertia about itself: a torque along it would be lost; give it `radius =` or `inertia =`"),
+            );
+        }
+        if arguments.is_slender(owner) {
             return arguments.fail(
                 field,
                 format!("`{name}` is a slender bar, which has no axes; use a `Body`, or a `Bar` with `radius =`"),

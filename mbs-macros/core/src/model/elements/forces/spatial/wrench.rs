@@ -20,6 +20,12 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
             format!("`{name}` is a particle: a torque cannot turn it; use `Force`"),
         );
     }
+    if arguments.has("torque") && arguments.is_slender(on.owner) {
+        return arguments.fail(
+            "on",
+            format!("`{name}` is a slender bar without inertia about itself: a torque along it would be lost; give it `radius =` or `inertia =`, or use `Force`"),
+        );
+    }
     if !arguments.has("force") && !arguments.has("torque") {
         return arguments.fail(
             "",

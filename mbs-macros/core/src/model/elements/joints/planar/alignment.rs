@@ -2,7 +2,7 @@
 
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
-use crate::model::elements::joint::Condition;
+use crate::model::elements::joint::{Condition, HeldAngle};
 use crate::model::geometry::{Attachment, Frame, Point, Vector};
 use crate::model::mobilizer::{Freedom, Mobilizer};
 use crate::symbolic::{Expr, Graph};
@@ -63,6 +63,16 @@ impl Alignment {
         Mobilizer {
             offset: Some(self.angle),
             ..Mobilizer::new(&parent, &child, freedoms)
+        }
+    }
+
+    /// What the condition holds.
+    pub(super) fn held_angle(&self, points: [&Point; 2]) -> HeldAngle {
+        let [parent, child] = points.map(|point| point.owner);
+        HeldAngle {
+            parent,
+            child,
+            angle: self.angle,
         }
     }
 

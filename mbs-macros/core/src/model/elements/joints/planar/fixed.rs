@@ -37,6 +37,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (parent, child) = (arguments.point("parent"), arguments.point("child"));
     let (parent, child) = (parent?, child?);
     let alignment = alignment::read(arguments, &parent, &child)?;
+    let held_angle = alignment.held_angle([&parent, &child]);
     let graph = arguments.graph();
     let mobilizer = alignment.mobilizer(graph, [&parent, &child], None);
     let mut joint = coincidence(graph, &parent, &child);
@@ -44,6 +45,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     joint.reactions.push(torque(graph, 2));
     Some(Joint {
         mobilizer: Some(mobilizer),
+        held_angle: Some(held_angle),
         coincident: Some([parent, child]),
         ..joint
     })

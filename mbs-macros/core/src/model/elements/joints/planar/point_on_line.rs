@@ -49,6 +49,15 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
             format!("the point and the line both belong to `{owner}`"),
         );
     }
+    if arguments.is_particle(line.owner) {
+        let name = arguments.owner_name(line.owner);
+        return arguments.fail(
+            "line",
+            format!(
+                "`{name}` is a particle and has no orientation for a line; use a Body or a Bar"
+            ),
+        );
+    }
     let axis = arguments.axis("axis", line.owner)?;
     // n · (point − line) = 0 with n across the line; λ n is the force on the point.
     Some(across(arguments.graph(), &line, &point, axis, ""))

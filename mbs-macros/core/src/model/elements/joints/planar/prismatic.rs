@@ -46,6 +46,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     let alignment = alignment::read(arguments, &parent, &child)?;
     let own = arguments.own_axis("axis")?;
     let axis = arguments.axis("axis", parent.owner)?;
+    let held_angle = alignment.held_angle([&parent, &child]);
     let graph = arguments.graph();
     let mobilizer = alignment.mobilizer(graph, [&parent, &child], Some(own));
     // n · (child − parent) = 0 with n across the axis, and the angle.
@@ -54,6 +55,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     joint.reactions.push(torque(graph, 1));
     Some(Joint {
         mobilizer: Some(mobilizer),
+        held_angle: Some(held_angle),
         ..joint
     })
 }
