@@ -167,16 +167,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     /// # Errors
     /// A value that is NaN or infinite, with the name of its input.
     pub fn set_inputs(&mut self, inputs: S::Inputs) -> Result<(), SimulationError> {
-        inputs.with_values(|values| {
+        let changes = inputs.with_values(|values| {
             let mut named = values.iter().zip(S::MODEL.inputs);
             if let Some((&value, input)) = named.find(|(value, _)| !value.is_finite()) {
                 let name = input.name;
                 return Err(SimulationError::Input { name, value });
             }
-            let current = self.stepper.context.system.inputs_mut().iter_mut();
-            current.zip(values).for_each(|(old, &new)| *old = new);
-            Ok(())
+            let current = self.stepper.context.system.inputs_mut();
+            let changes = *current != *values;
+            current.copy_from_slice(values);
+            Ok(changes)
         })?;
+        if !changes {
+            return Ok(());
+        }
         self.note_inputs();
         self.stepper.context.state.forget_factors();
         let refreshed = self.stepper.refresh();

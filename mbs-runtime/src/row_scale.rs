@@ -43,7 +43,7 @@ impl<const R: usize> RowScale<R> {
         settings: &Settings,
     ) -> Result<Self, Fault> {
         let tolerance = settings.constraint_tolerance;
-        let yardstick = yardstick.for_tolerance(S::MODEL, tolerance);
+        let yardstick = yardstick.for_tolerance(S::MODEL, S::STATES, tolerance);
         #[cfg(feature = "std")]
         if let Some([lengths_squared, usual]) = large::lengths(system, &yardstick, settings) {
             return Ok(Self::of::<S, Q, N>(

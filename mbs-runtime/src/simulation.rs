@@ -81,6 +81,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// The rank margin of the rows at the current state, if the last step computed it; otherwise the next step computes
     /// it.
     rank_margin: Option<RankMargin>,
+    /// Those of the last step, where the integrator has taken others since, to look about; none if there is no such step.
+    multipliers_before: Option<Option<SVector<f64, R>>>,
     /// The energy balance after the last step.
     balance: Energy,
     energy_guard: EnergyGuard,
@@ -336,12 +338,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// rows in m or rad, in the order of [`Model::rows`]. Of the two-level method (κ₁ + κ₂)/h and of Algorithm 1 and
     /// M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of index-3
     /// projections, generalized α, backward differentiation and penalties the λ at its end. `None` for methods without
-    /// such an unknown, and before the first step.
+    /// such an unknown, before the first step, and after one that has failed.
     ///
     /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
     /// [`Simulation::reactions`].
     pub fn step_multipliers(&self) -> Option<SVector<f64, R>> {
-        self.integrator.multipliers()
+        self.multipliers_before
+            .unwrap_or_else(|| self.integrator.multipliers())
     }
 
     /// One component of a joint's reaction, as [`Model::reactions`](crate::Model::reactions) names them: the force or

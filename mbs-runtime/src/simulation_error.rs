@@ -353,7 +353,7 @@ impl fmt::Display for SimulationError {
             ),
             Contradiction { row, rate } => write!(
                 out,
-                "no velocities satisfy `{row}` and the other rows at the start: a rate of {rate:.3e} is left; leave this row out, or make its rate agree with those of the others"
+                "no velocities satisfy `{row}` and the other rows here: a rate of {rate:.3e} is left; leave this row out, or make its rate agree with those of the others"
             ),
             HeldStart { name } => write!(
                 out,
@@ -455,7 +455,7 @@ impl fmt::Display for SimulationError {
             }
             Guess { what, value } => write!(
                 out,
-                "cannot start from the declared guess: {what} is {value}; give finite initial values, and parameters that make them finite"
+                "cannot start with these values: {what} is {value}; give finite initial values, and parameters that make them finite"
             ),
             State { what, value } => write!(
                 out,

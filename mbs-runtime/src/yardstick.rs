@@ -57,9 +57,16 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
     }
 
     /// The same, with a length of at least the round-off of positions divided by `tolerance`.
-    pub(crate) fn for_tolerance(&self, model: &Model, tolerance: f64) -> Self {
+    pub(crate) fn for_tolerance(
+        &self,
+        model: &Model,
+        states: &[ScalarState],
+        tolerance: f64,
+    ) -> Self {
         let length = self.length.max(ROUND_OFF / tolerance * self.reach);
-        Self::of(model.coordinates, model.velocities, length, self.reach)
+        let mut yardstick = Self::of(model.coordinates, model.velocities, length, self.reach);
+        yardstick.leave_out(states);
+        yardstick
     }
 
     fn of(coordinates: &[Coordinate], velocities: &[Coordinate], length: f64, reach: f64) -> Self {

@@ -34,6 +34,7 @@ mod radau;
 mod rank_losses;
 mod redundant_short_steps;
 mod references;
+mod refused_changes;
 mod round_off;
 mod scales;
 mod scissor_lift;

@@ -138,6 +138,28 @@ fn step_multipliers_are_the_constraint_forces() {
     }
 }
 
+/// Steps that look about, at other instants or for an error, are not the last step.
+#[test]
+fn step_multipliers_are_those_of_the_last_step() {
+    for tolerance in [None, Some(1e-5)] {
+        let settings = Settings {
+            step: 1e-2,
+            tolerance,
+            ..Settings::default()
+        };
+        let mut simulation = Simulation::with_settings(Parameters(SliderCrank), settings).unwrap();
+        simulation.run_past(0.2, 1.0).unwrap();
+        let before = simulation.state().clone();
+        let own = simulation.step_multipliers().unwrap();
+        let expected = simulation.reactions().unwrap().multipliers;
+        for (own, expected) in own.iter().zip(&expected) {
+            assert!((own - expected).abs() < 3.0, "{own} {expected}");
+        }
+        simulation.look_at(before.time - 1e-3, &mut |_| {}).unwrap();
+        assert_eq!(simulation.step_multipliers(), Some(own));
+    }
+}
+
 fn ratio<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
     step: f64,

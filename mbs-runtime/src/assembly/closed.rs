@@ -46,7 +46,7 @@ pub(crate) fn closed<S: System<Q, N, R>, const Q: usize, const N: usize, const R
     let speed = yardstick.measure(&v);
     project(system, &geometry, &mut v, &scale, speed);
     let rates = (&geometry.velocity_rows(system, &v), &geometry.b);
-    check_start(system, (&q, &v), rates, (&scale, &yardstick), settings)?;
+    check_start(system, (0.0, &q, &v), rates, (&scale, &yardstick), settings)?;
     Ok(State::new(0.0, q, v))
 }
 

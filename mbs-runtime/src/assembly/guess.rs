@@ -140,7 +140,8 @@ pub(super) fn check_rows<const R: usize>(
     scale: &RowScale<R>,
 ) -> Result<(), SimulationError> {
     for (i, row) in model.rows.iter().enumerate() {
-        if scale.displacement_of(i, phi[i]) > RESUMABLE {
+        // Rows that are not numbers are refused, too.
+        if !(scale.displacement_of(i, phi[i]) <= RESUMABLE.max(scale.tolerance)) {
             return Err(SimulationError::State {
                 what: row.name,
                 value: phi[i],
@@ -160,7 +161,7 @@ pub(crate) fn check_rates<const R: usize>(
 ) -> Result<(), SimulationError> {
     let allowed = allowed_rate(settings, speed);
     for (i, (row, value)) in model.rows.iter().zip(rates.iter().copied()).enumerate() {
-        if scale.displacement_of(i, value) > allowed {
+        if !(scale.displacement_of(i, value) <= allowed) {
             return Err(SimulationError::State {
                 what: row.name,
                 value,
@@ -180,12 +181,12 @@ fn allowed_rate(settings: &Settings, speed: f64) -> f64 {
 /// Refuses a start whose velocities, the nearest ones, leave rates of the rows, or whose forces or energies are not finite.
 pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+    (t, q, v): (f64, &SVector<f64, Q>, &SVector<f64, N>),
     (rates, prescribed): (&SVector<f64, R>, &SVector<f64, R>),
     (scale, yardstick): (&RowScale<R>, &Yardstick<Q, N>),
     settings: &Settings,
 ) -> Result<(), SimulationError> {
-    check_loads(system, (q, v))?;
+    check_loads(system, (t, q, v))?;
     let speed = yardstick.measure(v).max(scale.displacement(prescribed));
     let allowed = allowed_rate(settings, speed);
     let off = |i: &usize| scale.displacement_of(*i, rates[*i]);
@@ -200,12 +201,12 @@ pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, co
 }
 
 /// Refuses a start whose forces or energies are not finite.
-pub(super) fn check_loads<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+fn check_loads<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
-    (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+    (t, q, v): (f64, &SVector<f64, Q>, &SVector<f64, N>),
 ) -> Result<(), SimulationError> {
     let mut forces = zeros();
-    system.applied_forces(0.0, q, v, &mut forces);
+    system.applied_forces(t, q, v, &mut forces);
     let force = largest(&forces);
     for (what, value) in [
         ("a force", force),

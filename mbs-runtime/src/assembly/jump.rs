@@ -1,5 +1,6 @@
 //! Rows that change during a run: where an input jumps or a parameter changes, the mechanism follows at once.
 
+use super::guess::check_start;
 use super::newton::{ASSEMBLED, close, project};
 use super::verdict::{independent_rows, judge, moved};
 use crate::constraint_geometry::ConstraintGeometry;
@@ -14,7 +15,8 @@ use nalgebra::SVector;
 /// A v + b = 0. A state that satisfies the rows is left as it is.
 ///
 /// # Errors
-/// [`SimulationError::Assembly`] where no pose satisfies the rows; the state is not changed.
+/// [`SimulationError::Assembly`] where no pose satisfies the rows, [`SimulationError::Contradiction`] where no velocities do,
+/// and forces or energies that are not finite; the state is not changed.
 #[inline(never)]
 pub(crate) fn jump<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
@@ -87,6 +89,9 @@ fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     }
     let speed = rows.yardstick.measure(&v);
     project(system, &rows.geometry, &mut v, &rows.scale, speed);
+    let rates = (&rows.geometry.velocity_rows(system, &v), &rows.geometry.b);
+    let measures = (&rows.scale, &rows.yardstick);
+    check_start(system, (t, &q, &v), rates, measures, settings)?;
     (state.positions, state.velocities) = (q, v);
     Ok(rows)
 }

@@ -3,7 +3,8 @@
 mod factors;
 
 use self::factors::Factors;
-use super::newton::{ASSEMBLED, MAX_ITERATIONS};
+use super::guess::check_start;
+use super::newton::{ASSEMBLED, MAX_ITERATIONS, is_closed};
 use super::verdict::{judge, moved};
 use crate::alf3f::residual_of;
 use crate::contract::{constraint_rows, mass_rows};
@@ -30,6 +31,9 @@ pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     if !(start.close(&mut q, scale) && start.project(&mut v, scale, yardstick)) {
         return None;
     }
+    // Dense arrays have the row of a contradiction.
+    let rates = (&start.rates(&v), &start.b);
+    check_start(system, (0.0, &q, &v), rates, (scale, yardstick), settings).ok()?;
     let rows = rows(system, 0.0, &q, yardstick)?;
     let mut verdict = judge(system, rows, (&start.phi, scale), before, [guess, &q]);
     verdict.changes = moved::<S, Q, N, R>([guess, &q], [declared, &v], yardstick.length);
@@ -136,10 +140,10 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     fn close(&mut self, q: &mut SVector<f64, Q>, scale: &RowScale<R>) -> bool {
         let holonomic = S::STRUCTURE.holonomic_rows;
         for _ in 0..MAX_ITERATIONS {
-            let before = residual_of(&self.phi, &scale.weights);
-            if before <= 1.0 {
+            if is_closed(&self.phi, scale) {
                 return true;
             }
+            let before = residual_of(&self.phi, &scale.weights);
             let phi = self.phi;
             let change = |i: usize| if i < holonomic { -phi[i] } else { 0.0 };
             let way = match self.factor(holonomic) {
@@ -165,6 +169,15 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         scale.displacement(&self.phi) <= ASSEMBLED
     }
 
+    /// A v + b.
+    fn rates(&self, v: &SVector<f64, N>) -> SVector<f64, R> {
+        let mut rates = self.b;
+        for (row, column, value) in self.a.iter() {
+            rates[row] += value * v[column];
+        }
+        rates
+    }
+
     /// v ← the nearest velocity that satisfies the rows; false without a solution. Velocities that satisfy them are left
     /// as they are.
     fn project(
@@ -175,10 +188,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     ) -> bool {
         let speed = yardstick.measure(v);
         for pass in 0..3 {
-            let mut rates = self.b;
-            for (row, column, value) in self.a.iter() {
-                rates[row] += value * v[column];
-            }
+            let rates = self.rates(v);
             if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
                 return true;
             }

@@ -16,6 +16,12 @@ pub(super) const MAX_ITERATIONS: usize = 60;
 /// Violation of a row, as a displacement relative to the size of the mechanism, above which a guess counts as not assembled.
 pub(super) const ASSEMBLED: f64 = 1e-9;
 
+/// Whether the rows are closed: within the tolerance of the settings, and of assembly, which may be the smaller one.
+pub(super) fn is_closed<const R: usize>(phi: &SVector<f64, R>, scale: &RowScale<R>) -> bool {
+    let of_assembly = (ASSEMBLED / scale.tolerance).powi(2);
+    residual_of(phi, &scale.weights) <= of_assembly.min(1.0)
+}
+
 /// Newton's method from the guess, or where it does not close the rows, after they have been closed little by little.
 pub(super) fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
@@ -27,7 +33,7 @@ pub(super) fn close<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
 ) -> Result<(), Fault> {
     let guess = *q;
     newton(system, t, geometry, q, phi, scale)?;
-    if residual_of(phi, &scale.weights) <= 1.0 {
+    if is_closed(phi, scale) {
         return Ok(());
     }
     let mut moved = guess;
@@ -53,10 +59,10 @@ fn newton<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
 ) -> Result<(), Fault> {
     let mut solver = Box::new(DelassusFactor::new());
     for _ in 0..MAX_ITERATIONS {
-        let before = residual_of(phi, &scale.weights);
-        if before <= 1.0 {
+        if is_closed(phi, scale) {
             return Ok(());
         }
+        let before = residual_of(phi, &scale.weights);
         solver.factor(&geometry.holonomic_delassus());
         let mut multiplier = negative(phi);
         solver.solve(&mut multiplier);
@@ -91,13 +97,18 @@ pub(super) fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     scale: &RowScale<R>,
     speed: f64,
 ) {
+    let open =
+        |rates: &SVector<f64, R>| !(residual_of(rates, &scale.weights) <= scale.round_off(speed));
+    // Velocities that satisfy the rows are left as they are, and nothing is factored for them.
+    if !open(&geometry.velocity_rows(system, v)) {
+        return;
+    }
     let mut solver = Box::new(DelassusFactor::new());
     solver.thresholds = Thresholds::ELIMINATED;
     solver.expect_redundancy(&geometry.delassus);
     for _ in 0..3 {
         let rates = geometry.velocity_rows(system, v);
-        // Velocities that satisfy the rows are left as they are.
-        if residual_of(&rates, &scale.weights) <= scale.round_off(speed) {
+        if !open(&rates) {
             return;
         }
         let mut multiplier = negative(&rates);

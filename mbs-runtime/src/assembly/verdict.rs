@@ -2,9 +2,7 @@
 
 use super::changes;
 use super::conditions::{self, Wanted};
-use super::guess::{
-    check_guess, check_loads, check_rows, check_start, check_state, unit_rotations,
-};
+use super::guess::{check_guess, check_rows, check_start, check_state, unit_rotations};
 use super::held::Start;
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
@@ -48,16 +46,18 @@ pub(crate) fn assemble<
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, 0.0, settings.step);
 
     let yardstick = Yardstick::new(system, settings.step);
-    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
-    if const { large::is_possible::<S, Q, N, R>() }
-        && S::HELD.is_empty()
+    let without_dense = const { large::is_possible::<S, Q, N, R>() && S::HELD.is_empty() }
         && wanted.is_empty()
-        && large::applies::<S, Q, N, R>(settings)
+        && large::applies::<S, Q, N, R>(settings);
+    if !without_dense {
+        check_dense_start(N, R)?;
+    }
+    let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    if const { large::is_possible::<S, Q, N, R>() && S::HELD.is_empty() }
+        && without_dense
         && let Some(assembled) =
             large::assemble(system, settings, (&guess, &declared), &yardstick, &scale)
     {
-        let (state, _) = &assembled;
-        check_loads(system, (&state.positions, &state.velocities))?;
         return Ok(assembled);
     }
     check_dense_start(N, R)?;
@@ -114,7 +114,7 @@ pub(crate) fn assemble<
         v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
     }
     let rates = (&geometry.velocity_rows(system, &v), &geometry.b);
-    check_start(system, (&q, &v), rates, (&scale, &yardstick), settings)?;
+    check_start(system, (0.0, &q, &v), rates, (&scale, &yardstick), settings)?;
     verdict.changes = moved::<S, Q, N, R>([&guess, &q], [&declared, &v], yardstick.length);
     Ok((State::new(0.0, q, v), verdict))
 }
@@ -178,7 +178,11 @@ pub(super) fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     system.mass_matrix(q, &mut mass);
     let total: f64 = mass.0.iter().sum();
     let displacements: SVector<f64, R> = vector(|i| scale.displacement_of(i, phi[i]));
-    let worst = worst_rows(S::MODEL, displacements.as_slice(), scale.tolerance);
+    let worst = worst_rows(
+        S::MODEL,
+        displacements.as_slice(),
+        scale.tolerance.min(ASSEMBLED),
+    );
     AssemblyVerdict {
         residual_before,
         residual: largest(phi),
@@ -202,7 +206,8 @@ fn worst_rows(model: &Model, displacements: &[f64], tolerance: f64) -> Vec<(usiz
         .take(model.structure.holonomic_rows)
         .collect();
     worst.sort_by(|a, b| b.1.0.total_cmp(&a.1.0));
-    worst.retain(|(_, (displacement, _))| *displacement > tolerance);
+    // One that is not a number counts, too.
+    worst.retain(|(_, (displacement, _))| !(*displacement <= tolerance));
     worst.truncate(8);
     worst.iter().map(|(i, (_, row))| (*i, row.name)).collect()
 }

@@ -7,7 +7,8 @@
 //! The terms reduce a violation within about 1/α seconds. The projected variant has no such terms; it moves the end of
 //! each step to the nearest positions and velocities, in the metric of M, that satisfy the rows (Eich, SIAM J. Numer.
 //! Anal. 30, 1993, 1467–1482), and evaluates the equations there for the step that follows. Where rows are redundant or
-//! a pose is singular, multipliers and corrections are those of the proximal solve that the two-level step has.
+//! a pose is singular, corrections are those of the proximal solve that the two-level step has, and so are multipliers, but for
+//! generated accelerations, which leave out a row that has lost its direction in an exactly singular pose.
 
 use super::bench::Bench;
 use super::index1::Index1;

@@ -227,7 +227,8 @@ impl<const K: usize> DelassusFactor<K> {
                 self.inverse_pivot[k] = 0.0;
                 continue;
             }
-            if !(pivot >= WEAK_PIVOT * length) {
+            // A row of zeros has no pivot, and no length.
+            if !(pivot > WEAK_PIVOT * length) {
                 weak = true;
                 if !(pivot > self.thresholds.lost * length) {
                     return false;

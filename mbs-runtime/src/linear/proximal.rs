@@ -80,6 +80,11 @@ impl<const K: usize> Proximal<K> {
                 rest[i] -= dot(&self.scaled[i], &change);
             }
             let size = super::largest_of(&rest);
+            if !size.is_finite() {
+                // Zero multipliers would hide it.
+                multiplier = [f64::NAN; K];
+                break;
+            }
             if !(size < SHRINKS * last) {
                 break;
             }

@@ -21,6 +21,7 @@ pub(crate) const ORDERS: [u8; 4] = [2, 4, 6, 8];
 ///
 /// BDF, Radau, RATTLE, generalized α, index 3 with projections, and Baumgarte's terms with error control have a memory: their
 /// steps depend on more of the earlier ones than a [`State`](crate::State) has. They begin anew where a state is resumed.
+/// [`Method::Penalty`] takes the stiffnesses of its rows from the pose in which it begins or is resumed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -14,17 +14,19 @@ use crate::alf3f::StepMonitor;
 use crate::linear::largest;
 use crate::singular::RankMargin;
 use crate::{Energy, SimulationError, System};
+use nalgebra::SVector;
 
 /// How often a step that does not converge is halved before it is given up.
 pub(super) const HALVINGS: u32 = 8;
 
 /// All that steps change beside the states, to be restored after a look at other instants.
-pub(super) struct Kept {
+pub(super) struct Kept<const R: usize> {
     pub(super) books: Books,
     rejected: u64,
     placed: u64,
     rank_margin: Option<RankMargin>,
     balance: Energy,
+    multipliers: Option<SVector<f64, R>>,
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
@@ -43,6 +45,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Err(error);
         }
         self.rank_margin = monitor.rank_margin;
+        self.multipliers_before = None;
         self.books.steps += 1;
         Ok(monitor.clearance)
     }
@@ -102,26 +105,28 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// What [`Simulation::restore`] takes back.
-    pub(super) fn keep(&self) -> Kept {
+    pub(super) fn keep(&self) -> Kept<R> {
         Kept {
             books: self.books,
             rejected: self.rejected,
             placed: self.placed,
             rank_margin: self.rank_margin,
             balance: self.balance,
+            multipliers: self.step_multipliers(),
         }
     }
 
     /// After the state was copied back.
-    pub(super) fn restore(&mut self, kept: Kept) -> Result<(), SimulationError> {
+    pub(super) fn restore(&mut self, kept: Kept<R>) -> Result<(), SimulationError> {
         self.put_back(kept);
         self.integrator.refresh(&self.settings)
     }
 
     /// The same after the whole integrator was put back.
-    pub(super) fn put_back(&mut self, kept: Kept) {
+    pub(super) fn put_back(&mut self, kept: Kept<R>) {
         self.books = kept.books;
         (self.rejected, self.placed) = (kept.rejected, kept.placed);
         (self.rank_margin, self.balance) = (kept.rank_margin, kept.balance);
+        self.multipliers_before = Some(kept.multipliers);
     }
 }

@@ -113,6 +113,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             rejected: 0,
             placed: 0,
             rank_margin: None,
+            multipliers_before: None,
             books_at_step_start: Books::EMPTY,
             poses_at_step_start: PosesAhead::default(),
             is_estimated,

@@ -56,6 +56,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let _ = self.back();
         self.integrator.state_mut().poses_ahead = self.poses_at_step_start;
         self.balance = self.energy();
+        self.multipliers_before = Some(None);
         error
     }
 

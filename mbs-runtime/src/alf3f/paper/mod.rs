@@ -339,15 +339,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         x: &mut Unknowns<Q, N, R>,
     ) -> Result<(), Fault> {
         let mut size = 0.0;
-        for _ in 0..self.settings.max_newton_iterations {
+        for iterations in 0..self.settings.max_newton_iterations {
             let rates = self.defects(h, &x.v);
             let mu: SVector<f64, R> = vector(|r| x.mu[r] - x.penalty[r] * rates[r]);
             let lambda = self.lifted_lambda(h, x, &mu);
             let mut change = self.residual(t1, h, known, x, &mu, &lambda);
             let (jacobian, factors) = &mut *self.jacobian;
             self.end.jacobian(&self.system, t1, h, x, jacobian);
+            // Also of forces that are not numbers, and of dampers that feed more than the masses take up.
             if !factors.factor(&jacobian.total) {
-                return Err(Fault::Mass);
+                return Err(Fault::Flow {
+                    residual: f64::INFINITY,
+                    iterations,
+                });
             }
             factors.solve(&mut change);
             for n in 0..N {
