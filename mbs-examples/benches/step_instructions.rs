@@ -46,7 +46,7 @@ fn main() -> Result<(), String> {
         run(name, step, steps);
         return Ok(());
     }
-    let recorder = Recorder::new("cargo bench -p mbs-examples --bench step_instructions");
+    let recorder = Recorder::new("cargo bench -p mbs-examples --bench step_instructions")?;
     let mut file = recorder.file("instructions.csv", &COLUMNS, 2)?;
     println!(
         "after {} steps the two agree to {:.1e} m",

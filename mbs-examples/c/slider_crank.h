@@ -54,7 +54,7 @@ enum { SLIDER_CRANK_COORDINATES = 3, SLIDER_CRANK_VELOCITIES = 3 };
 /* Writes the default parameters. `size` is sizeof *parameters; so in all calls. */
 int slider_crank_default_parameters(slider_crank_parameters *parameters, size_t size);
 
-/* Makes a simulation with steps of `step` seconds, and stores it at `simulation`. */
+/* Makes a simulation with steps of `step` seconds, and stores it at `simulation`: NULL where it cannot be made. One thread at a time may use it. */
 int slider_crank_new(const slider_crank_parameters *parameters, size_t size, double step, slider_crank **simulation);
 
 /* Frees it; nothing for NULL. */

@@ -25,7 +25,8 @@ const LONG: f64 = 2.0;
 const REPEATED: usize = 5;
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example accuracies");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example accuracies")?;
+    recorder.check_names(CASES.iter().map(|case| case.scene))?;
     let wanted = &recorder.arguments;
     let mut file = recorder.file("accuracies.csv", &COLUMNS, KEYS)?;
     let is_wanted =

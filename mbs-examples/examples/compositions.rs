@@ -198,7 +198,8 @@ fn main() -> Result<(), String> {
         "rate_1e-9",
         "slope",
     ];
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example compositions");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example compositions")?;
+    recorder.check_names([])?;
     let mut file = recorder.file("compositions.csv", &COLUMNS, 3)?;
     println!(
         "stages a second for an error of position of {ERRORS:?}, and the slope at the last but one"

@@ -49,7 +49,8 @@ const METHODS: [(&str, Method, u8); 8] = [
 ];
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example damped");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example damped")?;
+    recorder.check_names([])?;
     let columns = ["mechanism", "bound", "method", "control", "ms", "error"];
     let mut file = recorder.file("damped.csv", &columns, 3)?;
     print!("| mechanism | error |");

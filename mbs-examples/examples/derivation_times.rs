@@ -16,8 +16,10 @@ fn main() -> Result<(), String> {
         "total_ms",
         "operations",
     ];
-    let recorder =
-        Recorder::new("cargo run --profile unoptimised -p mbs-examples --example derivation_times");
+    let recorder = Recorder::new(
+        "cargo run --profile unoptimised -p mbs-examples --example derivation_times",
+    )?;
+    recorder.check_names([])?;
     let mut file = recorder.file("derivation.csv", &COLUMNS, 1)?;
     println!(
         "{:<22} {:>12} {:>10} {:>10} {:>10} {:>12}",

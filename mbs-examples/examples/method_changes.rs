@@ -102,7 +102,8 @@ const REPEATED: usize = 3;
 const FINE: f64 = 1e-10;
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example method_changes");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example method_changes")?;
+    recorder.check_names([])?;
     let mut file = recorder.file("method_changes.csv", &COLUMNS, KEYS)?;
     println!("{}", COLUMNS.join(", "));
     measure("block", &Block::default(), &mut file)?;

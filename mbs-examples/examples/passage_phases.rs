@@ -36,22 +36,29 @@ struct Phase<const Q: usize, const N: usize, const R: usize> {
 /// Distance of named points from the symmetry of the smooth branch, m.
 type Asymmetry = fn(&dyn Fn(&str) -> [f64; 3]) -> f64;
 
+/// The scenes, in their order.
+const SCENES: [&str; 2] = ["slider-crank", "double-four-bar"];
+
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example passage_phases");
+    let mut recorder =
+        Recorder::new("cargo run --release -p mbs-examples --example passage_phases")?;
+    let count: usize = recorder.number(0, 500)?;
+    let scene = recorder.arguments.get(1).cloned();
+    if let Some(scene) = &scene
+        && !SCENES.contains(&scene.as_str())
+    {
+        return Err(format!(
+            "there is no `{scene}` here (there are: {})",
+            SCENES.join(", ")
+        ));
+    }
+    let usual = Settings::default();
+    let settings = Settings {
+        constraint_tolerance: recorder.parsed(2, usual.constraint_tolerance)?,
+        ..usual
+    };
     let mut file = recorder.file("phases.csv", &COLUMNS, KEYS)?;
-    let mut arguments = recorder.arguments.iter();
-    let count = arguments.next().and_then(|n| n.parse().ok());
-    let count: usize = count.unwrap_or(500);
-    let scene = arguments.next();
-    let constraint_tolerance = arguments
-        .next()
-        .and_then(|tolerance| tolerance.parse().ok());
-    let settings =
-        constraint_tolerance.map_or(Settings::default(), |constraint_tolerance| Settings {
-            constraint_tolerance,
-            ..Settings::default()
-        });
-    let wanted = |name: &str| scene.is_none_or(|scene| scene == name);
+    let wanted = |name: &str| scene.as_deref().is_none_or(|scene| scene == name);
     println!(
         "{count} steps an order in [{:e}, {:e}] s, each from {PHASES_OF_A_STEP} phases, {DURATION} s; energy errors in J",
         STEPS[0], STEPS[1]
@@ -97,8 +104,11 @@ where
 {
     let mut random = 0x9e37_79b9_7f4a_7c15_u64;
     let phases = phases(mechanism, &mut random).map_err(|error| format!("{name}: {error}"))?;
+    let first = random;
     for placement in [false, true] {
         for order in ORDERS {
+            // All rows have the same steps and phases.
+            random = first;
             let (mut failed, mut astray) = (0, 0);
             let (mut errors, mut ratios, mut distances) = (Vec::new(), Vec::new(), Vec::new());
             for _ in 0..count {

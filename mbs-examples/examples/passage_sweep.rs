@@ -37,9 +37,9 @@ const SWEEPS: [&str; 13] = [
 ];
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example passage_sweep");
-    let count = recorder.arguments.first().and_then(|n| n.parse().ok());
-    let count: usize = count.unwrap_or(100);
+    let mut recorder =
+        Recorder::new("cargo run --release -p mbs-examples --example passage_sweep")?;
+    let count: usize = recorder.number(0, 100)?;
     let mut orders = recorder.file("orders.csv", &COLUMNS, KEYS)?;
     let mut sweeps = recorder.file("passages.csv", &SWEEPS, 4)?;
     for (scene, columns) in SCENES {

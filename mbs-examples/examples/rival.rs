@@ -345,8 +345,15 @@ where
 }
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example rival");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example rival")?;
     let file = &mut recorder.file("rival.csv", &COLUMNS, KEYS)?;
+    let scenes = [
+        &pendulum::SCENE,
+        &slider_crank::SCENE,
+        &double_four_bar::SCENE,
+        &bricard::SCENE,
+    ];
+    recorder.check_names(scenes.map(|scene| scene.name))?;
     let wanted = &recorder.arguments;
     compete(
         &pendulum::SCENE,

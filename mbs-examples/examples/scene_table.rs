@@ -11,7 +11,8 @@ use mbs_examples::pages::scene_runs::{COLUMNS, KEYS, SCENES, run, scene, time};
 const REPEATS: usize = 10;
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example scene_table");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example scene_table")?;
+    recorder.check_names([])?;
     let mut file = recorder.file("scenes.csv", &COLUMNS, KEYS)?;
     let scenes = SCENES.map(|(name, _)| scene(name));
     let scenes = scenes.into_iter().collect::<Result<Vec<_>, _>>()?;

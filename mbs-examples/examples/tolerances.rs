@@ -18,7 +18,8 @@ const LOOKS: u32 = 1000;
 const LEAST_OF_SECOND: f64 = 1e-7;
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example tolerances");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example tolerances")?;
+    recorder.check_names(CASES.iter().map(|case| case.scene))?;
     let wanted = &recorder.arguments;
     let mut file = recorder.file("tolerances.csv", &COLUMNS, KEYS)?;
     println!(

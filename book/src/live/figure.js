@@ -33,7 +33,10 @@
       const slider = element("input", { type: "range", min: 0, max: 1, step: 0.005, "aria-label": label });
       const field = element("input", { type: "number", step: "any", "aria-label": `${label}, ${shown}` });
       this.value = value;
-      const show = () => { field.value = +(this.value / degrees).toPrecision(3); };
+      const show = () => {
+        field.value = +(this.value / degrees).toPrecision(3);
+        slider.setAttribute("aria-valuetext", `${field.value} ${shown}`);
+      };
       slider.value = place(value);
       show();
       slider.addEventListener("input", () => {
@@ -44,6 +47,7 @@
       field.addEventListener("change", () => {
         this.value = field.value === "" ? NaN : +field.value * degrees;
         slider.value = Math.max(0, Math.min(1, place(this.value) || 0));
+        slider.setAttribute("aria-valuetext", `${field.value} ${shown}`);
         changed();
       });
       this.row = element("label", { class: "live-control", "data-name": quantity.name }, element("span", {}, label), slider, element("span", { class: "live-field" }, field, ` ${shown}`));
@@ -177,7 +181,8 @@
       for (let next = this.clock; next < time && !this.stopped[0] && performance.now() < deadline;) {
         next = Math.min(time, next + TRAIL);
         this.attempt(0, () => { if (!this.advance(0, next, deadline)) next = Math.min(next, this.now[0].time); });
-        if (this.comparing) this.attempt(1, () => this.advance(1, next, deadline + BUDGET));
+        // The clock waits for the slower one: both are drawn at the same time.
+        if (this.comparing) this.attempt(1, () => { if (!this.advance(1, next, deadline + BUDGET)) next = Math.min(next, this.now[1].time); });
         this.clock = next;
       }
       if (this.stopped[0]) this.toggle();

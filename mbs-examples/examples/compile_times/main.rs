@@ -50,7 +50,7 @@ const ONE: [&str; 10] = [
 ];
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example compile_times");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example compile_times")?;
     let mut file = recorder.file("compile.csv", &COLUMNS, 2)?;
     let mut origins = recorder.file("compile_origins.csv", &ORIGIN_COLUMNS, 3)?;
     let mut methods = recorder.file("compile_methods.csv", &METHOD_COLUMNS, 3)?;

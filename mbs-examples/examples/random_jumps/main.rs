@@ -39,12 +39,8 @@ const SHARE: f64 = 0.2;
 type Motion = Vec<Vec<f64>>;
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example random_jumps");
-    let number = |place: usize, usual: usize| match recorder.arguments.get(place) {
-        Some(text) => text.parse().map_err(|_| format!("`{text}` is no number")),
-        None => Ok(usual),
-    };
-    let (count, seed) = (number(0, 100)?, number(1, 1)?);
+    let mut recorder = Recorder::new("cargo run --release -p mbs-examples --example random_jumps")?;
+    let (count, seed) = (recorder.number(0, 100)?, recorder.number(1, 1)?);
     let mut file = recorder.file("random_jumps.csv", &COLUMNS, KEYS)?;
     println!("{}", COLUMNS.join(", "));
     let mut all_beyond = 0;

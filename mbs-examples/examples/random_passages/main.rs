@@ -42,12 +42,9 @@ struct Count {
 }
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example random_passages");
-    let number = |place: usize, usual: usize| {
-        let text = recorder.arguments.get(place);
-        text.and_then(|text| text.parse().ok()).unwrap_or(usual)
-    };
-    let (count, seed) = (number(0, 1000), number(1, 1));
+    let mut recorder =
+        Recorder::new("cargo run --release -p mbs-examples --example random_passages")?;
+    let (count, seed) = (recorder.number(0, 1000)?, recorder.number(1, 1)?);
     if let [_, _, name, run] = &recorder.arguments[..] {
         let found = SCENES.iter().find(|scene| scene.name == name);
         let scene = found.ok_or_else(|| format!("no mechanism `{name}`"))?;

@@ -32,7 +32,7 @@ use std::path::Path;
 const MECHANISMS: usize = 30;
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example sweep");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example sweep")?;
     if let [first, folder, rest @ ..] = &recorder.arguments[..]
         && first == "--package"
     {

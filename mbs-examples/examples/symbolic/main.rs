@@ -252,7 +252,7 @@ fn parallelograms<const L: usize, const N: usize>(time: f64) -> [f64; N] {
 }
 
 fn main() -> Result<(), String> {
-    let recorder = Recorder::new("cargo run --release -p mbs-examples --example symbolic");
+    let recorder = Recorder::new("cargo run --release -p mbs-examples --example symbolic")?;
     let wish = &Wish::read(&recorder.arguments)?;
     let file = &mut recorder.file("symbolic.csv", &COLUMNS, KEYS)?;
     let stabilised = &mut recorder.file("stabilised.csv", &COLUMNS, KEYS)?;

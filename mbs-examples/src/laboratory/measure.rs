@@ -75,7 +75,10 @@ pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64)
     if errors.outcome == Outcome::Ok {
         errors.position = largest;
         errors.energy = report.energy_error;
-        errors.reaction = reaction;
+        errors.reaction = match largest_reaction(yardstick) > 0.0 {
+            true => reaction,
+            false => f64::NAN,
+        };
         if !(largest <= ASTRAY * yardstick.size) {
             errors.outcome = Outcome::WrongBranch;
             errors.detail = format!("{largest:.1e} from the reference");
@@ -84,13 +87,18 @@ pub fn errors(yardstick: &Yardstick, entry: &Entry, control: f64, patience: f64)
     errors
 }
 
-/// NaN where there is nothing to compare.
+/// The largest reaction of all instants; 0 where there is nothing to compare.
+fn largest_reaction(yardstick: &Yardstick) -> f64 {
+    let all = yardstick.reactions.iter().flatten();
+    all.fold(0.0, |most: f64, r| most.max(r.abs()))
+}
+
+/// Relative to the largest reaction.
 fn reaction_error(yardstick: &Yardstick, i: u32, simulation: &dyn AnySimulation) -> f64 {
     let Some(wanted) = yardstick.reactions.get(i as usize - 1) else {
         return 0.0;
     };
-    let all = yardstick.reactions.iter().flatten();
-    let scale = all.fold(0.0, |most: f64, r| most.max(r.abs()));
+    let scale = largest_reaction(yardstick);
     if scale == 0.0 {
         return 0.0;
     }

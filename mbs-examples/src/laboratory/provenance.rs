@@ -1,7 +1,12 @@
 //! The source of numbers: the machine and the commit.
 
+use std::collections::hash_map::DefaultHasher;
+use std::hash::{Hash, Hasher};
 use std::path::Path;
 use std::process::Command;
+
+/// What the numbers depend on, wherever git is called from; documents are not among it.
+const SOURCES: [&str; 3] = [":(top)*.rs", ":(top)*.toml", ":(top)Cargo.lock"];
 
 /// `commit …; machine …`, for the head of a file.
 pub fn provenance() -> String {
@@ -21,11 +26,27 @@ fn commit() -> String {
     let Some(commit) = git(&["rev-parse", "--short=12", "HEAD"]) else {
         return "unknown".to_owned();
     };
-    // Changes of documents do not change the results.
-    match git(&["status", "--porcelain", "--", "*.rs", "*.toml"]) {
-        Some(changes) if changes.is_empty() => commit,
-        _ => format!("{commit} with changes"),
+    let of_sources = |command: &[&str]| git(&[command, &["--"], &SOURCES].concat());
+    let changes = of_sources(&["diff", "HEAD"]);
+    let others = of_sources(&["ls-files", "--full-name", "--others", "--exclude-standard"]);
+    let (Some(changes), Some(others), Some(root)) =
+        (changes, others, git(&["rev-parse", "--show-toplevel"]))
+    else {
+        return format!("{commit} with changes");
+    };
+    if changes.is_empty() && others.is_empty() {
+        return commit;
     }
+    // Other changes are other sources: their rows do not mix.
+    let mut hasher = DefaultHasher::new();
+    changes.hash(&mut hasher);
+    for file in others.lines() {
+        file.hash(&mut hasher);
+        std::fs::read(Path::new(&root).join(file))
+            .ok()
+            .hash(&mut hasher);
+    }
+    format!("{commit} with changes {:08x}", hasher.finish() as u32)
 }
 
 fn machine() -> String {

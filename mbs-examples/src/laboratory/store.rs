@@ -19,7 +19,8 @@ pub struct Store {
 
 impl Store {
     /// Opens the file for rows of these columns, the first `keys` of which identify a point. Existing rows are kept if
-    /// the note above them is the same (machine, commit and settings); otherwise the file is written anew.
+    /// the note above them is the same (machine, commit and settings); otherwise the file is written anew, and the old one is
+    /// kept beside it as `NAME.csv.old`.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -30,6 +31,10 @@ impl Store {
             Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
             Err(error) => return Err(error),
         };
+        let others = text.lines().nth(2).is_some() && !text.starts_with(&head);
+        if others {
+            fs::rename(path, path.with_extension("csv.old"))?;
+        }
         let mut store = Store {
             path: path.to_owned(),
             columns: columns.len(),

@@ -44,7 +44,7 @@ pub unsafe fn default_parameters<M: Mechanism>(parameters: *mut f64, size: usize
     })
 }
 
-/// Makes a simulation, and stores it at `plant`.
+/// Makes a simulation, and stores it at `plant`: null where it cannot be made.
 ///
 /// # Safety
 /// `parameters` is null or points to `size` bytes; `plant` is null or points to a pointer.
@@ -58,6 +58,8 @@ pub unsafe fn make<M: Mechanism>(
         if plant.is_null() {
             return Err(null("the place for the simulation"));
         }
+        // SAFETY: it is not null.
+        unsafe { plant.write(std::ptr::null_mut()) };
         // SAFETY: as for this function.
         let values = unsafe { read(M::MODEL.parameters, parameters, size) }?;
         let mut mechanism = M::default();

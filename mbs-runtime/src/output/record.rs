@@ -196,20 +196,33 @@ impl<'a> Record<'a> {
         }
     }
 
+    /// Refuses what cannot be run to, before anything is run or written.
+    pub(super) fn check(&self) -> Result<(), SimulationError> {
+        let (start, until) = (self.simulation.time(), self.until);
+        // The clock may be past the end by round-off.
+        if !(until.is_finite() && until >= start - SLACK * start.abs()) {
+            return Err(SimulationError::Time {
+                now: start,
+                wanted: until,
+            });
+        }
+        match self.interval {
+            Some(given) => check_interval("recording interval", given, [start, until]),
+            None => Ok(()),
+        }
+    }
+
     /// Runs to the end, and hands on each instant.
     pub(super) fn advance<E: From<SimulationError>>(
         &mut self,
         keep: &mut dyn FnMut(Frame) -> Result<(), E>,
     ) -> Result<(), E> {
+        self.check()?;
         let (start, until) = (self.simulation.time(), self.until);
         let interval = self.interval.unwrap_or_else(|| self.usual(until - start));
         let at = |time| Progress { start, time, until };
         keep(Frame::record(self.simulation))?;
-        if let Some(given) = self.interval {
-            check_interval("recording interval", given, [start, until])?;
-        }
-        // Refuses what cannot be run to.
-        if !(until.is_finite() && until > start) {
+        if until <= start {
             return Ok(self.simulation.run_until(until)?);
         }
         let between = self.simulation.settings().tolerance.is_some();

@@ -79,6 +79,8 @@ impl Record<'_> {
     /// # Errors
     /// A file that cannot be written; otherwise as [`Record::run`], after the files until then have been written.
     pub fn save(mut self, folder: impl AsRef<Path>) -> Result<Saved, SaveError> {
+        // An earlier result stays where this cannot be run.
+        self.check()?;
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
         let model = self.simulation.model();

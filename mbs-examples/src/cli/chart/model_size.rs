@@ -7,6 +7,7 @@ use mbs_examples::laboratory::yardstick::Yardstick;
 use mbs_examples::scenes::laboratory::MODELS;
 
 use super::super::failure::Failure;
+use super::super::find;
 use super::super::print::print;
 use super::super::progress::Points;
 use super::super::table::{Align, table};
@@ -17,7 +18,14 @@ const SETTINGS: &str =
 
 pub fn run(chart: &Chart, directory: &Path) -> Result<(), Failure> {
     let repeats = if chart.quick { 2 } else { 20 };
-    let models: Result<Vec<Yardstick>, String> = MODELS.iter().map(Yardstick::new).collect();
+    let known = MODELS.iter().map(|model| model.name);
+    let mut names = chart.scenes.iter();
+    if let Some(name) = names.find(|name| !known.clone().any(|known| known == *name)) {
+        return Err(find::unknown("model", name, known).into());
+    }
+    let wanted = |name: &str| chart.scenes.is_empty() || chart.scenes.iter().any(|own| own == name);
+    let models = MODELS.iter().filter(|model| wanted(model.name));
+    let models: Result<Vec<Yardstick>, String> = models.map(Yardstick::new).collect();
     let models = models?;
     let path = directory.join("model-size.csv");
     let (mut store, _) = chart.store(&path, SETTINGS, &COLUMNS, KEYS)?;
