@@ -279,6 +279,8 @@ pub struct Structure {
     pub position_forces: bool,
     /// A row or force depends on time, or a row on an input, or a velocity row is not homogeneous.
     pub time_dependent: bool,
+    /// A row depends on time or on an input, or a velocity row is not homogeneous: rows do work.
+    pub rheonomic: bool,
     /// M, forces and rows consist of sums, products, sines and cosines of what varies within a step. Otherwise a force may jump or
     /// bend, or come near to it, and steps with a tolerance look for it: friction, stops, tables, laws, distances, quotients,
     /// `abs`.

@@ -65,7 +65,7 @@ fn what(scene: &Scene) -> String {
         (redundant, "redundant rows"),
         (structure.holonomic_rows < rows, "nonholonomic rows"),
         (structure.velocity_forces, "forces of velocity"),
-        (structure.time_dependent, "driven"),
+        (structure.rheonomic, "driven"),
     ];
     let mut text = format!("{} + {rows}", model.velocities.len());
     for (_, name) in traits.iter().filter(|(holds, _)| *holds) {

@@ -64,6 +64,7 @@ const MODEL: Model = Model {
         velocity_forces: false,
         position_forces: false,
         time_dependent: false,
+        rheonomic: false,
         smooth: false,
         holonomic_rows: 0,
         rotations: 0,

@@ -53,7 +53,7 @@ impl StepMonitor {
         self.nonconservative_work += 0.5 * h * (self.power + power);
         self.work_doubt += (0.5 * h * (power - self.power)).abs();
         self.power = power;
-        if const { S::STRUCTURE.time_dependent } {
+        if const { S::STRUCTURE.rheonomic } {
             // After the commit `end` has the geometry of the beginning of the stage.
             let impulse = &context.work.impulse;
             self.drive_work += (0..R)

@@ -121,7 +121,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
         lambda: &SVector<f64, R>,
     ) -> [f64; 2] {
         let applied = self.system.nonconservative_power(t, q, v);
-        let drive = if S::STRUCTURE.time_dependent {
+        let drive = if S::STRUCTURE.rheonomic {
             -crate::linear::dot(lambda, &self.geometry.b)
         } else {
             0.0
@@ -140,7 +140,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
     ) {
         let powers = self.powers(t + h, end.0, end.1, lambda[1]);
         self.add_works(0.5 * h, powers);
-        if S::STRUCTURE.time_dependent && R > 0 {
+        if S::STRUCTURE.rheonomic && R > 0 {
             let b = self.geometry.b;
             self.system.constraints(
                 t,
@@ -162,7 +162,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Bench<S
     #[inline(always)]
     pub(crate) fn add_works(&mut self, weight: f64, [applied, drive]: [f64; 2]) {
         self.works.nonconservative += weight * applied;
-        if const { S::STRUCTURE.time_dependent } {
+        if const { S::STRUCTURE.rheonomic } {
             self.works.drive += weight * drive;
         }
     }

@@ -157,7 +157,7 @@ impl<const N: usize, const R: usize> Index1<N, R> {
         let mut acceleration = SVector::zeros();
         // b is needed for the works of drives.
         let is_planned = const { S::ELIMINATION.is_some() } && self.planned.is_some();
-        if !S::STRUCTURE.time_dependent && !is_planned {
+        if !S::STRUCTURE.rheonomic && !is_planned {
             let correction = self.stabilisation(bench, t, q, v);
             let (system, inverse_pivot) = (&bench.system, &mut self.inverse_pivot);
             let (into, lambda) = (&mut acceleration, &mut self.lambda);

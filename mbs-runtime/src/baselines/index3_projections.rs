@@ -168,7 +168,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         self.project(&geometry.a, &weights, &gamma, &mut after);
 
         bench.commit(t1, q, v, false)?;
-        let consistent = if S::STRUCTURE.time_dependent {
+        let consistent = if S::STRUCTURE.rheonomic {
             consistent(&mut self.equations, bench)?.1
         } else {
             lambda

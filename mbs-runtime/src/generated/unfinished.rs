@@ -45,6 +45,7 @@ pub const UNFINISHED: &Model = &Model {
         velocity_forces: false,
         position_forces: false,
         time_dependent: false,
+        rheonomic: false,
         smooth: true,
         holonomic_rows: 0,
         rotations: 0,

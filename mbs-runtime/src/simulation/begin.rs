@@ -74,7 +74,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ) -> Self {
         integrator.note_inputs();
         let yardstick = Box::new(Yardstick::new(integrator.system(), settings.step));
-        let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.time_dependent;
+        let by_position = S::STRUCTURE.holonomic_rows == R && !S::STRUCTURE.rheonomic;
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();
         let form_a_curve = by_position && assembly.rank + 1 + S::STATES.len() == N;
         integrator.state_mut().known_poses.make_room(form_a_curve);

@@ -8,7 +8,7 @@ use nalgebra::SVector;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// Whether rows may follow inputs.
-    pub(super) const DRIVEN: bool = S::STRUCTURE.time_dependent && R > 0;
+    pub(super) const DRIVEN: bool = S::STRUCTURE.rheonomic && R > 0;
 
     /// The inputs before they change, where rows may follow them; otherwise nothing.
     pub(super) fn driving_inputs(&self) -> Vec<f64> {

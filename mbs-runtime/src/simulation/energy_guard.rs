@@ -104,8 +104,7 @@ impl EnergyGuard {
             start: system.potential_energy(q),
             depth,
             method: settings.method,
-            accepted: match const { S::STRUCTURE.time_dependent }
-                && settings.method == Method::TwoLevel
+            accepted: match const { S::STRUCTURE.rheonomic } && settings.method == Method::TwoLevel
             {
                 // A step is judged by its kinetic energy, which may be much less.
                 true => bound * noise,

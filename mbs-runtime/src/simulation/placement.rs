@@ -190,7 +190,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn clearances(&self) -> [f64; 2] {
         match (self.settings.method, self.settings.order) {
             (Method::Projected, _) => EXPLICIT,
-            (_, 2) if const { S::STRUCTURE.time_dependent } => [alf3f::CLEAR, SECOND[1]],
+            (_, 2) if const { S::STRUCTURE.rheonomic } => [alf3f::CLEAR, SECOND[1]],
             (_, 2) => SECOND,
             _ => COMPOSED,
         }

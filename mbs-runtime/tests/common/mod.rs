@@ -61,6 +61,7 @@ pub const fn structure(
         velocity_forces,
         position_forces: true,
         time_dependent: true,
+        rheonomic: true,
         smooth: false,
         holonomic_rows,
         rotations: 0,

@@ -159,7 +159,7 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
     // Derived for the first of them that needs it.
     let mut demand = None;
     let with_multipliers = accelerations(&mut graph, &mut hoisted, derived, &mut demand);
-    if !structure.time_dependent {
+    if !structure.rheonomic {
         let known = hoisted.count();
         let longest = with_multipliers.as_ref().map(|code| code.cost().total());
         match partitioned_accelerations(&mut graph, &mut hoisted, derived, &mut demand) {
@@ -244,16 +244,17 @@ fn structure(derived: &Derived) -> Structure {
     let on_time = |expr: &Expr| graph.depends_on(*expr, |symbol| symbol == Symbol::Time);
     let on_inputs =
         |expr: &Expr| graph.depends_on(*expr, |symbol| matches!(symbol, Symbol::Input(_)));
+    let rheonomic = system
+        .rows
+        .iter()
+        .any(|row| on_time(&row.expr) || on_inputs(&row.expr))
+        || derived.rheonomic.iter().any(|&b| !graph.is_zero(b));
     Structure {
         constant_mass: derived.constant_mass,
         velocity_forces: !derived.applied.by_velocity.is_empty(),
         position_forces: !derived.applied.by_position.is_empty(),
-        time_dependent: system
-            .rows
-            .iter()
-            .any(|row| on_time(&row.expr) || on_inputs(&row.expr))
-            || derived.rheonomic.iter().any(|&b| !graph.is_zero(b))
-            || system.forces.iter().any(on_time),
+        time_dependent: rheonomic || system.forces.iter().any(on_time),
+        rheonomic,
         smooth: graph.is_smooth(
             system
                 .rows

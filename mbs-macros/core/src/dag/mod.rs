@@ -129,6 +129,8 @@ pub struct Structure {
     pub position_forces: bool,
     /// A row or force depends on time.
     pub time_dependent: bool,
+    /// A row depends on time or on an input, or a velocity row is not homogeneous.
+    pub rheonomic: bool,
     /// M, forces and rows are [smooth](crate::symbolic::Graph::is_smooth).
     pub smooth: bool,
     /// The number of unit quaternions.

@@ -144,11 +144,12 @@ fn row_text(row: &Row) -> String {
 pub(super) fn structure(program: &Program) -> String {
     let s = program.structure;
     format!(
-        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, smooth: {}, holonomic_rows: {}, rotations: {} }}",
+        "::mbs_runtime::Structure {{ constant_mass: {}, velocity_forces: {}, position_forces: {}, time_dependent: {}, rheonomic: {}, smooth: {}, holonomic_rows: {}, rotations: {} }}",
         s.constant_mass,
         s.velocity_forces,
         s.position_forces,
         s.time_dependent,
+        s.rheonomic,
         s.smooth,
         s.holonomic_rows,
         s.rotations
