@@ -7,7 +7,7 @@
 use super::bench::Bench;
 use super::index1::Index1;
 use super::rule::{AnyRule, Rule};
-use super::runge_kutta::RungeKutta;
+use super::runge_kutta::{FirstStage, RungeKutta};
 use super::tableau::DORMAND_PRINCE5;
 use crate::fault::Fault;
 use crate::scalar_state;
@@ -29,6 +29,9 @@ pub(crate) struct Adaptive<const Q: usize, const N: usize, const R: usize> {
     tolerance: f64,
     /// Error of the last accepted step, in tolerances.
     last: f64,
+    /// The stage in which the next step begins, the last one of the step before or the first of one that was refused. (The
+    /// stages of the pair end where the step does.)
+    first: Option<FirstStage<N>>,
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
@@ -45,6 +48,7 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
             stages: RungeKutta::new(&DORMAND_PRINCE5),
             tolerance: settings.adaptive?,
             last: 1e-4,
+            first: None,
         })))
     }
 
@@ -55,8 +59,10 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         h: f64,
     ) -> Result<f64, Fault> {
         self.equations.begin();
-        let end = self.stages.step(bench, &mut self.equations, h)?;
-        bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - 1;
+        let known = u64::from(self.first.is_some());
+        let (equations, first) = (&mut self.equations, &mut self.first);
+        let end = self.stages.step_from(bench, equations, h, first)?;
+        bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - known;
         let [turn, change] = self.stages.error(h);
         let (q, v) = (bench.state.positions, bench.state.velocities);
         let yardstick = &bench.yardstick;
@@ -73,7 +79,10 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         let sum = square(&turn, scales[0]) + square(&change, scales[1]) + states;
         let error = (sum / (2 * N).max(1) as f64).sqrt() / self.tolerance;
         if error <= 1.0 {
-            bench.commit(bench.state.time + h, end.q, end.v, false)?;
+            let t = bench.state.time + h;
+            let next = self.stages.last_stage(bench, &self.equations, (t, &end));
+            bench.commit(t, end.q, end.v, false)?;
+            self.first = next;
         }
         Ok(if error.is_nan() { f64::INFINITY } else { error })
     }
@@ -82,6 +91,10 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S, Q, N, R>
     for Adaptive<Q, N, R>
 {
+    fn refresh(&mut self) {
+        self.first = None;
+    }
+
     /// In steps of its own. The length of the next one is kept in the state.
     fn advance(&mut self, bench: &mut Bench<S, Q, N, R>, h: f64) -> Result<(), Fault> {
         let end = bench.state.time + h;

@@ -78,6 +78,13 @@ impl Embedded {
 /// Stages beside the first in the longest sum, that of order 8.
 const MOST: usize = 8;
 
+/// What is known where a step begins.
+#[derive(Clone, Copy)]
+pub(crate) struct FirstStage<const N: usize> {
+    acceleration: SVector<f64, N>,
+    powers: [f64; 2],
+}
+
 /// Where a step ends.
 pub(crate) struct End<const Q: usize, const N: usize> {
     pub(crate) q: SVector<f64, Q>,
@@ -105,6 +112,18 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         equations: &mut Index1<N, R>,
         h: f64,
     ) -> Result<End<Q, N>, Fault> {
+        self.step_from(bench, equations, h, &mut None)
+    }
+
+    /// The same, with the first stage if it is known; it is afterwards.
+    #[inline]
+    pub(crate) fn step_from<S: System<Q, N, R>, const R: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        equations: &mut Index1<N, R>,
+        h: f64,
+        first: &mut Option<FirstStage<N>>,
+    ) -> Result<End<Q, N>, Fault> {
         let (t0, q0, v0) = (
             bench.state.time,
             bench.state.positions,
@@ -118,19 +137,49 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         }
         for (stage, (&node, &weight)) in stages.enumerate() {
             let t = t0 + node * h;
-            let acceleration = equations.evaluate(bench, t, &q, &v)?;
-            if R > 0 {
-                self.poses.note(stage, equations.last);
-            }
-            if weight != 0.0 {
-                bench.add_works(h * weight, bench.powers(t, &q, &v, &equations.lambda));
-            }
+            let acceleration = match first {
+                Some(first) if stage == 0 => {
+                    bench.add_works(h * weight, first.powers);
+                    first.acceleration
+                }
+                _ => {
+                    let acceleration = equations.evaluate(bench, t, &q, &v)?;
+                    if R > 0 {
+                        self.poses.note(stage, equations.last);
+                    }
+                    if weight != 0.0 {
+                        let powers = bench.powers(t, &q, &v, &equations.lambda);
+                        bench.add_works(h * weight, powers);
+                        if stage == 0 {
+                            *first = Some(FirstStage {
+                                acceleration,
+                                powers,
+                            });
+                        }
+                    }
+                    acceleration
+                }
+            };
             unroll::<S, Q, N, R>(&turn, &mut v);
             self.slopes[stage] = [*entries(&v), *entries(&acceleration)];
             self.combine(&self.sums[stage], h, &v0, [&mut turn, &mut v]);
             q = bench.system.advance(&q0, &turn, 1.0);
         }
         Ok(End { q, v })
+    }
+
+    /// The last stage as the first one of the next step: where the method ends at its last stage.
+    pub(crate) fn last_stage<S: System<Q, N, R>, const R: usize>(
+        &self,
+        bench: &Bench<S, Q, N, R>,
+        equations: &Index1<N, R>,
+        (t, end): (f64, &End<Q, N>),
+    ) -> Option<FirstStage<N>> {
+        let [_, acceleration] = self.slopes.last()?;
+        Some(FirstStage {
+            acceleration: SVector::from(*acceleration),
+            powers: bench.powers(t, &end.q, &end.v, &equations.lambda),
+        })
     }
 
     /// v̇ where the last step began.
