@@ -256,8 +256,9 @@ fn run_scene(scene: &Scene, step: f64, steps: u64) {
     };
     for _ in 0..steps {
         if let Err(error) = simulation.step() {
-            println!("{error}");
-            return;
+            // A shorter run is not counted as one of all steps.
+            eprintln!("{error}");
+            std::process::exit(1);
         }
     }
     println!("{:?}", simulation.output_values());
@@ -323,6 +324,9 @@ fn callgrind(name: &str, step: f64, steps: u64) -> Option<f64> {
         .args(["--count", name, &step.to_string(), &steps.to_string()])
         .output()
         .ok()?;
+    if !output.status.success() {
+        return None;
+    }
     let text = String::from_utf8_lossy(&output.stderr).into_owned();
     let line = text.lines().find(|line| line.contains("Collected :"))?;
     line.rsplit(' ').next()?.trim().parse().ok()

@@ -248,11 +248,14 @@ where
     for set in SETS {
         let stages = set.stages();
         let errors: Vec<(f64, f64)> = (0..RUNS)
-            .filter_map(|run_index| {
+            .map(|run_index| {
                 let rate = FEWEST * MORE.powi(run_index as i32);
-                let end = run(mechanism, &start, &stages, time, rate)?;
+                // A run that stops reaches no bound.
+                let Some(end) = run(mechanism, &start, &stages, time, rate) else {
+                    return (rate, f64::INFINITY);
+                };
                 let error = end.0.iter().zip(&exact.0).map(|(a, b)| (a - b).abs());
-                Some((end.1, error.fold(0.0, f64::max)))
+                (end.1, error.fold(0.0, f64::max))
             })
             .collect();
         let rates = ERRORS.map(|wanted| rate(&errors, wanted));
@@ -308,7 +311,10 @@ fn rate(errors: &[(f64, f64)], wanted: f64) -> Option<(f64, f64)> {
     let last = errors.iter().rposition(|(_, error)| !(*error < wanted))?;
     let (coarse, fine) = (errors.get(last)?, errors.get(last + 1)?);
     let slope = (coarse.1 / fine.1).ln() / (fine.0 / coarse.0).ln();
-    let rate = coarse.0 * (coarse.1 / wanted).powf(1.0 / slope);
+    let rate = match coarse.1.is_finite() {
+        true => coarse.0 * (coarse.1 / wanted).powf(1.0 / slope),
+        false => fine.0,
+    };
     // Over a wider range, so that the noise of single runs has no effect.
     let wide = errors.get(last.checked_sub(3)?)?;
     let slope = (wide.1 / fine.1).ln() / (fine.0 / wide.0).ln();

@@ -81,7 +81,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     /// The rank margin of the rows at the current state, if the last step computed it; otherwise the next step computes
     /// it.
     rank_margin: Option<RankMargin>,
-    /// Those of the last step, where the integrator has taken others since, to look about; none if there is no such step.
+    /// What [`Simulation::step_multipliers`] answers in place of the integrator: after a look at other instants the multipliers of
+    /// the last step, after a failure `None`.
     multipliers_before: Option<Option<SVector<f64, R>>>,
     /// The energy balance after the last step.
     balance: Energy,

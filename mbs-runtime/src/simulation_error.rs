@@ -92,7 +92,7 @@ pub enum SimulationError {
         /// Its residual.
         residual: f64,
     },
-    /// No velocities satisfy the rows of the start: rows on velocities, or the rates of driven rows, contradict each other.
+    /// No velocities satisfy the rows, at the start or after a change: rows on velocities, or the rates of driven rows, contradict each other.
     Contradiction {
         /// The row that is farthest from satisfied.
         row: &'static str,
@@ -210,7 +210,7 @@ pub enum SimulationError {
         /// The value.
         value: f64,
     },
-    /// A declared guess that is not finite.
+    /// Values at the start, or after a change, that are not finite, or give forces or energies that are not.
     Guess {
         /// What is wrong: a coordinate, a velocity.
         what: &'static str,

@@ -39,6 +39,45 @@ mechanism!(Pointer {
     other_x: Output(other.b.x),
 });
 
+mechanism!(Rider {
+    world: Planar(coordinates = Reference),
+    arm: Bar(mass = 1.0_kg, length = 1.0_m, angle = 20.0_deg),
+    pin: Revolute(ground.origin, arm.a),
+    rider: Body(
+        mass = 0.5_kg,
+        inertia = 0.1_kg_m2,
+        frame = Frame([arm.b.x, arm.b.y], arm.angle)
+    ),
+    tip: Bar(mass = 0.2_kg, length = 0.3_m),
+    weld: Fixed(rider.origin, tip.a, angle = 130.0_deg),
+    sin: Output(sin(tip.angle - arm.angle)),
+});
+
+mechanism!(Plate {
+    world: Planar(coordinates = Natural),
+    crank: Bar(
+        mass = 1.0_kg,
+        length = 0.5_m,
+        angle = 90.0_deg,
+        rate = 10.0_rad_per_s
+    ),
+    coupler: Bar(mass = 1.0_kg, length = 1.5_m),
+    rocker: Bar(
+        mass = 1.0_kg,
+        length = 1.0_m,
+        from = [1.5_m, 0.0],
+        angle = 80.0_deg
+    ),
+    foot: Revolute(ground.origin, crank.a),
+    left: Revolute(crank.b, coupler.a),
+    right: Revolute(coupler.b, rocker.b),
+    other_foot: Revolute(ground.point(1.5_m, 0.0), rocker.a),
+    plate: Bar(mass = 1e-9_kg, length = 0.1_m, angle = 40.0_deg),
+    rivet: Fixed(coupler.a, plate.a),
+    rate: Output(crank.rate),
+    slope: Output((coupler.b - coupler.a).y / 1.5_m),
+});
+
 fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-9, "{a} is not {b}");
 }
@@ -76,4 +115,23 @@ fn drives_turn_bars_by_any_angle() {
         pointer.run_until(time).expect("it runs");
         close(pointer.outputs().y, wanted.sin());
     }
+}
+
+/// A part that follows another one has no known angle before that one has.
+#[test]
+fn a_follower_carries_no_angle_that_is_not_known() {
+    let rider = Simulation::new(Rider::default()).expect("it assembles");
+    close(rider.outputs().sin, 130.0_f64.to_radians().sin());
+}
+
+/// What two points of a part give counts more than the declared angle of a part that is fixed to it.
+#[test]
+fn points_come_before_carried_angles() {
+    let plate = Simulation::new(Plate::default()).expect("it assembles");
+    assert!(
+        (plate.outputs().rate - 10.0).abs() < 1.0,
+        "{}",
+        plate.outputs().rate
+    );
+    assert!(plate.outputs().slope.abs() < 0.5);
 }

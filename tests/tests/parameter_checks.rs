@@ -9,6 +9,8 @@ mechanism!(Planar {
     body_mass: Param(2.0_kg),
     body_inertia: Param(0.1_kg_m2),
     rope: Param(1.5_m),
+    highest: Param(1.0_rad),
+    grip: Param(0.4),
     rod: Bar(mass = rod_mass, length = rod_length, angle = 0.3_rad),
     bob: Body(
         mass = body_mass,
@@ -19,6 +21,21 @@ mechanism!(Planar {
     pivot: Revolute(ground.origin, rod.a),
     tie: Distance(rod.b, bob.origin, length = rope),
     string: Distance(bob.point(0.1_m, 0.0), dot, length = rope - 0.5_m),
+    end: Stop(
+        pivot.angle,
+        lower = -1.0_rad,
+        upper = highest,
+        stiffness = 100.0_Nm,
+        onset = 0.01_rad
+    ),
+    rub: Friction(
+        pivot.rate,
+        coefficient = 0.3,
+        static_coefficient = grip,
+        stribeck_velocity = 0.1_rad_per_s,
+        load = 1.0_Nm,
+        regularization_velocity = 0.01_rad_per_s
+    ),
 });
 
 mechanism!(Spatial {
@@ -100,6 +117,16 @@ fn messages_name_entry_argument_and_value() {
             "rope",
             -1.0,
             "`length` of `tie` is -1: the distance must be positive; to hold two points together use `Revolute`",
+        ),
+        (
+            "highest",
+            -1.5,
+            "`upper - lower` of `end` is -0.5: the upper stop begins above the lower one",
+        ),
+        (
+            "grip",
+            0.05,
+            "`static_coefficient - coefficient` of `rub` is negative (-0.25); give it a positive value",
         ),
     ];
     for (name, value, message) in planar {

@@ -97,9 +97,9 @@ fn a_torque_needs_an_inertia() {
     rod: Bar(mass = 1.0_kg, from = [0.0, 0.0, 0.0], to = [1.0_m, 0.0, 0.0]),
     ball: Spherical(hub.origin, rod.a),
     twist: Torque(rod, value = [1.0_Nm, 0.0, 0.0], from = hub),
-                  ~~~ `rod` is a slender bar without inertia about itself: a torque along it would be lost; give it `radius =` or `inertia =`
+                  ~~~ `rod` is a slender bar and takes no torque: it has no inertia about itself, and the part along it would be lost; give it `radius =` or `inertia =`
     wrench: Wrench(rod.b, torque = [1.0_Nm, 0.0, 0.0]),
-                   ~~~~~ `rod` is a slender bar without inertia about itself: a torque along it would be lost; give it `radius =` or `inertia =`, or use `Force`
+                   ~~~~~ `rod` is a slender bar and takes no torque: it has no inertia about itself, and the part along it would be lost; give it `radius =` or `inertia =`, or use `Force`
 });"#,
     );
 }
@@ -113,7 +113,7 @@ fn values_that_jump_are_no_conditions() {
     crank: Bar(mass = 1.0_kg, length = 1.0_m),
     pin: Revolute(ground.origin, crank.a),
     motor: Drive(crank.angle, value = 1.0_rad_per_s * t + size * step(t - 1.0_s)),
-                                      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ this jumps, and the parts would have to jump with it: use a value that changes steadily, an `Input` that the program sets, or a force
+                                      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ this jumps, and positions or velocities would have to jump with it: use a value that changes steadily, an `Input` that the program sets, or a force
 });"#,
     );
     accepted(
@@ -122,6 +122,29 @@ fn values_that_jump_are_no_conditions() {
     crank: Bar(mass = 1.0_kg, length = 1.0_m),
     pin: Revolute(ground.origin, crank.a),
     motor: Drive(crank.angle, value = (1.0_per_s * (t - 1.0_s)).powi(2) * step(t - 1.0_s)),
+});"#,
+    );
+}
+
+/// An input may jump, and a part without inertia may have mass away from its joint.
+#[test]
+fn legal_programs_are_accepted() {
+    accepted(
+        r#"mechanism!(Switched {
+    world: Planar(),
+    switch: Input(0.0),
+    crank: Bar(mass = 1.0_kg, length = 1.0_m),
+    pin: Revolute(ground.origin, crank.a),
+    motor: Drive(crank.angle, value = 0.5_rad * step(switch - 0.5)),
+});"#,
+    );
+    accepted(
+        r#"mechanism!(Points {
+    world: Planar(coordinates = Joint),
+    a: Bar(mass = 1.0_kg, length = 1.0_m),
+    b: Body(mass = 1.0_kg, inertia = 0.0_kg_m2, center_of_mass = [1.0_m, 0.0]),
+    pin: Revolute(ground.origin, a.a),
+    elbow: Revolute(a.b, b.origin),
 });"#,
     );
 }

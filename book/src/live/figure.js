@@ -181,7 +181,7 @@
       for (let next = this.clock; next < time && !this.stopped[0] && performance.now() < deadline;) {
         next = Math.min(time, next + TRAIL);
         this.attempt(0, () => { if (!this.advance(0, next, deadline)) next = Math.min(next, this.now[0].time); });
-        // The clock waits for the slower one: both are drawn at the same time.
+        // The clock waits for the slower one, so that what is drawn is of one time.
         if (this.comparing) this.attempt(1, () => { if (!this.advance(1, next, deadline + BUDGET)) next = Math.min(next, this.now[1].time); });
         this.clock = next;
       }

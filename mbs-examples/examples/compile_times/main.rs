@@ -69,6 +69,11 @@ fn main() -> Result<(), String> {
         "any, s"
     );
     let wanted: Vec<&str> = recorder.arguments.iter().map(String::as_str).collect();
+    if let Some(name) = wanted.first()
+        && !declarations().iter().any(|known| known.name == *name)
+    {
+        return Err(format!("there is no declaration `{name}` here"));
+    }
     for declaration in declarations() {
         let (name, size) = (declaration.name, declaration.size.to_string());
         if !wanted.is_empty() && wanted != [name, size.as_str()] && wanted != [name] {

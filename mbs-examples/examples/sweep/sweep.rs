@@ -33,6 +33,9 @@ pub fn run(
     let only = number(3)?;
     if let Some(name) = arguments.get(2) {
         cases.retain(|case| case.name == *name);
+        if cases.is_empty() {
+            return Err(format!("there is no mechanism `{name}` here"));
+        }
     }
     std::panic::set_hook(Box::new(|_| {}));
     let each = count.div_ceil(cases.len().max(1));

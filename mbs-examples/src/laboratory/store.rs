@@ -20,7 +20,7 @@ pub struct Store {
 impl Store {
     /// Opens the file for rows of these columns, the first `keys` of which identify a point. Existing rows are kept if
     /// the note above them is the same (machine, commit and settings); otherwise the file is written anew, and the old one is
-    /// kept beside it as `NAME.csv.old`.
+    /// kept beside it as `NAME.csv.old`, or with a number behind.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -33,7 +33,16 @@ impl Store {
         };
         let others = text.lines().nth(2).is_some() && !text.starts_with(&head);
         if others {
-            fs::rename(path, path.with_extension("csv.old"))?;
+            let names = (1..).map(|number| match number {
+                1 => path.with_extension("csv.old"),
+                number => path.with_extension(format!("csv.old{number}")),
+            });
+            for name in names.take(1000) {
+                if !name.exists() {
+                    fs::rename(path, name)?;
+                    break;
+                }
+            }
         }
         let mut store = Store {
             path: path.to_owned(),

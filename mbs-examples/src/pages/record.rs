@@ -79,6 +79,7 @@ impl Recorder {
         let mut names = self.arguments.iter();
         match names.find(|name| !known.contains(&name.as_str())) {
             None => Ok(()),
+            Some(name) if known.is_empty() => Err(format!("`{name}`: this takes no names")),
             Some(name) => Err(format!(
                 "there is no `{name}` here (there are: {})",
                 known.join(", ")

@@ -1,5 +1,7 @@
 //! What a guess or a state has to be before its rows are closed: finite, with unit quaternions.
 
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::linear::{largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
@@ -175,7 +177,9 @@ pub(crate) fn check_rates<const R: usize>(
 fn allowed_rate(settings: &Settings, speed: f64) -> f64 {
     // What moves a row by less than its tolerance in a step is allowed at rest, too.
     let least = settings.constraint_tolerance / settings.step;
-    (RESUMABLE * speed).max(least)
+    // Where rows touch each other, as in a flat parallelogram, one that is open by e has rates of √e.
+    let part = RESUMABLE.max(settings.constraint_tolerance.sqrt());
+    (part * speed).max(least)
 }
 
 /// Refuses a start whose velocities, the nearest ones, leave rates of the rows, or whose forces or energies are not finite.

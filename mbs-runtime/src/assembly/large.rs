@@ -8,15 +8,15 @@ use super::newton::{ASSEMBLED, MAX_ITERATIONS, is_closed};
 use super::verdict::{judge, moved};
 use crate::alf3f::residual_of;
 use crate::contract::{constraint_rows, mass_rows};
-use crate::large::{is_large, is_sparse, starts_sparse};
+use crate::large::{check_dense_start, is_large, is_sparse, starts_sparse};
 use crate::linear::sparse::{Entries, Recorder, dependence};
 use crate::linear::{Dependence, largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Settings, State, System};
+use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
 use nalgebra::SVector;
 
-/// The state and the verdict; `None` where dense arrays are needed, and for what does not assemble, on which they have more
+/// The state and the verdict, or what is wrong with them; `None` where dense arrays are needed, and for what does not assemble, on which they have more
 /// to say.
 pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
@@ -24,20 +24,26 @@ pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     (guess, declared): (&SVector<f64, Q>, &SVector<f64, N>),
     yardstick: &Yardstick<Q, N>,
     scale: &RowScale<R>,
-) -> Option<(State<Q, N, R>, AssemblyVerdict)> {
+) -> Option<Result<(State<Q, N, R>, AssemblyVerdict), SimulationError>> {
     let mut start = SparseStart::new(system, settings, guess)?;
     let (mut q, mut v) = (*guess, *declared);
     let before = largest(&start.phi);
     if !(start.close(&mut q, scale) && start.project(&mut v, scale, yardstick)) {
         return None;
     }
-    // Dense arrays have the row of a contradiction.
     let rates = (&start.rates(&v), &start.b);
-    check_start(system, (0.0, &q, &v), rates, (scale, yardstick), settings).ok()?;
+    match check_start(system, (0.0, &q, &v), rates, (scale, yardstick), settings) {
+        Ok(()) => {}
+        // Dense arrays may come nearer to velocities that satisfy the rows.
+        Err(SimulationError::Contradiction { .. }) if check_dense_start(N, R).is_ok() => {
+            return None;
+        }
+        Err(error) => return Some(Err(error)),
+    }
     let rows = rows(system, 0.0, &q, yardstick)?;
     let mut verdict = judge(system, rows, (&start.phi, scale), before, [guess, &q]);
     verdict.changes = moved::<S, Q, N, R>([guess, &q], [declared, &v], yardstick.length);
-    Some((State::new(0.0, q, v), verdict))
+    Some(Ok((State::new(0.0, q, v), verdict)))
 }
 
 /// The rows that depend on others at a pose; `None` if M is not positive definite.

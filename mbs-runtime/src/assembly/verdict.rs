@@ -58,7 +58,7 @@ pub(crate) fn assemble<
         && let Some(assembled) =
             large::assemble(system, settings, (&guess, &declared), &yardstick, &scale)
     {
-        return Ok(assembled);
+        return assembled;
     }
     check_dense_start(N, R)?;
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;

@@ -8,6 +8,8 @@ use crate::{AnySimulation, Model, Simulation, SimulationError, System};
 
 /// The largest number of intervals where none is given.
 const MOST: f64 = 2000.0;
+/// The clock may be past the end of a run by this part of the time.
+const ROUND_OFF: f64 = 1e-12;
 /// The number of intervals where none is given and the instants lie between steps.
 const LOOKS: f64 = 500.0;
 
@@ -199,8 +201,7 @@ impl<'a> Record<'a> {
     /// Refuses what cannot be run to, before anything is run or written.
     pub(super) fn check(&self) -> Result<(), SimulationError> {
         let (start, until) = (self.simulation.time(), self.until);
-        // The clock may be past the end by round-off.
-        if !(until.is_finite() && until >= start - SLACK * start.abs()) {
+        if !(until.is_finite() && until >= start - ROUND_OFF * start.abs()) {
             return Err(SimulationError::Time {
                 now: start,
                 wanted: until,

@@ -52,8 +52,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Sets an `Input` from now on.
     ///
     /// # Errors
-    /// No input has this name, or the value is NaN or infinite. A `Drive` follows the input to where no pose satisfies
-    /// the rows; then the input keeps its value.
+    /// No input has this name, or the value is NaN or infinite. A `Drive` follows the input to where no pose, or no velocities,
+    /// satisfy the rows, or forces are not finite; then the input keeps its value.
     pub fn set_input(&mut self, name: &str, value: f64) -> Result<(), SimulationError> {
         let index = find(
             "input",

@@ -36,8 +36,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// anew. It allocates.
     ///
     /// # Errors
-    /// Parameters that do not make a mechanism, and [`SimulationError::Assembly`] where no pose satisfies the rows; the
-    /// simulation then goes on with the parameters that it had.
+    /// Parameters that do not make a mechanism, [`SimulationError::Assembly`] where no pose satisfies the rows,
+    /// [`SimulationError::Contradiction`] where no velocities do, and forces or energies that are not finite; the simulation
+    /// then goes on with the parameters that it had.
     pub fn set_parameters<M: Mechanism<System = S>>(
         &mut self,
         mechanism: M,

@@ -56,10 +56,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let Some(tolerance) = self.settings.tolerance else {
             return self.given_step(h, left);
         };
-        match self.other {
+        let moved = match self.other {
             Some(other) if self.choice.is_some() => (other.pair)(self, tolerance, left),
             _ => self.pair(tolerance, left).map(drop),
+        };
+        if moved.is_err() {
+            // Those of its trials are no answer.
+            self.multipliers_before = Some(None);
         }
+        moved
     }
 
     /// Two steps, the first of h, and shorter ones until their error is small enough.

@@ -12,7 +12,7 @@ use super::{
 use crate::derivatives::{Derived, Matrix};
 use crate::equations::InverseMass;
 use crate::model::Rotation;
-use crate::symbolic::{Expr, Graph, Symbol};
+use crate::symbolic::{Expr, Graph, Node, Symbol};
 
 /// Bytes of the formula of a constant that are kept, for its documentation.
 const WRITTEN: usize = 400;
@@ -255,11 +255,15 @@ fn structure(derived: &Derived) -> Structure {
         position_forces: !derived.applied.by_position.is_empty(),
         time_dependent: rheonomic || system.forces.iter().any(on_time),
         rheonomic,
+        // The value of a row is zero, and atan2 is smooth there.
         smooth: graph.is_smooth(
             system
                 .rows
                 .iter()
-                .map(|row| row.expr)
+                .flat_map(|row| match *graph.node(row.expr) {
+                    Node::Atan2(sine, cosine) => vec![sine, cosine],
+                    _ => vec![row.expr],
+                })
                 .chain(system.forces.iter().copied())
                 .chain(system.mass.values().copied()),
         ),

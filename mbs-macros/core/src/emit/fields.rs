@@ -33,7 +33,7 @@ pub(super) fn fields<'q>(declaration: &'q Declaration, list: &'q [Quantity]) -> 
     let list: Vec<(usize, &Quantity)> = list.iter().enumerate().collect();
     let instances = declaration.instances.iter();
     let names = Names {
-        // The first of these has the name: a family, what is declared alone, an assembly.
+        // The last of these has the name: an assembly, what is declared alone, a family.
         declared: (declaration.instances.iter().map(|instance| &instance.name))
             .chain(declaration.entries.iter().map(|entry| &entry.name))
             .chain(declaration.families.iter().map(|family| &family.name))

@@ -258,12 +258,13 @@ impl Graph {
         }
     }
 
-    /// Whether a step, or a sign, is added to the rest with a constant factor: the value jumps.
+    /// Whether a step, or a sign, is added to the rest with a constant factor: the value jumps. (Where an input jumps, the
+    /// mechanism follows.)
     pub fn jumps(&self, expr: Expr) -> bool {
+        let varies =
+            |symbol: Symbol| !symbol.is_parameter_like() && !matches!(symbol, Symbol::Input(_));
         let is_step = |factor: Expr| match self.node(factor) {
-            Node::Function(Function::Step | Function::Sign, x) => {
-                self.depends_on(*x, |symbol| !symbol.is_parameter_like())
-            }
+            Node::Function(Function::Step | Function::Sign, x) => self.depends_on(*x, varies),
             _ => false,
         };
         let is_constant = |factor: Expr| {

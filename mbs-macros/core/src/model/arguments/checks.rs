@@ -174,7 +174,7 @@ impl Resolver<'_> {
         if exprs.iter().any(|&x| self.graph.jumps(x)) {
             return self.fail(
                 Place::of(syntax),
-                "this jumps, and the parts would have to jump with it: use a value that changes steadily, an `Input` that the program sets, or a force",
+                "this jumps, and positions or velocities would have to jump with it: use a value that changes steadily, an `Input` that the program sets, or a force",
             );
         }
         if !exprs.iter().any(|&x| self.graph.contains_kink(x, order)) {

@@ -182,9 +182,13 @@ impl Arguments<'_, '_> {
             return Some(());
         };
         let name = self.entry_name();
+        let instead = match field {
+            "from" | "to" => "give its `length =`",
+            _ => "give the coordinates their values",
+        };
         self.fail(
             field,
-            format!("`{name}` follows its `{follows}`, at the start, too: leave `{field} =` out, and give the coordinates their values"),
+            format!("`{name}` follows its `{follows}`, at the start, too: leave `{field} =` out, and {instead}"),
         )
     }
 

@@ -8,8 +8,8 @@ use crate::symbolic::{Graph, Symbol};
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 
-/// There is at least one coordinate, and every coordinate moves a mass. (Coordinates of joints are not looked at, nor those
-/// of parts that carry others: they move all parts after them.)
+/// There is at least one coordinate, and every coordinate moves a mass. (Where joints have coordinates, only points that
+/// carry nothing are looked at: the others may move with several coordinates, and all parts after them move with them.)
 pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction: &Reduction) {
     if !resolver.errors.is_empty() {
         return;
@@ -31,7 +31,8 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction:
     let mut known = heavy.clone();
     let mut massless: Vec<(String, Span, String)> = Vec::new();
     for (index, part) in resolver.parts.iter().enumerate() {
-        if carriers.contains(&index) {
+        let moves_alone = part.representation.is_points() && !carriers.contains(&index);
+        if !tree.joints.is_empty() && !moves_alone {
             continue;
         }
         let light: Vec<u32> = part

@@ -9,8 +9,16 @@ use crate::model::geometry::Owner;
 use crate::model::parts::{Part, Representation};
 use crate::symbolic::{Expr, Graph, Substitution};
 
-/// The angle of a part, and its rate if that was declared.
-pub(super) type Angle = (Expr, Option<Expr>);
+/// The angle of a part at the start.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Angle {
+    pub(super) angle: Expr,
+    /// If it was declared.
+    pub(super) rate: Option<Expr>,
+    /// Declared for this part, or held against the ground. One that a joint carries from another part counts only where
+    /// two points of the part do not give it.
+    pub(super) is_firm: bool,
+}
 
 /// The angles that are known so far, and the joints that carry them to other parts.
 pub(super) struct HeldAngles {
@@ -21,8 +29,7 @@ pub(super) struct HeldAngles {
 }
 
 impl HeldAngles {
-    /// What joints hold against the ground comes first, then what is declared. `known` are the values of all that held
-    /// angles may depend on but parameters.
+    /// `known` are the values of all that held angles may depend on but parameters.
     pub(super) fn new(
         graph: &mut Graph,
         parts: &[Part],
@@ -50,28 +57,52 @@ impl HeldAngles {
             held_of,
             angles: vec![None; parts.len()],
         };
-        for held in list.held.clone() {
+        list.hold(graph, parts, known);
+        list.declare(graph, parts);
+        list
+    }
+
+    /// What is held against the ground, or against a part that follows coordinates.
+    fn hold(&mut self, graph: &mut Graph, parts: &[Part], known: &mut Substitution) {
+        for held in self.held.clone() {
             let (part, angle) = match (held.parent, held.child) {
                 (Owner::Ground, Owner::Part(part)) => (part, held.angle),
                 (Owner::Part(part), Owner::Ground) => (part, graph.neg(held.angle)),
                 _ => continue,
             };
-            list.set(graph, part, (angle, None));
+            self.spread(graph, part, angle, None, [true; 2]);
         }
         for (index, part) in parts.iter().enumerate() {
-            if let (Representation::Prescribed, Some(angle)) =
-                (part.representation, part.frame.angle)
-            {
-                let angle = graph.substitute(angle, known);
-                list.set(graph, index, (angle, None));
+            let (Representation::Prescribed, Some(angle)) = (part.representation, part.frame.angle)
+            else {
+                continue;
+            };
+            let angle = graph.substitute(angle, known);
+            // That of a part which follows another one is not known yet.
+            if !graph.depends_on(angle, |symbol| !symbol.is_parameter_like()) {
+                self.spread(graph, index, angle, None, [true; 2]);
             }
         }
+    }
+
+    /// What is declared; a part within a quarter turn of what is held keeps its own.
+    fn declare(&mut self, graph: &mut Graph, parts: &[Part]) {
         for (index, part) in parts.iter().enumerate() {
-            if let (false, Some(angle)) = (part.representation.is_number(), part.guess.angle) {
-                list.set(graph, index, (angle, part.guess.rate));
+            let (false, Some(angle)) = (part.representation.is_number(), part.guess.angle) else {
+                continue;
+            };
+            if let Some(held) = self.angles[index] {
+                let off = graph.sub(angle, held.angle);
+                if graph.as_constant(off).is_some_and(|off| off.cos() > 0.0) {
+                    self.angles[index] = Some(Angle {
+                        angle,
+                        rate: part.guess.rate,
+                        is_firm: true,
+                    });
+                }
             }
+            self.spread(graph, index, angle, part.guess.rate, [true, false]);
         }
-        list
     }
 
     /// The angle of a part, if it is known.
@@ -79,14 +110,30 @@ impl HeldAngles {
         self.angles[part]
     }
 
-    /// The angle of a part becomes known, and those that joints hold against it.
-    pub(super) fn set(&mut self, graph: &mut Graph, part: usize, angle: Angle) {
-        let mut front = vec![(part, angle)];
-        while let Some((part, (angle, rate))) = front.pop() {
+    /// The pose of a part becomes known, and the angles that joints hold against it.
+    pub(super) fn found(&mut self, graph: &mut Graph, part: usize, angle: Expr, rate: Expr) {
+        self.spread(graph, part, angle, Some(rate), [true, false]);
+    }
+
+    /// From a part whose angle becomes known to those that have none yet; `firm` is that of this part and of the others.
+    fn spread(
+        &mut self,
+        graph: &mut Graph,
+        part: usize,
+        angle: Expr,
+        rate: Option<Expr>,
+        firm: [bool; 2],
+    ) {
+        let mut front = vec![(part, angle, firm[0])];
+        while let Some((part, angle, is_firm)) = front.pop() {
             if self.angles[part].is_some() {
                 continue;
             }
-            self.angles[part] = Some((angle, rate));
+            self.angles[part] = Some(Angle {
+                angle,
+                rate,
+                is_firm,
+            });
             for held in self.held_of[part].iter().map(|&held| self.held[held]) {
                 let (partner, angle) = match held.parent {
                     Owner::Part(parent) if parent == part => {
@@ -94,7 +141,7 @@ impl HeldAngles {
                     }
                     parent => (parent, graph.sub(angle, held.angle)),
                 };
-                front.extend(partner.part().map(|partner| (partner, (angle, rate))));
+                front.extend(partner.part().map(|partner| (partner, angle, firm[1])));
             }
         }
     }

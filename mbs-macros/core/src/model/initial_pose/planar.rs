@@ -30,6 +30,17 @@ struct Known {
     velocity: Vector,
 }
 
+/// Which poses are taken where no better one is left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Trust {
+    /// Those that follow from what is declared.
+    Known,
+    /// Those whose angle a joint carries from another part.
+    Carried,
+    /// Those with angle and place zero.
+    Zero,
+}
+
 /// The guesses of all parts' coordinates.
 pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses {
     let parts = resolver.parts.clone();
@@ -50,7 +61,7 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
     let mut coordinates = known_at_start(resolver, &parts);
     let mut angles = HeldAngles::new(&mut resolver.graph, &parts, joints, &mut coordinates);
     let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
-    let mut desperate = false;
+    let mut trust = Trust::Known;
     loop {
         let mut progress = false;
         for (index, part) in parts.iter().enumerate() {
@@ -65,26 +76,31 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             known.extend(declared_points(graph, part, |graph, point| {
                 let owner = point.owner.part()?;
                 if parts[owner].representation == Representation::Prescribed {
-                    let position = point.position;
-                    return Some(position.map(|x| graph.substitute(x, &mut coordinates)));
+                    let place = point
+                        .position
+                        .map(|x| graph.substitute(x, &mut coordinates));
+                    // That of a part which follows another one is not known.
+                    let moves = |&x: &Expr| graph.depends_on(x, |s| !s.is_parameter_like());
+                    return (!place.iter().any(moves)).then_some(place);
                 }
                 let pose = poses[owner]?;
                 Some(point_of(graph, &pose, point.local).position)
             }));
-            if let Some(pose) = pose(graph, part, angles.of(index), &known, desperate) {
-                angles.set(graph, index, (pose.angle, Some(pose.rate)));
+            if let Some(pose) = pose(graph, part, angles.of(index), &known, trust) {
+                angles.found(graph, index, pose.angle, pose.rate);
                 poses[index] = Some(pose);
                 progress = true;
-                if desperate {
+                if trust > Trust::Known {
                     break;
                 }
             }
         }
-        match (progress, desperate) {
-            (true, _) => desperate = false,
-            (false, false) => desperate = true,
-            (false, true) => break,
-        }
+        trust = match (progress, trust) {
+            (true, _) => Trust::Known,
+            (false, Trust::Known) => Trust::Carried,
+            (false, Trust::Carried) => Trust::Zero,
+            (false, Trust::Zero) => break,
+        };
     }
     let mut guesses = Guesses::default();
     for (index, (part, pose)) in parts.iter().zip(poses).enumerate() {
@@ -212,23 +228,30 @@ fn pose(
     part: &Part,
     angle: Option<Angle>,
     known: &[(Vector, Known)],
-    desperate: bool,
+    trust: Trust,
 ) -> Option<Pose> {
     let zero = graph.zero();
     let guess = &part.guess;
     let is_point = part.kind == "Particle";
-    let (angle, rate) = match (angle, two_points(graph, known)) {
-        (Some((angle, rate)), _) => (angle, guess.rate.or(rate).unwrap_or(zero)),
+    let by_points = two_points(graph, known);
+    // An angle that was declared without a rate has none at the start.
+    let of_points = by_points.filter(|_| guess.angle.is_none());
+    let rate = angle.and_then(|angle| angle.rate);
+    let rate = guess.rate.or(rate).or(of_points.map(|(_, rate)| rate));
+    let rate = rate.unwrap_or(zero);
+    let (angle, rate) = match (angle, by_points) {
+        (Some(own), _) if own.is_firm => (own.angle, rate),
         _ if is_point => (zero, zero),
-        (None, Some((angle, rate))) => (angle, guess.rate.unwrap_or(rate)),
-        (None, None) if desperate => (zero, guess.rate.unwrap_or(zero)),
-        (None, None) => return None,
+        (_, Some((angle, of_points))) => (angle, guess.rate.unwrap_or(of_points)),
+        (Some(carried), None) if trust >= Trust::Carried => (carried.angle, rate),
+        (None, None) if trust == Trust::Zero => (zero, rate),
+        _ => return None,
     };
     let x = graph.direction(angle);
     let axes = graph.planar_axes(x);
     let (local, place) = match known.first() {
         Some(known) => *known,
-        None if desperate => (
+        None if trust == Trust::Zero => (
             [zero; 3],
             Known {
                 position: [zero; 3],

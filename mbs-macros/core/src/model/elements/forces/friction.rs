@@ -3,6 +3,7 @@
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::{Force, ForceElement, Load};
+use crate::model::requirements::Wanted;
 use crate::symbolic::{Expr, Function, Symbol};
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
@@ -77,6 +78,12 @@ fn friction_coefficient(
             "the static coefficient is smaller than the kinetic one",
         );
     }
+    let more = arguments.graph().sub(at_rest, kinetic);
+    arguments.require(
+        "static_coefficient - coefficient",
+        &[more],
+        Wanted::NotNegative,
+    );
     let decay = arguments.of_dimension(pair[1], dimension)?;
     arguments.refuse_not_positive(pair[1], decay, "`stribeck_velocity` is positive")?;
     let graph = arguments.graph();
@@ -84,7 +91,6 @@ fn friction_coefficient(
     let square = graph.square(ratio);
     let exponent = graph.neg(square);
     let share = graph.function(Function::Exp, exponent);
-    let difference = graph.sub(at_rest, kinetic);
-    let more = graph.mul(difference, share);
+    let more = graph.mul(more, share);
     Some(graph.add(kinetic, more))
 }

@@ -3,6 +3,7 @@
 use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::{Force, ForceElement, Side, Stop};
+use crate::model::requirements::Wanted;
 use crate::symbolic::{Expr, Symbol};
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
@@ -60,18 +61,26 @@ fn sides(arguments: &mut Arguments, dimension: Option<Dimension>) -> Option<Vec<
     for (field, is_upper) in [("lower", false), ("upper", true)] {
         if arguments.has(field) {
             let begin = arguments.of_dimension(field, dimension)?;
-            bounds.push(arguments.by_default(begin));
+            bounds.push(begin);
             sides.push(Side { begin, is_upper });
         }
     }
-    match bounds.as_slice() {
-        [] => arguments.fail("", "a stop needs `lower =`, `upper =` or both"),
-        [lower, upper] if lower >= upper => arguments.fail(
-            "upper",
-            "the upper stop begins where the lower one does, or below it",
-        ),
-        _ => Some(sides),
+    match bounds[..] {
+        [] => return arguments.fail("", "a stop needs `lower =`, `upper =` or both"),
+        [lower, upper] => {
+            let room = arguments.graph().sub(upper, lower);
+            if !(arguments.by_default(room) > 0.0) {
+                return arguments.fail(
+                    "upper",
+                    "the upper stop begins where the lower one does, or below it",
+                );
+            }
+            let wanted = Wanted::Positive("the upper stop begins above the lower one");
+            arguments.require("upper - lower", &[room], wanted);
+        }
+        _ => {}
     }
+    Some(sides)
 }
 
 fn positive(

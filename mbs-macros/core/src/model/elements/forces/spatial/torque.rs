@@ -33,7 +33,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         if field != "axes" && arguments.is_slender(owner) {
             return arguments.fail(
                 field,
-                format!("`{name}` is a slender bar without inertia about itself: a torque along it would be lost; give it `radius =` or `inertia =`"),
+                format!("`{name}` is a slender bar and takes no torque: it has no inertia about itself, and the part along it would be lost; give it `radius =` or `inertia =`"),
             );
         }
         if arguments.is_slender(owner) {

@@ -23,7 +23,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     if arguments.has("torque") && arguments.is_slender(on.owner) {
         return arguments.fail(
             "on",
-            format!("`{name}` is a slender bar without inertia about itself: a torque along it would be lost; give it `radius =` or `inertia =`, or use `Force`"),
+            format!("`{name}` is a slender bar and takes no torque: it has no inertia about itself, and the part along it would be lost; give it `radius =` or `inertia =`, or use `Force`"),
         );
     }
     if !arguments.has("force") && !arguments.has("torque") {
