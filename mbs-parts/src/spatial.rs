@@ -24,7 +24,11 @@ assembly!(Leg {
     force: Input(0.0_N),
 
     along: Let(unit(head - foot)),
-    across: Let(unit(cross(Z, head - foot))),
+    level: Let(cross(Z, head - foot)),
+    // Of a vertical leg it is Y.
+    across: Let(unit(
+        level + [0.0_m, 1.0_m * step(1e-6_m - norm(level)), 0.0_m]
+    )),
     lower: Bar(
         mass = mass,
         from = foot,

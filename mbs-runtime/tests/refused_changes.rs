@@ -33,8 +33,8 @@ fn a_loose_tolerance_assembles_and_follows() {
             step: 1e-2,
             ..Settings::default()
         };
-        let mut simulation = Simulation::with_settings(FourBar::default(), settings.clone())
-            .expect("the pose is closed");
+        let mut simulation =
+            Simulation::with_settings(FourBar::default(), settings).expect("the pose is closed");
         simulation.run_until(0.5).expect("it runs");
         let state = simulation.state().clone();
         let verdict = simulation

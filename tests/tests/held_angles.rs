@@ -74,6 +74,9 @@ mechanism!(Plate {
     other_foot: Revolute(ground.point(1.5_m, 0.0), rocker.a),
     plate: Bar(mass = 1e-9_kg, length = 0.1_m, angle = 40.0_deg),
     rivet: Fixed(coupler.a, plate.a),
+    rib: Bar(mass = 1e-9_kg, length = 0.1_m),
+    corner: Fixed(coupler.a, rib.a, angle = 100.0_deg),
+    sin: Output(10.0 * cross(coupler.b - coupler.a, rib.b - rib.a) / 1.5_m2),
     rate: Output(crank.rate),
     slope: Output((coupler.b - coupler.a).y / 1.5_m),
 });
@@ -134,4 +137,6 @@ fn points_come_before_carried_angles() {
         plate.outputs().rate
     );
     assert!(plate.outputs().slope.abs() < 0.5);
+    // And the angle of the coupler is carried to a part that has none.
+    close(plate.outputs().sin, 100.0_f64.to_radians().sin());
 }

@@ -121,7 +121,7 @@ fn messages_name_entry_argument_and_value() {
         (
             "highest",
             -1.5,
-            "`upper - lower` of `end` is -0.5: the upper stop begins above the lower one",
+            "`upper - lower` of `end` is -0.5: the upper stop has to begin above the lower one",
         ),
         (
             "grip",

@@ -194,6 +194,8 @@ fn massless_motion_beside_joint_coordinates() {
     bead: Particle(at = [1.0_m, 0.5_m]),
     ~~~~ `bead` moves without mass: give it `mass =`, or join it to a part that has mass
     string: SpringDamper(arm.b, bead.origin, stiffness = 10.0_N_per_m),
+    puck: Body(mass = 1.0_kg, inertia = 0.0_kg_m2, free = true),
+    ~~~~ `puck` turns without inertia: give it a positive `inertia =`, or use a `Particle`
 });"#,
     );
 }
@@ -206,6 +208,25 @@ fn documentation_and_names() {
     /// A crank.
     ~~~~~~~~~~~~ `world:` has no documentation of its own; that of the whole stands before its name, or in `doc:`
     world: Planar(),
+});"#,
+    );
+}
+
+#[test]
+fn members_with_other_values_are_no_array() {
+    refused(
+        r#"assembly!(Row {
+    world: Planar(),
+    at: Port(Point),
+    count: Port(Number, default = 2),
+    bar: Each(0..count, |i| Bar(mass = 1.0_kg, length = 0.1_m)),
+    pin: Each(0..count, |i| Revolute(at, bar[i].a)),
+    tip: Each(0..count, |i| Output(bar[i].b.x)),
+});
+mechanism!(Rows {
+    world: Planar(),
+    row: Each(0..2, |i| Assembly(Row, at = ground.origin, count = i + 1)),
+    ~~~ the members of `row` have different outputs, and an array has members of one type: give them the same, or declare them one by one
 });"#,
     );
 }

@@ -61,6 +61,9 @@ fn compile_gathered(tokens: TokenStream) -> TokenStream {
     }
     match analyse(tokens) {
         (Some(declaration), Ok(analysis)) => {
+            if let Err(failure) = check_families(&declaration, &analysis) {
+                return refused(&declaration, &failure);
+            }
             let (items, size) = emit::written(&declaration, &analysis, &analysis.program); // 6
             match budget::check(&declaration, &analysis, &size) {
                 Ok(()) => items,
@@ -71,6 +74,18 @@ fn compile_gathered(tokens: TokenStream) -> TokenStream {
         (None, Err(failure)) => failure.to_compile_errors(),
         (None, Ok(_)) => TokenStream::new(),
     }
+}
+
+/// Refuses families that are an array of the program, and have members of different types.
+fn check_families(declaration: &Declaration, analysis: &Analysis) -> Result<(), Failure> {
+    let mut errors = Errors::new();
+    for (name, what) in emit::uneven_families(declaration, analysis) {
+        errors.at(
+            name.span(),
+            format!("the members of `{name}` have different {what}, and an array has members of one type: give them the same, or declare them one by one"),
+        );
+    }
+    errors.stop_if_any()
 }
 
 fn refused(declaration: &Declaration, failure: &Failure) -> TokenStream {

@@ -1,6 +1,6 @@
 use mbs_parts::spatial::Leg;
 
-// The universal joint of a leg has its first pin across the vertical.
+// A leg has a direction.
 mbs_runtime::mechanism!(Wrong {
     world: Spatial(),
     plate: Body(mass = 1.0_kg, inertia = 0.1_kg_m2, at = [0.0_m, 0.0, 1.0]),
@@ -9,7 +9,7 @@ mbs_runtime::mechanism!(Wrong {
         base = ground,
         platform = plate,
         foot = [0.0_m, 0.0, 0.0],
-        head = [0.0_m, 0.0, 1.0]
+        head = [0.0_m, 0.0, 0.0]
     ),
 });
 

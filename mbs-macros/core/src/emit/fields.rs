@@ -205,18 +205,37 @@ impl<'q> Field<'q> {
         }
     }
 
+    /// Whether its members have different types.
+    pub(super) fn has_other_members(&self) -> bool {
+        let mut shapes = self.members.values().map(Content::shape);
+        let first = shapes.next();
+        let missing = self.members.len() != self.sizes.iter().product::<usize>();
+        missing || shapes.any(|shape| Some(shape) != first)
+    }
+
+    /// What its members hold.
+    pub(super) fn contents(&self) -> impl Iterator<Item = &Content<'q>> {
+        self.members.values()
+    }
+
     /// What its type depends on.
     fn shape(&self) -> String {
-        let content = match self.members.values().next() {
-            Some(Content::Assembly(instance, fields)) => shape(instance, fields),
-            Some(Content::Vector(values)) => values.len().to_string(),
-            Some(Content::Number(..)) | None => String::new(),
-        };
+        let content = self.members.values().next().map(Content::shape);
+        let content = content.unwrap_or_default();
         format!("{}{:?}{content}", self.name, self.sizes)
     }
 }
 
 impl Content<'_> {
+    /// What its type depends on.
+    fn shape(&self) -> String {
+        match self {
+            Content::Assembly(instance, fields) => shape(instance, fields),
+            Content::Vector(values) => values.len().to_string(),
+            Content::Number(..) => String::new(),
+        }
+    }
+
     fn quantities(&self) -> Vec<&Quantity> {
         match self {
             Content::Number(_, quantity) => vec![quantity],

@@ -5,6 +5,7 @@
 
 mod abridged;
 mod access;
+mod arrays;
 mod blocks;
 mod body;
 mod checks;
@@ -38,6 +39,7 @@ use crate::syntax::{Declaration, Port};
 use proc_macro2::TokenStream;
 use quote::quote;
 
+pub use arrays::uneven_families;
 pub use editor::{is_editor, sketch};
 pub use fallback::fallback;
 pub use size::{Size, statements};

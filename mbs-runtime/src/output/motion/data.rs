@@ -17,8 +17,10 @@ const FEWEST_FRAMES: usize = 1000;
 /// Points that are never further apart than this, of the size of the motion, are drawn as one.
 const SAME: f64 = 2e-6;
 
-/// Significant digits of what is read in a diagram.
+/// Significant digits of what is read in a diagram, and of how much it changes.
 const DIGITS: usize = 4;
+/// A change below this part of a value may be what an iteration leaves.
+const ROUND_OFF: f64 = 1e-6;
 
 pub(super) fn write(
     out: &mut impl Write,
@@ -55,16 +57,15 @@ pub(super) fn write(
     let track = track.iter().map(ToString::to_string);
     writeln!(out, "\"track\":{},", json::array(track))?;
 
-    let digits = json::digits_for(extent(
-        frames.iter().flat_map(|f| f.points.iter().flatten()),
-    ));
+    // A mechanism far from the origin moves as one beside it.
+    let digits = json::digits_for(size_of(frames.iter().copied()));
     let tracks = tracks.iter().map(|&point| {
         let axes = 0..if spatial { 3 } else { 2 };
         let axis = |axis| {
             column(
                 &frames,
                 |f| f.points[point][axis],
-                |x| json::number(x, digits),
+                |_, x| json::number(x, digits),
             )
         };
         json::array(axes.map(axis))
@@ -86,7 +87,8 @@ pub(super) fn write(
     });
     writeln!(out, "\"reactions\":{},", lines(reactions))?;
     let mut series = |name: &str, value: fn(&Frame) -> f64| {
-        let values = frames.iter().map(|f| significant(value(f)));
+        let spread = spread(frames.iter().map(|f| value(f)));
+        let values = frames.iter().map(|f| significant(spread, value(f)));
         writeln!(out, "\"{name}\":{},", json::array(values))
     };
     series("kinetic", |f| f.energy.kinetic)?;
@@ -94,7 +96,7 @@ pub(super) fn write(
     series("energyError", |f| f.energy.error)?;
     series("holonomicError", |f| f.holonomic_error)?;
     series("velocityError", |f| f.velocity_error)?;
-    let digits = json::digits_for(extent(frames.iter().map(|f| &f.time)));
+    let digits = json::digits_for(spread(frames.iter().map(|f| f.time)));
     let times = frames.iter().map(|f| json::number(f.time, digits));
     write!(out, "\"time\":{}}}", json::array(times))?;
     Ok(frames.len())
@@ -109,9 +111,10 @@ fn lines(values: impl IntoIterator<Item = String>) -> String {
 fn column(
     frames: &[&Frame],
     value: impl Fn(&Frame) -> f64,
-    text: impl Fn(f64) -> String,
+    text: impl Fn(f64, f64) -> String,
 ) -> String {
-    let values: Vec<String> = frames.iter().map(|f| text(value(f))).collect();
+    let spread = spread(frames.iter().map(|f| value(f)));
+    let values: Vec<String> = frames.iter().map(|f| text(spread, value(f))).collect();
     match values.first() {
         Some(first) if values.iter().all(|value| value == first) => first.clone(),
         _ => json::array(values),
@@ -120,7 +123,7 @@ fn column(
 
 /// One point for each different path in space, and for each point the index of its path.
 fn tracks(model: &Model, frames: &[Frame]) -> (Vec<usize>, Vec<usize>) {
-    let tolerance = SAME * extent(frames.iter().flat_map(|f| f.points.iter().flatten()));
+    let tolerance = SAME * size_of(frames);
     let same = |a: usize, b: usize| {
         frames.iter().all(|f| {
             let pairs = f.points[a].iter().zip(&f.points[b]);
@@ -149,12 +152,51 @@ fn thin(frames: &[Frame], most: usize) -> Vec<&Frame> {
     kept
 }
 
-fn significant(value: f64) -> String {
-    json::significant(value, DIGITS)
+/// A value of a quantity that changes by `spread`: of a small change beside a large value as many digits are kept.
+fn significant(spread: f64, value: f64) -> String {
+    let ratio = value.abs() / spread;
+    let more = match ratio > 1.0 && ratio * ROUND_OFF < 1.0 {
+        true => ratio.log10().ceil() as usize,
+        false => 0,
+    };
+    json::significant(value, DIGITS + more)
 }
 
-/// The largest magnitude.
-fn extent<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
+/// How much the finite values differ.
+fn spread(values: impl IntoIterator<Item = f64>) -> f64 {
     let finite = values.into_iter().filter(|x| x.is_finite());
-    finite.fold(0.0, |most, x| most.max(x.abs()))
+    let [least, most] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], x| {
+        [least.min(x), most.max(x)]
+    });
+    (most - least).max(0.0)
+}
+
+/// The largest spread of places along an axis.
+fn size_of<'f>(frames: impl IntoIterator<Item = &'f Frame> + Clone) -> f64 {
+    let along = |axis: usize| {
+        let frames = frames.clone().into_iter();
+        spread(frames.flat_map(|f| f.points.iter().map(move |point| point[axis])))
+    };
+    (0..3).map(along).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_changes_of_large_values_are_kept() {
+        assert_eq!(significant(2.0, 1.23456), "1.235");
+        assert_eq!(significant(1e-3, 100.00051), "100.00051");
+        // What an iteration leaves is no change.
+        assert_eq!(significant(1e-13, 100.00000000000001), "100");
+        assert_eq!(significant(0.0, 1.23456), "1.235");
+        assert_eq!(spread([1e6, f64::NAN, 1e6 + 2.0]), 2.0);
+        assert_eq!(spread([]), 0.0);
+        let far = Frame {
+            points: vec![[1e6, 0.0, 0.0], [1e6 + 1.0, 0.5, 0.0]],
+            ..Frame::default()
+        };
+        assert_eq!(size_of([&far]), 1.0);
+    }
 }

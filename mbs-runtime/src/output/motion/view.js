@@ -138,8 +138,9 @@ const MINUS = "\u2212";
 const signed = (text) => text.replace("-", MINUS);
 const label = (x, step) => {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
-  const plain = digits <= 4 && Math.abs(x) < 1e5;
-  return signed(plain ? (Math.abs(x) < step / 2 ? 0 : x).toFixed(digits) : x.toExponential(1));
+  const size = Math.abs(x) < step / 2 ? 0 : Math.abs(x);
+  if (digits <= 4 && size < 1e5) return signed((size && x).toFixed(digits));
+  return size ? signed(x.toExponential(1)) : "0";
 };
 const quantity = (x) => {
   if (x === null || x === undefined) return "–";

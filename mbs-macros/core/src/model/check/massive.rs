@@ -8,12 +8,13 @@ use crate::symbolic::{Graph, Symbol};
 use proc_macro2::Span;
 use std::collections::BTreeSet;
 
-/// There is at least one coordinate, and every coordinate moves a mass. (Where joints have coordinates, only points that
-/// carry nothing are looked at: the others may move with several coordinates, and all parts after them move with them.)
+/// There is at least one coordinate, and every coordinate moves a mass. (The coordinates of joints are not looked at, nor
+/// those of parts that carry others by them: all parts after them move with them. A part that is carried moves with several.)
 pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction: &Reduction) {
     if !resolver.errors.is_empty() {
         return;
     }
+    let carried: BTreeSet<usize> = tree.joints.iter().map(|joint| joint.child).collect();
     let carriers: BTreeSet<usize> = tree
         .joints
         .iter()
@@ -31,8 +32,12 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction:
     let mut known = heavy.clone();
     let mut massless: Vec<(String, Span, String)> = Vec::new();
     for (index, part) in resolver.parts.iter().enumerate() {
-        let moves_alone = part.representation.is_points() && !carriers.contains(&index);
-        if !tree.joints.is_empty() && !moves_alone {
+        let is_carried = carried.contains(&index);
+        let of_points = part.representation.is_points();
+        // A coordinate may move a part that carries others.
+        let is_coordinate = part.representation == Representation::Coordinate;
+        let of_tree = is_carried && !of_points || is_coordinate && !tree.joints.is_empty();
+        if carriers.contains(&index) || of_tree {
             continue;
         }
         let light: Vec<u32> = part

@@ -8,6 +8,7 @@ use crate::model::elements::joint::HeldAngle;
 use crate::model::geometry::Owner;
 use crate::model::parts::{Part, Representation};
 use crate::symbolic::{Expr, Graph, Substitution};
+use std::collections::HashSet;
 
 /// The angle of a part at the start.
 #[derive(Debug, Clone, Copy)]
@@ -70,7 +71,7 @@ impl HeldAngles {
                 (Owner::Part(part), Owner::Ground) => (part, graph.neg(held.angle)),
                 _ => continue,
             };
-            self.spread(graph, part, angle, None, [true; 2]);
+            self.spread(graph, part, angle);
         }
         for (index, part) in parts.iter().enumerate() {
             let (Representation::Prescribed, Some(angle)) = (part.representation, part.frame.angle)
@@ -80,28 +81,29 @@ impl HeldAngles {
             let angle = graph.substitute(angle, known);
             // That of a part which follows another one is not known yet.
             if !graph.depends_on(angle, |symbol| !symbol.is_parameter_like()) {
-                self.spread(graph, index, angle, None, [true; 2]);
+                self.spread(graph, index, angle);
             }
         }
     }
 
-    /// What is declared; a part within a quarter turn of what is held keeps its own.
+    /// What is declared. A part within a quarter turn of what is held keeps its own angle.
     fn declare(&mut self, graph: &mut Graph, parts: &[Part]) {
         for (index, part) in parts.iter().enumerate() {
             let (false, Some(angle)) = (part.representation.is_number(), part.guess.angle) else {
                 continue;
             };
-            if let Some(held) = self.angles[index] {
+            let keeps = self.angles[index].is_none_or(|held| {
                 let off = graph.sub(angle, held.angle);
-                if graph.as_constant(off).is_some_and(|off| off.cos() > 0.0) {
-                    self.angles[index] = Some(Angle {
-                        angle,
-                        rate: part.guess.rate,
-                        is_firm: true,
-                    });
-                }
+                graph.as_constant(off).is_some_and(|off| off.cos() > 0.0)
+            });
+            if keeps {
+                self.angles[index] = Some(Angle {
+                    angle,
+                    rate: part.guess.rate,
+                    is_firm: true,
+                });
             }
-            self.spread(graph, index, angle, part.guess.rate, [true, false]);
+            self.hand_on(graph, index, false, |known| known.is_none());
         }
     }
 
@@ -112,36 +114,61 @@ impl HeldAngles {
 
     /// The pose of a part becomes known, and the angles that joints hold against it.
     pub(super) fn found(&mut self, graph: &mut Graph, part: usize, angle: Expr, rate: Expr) {
-        self.spread(graph, part, angle, Some(rate), [true, false]);
+        self.angles[part] = Some(Angle {
+            angle,
+            rate: Some(rate),
+            is_firm: true,
+        });
+        self.hand_on(graph, part, false, |known| {
+            known.is_none_or(|known| !known.is_firm)
+        });
     }
 
-    /// From a part whose angle becomes known to those that have none yet; `firm` is that of this part and of the others.
-    fn spread(
+    /// The angle of a part that is held against the ground.
+    fn spread(&mut self, graph: &mut Graph, part: usize, angle: Expr) {
+        if self.angles[part].is_none() {
+            self.angles[part] = Some(Angle {
+                angle,
+                rate: None,
+                is_firm: true,
+            });
+            self.hand_on(graph, part, true, |known| known.is_none());
+        }
+    }
+
+    /// From a part whose angle is known to those of which `takes` says so, whose angles then are firm or not.
+    fn hand_on(
         &mut self,
         graph: &mut Graph,
         part: usize,
-        angle: Expr,
-        rate: Option<Expr>,
-        firm: [bool; 2],
+        is_firm: bool,
+        takes: impl Fn(Option<Angle>) -> bool,
     ) {
-        let mut front = vec![(part, angle, firm[0])];
-        while let Some((part, angle, is_firm)) = front.pop() {
-            if self.angles[part].is_some() {
+        let mut visited = HashSet::from([part]);
+        let mut front = vec![part];
+        while let Some(part) = front.pop() {
+            let Some(Angle { angle, rate, .. }) = self.angles[part] else {
                 continue;
-            }
-            self.angles[part] = Some(Angle {
-                angle,
-                rate,
-                is_firm,
-            });
-            for held in self.held_of[part].iter().map(|&held| self.held[held]) {
+            };
+            for at in 0..self.held_of[part].len() {
+                let held = self.held[self.held_of[part][at]];
                 let (partner, angle) = match held.parent {
                     Owner::Part(parent) if parent == part => {
                         (held.child, graph.add(angle, held.angle))
                     }
                     parent => (parent, graph.sub(angle, held.angle)),
                 };
-                front.extend(partner.part().map(|partner| (partner, angle, firm[1])));
+                if let Owner::Part(partner) = partner
+                    && takes(self.angles[partner])
+                    && visited.insert(partner)
+                {
+                    self.angles[partner] = Some(Angle {
+                        angle,
+                        rate,
+                        is_firm,
+                    });
+                    front.push(partner);
+                }
             }
         }
     }

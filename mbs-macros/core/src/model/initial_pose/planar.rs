@@ -234,7 +234,7 @@ fn pose(
     let guess = &part.guess;
     let is_point = part.kind == "Particle";
     let by_points = two_points(graph, known);
-    // An angle that was declared without a rate has none at the start.
+    // A part that starts at its declared angle, without a rate, starts without turning.
     let of_points = by_points.filter(|_| guess.angle.is_none());
     let rate = angle.and_then(|angle| angle.rate);
     let rate = guess.rate.or(rate).or(of_points.map(|(_, rate)| rate));

@@ -75,7 +75,7 @@ fn sides(arguments: &mut Arguments, dimension: Option<Dimension>) -> Option<Vec<
                     "the upper stop begins where the lower one does, or below it",
                 );
             }
-            let wanted = Wanted::Positive("the upper stop begins above the lower one");
+            let wanted = Wanted::Positive("the upper stop has to begin above the lower one");
             arguments.require("upper - lower", &[room], wanted);
         }
         _ => {}
