@@ -4,6 +4,8 @@ use super::continuation;
 use crate::System;
 use crate::alf3f::residual_of;
 use crate::constraint_geometry::ConstraintGeometry;
+#[cfg(not(feature = "std"))]
+use crate::elementary::Elementary as _;
 use crate::fault::Fault;
 use crate::linear::{DelassusFactor, accumulate, negative};
 use crate::memory::Box;
