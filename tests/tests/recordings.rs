@@ -2,7 +2,7 @@
 
 use crate::data::Pendulum;
 use mbs_runtime::output::SaveError;
-use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError};
+use mbs_runtime::{Mechanism, Settings, Simulation, SimulationError, mechanism};
 use std::path::Path;
 use std::{env, fs};
 
@@ -134,26 +134,41 @@ fn animations_of_long_runs_are_thinned() {
     assert!(page.contains("\"recorded\":6001,"));
 }
 
+// Its force is no number after a quarter of a second.
+mechanism!(Fading {
+    world: Planar(),
+    bead: Particle(mass = 1.0_kg),
+    track: PointOnLine(bead, ground.origin),
+    push: Force(
+        bead.origin,
+        value = [1.0_N * sqrt(1.0 - 4.0_per_s * t), 0.0_N]
+    ),
+    x: Output(bead.origin.x),
+});
+
 #[test]
 fn a_run_that_stops_leaves_its_files() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("stopped");
-    let mut simulation = Simulation::new(Pendulum {}).unwrap();
-    simulation.run_until(0.5).unwrap();
-    let error = simulation.record(0.1).npz().save(&folder).unwrap_err();
+    let _ = fs::remove_dir_all(&folder);
+    let mut simulation = Simulation::new(Fading {}).unwrap();
+    let error = (simulation.record(0.5).every(0.1).npz())
+        .save(&folder)
+        .unwrap_err();
+    assert!(matches!(&error, SaveError::Simulation(_)), "{error}");
+    let read = || fs::read_to_string(folder.join("trajectory.csv")).unwrap();
+    let table = read();
+    // Its head, three instants and that of the end.
+    assert_eq!(table.lines().count(), 6, "{table}");
+    let last = table.lines().last().unwrap();
+    assert!(last.starts_with("# stopped at t = 0.2"), "{last}");
+    assert!(folder.join("motion.html").exists() && folder.join("trajectory.npz").exists());
+    // What cannot be run leaves them as they are.
+    let error = simulation.record(0.1).save(&folder).unwrap_err();
     assert!(
         matches!(&error, SaveError::Simulation(SimulationError::Time { .. })),
         "{error}"
     );
-    let table = fs::read_to_string(folder.join("trajectory.csv")).unwrap();
-    assert_eq!(table.lines().count(), 3);
-    assert!(
-        table
-            .lines()
-            .last()
-            .unwrap()
-            .starts_with("# stopped at t = 0.5 s")
-    );
-    assert!(folder.join("motion.html").exists() && folder.join("trajectory.npz").exists());
+    assert_eq!(read(), table);
     // A folder that is a file is named in the error.
     let file = folder.join("motion.html");
     let error = simulation.record(0.6).save(&file).unwrap_err();
