@@ -102,19 +102,20 @@ pub(super) fn project<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     let open =
         |rates: &SVector<f64, R>| !(residual_of(rates, &scale.weights) <= scale.round_off(speed));
     // Velocities that satisfy the rows are left as they are, and nothing is factored for them.
-    if !open(&geometry.velocity_rows(system, v)) {
+    let mut rates = geometry.velocity_rows(system, v);
+    if !open(&rates) {
         return;
     }
     let mut solver = Box::new(DelassusFactor::new());
     solver.thresholds = Thresholds::ELIMINATED;
     solver.expect_redundancy(&geometry.delassus);
     for _ in 0..3 {
-        let rates = geometry.velocity_rows(system, v);
-        if !open(&rates) {
-            return;
-        }
         let mut multiplier = negative(&rates);
         solver.solve(&mut multiplier);
         accumulate(v, &geometry.w, &multiplier);
+        rates = geometry.velocity_rows(system, v);
+        if !open(&rates) {
+            return;
+        }
     }
 }

@@ -61,7 +61,9 @@ impl<const Q: usize, const N: usize, const R: usize> Adaptive<Q, N, R> {
         self.equations.begin();
         let known = u64::from(self.first.is_some());
         let (equations, first) = (&mut self.equations, &mut self.first);
-        let end = self.stages.step_from(bench, equations, h, first)?;
+        let end = self
+            .stages
+            .step_from::<S, R, true>(bench, equations, h, first)?;
         bench.counters.stages += DORMAND_PRINCE5.nodes.len() as u64 - known;
         let [turn, change] = self.stages.error(h);
         let (q, v) = (bench.state.positions, bench.state.velocities);

@@ -112,12 +112,13 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         equations: &mut Index1<N, R>,
         h: f64,
     ) -> Result<End<Q, N>, Fault> {
-        self.step_from(bench, equations, h, &mut None)
+        self.step_from::<S, R, false>(bench, equations, h, &mut None)
     }
 
-    /// The same, with the first stage if it is known; it is afterwards.
+    /// The same, with the first stage if it is known; it is afterwards. `KEEPS` says whether there is such a stage: other
+    /// methods do not copy it.
     #[inline]
-    pub(crate) fn step_from<S: System<Q, N, R>, const R: usize>(
+    pub(crate) fn step_from<S: System<Q, N, R>, const R: usize, const KEEPS: bool>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         equations: &mut Index1<N, R>,
@@ -138,7 +139,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         for (stage, (&node, &weight)) in stages.enumerate() {
             let t = t0 + node * h;
             let acceleration = match first {
-                Some(first) if stage == 0 => {
+                Some(first) if const { KEEPS } && stage == 0 => {
                     bench.add_works(h * weight, first.powers);
                     first.acceleration
                 }
@@ -150,7 +151,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
                     if weight != 0.0 {
                         let powers = bench.powers(t, &q, &v, &equations.lambda);
                         bench.add_works(h * weight, powers);
-                        if stage == 0 {
+                        if const { KEEPS } && stage == 0 {
                             *first = Some(FirstStage {
                                 acceleration,
                                 powers,

@@ -50,13 +50,7 @@ impl Resolver<'_> {
         for symbol in self.graph.symbols(position) {
             let value = match symbol {
                 Symbol::LocalPosition(local) => self.home_coordinate(local),
-                Symbol::LocalRotation(first, entry) => {
-                    let (row, column) = (usize::from(entry / 3), usize::from(entry % 3));
-                    let mut parts = self.parts.iter();
-                    let part = parts.find(|part| part.rotation() == Some(first));
-                    part.and_then(|part| part.home)
-                        .map(|home| home.axes[column][row])
-                }
+                Symbol::LocalRotation(first, entry) => self.home_rotation(first, entry),
                 _ => None,
             };
             if let Some(value) = value {
@@ -64,6 +58,14 @@ impl Resolver<'_> {
             }
         }
         position.map(|x| self.graph.substitute(x, &mut known))
+    }
+
+    /// An entry of the rotation whose first local is this, in the home pose.
+    pub(super) fn home_rotation(&self, first: u32, entry: u8) -> Option<Expr> {
+        let (row, column) = (usize::from(entry / 3), usize::from(entry % 3));
+        let mut parts = self.parts.iter();
+        let part = parts.find(|part| part.rotation() == Some(first))?;
+        part.home.map(|home| home.axes[column][row])
     }
 
     /// The value of a local coordinate in the home pose.

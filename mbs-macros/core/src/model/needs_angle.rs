@@ -13,30 +13,34 @@ pub(super) fn needs_angle(declaration: &Declaration, kinds: &Kinds) -> HashSet<S
     for entry in &declaration.entries {
         note_entry(entry, declaration, kinds, &mut names);
     }
-    follow_other_names(declaration, &mut names);
+    let others = other_names(declaration);
+    follow(&others, &mut names);
     let mut joints = declaration.entries.iter();
     let joints = joints
         .by_ref()
         .filter(|entry| entry.kind == "Revolute" && names.contains(entry.name.as_str()));
     let partners: Vec<String> = joints.flat_map(partners).collect();
     names.extend(partners);
-    follow_other_names(declaration, &mut names);
+    follow(&others, &mut names);
     names
 }
 
-/// A `Let` may be another name of a part, and of such a name in turn.
-fn follow_other_names(declaration: &Declaration, names: &mut HashSet<String>) {
-    let others = declaration
+/// `Let`s that are no more than another name of a part, or of such a name in turn.
+fn other_names(declaration: &Declaration) -> HashMap<&str, String> {
+    let lets = declaration
         .entries
         .iter()
         .filter(|entry| entry.kind == "Let");
-    let others: HashMap<&str, String> = others
-        .filter_map(|entry| {
-            let named = entry.named("value").map(|argument| &argument.value);
-            let part = reference(entry.positional.first().or(named)?)?.ok()?;
-            Some((entry.name.as_str(), part.text()))
-        })
-        .collect();
+    lets.filter_map(|entry| {
+        let named = entry.named("value").map(|argument| &argument.value);
+        let part = reference(entry.positional.first().or(named)?)?.ok()?;
+        Some((entry.name.as_str(), part.text()))
+    })
+    .collect()
+}
+
+/// Adds what these names stand for.
+fn follow(others: &HashMap<&str, String>, names: &mut HashSet<String>) {
     let mut front: Vec<String> = names.iter().cloned().collect();
     while let Some(name) = front.pop() {
         if let Some(part) = others.get(name.as_str())

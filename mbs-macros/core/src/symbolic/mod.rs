@@ -23,6 +23,7 @@ mod phasor;
 mod print;
 mod rate;
 mod rotation;
+mod smoothness;
 mod substitute;
 mod table;
 
@@ -441,31 +442,6 @@ impl Graph {
             )
         };
         self.any_inside([expr], is_partial)
-    }
-
-    /// Whether expressions consist of sums, products, sines and cosines of what varies within a step. Others may jump or bend, or come
-    /// near to it (friction).
-    pub fn is_smooth(&self, roots: impl IntoIterator<Item = Expr>) -> bool {
-        let varies = |expr: Expr| {
-            let is_fixed =
-                |symbol: Symbol| symbol.is_parameter_like() || matches!(symbol, Symbol::Input(_));
-            self.depends_on(expr, |symbol| !is_fixed(symbol))
-        };
-        let is_plain = |function| {
-            use Function::{Apart, Cos, Same, Sin};
-            matches!(function, Sin | Cos | Same | Apart)
-        };
-        !self.any_inside(roots, |node| match node {
-            Node::Constant(_) | Node::Symbol(_) | Node::Sum { .. } => false,
-            Node::Product(factors) => {
-                let mut divisors = factors.iter().filter(|(_, power)| *power < 0);
-                divisors.any(|&(factor, _)| varies(factor))
-            }
-            Node::Function(function, x) => !is_plain(*function) && varies(*x),
-            Node::Power(x, _) | Node::Table { x, .. } => varies(*x),
-            Node::Atan2(y, x) => varies(*y) || varies(*x),
-            Node::Law { arguments, .. } => arguments.iter().any(|&argument| varies(argument)),
-        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Functions given by measured values: a polynomial of third degree in each interval.
 
-use super::{Expr, Function, Graph, Node, Number, Symbol};
+use super::{Expr, Graph, Node, Number, Symbol};
 use std::sync::Arc;
 
 /// Between the knots.
@@ -256,38 +256,5 @@ impl Graph {
                 x,
             }),
         }
-    }
-
-    /// Whether a step, or a sign, is added to the rest with a constant factor: the value jumps. (Where an input jumps, the
-    /// mechanism follows.)
-    pub fn jumps(&self, expr: Expr) -> bool {
-        let varies =
-            |symbol: Symbol| !symbol.is_parameter_like() && !matches!(symbol, Symbol::Input(_));
-        let is_step = |factor: Expr| match self.node(factor) {
-            Node::Function(Function::Step | Function::Sign, x) => self.depends_on(*x, varies),
-            _ => false,
-        };
-        let is_constant = |factor: Expr| {
-            !self.depends_on(factor, |symbol| !symbol.is_parameter_like())
-                && !self.contains_law(factor)
-        };
-        let term_jumps = |term: Expr| match self.node(term) {
-            Node::Product(factors) => {
-                let mut factors = factors.iter().map(|&(factor, _)| factor);
-                factors.clone().any(is_step) && factors.all(|x| is_step(x) || is_constant(x))
-            }
-            _ => is_step(term),
-        };
-        match self.node(expr) {
-            Node::Sum { terms, .. } => terms.iter().any(|&(term, _)| term_jumps(term)),
-            _ => term_jumps(expr),
-        }
-    }
-
-    /// Whether a table whose slope jumps occurs in the expression, as a derivative of this order or a higher one.
-    pub fn contains_kink(&self, expr: Expr, from: i8) -> bool {
-        self.any_inside([expr], |node| {
-            matches!(node, Node::Table { table, order, .. } if *order >= from && table.has_kinks())
-        })
     }
 }

@@ -12,17 +12,10 @@ impl Resolver<'_> {
         for symbol in self.graph.symbols([expr]) {
             let known = match symbol {
                 Symbol::LocalPosition(local) => guesses.position(local, &mut self.graph),
-                Symbol::LocalRotation(first, entry) => {
-                    let part = self
-                        .parts
-                        .iter()
-                        .find(|part| part.rotation() == Some(first));
-                    let (row, column) = (usize::from(entry / 3), usize::from(entry % 3));
-                    match part.and_then(|part| part.home) {
-                        Some(home) => home.axes[column][row],
-                        None => continue,
-                    }
-                }
+                Symbol::LocalRotation(first, entry) => match self.home_rotation(first, entry) {
+                    Some(known) => known,
+                    None => continue,
+                },
                 Symbol::Parameter(_) => self.graph.symbol(symbol),
                 _ => self.graph.zero(),
             };

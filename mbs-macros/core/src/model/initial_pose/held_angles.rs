@@ -144,6 +144,9 @@ impl HeldAngles {
         is_firm: bool,
         takes: impl Fn(Option<Angle>) -> bool,
     ) {
+        if self.held_of[part].is_empty() {
+            return;
+        }
         let mut visited = HashSet::from([part]);
         let mut front = vec![part];
         while let Some(part) = front.pop() {
@@ -152,16 +155,16 @@ impl HeldAngles {
             };
             for at in 0..self.held_of[part].len() {
                 let held = self.held[self.held_of[part][at]];
-                let (partner, angle) = match held.parent {
-                    Owner::Part(parent) if parent == part => {
-                        (held.child, graph.add(angle, held.angle))
-                    }
-                    parent => (parent, graph.sub(angle, held.angle)),
-                };
+                let forwards = held.parent == Owner::Part(part);
+                let partner = if forwards { held.child } else { held.parent };
                 if let Owner::Part(partner) = partner
                     && takes(self.angles[partner])
                     && visited.insert(partner)
                 {
+                    let angle = match forwards {
+                        true => graph.add(angle, held.angle),
+                        false => graph.sub(angle, held.angle),
+                    };
                     self.angles[partner] = Some(Angle {
                         angle,
                         rate,
