@@ -67,6 +67,24 @@ fn it_needs_four_kilobytes_of_stack_for_a_velocity() {
     thread.spawn(run).expect("a thread").join().expect("a run");
 }
 
+/// The same room is enough for other parameters, from which the mechanism follows.
+#[test]
+fn other_parameters_need_no_more_stack() {
+    let run = || {
+        let mut simulation = Simulation::new(Loops::default()).expect("assembled");
+        let longer = Loops {
+            length: 1.001,
+            ..Loops::default()
+        };
+        let verdict = simulation.set_parameters(longer).expect("a mechanism");
+        assert_eq!(verdict.rank, 2 * LOOPS + 1);
+        simulation.run_until(0.01).expect("the end");
+    };
+    let velocities = Loops::MODEL.velocities.len();
+    let thread = std::thread::Builder::new().stack_size(4096 * velocities);
+    thread.spawn(run).expect("a thread").join().expect("a run");
+}
+
 #[test]
 fn it_moves_like_one_crank() {
     let settings = Settings {
@@ -312,6 +330,28 @@ fn sparse_and_dense_starts_move_a_guess_alike() {
         };
         assert!(names(&sparse).len() > BRACED);
         assert_eq!(names(&sparse), names(&dense));
+    }
+}
+
+#[test]
+fn other_parameters_move_sparse_and_dense_alike() {
+    let longer = |length| Braced {
+        length,
+        ..Braced::default()
+    };
+    let mut sparse = Simulation::new(longer(1.0)).expect("assembled");
+    let mut dense = Simulation::new(Dense(longer(1.0))).expect("assembled");
+    for length in [1.001, 0.9995] {
+        let verdict = sparse.set_parameters(longer(length)).expect("a mechanism");
+        let same = dense.set_parameters(Dense(longer(length)));
+        let same = same.expect("a mechanism");
+        let apart = (sparse.positions() - dense.positions()).amax();
+        let velocities_apart = (sparse.velocities() - dense.velocities()).amax();
+        println!("{length}: {apart:e} m, {velocities_apart:e} m/s");
+        assert!(verdict.moved > 1e-4 && apart < 1e-9 && velocities_apart < 1e-9);
+        assert!((verdict.moved - same.moved).abs() < 1e-9);
+        assert_eq!(verdict.redundant_rows, same.redundant_rows);
+        assert!((verdict.residual_before - same.residual_before).abs() < 1e-12);
     }
 }
 

@@ -1,9 +1,11 @@
 //! Rows that change during a run: where an input jumps or a parameter changes, the mechanism follows at once.
 
 use super::guess::check_start;
+use super::large;
 use super::newton::{ASSEMBLED, close, project};
 use super::verdict::{independent_rows, judge, moved};
 use crate::constraint_geometry::ConstraintGeometry;
+use crate::large::check_dense_start;
 use crate::linear::largest;
 use crate::memory::Box;
 use crate::row_scale::RowScale;
@@ -16,14 +18,17 @@ use nalgebra::SVector;
 ///
 /// # Errors
 /// [`SimulationError::Assembly`] where no pose satisfies the rows, [`SimulationError::Contradiction`] where no velocities do,
-/// and forces or energies that are not finite; the state is not changed.
+/// forces and energies that are not finite, and [`SimulationError::Large`] where that takes dense arrays for which a stack has no
+/// room; the state is not changed.
 #[inline(never)]
 pub(crate) fn jump<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
     state: &mut State<Q, N, R>,
 ) -> Result<(), SimulationError> {
-    follow(system, settings, state).map(|_| ())
+    let at = follow(system, settings, state)?;
+    (state.positions, state.velocities) = (at.q, at.v);
+    Ok(())
 }
 
 /// The same, with the verdict on the rows and on what has moved.
@@ -35,16 +40,33 @@ pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     settings: &Settings,
     state: &mut State<Q, N, R>,
 ) -> Result<AssemblyVerdict, SimulationError> {
-    let before = (state.positions, state.velocities);
-    let rows = follow(system, settings, state)?;
-    let (q, v) = (&state.positions, &state.velocities);
-    let mut verdict = rows.verdict(system, [&before.0, q]);
-    verdict.changes = moved::<S, Q, N, R>([&before.0, q], [&before.1, v], rows.yardstick.length);
+    let At { q, v, rows } = follow(system, settings, state)?;
+    let mut verdict = match rows {
+        Rows::Judged(verdict) => verdict,
+        Rows::Dense(rows) => rows.verdict(system, [&state.positions, &q]),
+    };
+    let length = Yardstick::new(system, settings.step).length;
+    verdict.changes = moved::<S, Q, N, R>([&state.positions, &q], [&state.velocities, &v], length);
+    (state.positions, state.velocities) = (q, v);
     Ok(verdict)
 }
 
-/// The rows where a search for a pose has ended.
-struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+/// Where a search for a pose has ended.
+struct At<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    q: SVector<f64, Q>,
+    v: SVector<f64, N>,
+    rows: Rows<S, Q, N, R>,
+}
+
+/// The rows there.
+enum Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
+    /// Of a large mechanism, whose factors have given the verdict.
+    Judged(AssemblyVerdict),
+    Dense(Dense<S, Q, N, R>),
+}
+
+/// The rows as dense arrays.
+struct Dense<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     yardstick: Yardstick<Q, N>,
     scale: RowScale<R>,
     geometry: Box<ConstraintGeometry<S, Q, N, R>>,
@@ -53,7 +75,7 @@ struct Rows<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> 
     before: f64,
 }
 
-impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S, Q, N, R> {
+impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dense<S, Q, N, R> {
     fn verdict(&self, system: &S, positions: [&SVector<f64, Q>; 2]) -> AssemblyVerdict {
         let rows = independent_rows(system, &self.geometry, &self.yardstick);
         let residual = (&self.phi, &self.scale);
@@ -64,19 +86,33 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
 fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
-    state: &mut State<Q, N, R>,
-) -> Result<Rows<S, Q, N, R>, SimulationError> {
+    state: &State<Q, N, R>,
+) -> Result<At<S, Q, N, R>, SimulationError> {
     let t = state.time;
     let fault = |fault| SimulationError::from_fault(fault, S::MODEL, t, settings.step);
+    let without_dense =
+        const { large::is_possible::<S, Q, N, R>() } && large::applies::<S, Q, N, R>(settings);
+    if !without_dense {
+        check_dense_start(N, R)?;
+    }
     let yardstick = Yardstick::new(system, settings.step);
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
+    if const { large::is_possible::<S, Q, N, R>() } && without_dense {
+        let before = (t, &state.positions, &state.velocities);
+        if let Some(found) = large::assemble(system, settings, before, &yardstick, &scale) {
+            let (q, v, verdict) = found?;
+            let rows = Rows::Judged(verdict);
+            return Ok(At { q, v, rows });
+        }
+        check_dense_start(N, R)?;
+    }
     let (mut q, mut v) = (state.positions, state.velocities);
     let mut geometry = ConstraintGeometry::new(system, &q).map_err(fault)?;
     let mut phi = SVector::zeros();
     geometry.evaluate(system, t, &q, &mut phi).map_err(fault)?;
     let before = largest(&phi);
     close(system, t, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
-    let rows = Rows {
+    let rows = Dense {
         yardstick,
         scale,
         geometry,
@@ -92,6 +128,6 @@ fn follow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let rates = (&rows.geometry.velocity_rows(system, &v), &rows.geometry.b);
     let measures = (&rows.scale, &rows.yardstick);
     check_start(system, (t, &q, &v), rates, measures, settings)?;
-    (state.positions, state.velocities) = (q, v);
-    Ok(rows)
+    let rows = Rows::Dense(rows);
+    Ok(At { q, v, rows })
 }

@@ -1,4 +1,4 @@
-//! The start of a large mechanism without dense arrays, where nothing is held: the same as that with them.
+//! The start of a large mechanism, and other rows during a run, without dense arrays, where nothing is held: the same as with them.
 
 mod factors;
 
@@ -13,26 +13,30 @@ use crate::linear::sparse::{Entries, Recorder, dependence};
 use crate::linear::{Dependence, largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Settings, SimulationError, State, System};
+use crate::{AssemblyVerdict, Settings, SimulationError, System};
 use nalgebra::SVector;
 
-/// The state and the verdict, or what is wrong with them; `None` where dense arrays are needed, and for what does not assemble, on which they have more
-/// to say.
+/// Positions, velocities and the verdict on them.
+pub(super) type Assembled<const Q: usize, const N: usize> =
+    (SVector<f64, Q>, SVector<f64, N>, AssemblyVerdict);
+
+/// What satisfies the rows at the time t, or what is wrong with it; `None` where dense arrays are needed, and for what does not
+/// assemble, on which they have more to say.
 pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     settings: &Settings,
-    (guess, declared): (&SVector<f64, Q>, &SVector<f64, N>),
+    (t, guess, declared): (f64, &SVector<f64, Q>, &SVector<f64, N>),
     yardstick: &Yardstick<Q, N>,
     scale: &RowScale<R>,
-) -> Option<Result<(State<Q, N, R>, AssemblyVerdict), SimulationError>> {
-    let mut start = SparseStart::new(system, settings, guess)?;
+) -> Option<Result<Assembled<Q, N>, SimulationError>> {
+    let mut start = SparseStart::new(system, settings, (t, guess))?;
     let (mut q, mut v) = (*guess, *declared);
     let before = largest(&start.phi);
     if !(start.close(&mut q, scale) && start.project(&mut v, scale, yardstick)) {
         return None;
     }
     let rates = (&start.rates(&v), &start.b);
-    match check_start(system, (0.0, &q, &v), rates, (scale, yardstick), settings) {
+    match check_start(system, (t, &q, &v), rates, (scale, yardstick), settings) {
         Ok(()) => {}
         // Dense arrays may come nearer to velocities that satisfy the rows.
         Err(SimulationError::Contradiction { .. }) if check_dense_start(N, R).is_ok() => {
@@ -40,10 +44,10 @@ pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
         }
         Err(error) => return Some(Err(error)),
     }
-    let rows = rows(system, 0.0, &q, yardstick)?;
+    let rows = rows(system, t, &q, yardstick)?;
     let mut verdict = judge(system, rows, (&start.phi, scale), before, [guess, &q]);
     verdict.changes = moved::<S, Q, N, R>([guess, &q], [declared, &v], yardstick.length);
-    Some(Ok((State::new(0.0, q, v), verdict)))
+    Some(Ok((q, v, verdict)))
 }
 
 /// The rows that depend on others at a pose; `None` if M is not positive definite.
@@ -86,6 +90,7 @@ const fn is_planned<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
 /// M and A at a pose, and their factors.
 struct SparseStart<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     system: &'a S,
+    time: f64,
     mass: Entries,
     a: Entries,
     phi: SVector<f64, R>,
@@ -96,12 +101,12 @@ struct SparseStart<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const
 impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     SparseStart<'a, S, Q, N, R>
 {
-    /// At time 0 and the pose q; `None` if the pattern is singular.
-    fn new(system: &'a S, settings: &Settings, q: &SVector<f64, Q>) -> Option<Self> {
+    /// At the time t and the pose q; `None` if the pattern is singular.
+    fn new(system: &'a S, settings: &Settings, (t, q): (f64, &SVector<f64, Q>)) -> Option<Self> {
         let (mut mass, mut a) = (Recorder::default(), Recorder::default());
         let (mut phi, mut b) = (zeros(), zeros());
         system.mass_matrix(q, &mut mass);
-        system.constraints(0.0, q, &mut phi, &mut a, &mut b);
+        system.constraints(t, q, &mut phi, &mut a, &mut b);
         let (mass, a) = (Entries::of(mass), Entries::of(a));
         let factors = match S::ELIMINATION {
             Some(plan) if is_planned::<S, Q, N, R>() && !is_sparse::<S, Q, N, R>(settings) => {
@@ -111,6 +116,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         };
         let mut start = SparseStart {
             system,
+            time: t,
             mass,
             a,
             phi,
@@ -124,6 +130,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     fn evaluate(&mut self, q: &SVector<f64, Q>) {
         let SparseStart {
             system,
+            time,
             mass,
             a,
             phi,
@@ -131,9 +138,9 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             factors,
         } = self;
         system.mass_matrix(q, &mut mass.sink());
-        system.constraints(0.0, q, phi, &mut a.sink(), b);
+        system.constraints(*time, q, phi, &mut a.sink(), b);
         if let Some(k) = factors.planned_entries() {
-            system.sparse_constraints(0.0, q, phi, k, b);
+            system.sparse_constraints(*time, q, phi, k, b);
         }
     }
 
@@ -161,7 +168,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             *q = loop {
                 let trial = self.system.advance(q, &way, factor);
                 let mut residual = zeros();
-                self.system.holonomic(0.0, &trial, &mut residual);
+                self.system.holonomic(self.time, &trial, &mut residual);
                 if residual_of(&residual, &scale.weights) < before {
                     break trial;
                 }

@@ -55,10 +55,15 @@ pub(crate) fn assemble<
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
     if const { large::is_possible::<S, Q, N, R>() && S::HELD.is_empty() }
         && without_dense
-        && let Some(assembled) =
-            large::assemble(system, settings, (&guess, &declared), &yardstick, &scale)
+        && let Some(assembled) = large::assemble(
+            system,
+            settings,
+            (0.0, &guess, &declared),
+            &yardstick,
+            &scale,
+        )
     {
-        return assembled;
+        return assembled.map(|(q, v, verdict)| (State::new(0.0, q, v), verdict));
     }
     check_dense_start(N, R)?;
     let mut geometry = ConstraintGeometry::new(system, &guess).map_err(fault)?;

@@ -4,7 +4,7 @@ use super::Simulation;
 use crate::assembly::refit;
 use crate::energy::total;
 use crate::{
-    AssemblyVerdict, KnownPoses, Mechanism, PosesAhead, SimulationError, System, ThreeFields,
+    AssemblyVerdict, KnownPoses, Mechanism, PosesAhead, SimulationError, State, System, ThreeFields,
 };
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
@@ -45,8 +45,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ) -> Result<AssemblyVerdict, SimulationError> {
         let mut system = mechanism.prepare()?;
         system.inputs_mut().copy_from_slice(self.system().inputs());
+        // In parts, whose frames are not on the stack together: without optimisation each move of a large state is a copy.
+        let (state, verdict) = self.refitted(&system)?;
+        self.renew(system, state, verdict.clone())?;
+        Ok(verdict)
+    }
+
+    /// The current state where it satisfies the rows of another system, without what belongs to this one.
+    #[inline(never)]
+    fn refitted(
+        &self,
+        system: &S,
+    ) -> Result<(Box<State<Q, N, R>>, AssemblyVerdict), SimulationError> {
         let before = self.state();
-        let mut state = before.clone();
+        let mut state = before.boxed_copy();
         state.forget_factors();
         // Momenta of the old masses.
         state.fields = ThreeFields::default();
@@ -56,13 +68,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         state.step_controller.estimated_difficulty = None;
         state.step_controller.difficulty = None;
         state.step_controller.estimate_factor = 0.0;
-        let verdict = refit(&system, &self.settings, &mut state)?;
-        state.ledger.nonconservative_work += total(&system, &state) - total(self.system(), before);
-        let mut renewed =
-            Self::from_state(system, self.settings, state, verdict.clone(), self.other)?;
-        renewed.take_over(self);
-        *self = renewed;
-        Ok(verdict)
+        let verdict = refit(system, &self.settings, &mut state)?;
+        state.ledger.nonconservative_work += total(system, &state) - total(self.system(), before);
+        Ok((state, verdict))
+    }
+
+    /// Goes on with another system and state.
+    #[inline(never)]
+    fn renew(
+        &mut self,
+        system: S,
+        state: Box<State<Q, N, R>>,
+        verdict: AssemblyVerdict,
+    ) -> Result<(), SimulationError> {
+        match Self::from_state(system, self.settings, *state, verdict, self.other) {
+            Ok(mut renewed) => {
+                renewed.take_over(self);
+                *self = renewed;
+                Ok(())
+            }
+            Err(error) => Err(error),
+        }
     }
 
     /// After the method changed: the same, and what does not depend on it.
