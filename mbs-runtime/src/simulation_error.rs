@@ -339,7 +339,7 @@ impl fmt::Display for SimulationError {
             ),
             Order { order, because } => write!(
                 out,
-                "order {order} cannot be had here: {because}; use order 2"
+                "order {order} cannot be had here: {because}; leave the order at 2, the default"
             ),
             Time { now, wanted } => write!(
                 out,

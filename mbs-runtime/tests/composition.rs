@@ -97,7 +97,7 @@ fn orders_that_would_be_wrong_are_refused() {
                 panic!("{error:?}");
             };
             assert_eq!(named, order);
-            assert!(error.unwrap().to_string().contains("use order 2"));
+            assert!(error.unwrap().to_string().contains("leave the order at 2"));
         };
         let plain = settings(order, 1e-2);
         let paper = Settings {

@@ -98,7 +98,7 @@ impl Simulate {
             .transpose()?;
 
         let table = reference(scene, &request);
-        let interval = sample_interval(&request, table.as_ref().ok());
+        let interval = sample_interval(&request, scene.duration, table.as_ref().ok());
         let mut run = Run {
             scene,
             simulation,
@@ -112,15 +112,15 @@ impl Simulate {
         };
         integrate(&mut run, request.duration, interval, results.as_mut())?;
         run.reference = table.map(|table| table.compare(&run.frames));
-        if let Some(results) = results {
-            results.finish(&run)?;
-        }
+        // The summary is printed even where the files cannot be written.
+        let saved = results.map_or(Ok(()), |results| results.finish(&run));
         let text = if self.json {
             summary::json(&run)
         } else {
             summary::text(&run)
         };
         print(&text)?;
+        saved?;
         match &run.stopped {
             None => Ok(()),
             Some(error) => Err(Failure(format!("{error}"))),
@@ -190,15 +190,19 @@ fn integrate(
     Ok(())
 }
 
-/// The interval of the samples. With a tolerance it is a fraction of the interval of the reference. Otherwise it is a
+/// The interval of the samples of a scene with this usual duration. With a tolerance it is a fraction of the interval of the reference,
+/// or in a long run a multiple of it. Otherwise it is a
 /// whole number of steps, so that samples shorten no step, and if possible one whose samples include the instants of
 /// the reference.
-fn sample_interval(request: &Request, reference: Option<&ReferenceTable>) -> f64 {
+fn sample_interval(request: &Request, usual: f64, reference: Option<&ReferenceTable>) -> f64 {
     let wanted = reference.and_then(ReferenceTable::interval);
     if request.settings.tolerance.is_some() || request.settings.accuracy.is_some() {
         let interval = wanted.unwrap_or(request.duration).min(request.duration);
         let parts = (interval / request.duration * LOOKS).ceil();
-        return interval / parts.max(1.0);
+        let interval = interval / parts.max(1.0);
+        // A run that is longer than the reference does not have more of them than fit into a diagram.
+        let most = MOST_SAMPLES.max((usual / interval).ceil());
+        return interval * (request.duration / interval / most).ceil().max(1.0);
     }
     let step = request.settings.step;
     let fewest = (request.duration / step / MOST_SAMPLES).ceil().max(1.0);

@@ -144,6 +144,14 @@ fn coarsest(model: &Yardstick, method: &Entry, bound: f64, key: &[&str; KEYS]) -
 
 /// Bars of the processor time, one group for each method and bound.
 pub fn draw(rows: &[Row]) -> String {
+    // In the order of the headings, whatever the order in which they were measured.
+    let place = |row: &&Row| {
+        let method = METHODS.iter().position(|method| *method == row[1]);
+        let bound = BOUNDS.iter().position(|bound| row[2].parse() == Ok(*bound));
+        (method, bound)
+    };
+    let mut rows: Vec<&Row> = rows.iter().collect();
+    rows.sort_by_key(place);
     const LEFT: f64 = 250.0;
     const UNIT: f64 = 130.0;
     let number = |row: &Row, i: usize| row[i].parse::<f64>().unwrap_or(f64::NAN);
@@ -167,7 +175,7 @@ pub fn draw(rows: &[Row]) -> String {
         let label = format!("{}", least * 10_f64.powi(decade));
         svg.text([x, height - 36.0], 14.0, Anchor::Middle, INK, &label);
     }
-    for row in rows {
+    for row in &rows {
         let heading = format!("{}, position error ≤ {} m", row[1], row[2]);
         if heading != group {
             svg.text([12.0, y + 22.0], 14.0, Anchor::Start, INK, &heading);

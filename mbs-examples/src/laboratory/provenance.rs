@@ -10,7 +10,42 @@ const SOURCES: [&str; 3] = [":(top)*.rs", ":(top)*.toml", ":(top)Cargo.lock"];
 
 /// `commit …; machine …`, for the head of a file.
 pub fn provenance() -> String {
-    format!("commit {}; machine {}", commit(), machine())
+    let built = if is_older() {
+        "; built from earlier sources"
+    } else {
+        ""
+    };
+    format!("commit {}{built}; machine {}", commit(), machine())
+}
+
+/// Whether this program is older than a source that is compiled into it: then the commit is not its own.
+fn is_older() -> bool {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let modified = |path: &Path| std::fs::metadata(path).and_then(|file| file.modified());
+    let Ok(built) = std::env::current_exe().and_then(|program| modified(&program)) else {
+        return false;
+    };
+    let compiled = [
+        "mbs-runtime/src",
+        "mbs-macros/src",
+        "mbs-macros/core/src",
+        "mbs-examples/src",
+    ];
+    let mut folders: Vec<_> = compiled
+        .iter()
+        .map(|path| folder.join("..").join(path))
+        .collect();
+    while let Some(folder) = folders.pop() {
+        let entries = std::fs::read_dir(&folder).into_iter().flatten().flatten();
+        for path in entries.map(|entry| entry.path()) {
+            if path.is_dir() {
+                folders.push(path);
+            } else if modified(&path).is_ok_and(|changed| changed > built) {
+                return true;
+            }
+        }
+    }
+    false
 }
 
 fn commit() -> String {

@@ -33,7 +33,7 @@ impl Yardstick {
     /// # Errors
     /// A message about missing data.
     pub fn new(scene: &'static Scene) -> Result<Self, String> {
-        let reference = scene.reference.as_ref().ok_or("the scene has none")?;
+        let reference = scene.reference.as_ref().ok_or("it has no reference")?;
         let table = ReferenceTable::find(reference, scene.model)?
             .ok_or_else(|| format!("{} was not found", reference.file))?;
         let mut yardstick = Yardstick {

@@ -184,7 +184,8 @@ fn fields(quantities: &[Quantity]) -> Vec<String> {
     for quantity in quantities {
         let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
         let mut field: String = quantity.name.chars().map(plain).collect();
-        while field.ends_with('_') && field != quantity.name {
+        // Of a name without letters of C one character stays.
+        while field.len() > 1 && field.ends_with('_') && field != quantity.name {
             field.pop();
         }
         if RESERVED.contains(&field.as_str()) {

@@ -8,7 +8,7 @@ use plotters::prelude::*;
 
 const SIZE: (u32, u32) = (960, 640);
 /// Room for the labels of the y axis, and at the right edge.
-const LEFT: u32 = 100;
+const LEFT: u32 = 116;
 const MARGIN: u32 = 12;
 const RIGHT: u32 = 32;
 /// Width of the diagram itself.
@@ -37,6 +37,13 @@ const FLOOR: f64 = 1e-18;
 /// Points of an error curve at most.
 const SPANS: usize = 400;
 
+/// Decimals of a label at most.
+const MOST_DECIMALS: usize = 12;
+/// The width of a digit of a label, of a letter of a title, and of the name of an axis.
+const DIGIT: u32 = 11;
+const LETTER: u32 = 10;
+const ROOM_OF_NAME: u32 = 36;
+
 /// A curve with its colour, and its label in the legend.
 struct Curve {
     label: &'static str,
@@ -51,13 +58,18 @@ impl Curve {
         frames: &[Frame],
         value: impl Fn(&Frame) -> f64,
     ) -> Self {
-        let points = frames.iter().map(|f| (f.time, value(f)));
-        let points = points.filter(|(_, y)| y.is_finite()).collect();
+        let points = frames.iter().map(|f| (f.time, value(f))).collect();
         Curve {
             label,
             colour,
             points,
         }
+    }
+
+    /// The parts between values that are no numbers.
+    fn parts(&self) -> impl Iterator<Item = &[(f64, f64)]> {
+        let parts = self.points.split(|(_, y)| !y.is_finite());
+        parts.filter(|part| !part.is_empty())
     }
 }
 
@@ -65,7 +77,8 @@ impl Curve {
 /// error would fill a logarithmic diagram with lines.
 fn envelope(curve: &Curve) -> Curve {
     let size = curve.points.len().div_ceil(SPANS).max(1);
-    let largest = |span: &[(f64, f64)]| span.iter().fold(0.0, |most, p| f64::max(most, p.1));
+    // A maximum of two values is a number where one of them is.
+    let largest = |span: &[(f64, f64)]| span.iter().fold(f64::NAN, |most, p| most.max(p.1));
     let spans = curve.points.chunks(size);
     let mut points: Vec<_> = spans.map(|span| (span[0].0, largest(span))).collect();
     if let (Some(&(end, _)), Some(&(_, value))) = (curve.points.last(), points.last()) {
@@ -91,7 +104,8 @@ pub fn energy(title: &str, frames: &[Frame]) -> Result<String, String> {
                 f.energy.kinetic + f.energy.potential
             }),
         ];
-        linear(&upper, &format!("{title}: energy"), "energy, J", &curves)?;
+        let caption = caption(title, ": energy");
+        linear(&upper, &caption, ("energy, ", "J"), &curves)?;
         let error = Curve::new("|T + V − work − E₀|", BLUE, frames, |f| {
             f.energy.error.abs()
         });
@@ -115,8 +129,8 @@ pub fn outputs(recording: &Recording) -> Result<String, String> {
     picture_of(height, |root| {
         let areas = root.split_evenly((panels.len().max(1), 1));
         for (area, (unit, curves)) in areas.iter().zip(&panels) {
-            let name = if unit.is_empty() { "1" } else { unit };
-            linear(area, &recording.title, name, curves)?;
+            let unit = if unit.is_empty() { "1" } else { unit };
+            linear(area, &caption(&recording.title, ""), ("", unit), curves)?;
         }
         Ok(())
     })
@@ -162,7 +176,7 @@ pub fn constraints(title: &str, frames: &[Frame]) -> Result<String, String> {
                 f.velocity_error
             }),
         ];
-        let caption = format!("{title}: constraint errors");
+        let caption = caption(title, ": constraint errors");
         logarithmic(root, &caption, "error, SI units of the rows", curves)
     })
 }
@@ -182,25 +196,25 @@ fn picture_of(height: u32, draw: impl FnOnce(&Area) -> Drawn) -> Result<String, 
     Ok(svg)
 }
 
-fn linear(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
+fn linear(area: &Area, caption: &str, (name, unit): (&str, &str), curves: &[Curve]) -> Drawn {
     let (low, high) = bounds(curves).unwrap_or((0.0, 1.0));
+    let power = power_of_ten(low.abs().max(high.abs()));
+    let scale = ten_to(-power);
+    let (low, high) = (low * scale, high * scale);
     let margin = if high > low {
         0.06 * (high - low)
     } else {
         low.abs().max(1.0)
     };
     let range = low - margin..high + margin;
-    let digits = decimals(range.end - range.start);
-    let label = |y: &f64| match digits {
-        0..=6 => format!("{y:.digits$}"),
-        _ => format!("{y:.2e}"),
-    };
+    let height = range.end - range.start;
+    let digits = decimals(height).min(MOST_DECIMALS);
     let axis = Axis {
-        unit,
+        unit: &format!("{name}{}", in_powers(power, unit)),
         range,
         labels: 8,
-        label: &label,
-        place: &|y| y,
+        label: &|y| tick(*y, height, digits),
+        place: &|y| y * scale,
     };
     panel(area, caption, curves, axis)
 }
@@ -243,30 +257,48 @@ fn panel(area: &Area, caption: &str, curves: &[Curve], axis: Axis) -> Drawn {
     let (head, body) = area.split_vertically(12 + 26 * rows);
     heading(&head, caption, curves, 26 * (rows - 1))?;
     let times = times(curves);
-    let time_digits = decimals(times.end - times.start);
+    let power = power_of_ten(times.end - times.start);
+    let scale = ten_to(-power);
+    let times = times.start * scale..times.end * scale;
+    let span = times.end - times.start;
+    let time_digits = decimals(span).min(MOST_DECIMALS);
+    let ends = [axis.range.start, axis.range.end].map(|y| (axis.label)(&y).chars().count() as u32);
+    let room = ROOM_OF_NAME + DIGIT * ends[0].max(ends[1]);
     let mut chart = ChartBuilder::on(&body)
         .margin_left(MARGIN)
         .margin_right(RIGHT)
         .margin_top(6)
         .x_label_area_size(50)
-        .y_label_area_size(LEFT - MARGIN)
+        .y_label_area_size(room.max(LEFT - MARGIN))
         .build_cartesian_2d(times, axis.range)?;
     chart
         .configure_mesh()
-        .x_desc("time, s")
+        .x_desc(format!("time, {}", in_powers(power, "s")))
         .y_desc(axis.unit)
         .label_style((FONT, 18, &TEXT))
         .axis_desc_style((FONT, 18, &TEXT))
         .bold_line_style(GRID)
         .light_line_style(TRANSPARENT)
         .axis_style(TEXT)
-        .x_label_formatter(&|t| format!("{t:.time_digits$}"))
+        .x_label_formatter(&|t| tick(*t, span, time_digits))
         .y_labels(axis.labels)
         .y_label_formatter(&axis.label)
         .draw()?;
     for curve in curves {
-        let points = curve.points.iter().map(|(t, y)| (*t, (axis.place)(*y)));
-        chart.draw_series(LineSeries::new(points, curve.colour.stroke_width(2)))?;
+        for part in curve.parts() {
+            let points = part.iter().map(|(t, y)| (t * scale, (axis.place)(*y)));
+            match part {
+                // A line of one point is not drawn.
+                [_] => {
+                    let dots = points.map(|point| Circle::new(point, 3, curve.colour.filled()));
+                    chart.draw_series(dots)?;
+                }
+                _ => {
+                    let style = curve.colour.stroke_width(2);
+                    chart.draw_series(LineSeries::new(points, style))?;
+                }
+            }
+        }
     }
     Ok(())
 }
@@ -289,7 +321,7 @@ fn heading(area: &Area, caption: &str, curves: &[Curve], drop: i32) -> Drawn {
 // The fonts of the reader are unknown here: room for a wide one.
 
 fn title_width(caption: &str) -> u32 {
-    10 * caption.chars().count() as u32
+    LETTER * caption.chars().count() as u32
 }
 
 fn entry_width(curve: &Curve) -> u32 {
@@ -307,7 +339,61 @@ fn times(curves: &[Curve]) -> Range<f64> {
 }
 
 fn bounds(curves: &[Curve]) -> Option<(f64, f64)> {
-    span(curves.iter().flat_map(|c| &c.points).map(|p| p.1))
+    let values = curves.iter().flat_map(|c| &c.points).map(|p| p.1);
+    span(values.filter(|y| y.is_finite()))
+}
+
+/// k of the power 10ᵏ in which values of this size are labelled: 0, if they are long otherwise a multiple of 3.
+fn power_of_ten(size: f64) -> i32 {
+    match size > 0.0 && !(1e-3..1e5).contains(&size) {
+        true => (3 * (size.log10() / 3.0).floor() as i32).clamp(-300, 300),
+        false => 0,
+    }
+}
+
+fn ten_to(power: i32) -> f64 {
+    10f64.powi(power)
+}
+
+/// A unit with a power of ten before it.
+fn in_powers(power: i32, unit: &str) -> String {
+    match power {
+        0 => unit.to_owned(),
+        _ => {
+            let power = power.to_string();
+            let raised = power.chars().map(|c| match c {
+                '1' => '¹',
+                '2' => '²',
+                '3' => '³',
+                '0' | '4'..='9' => char::from_u32(0x2070 + c as u32 - '0' as u32).unwrap_or(c),
+                _ => '⁻',
+            });
+            let raised: String = raised.collect();
+            let unit = if unit == "1" { "" } else { unit };
+            format!("10{raised} {unit}").trim_end().to_owned()
+        }
+    }
+}
+
+/// The label of a tick on an axis of this length: zero where only round-off is left.
+fn tick(value: f64, length: f64, digits: usize) -> String {
+    let value = if value.abs() < 1e-9 * length {
+        0.0
+    } else {
+        value
+    };
+    format!("{value:.digits$}")
+}
+
+/// A title that has room above a diagram, before what the diagram shows.
+fn caption(title: &str, shows: &str) -> String {
+    let room = (WIDTH / LETTER) as usize - shows.chars().count();
+    let title: Vec<char> = title.chars().filter(|c| !c.is_control()).collect();
+    let cut: String = title.iter().take(room - 1).collect();
+    match title.len() > room {
+        true => format!("{}…{shows}", cut.trim_end()),
+        false => title.iter().collect::<String>() + shows,
+    }
 }
 
 fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
@@ -320,4 +406,69 @@ fn span(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
 /// The number of decimals with which neighbouring ticks differ.
 fn decimals(range: f64) -> usize {
     (1.3 - range.max(f64::MIN_POSITIVE).log10()).ceil().max(0.0) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Energy;
+
+    fn frames(values: &[f64], step: f64) -> Vec<Frame> {
+        let frame = |(i, &kinetic): (usize, &f64)| Frame {
+            time: i as f64 * step,
+            energy: Energy {
+                kinetic,
+                ..Energy::default()
+            },
+            ..Frame::default()
+        };
+        values.iter().enumerate().map(frame).collect()
+    }
+
+    /// Lines of the colour of the kinetic energy.
+    fn lines(svg: &str) -> usize {
+        svg.matches("stroke=\"#14507D\"").count()
+    }
+
+    #[test]
+    fn labels_have_a_power_of_ten() {
+        assert_eq!([2.0, 99e3, 0.0, 1e-3].map(power_of_ten), [0; 4]);
+        assert_eq!(
+            [2e5, 5e-4, 1.5e9, 1e-310].map(power_of_ten),
+            [3, -6, 9, -300]
+        );
+        assert_eq!(in_powers(-12, "J"), "10⁻¹² J");
+        assert_eq!(
+            (in_powers(0, "1"), in_powers(9, "1")),
+            ("1".to_owned(), "10⁹".to_owned())
+        );
+        assert_eq!(tick(6.5e-17, 1.0, 2), "0.00");
+        let svg = energy("heavy", &frames(&[-1e9, 2e9], 1e-6)).expect("a picture");
+        assert!(svg.contains("energy, 10⁹ J") && svg.contains("time, 10⁻⁶ s"));
+        assert!(!svg.contains("1000000"));
+    }
+
+    #[test]
+    fn values_as_large_as_numbers_are_have_a_picture() {
+        assert!(energy("huge", &frames(&[-1.7e308, 1.7e308], 1.0)).is_ok());
+    }
+
+    #[test]
+    fn curves_end_where_values_are_no_numbers() {
+        let whole = energy("whole", &frames(&[1.0, 2.0, 3.0, 2.0, 1.0], 1.0));
+        let parted = energy("parted", &frames(&[1.0, 2.0, f64::NAN, 2.0, 1.0], 1.0));
+        let [whole, parted] = [whole, parted].map(|svg| lines(&svg.expect("a picture")));
+        assert_eq!(parted, whole + 1);
+    }
+
+    #[test]
+    fn titles_have_room_above_a_diagram() {
+        let long = caption(&"a\u{1}bc ".repeat(40), ": energy");
+        assert!(
+            title_width(&long) <= WIDTH && long.ends_with("…: energy"),
+            "{long}"
+        );
+        assert!(!long.contains('\u{1}'));
+        assert_eq!(caption("short", ": energy"), "short: energy");
+    }
 }

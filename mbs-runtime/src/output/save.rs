@@ -16,6 +16,8 @@ use crate::Model;
 pub(super) const TABLE: &str = "trajectory.csv";
 /// … and of the same in binary form.
 pub(super) const BINARY: &str = "trajectory.npz";
+const MOTION: &str = "motion.html";
+const PICTURES: [&str; 3] = ["outputs.svg", "energy.svg", "constraints.svg"];
 
 /// What was saved.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -86,13 +88,15 @@ impl Recording {
     }
 
     /// Writes `trajectory.csv` and `motion.html` into a folder, which is made if there is none; with the feature `plot`
-    /// also `outputs.svg`, `energy.svg` and `constraints.svg`. Files of these names are replaced.
+    /// also `outputs.svg`, `energy.svg` and `constraints.svg`. Files of these names, and an earlier `trajectory.npz`, are
+    /// replaced or removed.
     ///
     /// # Errors
     /// A file that cannot be written, by its path.
     pub fn save(&self, folder: impl AsRef<Path>) -> io::Result<Saved> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
+        remove_earlier(folder);
         place(folder, TABLE, |file| self.write_csv(file))?;
         self.save_pictures(folder, self.frames.len())
     }
@@ -100,22 +104,27 @@ impl Recording {
     /// Writes the animation and the diagrams of a run of which this number of instants was recorded.
     pub(super) fn save_pictures(&self, folder: &Path, instants: usize) -> io::Result<Saved> {
         let motion = |file| self.write_motion_of(instants, file);
-        let shown = place(folder, "motion.html", motion)?;
+        let shown = place(folder, MOTION, motion)?;
         #[cfg(feature = "plot")]
-        for (name, picture) in [
-            ("outputs.svg", super::plot::outputs(self)),
-            ("energy.svg", super::plot::energy(&self.title, &self.frames)),
-            (
-                "constraints.svg",
-                super::plot::constraints(&self.title, &self.frames),
-            ),
-        ] {
+        for (name, picture) in PICTURES.into_iter().zip([
+            super::plot::outputs(self),
+            super::plot::energy(&self.title, &self.frames),
+            super::plot::constraints(&self.title, &self.frames),
+        ]) {
             let picture = picture.map_err(io::Error::other)?;
             place(folder, name, |mut file| {
                 io::Write::write_all(&mut file, picture.as_bytes())
             })?;
         }
         Ok(Saved { instants, shown })
+    }
+}
+
+/// Removes the files of an earlier run: what this one does not write must not look like its results.
+pub(super) fn remove_earlier(folder: &Path) {
+    for name in [TABLE, BINARY, MOTION].into_iter().chain(PICTURES) {
+        // What cannot be removed is replaced, or is an error when it is written.
+        let _ = fs::remove_file(folder.join(name));
     }
 }
 

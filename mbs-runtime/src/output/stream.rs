@@ -8,7 +8,7 @@ use std::path::Path;
 use super::csv::CsvWriter;
 use super::npz::NpzWriter;
 use super::path_error::about;
-use super::save::{BINARY, Saved, TABLE};
+use super::save::{BINARY, Saved, TABLE, remove_earlier};
 use super::thinned::Thinned;
 use super::{Frame, Record};
 use crate::SimulationError;
@@ -84,6 +84,7 @@ impl Record<'_> {
         let folder = folder.as_ref();
         fs::create_dir_all(folder).map_err(|error| about(folder, &error))?;
         let model = self.simulation.model();
+        remove_earlier(folder);
         let path = folder.join(TABLE);
         let in_table = |error: io::Error| about(&path, &error);
         let csv =

@@ -3,12 +3,11 @@
 
 const DASHES = [[], [7, 3], [2, 3], [9, 3, 2, 3]];
 const curveColour = (k) => colours.groups[[0, 1, 2, 4, 5, 3][k % 6]];
-const total = data.kinetic.map((t, i) => (t === null || data.potential[i] === null ? null : t + data.potential[i]));
 const series = (column) => (Array.isArray(column) ? column : data.time.map(() => column));
 
 const charts = [
   { title: "Energy", unit: "J", curves: [
-    { name: "T", values: data.kinetic }, { name: "V", values: data.potential }, { name: "T + V", values: total }] },
+    { name: "T", values: data.kinetic }, { name: "V", values: data.potential }, { name: "T + V", values: data.total }] },
   { title: "Energy error", unit: "J", log: true, curves: [{ name: "|E \u2212 E\u2080 \u2212 W|", values: data.energyError }] },
   { title: "Constraint error, max", unit: "", log: true, curves: [
     { name: "|φ|", values: data.holonomicError }, { name: "|A v + b|", values: data.velocityError }] },
@@ -131,6 +130,13 @@ function plot(chart) {
   c.font = FONT; c.lineWidth = 1;
   const axis = axisOf(chart, room);
   const y = (value) => height - strip.bottom - (value - axis.low) / (axis.high - axis.low) * room;
+  // All diagrams have the same room for the longest label, so that instants are one above the other.
+  const widest = 10 + Math.max(...axis.ticks.map(([, text]) => Math.ceil(c.measureText(text).width)));
+  if (widest > strip.left) {
+    strip.left = widest;
+    for (const other of charts) if (other.canvas) { plot(other); drawChart(other); }
+    return;
+  }
   c.textBaseline = "middle"; c.textAlign = "right"; c.fillStyle = colours.soft;
   for (const [value, text, zero] of axis.ticks) {
     c.strokeStyle = zero ? colours.line : colours.grid;

@@ -1,7 +1,7 @@
 
 /* ---- controls -------------------------------------------------------------------------------------------------- */
 
-const clockDigits = Math.max(0, Math.min(6, 3 - Math.floor(Math.log10(end - begin || 1))));
+const clockDigits = Math.max(0, Math.min(12, 3 - Math.floor(Math.log10(end - begin || 1))));
 
 function draw() {
   drawScene();

@@ -93,6 +93,7 @@ pub(super) fn write(
     };
     series("kinetic", |f| f.energy.kinetic)?;
     series("potential", |f| f.energy.potential)?;
+    series("total", |f| f.energy.kinetic + f.energy.potential)?;
     series("energyError", |f| f.energy.error)?;
     series("holonomicError", |f| f.holonomic_error)?;
     series("velocityError", |f| f.velocity_error)?;

@@ -99,7 +99,8 @@ const isJoint = data.tracks.map((_, track) =>
 
 const reactions = [...new Set(data.reactions.map((r) => r[0]))].map((joint) => {
   const rows = data.reactions.filter((r) => r[0] === joint);
-  const component = (name) => (rows.find((r) => r[1] === name) || [])[4] ?? 0;
+  // Without such a row the component is zero; with one whose values are no numbers it is unknown.
+  const component = (name) => { const row = rows.find((r) => r[1] === name); return row ? row[4] : 0; };
   const force = ["fx", "fy", "fz"].map(component);
   const acts = rows.some((r) => /^f[xyz]$/.test(r[1]));
   const point = rows[0][3];

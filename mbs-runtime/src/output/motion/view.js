@@ -135,15 +135,17 @@ function niceStep(range, wanted) {
   return power * [1, 2, 5, 10].find((m) => m * power >= raw * 0.999);
 }
 const MINUS = "\u2212";
-const signed = (text) => text.replace("-", MINUS);
+const signed = (text) => text.replaceAll("-", MINUS);
 const label = (x, step) => {
   const digits = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const size = Math.abs(x) < step / 2 ? 0 : Math.abs(x);
-  if (digits <= 4 && size < 1e5) return signed((size && x).toFixed(digits));
-  return size ? signed(x.toExponential(1)) : "0";
+  if (digits <= 4 && size < (digits ? 1e5 : 1e7)) return signed((size && x).toFixed(digits));
+  // As many digits as tell neighbouring ticks apart.
+  const more = Math.floor(Math.log10(size) + 1e-9) - Math.floor(Math.log10(step) + 1e-9);
+  return size ? signed(x.toExponential(Math.min(12, Math.max(1, more)))) : "0";
 };
 const quantity = (x) => {
   if (x === null || x === undefined) return "–";
   const plain = x === 0 || (Math.abs(x) >= 1e-3 && Math.abs(x) < 1e5);
-  return signed(plain ? String(Number(x.toPrecision(4))) : x.toExponential(1));
+  return signed(plain ? String(Number(x.toPrecision(4))) : Number(x.toPrecision(Math.abs(x) < 1 ? 2 : 4)).toExponential());
 };
