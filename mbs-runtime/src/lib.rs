@@ -165,7 +165,9 @@ pub use sink::{MatrixSink, TensorSink};
 pub use state::KnownPoses;
 #[cfg(feature = "sparse")]
 pub use state::{BackwardDifferences, FactorOrigin, Renewal};
-pub use state::{Foreseen, LastStep, Ledger, PosesAhead, State, StepController, ThreeFields};
+pub use state::{
+    EnergyRange, Foreseen, LastStep, Ledger, PosesAhead, State, StepController, ThreeFields,
+};
 #[cfg(feature = "std")]
 pub use {
     alf3f::PaperStepper,

@@ -14,6 +14,16 @@ pub(crate) fn is_counted(length: f64, [from, to]: [f64; 2]) -> bool {
     !(length < COUNTED * (to - from).max(from.abs()))
 }
 
+/// The round-off of a time, s.
+pub(crate) fn rounding(time: f64) -> f64 {
+    4.0 * f64::EPSILON * time.abs()
+}
+
+/// Whether a time is before now by more than round-off.
+pub(crate) fn is_past(time: f64, now: f64) -> bool {
+    time < now - rounding(now)
+}
+
 /// Refuses an interval that is not positive and finite, or that the clock cannot count between two times.
 pub(crate) fn check_interval(
     name: &'static str,
@@ -62,7 +72,7 @@ impl<'a> Samples<'a> {
 
     fn advance(&mut self) -> Result<Option<Sample>, SimulationError> {
         check_interval("sample interval", self.interval, [self.start, self.until])?;
-        if !(self.until.is_finite() && self.until >= self.start) {
+        if !(self.until.is_finite() && !is_past(self.until, self.start)) {
             return Err(SimulationError::Time {
                 now: self.start,
                 wanted: self.until,
@@ -77,11 +87,12 @@ impl<'a> Samples<'a> {
         self.next += 1;
         let simulation = &mut *self.simulation;
         let last = time + self.interval > self.until + slack;
-        if last || simulation.settings().tolerance.is_none() {
-            simulation.run_until(time.min(self.until).max(simulation.time()))?;
+        let time = time.min(self.until);
+        if simulation.settings().tolerance.is_none() || last && simulation.time() <= time {
+            simulation.run_until(time.max(simulation.time()))?;
             return Ok(Some(simulation.sample()));
         }
-        // With a tolerance a step does not end at a sample.
+        // With a tolerance a step does not end at a sample, and may have gone beyond the last one.
         let mut sample = None;
         simulation.run_past(time, self.until)?;
         simulation.look_at(time, &mut |simulation| sample = Some(simulation.sample()))?;

@@ -293,6 +293,24 @@ pub struct Ledger {
     pub nonconservative_work: f64,
     /// Work of the rheonomic rows.
     pub drive_work: f64,
+    /// What the motion has had, by which errors of the balance are judged; `None` until a simulation has taken it.
+    pub range: Option<EnergyRange>,
+}
+
+/// What a motion has had since its balance began, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EnergyRange {
+    /// What the forces at the start give along the size of the mechanism, or up to where a linear force vanishes.
+    pub depth: f64,
+    /// The least potential energy so far, or what it is `depth` below the start if that is less.
+    pub least: f64,
+    /// The largest works so far.
+    pub works: f64,
+    /// The sum of the squared doubts about the works of forces in the steps so far, J²: their errors have either sign where a
+    /// power oscillates, and are few where a brake stops a part. Their sum would grow with the length of any run until
+    /// nothing is refused.
+    pub doubts: f64,
 }
 
 /// Data of the step controller, kept from step to step.

@@ -65,3 +65,11 @@ fn steps_without_an_end() {
         assert!(balance.time() > 1e18, "{}", balance.time());
     }
 }
+
+/// The steps with which a mechanism at rest is tried have any length; the first one of the run is that of the settings.
+#[test]
+fn a_first_step_at_rest_is_short() {
+    let mut balance = Simulation::with_accuracy(Balance::default(), 1e-6).unwrap();
+    balance.step().unwrap();
+    assert!(balance.time() < 0.1, "{}", balance.time());
+}

@@ -84,3 +84,60 @@ fn a_guess_that_is_no_number_is_named() {
     let error = Simulation::new(pendulum).err().unwrap();
     assert!(!error.to_string().contains("resume"), "{error}");
 }
+
+mechanism!(Free {
+    world: Planar(),
+    particle: Particle(
+        mass = 1.0_kg,
+        at = [0.0_m, 0.0_m],
+        velocity = [1.0_m_per_s, 0.0]
+    ),
+    tiny: Event(1e-200 * (particle.origin.x - 0.3_m)),
+});
+
+/// Runs that are shorter than the round-off of a time add up. The particle had not moved.
+#[test]
+fn short_runs_add_up_at_large_times() {
+    for (time, piece) in [(1.7e9, 1e-6), (1.7e9, 1.001e-3), (1e9, 1.0005e-3)] {
+        for settings in [Settings::default(), Settings::for_tolerance(1e-6)] {
+            let start = Simulation::with_settings(Free::default(), settings).unwrap();
+            let mut state = start.state().clone();
+            state.time = time;
+            let mut late = Simulation::resume(Free::default(), settings, state).unwrap();
+            for number in 1..=1000 {
+                late.run_until(time + f64::from(number) * piece).unwrap();
+            }
+            let moved = late.positions()[0];
+            assert!(
+                (moved - 1000.0 * piece).abs() < 2e-6,
+                "{time:e}, {piece}: {moved} m"
+            );
+        }
+    }
+}
+
+#[test]
+fn events_of_tiny_values_are_found() {
+    let mut simulation = Simulation::new(Free::default()).unwrap();
+    let found = simulation.run_to_event("tiny", 1.0).unwrap();
+    let time = found.expect("the particle passes the place");
+    assert!((time - 0.3).abs() < 1e-9, "{time}");
+}
+
+/// A pair that goes to the end of the run passes the last sample.
+#[test]
+fn the_last_sample_is_at_its_instant() {
+    for settings in [
+        Settings::default(),
+        Settings::for_tolerance(1e-6),
+        Settings::accuracy(1e-6),
+    ] {
+        let mut simulation = simulation(settings).unwrap();
+        let samples = simulation.samples(1.005, 0.01);
+        let times: Vec<f64> = samples.map(|sample| sample.unwrap().time).collect();
+        assert_eq!(times.len(), 101);
+        for (number, time) in times.iter().enumerate() {
+            assert!((time - 0.01 * number as f64).abs() < 1e-12, "{time}");
+        }
+    }
+}

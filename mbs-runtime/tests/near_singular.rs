@@ -256,3 +256,30 @@ fn a_pose_that_proves_to_be_singular_is_passed() {
         assert!(astray < 1e-9, "{} s: {astray} m", simulation.time());
     }
 }
+
+/// At large times the ends of steps are rounded: such steps follow each other, too. (Of these runs 16 ended on the other branch.)
+#[test]
+fn fixed_steps_follow_the_branch_at_large_times() {
+    let right = right(1e-6);
+    for (order, bound) in [(2, 0.05), (4, 1e-4), (6, 2e-6), (8, 2e-7)] {
+        for step in [1e-3, 3e-3, 5e-3, 7e-3, 1e-2, 1.4e-2, 2e-2, 3e-2] {
+            let settings = Settings {
+                order,
+                step,
+                ..Settings::default()
+            };
+            let mechanism = NearParallelogram::default();
+            let start = Simulation::with_settings(mechanism, settings).unwrap();
+            let mut state = start.state().clone();
+            state.time = 1e9;
+            let mut late = Simulation::resume(mechanism, settings, state).unwrap();
+            late.run_until(1e9 + END).unwrap();
+            let apart = (late.positions() - right).amax();
+            // The end itself is rounded by 1e-7 s.
+            assert!(
+                apart < bound + 1e-6,
+                "order {order}, step {step:e}: {apart} m"
+            );
+        }
+    }
+}

@@ -34,6 +34,10 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
     let works = [ledger.nonconservative_work, ledger.drive_work];
     check_finite("a work", &works)?;
     check_finite("the energy at the start", ledger.initial.as_slice())?;
+    if let Some(range) = ledger.range {
+        let energies = [range.depth, range.least, range.works, range.doubts];
+        check_finite("an energy of the motion", &energies)?;
+    }
     check_controller(&state.step_controller)?;
     check_fields(&state.fields)?;
     check_poses_ahead(&state.poses_ahead)?;

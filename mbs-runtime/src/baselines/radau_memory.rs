@@ -5,6 +5,7 @@
 use super::radau_coefficients::NODES;
 use crate::State;
 use crate::linear::{vector, zeros};
+use crate::samples::rounding;
 use nalgebra::SVector;
 
 /// Steps that are kept: a pair, and the one with which it is compared.
@@ -86,7 +87,8 @@ impl<const Q: usize, const N: usize, const R: usize> Memory<Q, N, R> {
     /// The step that ended in this state.
     pub(super) fn before(&self, state: &State<Q, N, R>) -> Option<Known<N, R>> {
         let ended_here = |step: &&Remembered<Q, N, R>| {
-            (step.time - state.time).abs() <= ROUNDING * step.known.length.abs()
+            let rounding = ROUNDING * step.known.length.abs() + rounding(state.time);
+            (step.time - state.time).abs() <= rounding
                 && step.positions == state.positions
                 && step.velocities == state.velocities
         };

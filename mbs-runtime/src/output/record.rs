@@ -3,13 +3,11 @@
 use std::fmt;
 
 use super::{Frame, ProgressBar};
-use crate::samples::{SLACK, check_interval};
+use crate::samples::{SLACK, check_interval, is_past};
 use crate::{AnySimulation, Model, Simulation, SimulationError, System};
 
 /// The largest number of intervals where none is given.
 const MOST: f64 = 2000.0;
-/// The clock may be past the end of a run by this part of the time.
-const ROUND_OFF: f64 = 1e-12;
 /// The number of intervals where none is given and the instants lie between steps.
 const LOOKS: f64 = 500.0;
 
@@ -201,7 +199,7 @@ impl<'a> Record<'a> {
     /// Refuses what cannot be run to, before anything is run or written.
     pub(super) fn check(&self) -> Result<(), SimulationError> {
         let (start, until) = (self.simulation.time(), self.until);
-        if !(until.is_finite() && until >= start - ROUND_OFF * start.abs()) {
+        if !until.is_finite() || is_past(until, start) {
             return Err(SimulationError::Time {
                 now: start,
                 wanted: until,

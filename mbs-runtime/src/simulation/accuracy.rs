@@ -28,6 +28,9 @@ use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepContr
 /// a reference the largest error was up to 23 tolerances with steps of the projected method, and 31 with two-level ones.
 const MARGIN: f64 = 0.2;
 
+/// A shorter way of the pairs of a trial, in sizes and radians, is round-off of a mechanism at rest.
+const RESTING: f64 = 1e-12;
+
 /// The candidates in the order of their trials.
 fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Settings> {
     let two_level = two_level(settings, accuracy);
@@ -164,10 +167,14 @@ where
             }
         }
         let mut simulation = Self::from_state(system, candidates[best], state, assembly, other)?;
-        // Long steps of Radau are those after a transient of the beginning.
-        if leader.rate.is_finite() && candidates[best].method != Method::Radau {
-            simulation.integrator.state_mut().step_controller =
-                StepController::after_trial(leader.step, leader.estimate_factor);
+        // Long steps of Radau are those after a transient of the beginning, and at rest steps grow without end.
+        let moves = leader.rate.is_finite() && leader.way > RESTING;
+        if moves && candidates[best].method != Method::Radau {
+            let controller = &mut simulation.integrator.state_mut().step_controller;
+            *controller = StepController {
+                speed: controller.speed,
+                ..StepController::after_trial(leader.step, leader.estimate_factor)
+            };
         }
         let tried = candidates.iter().zip(&trials);
         let tried = tried.map(|(&settings, trial)| Candidate {

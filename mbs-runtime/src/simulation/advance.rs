@@ -90,7 +90,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let ledger = &mut self.integrator.state_mut().ledger;
         ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
         ledger.drive_work += std::mem::take(&mut monitor.drive_work);
-        self.books.doubt(std::mem::take(&mut monitor.work_doubt));
+        let doubt = std::mem::take(&mut monitor.work_doubt);
+        if let Some(range) = &mut ledger.range {
+            range.doubt(doubt);
+        }
         self.balance = self.energy();
         self.books.energy_error = self.books.energy_error.max(self.balance.error.abs());
     }

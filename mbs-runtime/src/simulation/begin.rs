@@ -78,6 +78,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let is_estimated = S::STATES.is_empty() && integrator.estimate().is_some();
         let form_a_curve = by_position && assembly.rank + 1 + S::STATES.len() == N;
         integrator.state_mut().known_poses.make_room(form_a_curve);
+        let (system, state) = (integrator.system(), integrator.state());
+        let (energy_guard, range) = EnergyGuard::new(system, state, &yardstick, &settings);
+        integrator.state_mut().ledger.range = Some(range);
         let State {
             time,
             positions,
@@ -96,12 +99,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             pair_end,
             last_step_start,
             balance: Energy::default(),
-            energy_guard: EnergyGuard::new(
-                integrator.system(),
-                integrator.state(),
-                &yardstick,
-                &settings,
-            ),
+            energy_guard,
             yardstick,
             integrator,
             settings,
@@ -127,7 +125,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             simulation.integrator.state_mut().ledger.initial = Some(total);
         }
         simulation.balance = simulation.energy();
-        simulation.energy_guard.note(&simulation.balance);
+        let balance = simulation.balance;
+        if let Some(range) = &mut simulation.integrator.state_mut().ledger.range {
+            range.note(&balance);
+        }
         simulation.rank_margin = simulation.integrator.rank_margin();
         simulation.watch();
         simulation

@@ -14,10 +14,6 @@ pub(super) struct Books {
     pub(super) velocity_error: f64,
     /// Power of nonconservative forces at the current instant, W.
     pub(super) power: f64,
-    /// The sum of the squared doubts about the works of forces in the steps so far, J²: their errors have either sign where a
-    /// power oscillates, and are few where a brake stops a part. Their sum would grow with the length of any run until
-    /// nothing is refused.
-    doubts: f64,
 }
 
 impl Books {
@@ -29,21 +25,7 @@ impl Books {
         holonomic_error: 0.0,
         velocity_error: 0.0,
         power: 0.0,
-        doubts: 0.0,
     };
-
-    /// Takes note of how far the works of a step may be from those of the forces, J.
-    #[inline]
-    pub(super) fn doubt(&mut self, works: f64) {
-        if works.is_finite() {
-            self.doubts += works * works;
-        }
-    }
-
-    /// How far all works may be from those of the forces, J.
-    pub(super) fn doubtful_work(&self) -> f64 {
-        self.doubts.sqrt()
-    }
 }
 
 impl Counters {

@@ -33,6 +33,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // Momenta of the old velocities.
         state.fields = ThreeFields::default();
         self.integrator.state_mut().copy_from(&state);
+        self.balance = self.energy();
         Ok(())
     }
 

@@ -13,11 +13,10 @@
 //! jumps shorter ones do not help, and the step is kept. A projected step is taken in shorter ones if it makes most of an error
 //! of a fifth: then a stage of high order has ended beside a singular pose that placement did not see.
 
-use super::books::Books;
 use crate::linear::vector;
 use crate::sink::{Diagonal, Discard};
 use crate::yardstick::Yardstick;
-use crate::{Energy, Method, Settings, State, System};
+use crate::{Energy, EnergyRange, Method, Settings, State, System};
 use nalgebra::SVector;
 
 /// The gain of energy that is refused, as a multiple of the energy that the motion has. Coarse steps through singular
@@ -38,19 +37,9 @@ const LEAPT: f64 = 0.02;
 /// refused.
 const NOISE: f64 = 1e-9;
 
-/// The energy that the motion has, J.
+/// What is accepted, J. What the motion has had is in its state ([`EnergyRange`]), so that steps that are taken back are no part of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct EnergyGuard {
-    /// The potential energy at the start.
-    start: f64,
-    /// The energy that the forces at the start give along the size of the mechanism, or up to where a linear force vanishes.
-    depth: f64,
-    /// The least potential energy so far.
-    least: f64,
-    /// The kinetic energy before the step.
-    kinetic: f64,
-    /// The largest works so far.
-    works: f64,
     /// Round-off.
     noise: f64,
     method: Method,
@@ -68,83 +57,42 @@ pub(super) struct Refused {
     pub(super) leapt: Option<f64>,
 }
 
-impl EnergyGuard {
-    pub(super) fn new<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+impl EnergyRange {
+    /// Where a balance begins.
+    fn starting<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         system: &S,
         state: &State<Q, N, R>,
-        yardstick: &Yardstick<Q, N>,
-        settings: &Settings,
+        unit: &SVector<f64, N>,
     ) -> Self {
         let (q, v) = (&state.positions, &state.velocities);
-        let mut mass = Diagonal::<N>::zeros();
-        system.mass_matrix(q, &mut mass);
         let mut force = SVector::zeros();
         system.applied_forces(state.time, q, v, &mut force);
         let mut f_q = Diagonal::<N>::zeros();
         system.applied_force_tangents(state.time, q, v, &mut f_q, &mut Discard);
-        // A state has no energy.
-        let unit = yardstick.displacement(vector(|_| 1.0));
-        let unit: SVector<f64, N> = vector(|i| match yardstick.is_motion(i) {
-            true => unit[i],
-            false => 0.0,
-        });
-        let speed = NOISE / settings.step;
         let along = |i: usize| {
             let way = (0.5 * force[i] / f_q.0[i]).abs();
             force[i].abs() * if way < unit[i] { way } else { unit[i] }
         };
-        let depth = (0..N).map(along).sum();
-        let noise = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
-        let bound = match settings.method {
-            Method::TwoLevel => LEAPT,
-            Method::Projected => WRONG,
-            _ => GROSS,
-        };
-        EnergyGuard {
-            start: system.potential_energy(q),
+        let depth: f64 = (0..N).map(along).sum();
+        EnergyRange {
             depth,
-            method: settings.method,
-            accepted: match const { S::STRUCTURE.rheonomic } && settings.method == Method::TwoLevel
-            {
-                // A step is judged by its kinetic energy, which may be much less.
-                true => bound * noise,
-                false => bound * (depth + noise),
-            },
-            least: f64::INFINITY,
+            least: system.potential_energy(q) - depth,
             works: 0.0,
-            kinetic: 0.0,
-            noise,
+            doubts: 0.0,
         }
     }
 
-    /// What the motion has had before its method changed.
-    pub(super) fn take_over(&mut self, before: &Self) {
-        *self = EnergyGuard {
-            noise: self.noise,
-            method: self.method,
-            accepted: self.accepted,
-            ..*before
-        };
-    }
-
-    /// Why the balance is refused, if it is. `before`: its error before the last step.
+    /// Takes note of how far the works of a step may be from those of the forces, J.
     #[inline]
-    pub(super) fn refuses(
-        &mut self,
-        energy: &Energy,
-        books: &Books,
-        before: f64,
-    ) -> Option<Refused> {
-        if energy.error.abs() <= self.accepted {
-            self.note(energy);
-            return None;
+    pub(super) fn doubt(&mut self, works: f64) {
+        if works.is_finite() {
+            self.doubts += works * works;
         }
-        self.judge(energy, books.doubtful_work(), before)
     }
 
+    /// Takes note of a balance that is accepted.
     #[inline(always)]
     pub(super) fn note(&mut self, energy: &Energy) {
-        self.kinetic = energy.kinetic;
         if energy.potential < self.least {
             self.least = energy.potential;
         }
@@ -153,20 +101,81 @@ impl EnergyGuard {
             self.works = works;
         }
     }
+}
+
+impl EnergyGuard {
+    /// For a motion that goes on from this state, with its range, which is taken here if the state does not have it.
+    pub(super) fn new<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+        system: &S,
+        state: &State<Q, N, R>,
+        yardstick: &Yardstick<Q, N>,
+        settings: &Settings,
+    ) -> (Self, EnergyRange) {
+        // A state has no energy.
+        let unit = yardstick.displacement(vector(|_| 1.0));
+        let unit: SVector<f64, N> = vector(|i| match yardstick.is_motion(i) {
+            true => unit[i],
+            false => 0.0,
+        });
+        let range = match state.ledger.range {
+            Some(range) => range,
+            None => EnergyRange::starting(system, state, &unit),
+        };
+        let mut mass = Diagonal::<N>::zeros();
+        system.mass_matrix(&state.positions, &mut mass);
+        let speed = NOISE / settings.step;
+        let noise: f64 = (0..N).map(|i| mass.0[i] * (speed * unit[i]).powi(2)).sum();
+        let bound = match settings.method {
+            Method::TwoLevel => LEAPT,
+            Method::Projected => WRONG,
+            _ => GROSS,
+        };
+        let guard = EnergyGuard {
+            noise,
+            method: settings.method,
+            accepted: match const { S::STRUCTURE.rheonomic } && settings.method == Method::TwoLevel
+            {
+                // A step is judged by its kinetic energy, which may be much less.
+                true => bound * noise,
+                false => bound * (range.depth + noise),
+            },
+        };
+        (guard, range)
+    }
+
+    /// Why the balance is refused, if it is. `before`: that before the last step.
+    #[inline]
+    pub(super) fn refuses(
+        &self,
+        range: &mut EnergyRange,
+        energy: &Energy,
+        before: &Energy,
+    ) -> Option<Refused> {
+        if energy.error.abs() <= self.accepted {
+            range.note(energy);
+            return None;
+        }
+        let refused = self.judge(range, energy, before);
+        if refused.is_none() {
+            // What a refused step has reached is no part of the motion.
+            range.note(energy);
+        }
+        refused
+    }
 
     #[cold]
-    fn judge(&mut self, energy: &Energy, doubtful: f64, before: f64) -> Option<Refused> {
+    fn judge(&self, range: &EnergyRange, energy: &Energy, before: &Energy) -> Option<Refused> {
+        let doubtful = range.doubts.sqrt();
         let initial = energy.kinetic + energy.potential
             - energy.error
             - energy.nonconservative_work
             - energy.drive_work;
-        let least = self.least.min(energy.potential);
-        // Both are energies above a minimum. They do not add up: a spring that is stretched at the start gives what it has
-        // once.
-        let above = (initial - least).max(initial - self.start + self.depth);
-        let available = above + self.works.max(works_of(energy)) + self.noise;
+        // The least of the motion and that of the forces at the start do not add up: a spring that is stretched at the start gives
+        // what it has once.
+        let above = initial - range.least.min(energy.potential);
+        let available = above + range.works.max(works_of(energy)) + self.noise;
         let error = energy.error.abs();
-        let by = (energy.error - before).abs();
+        let by = (energy.error - before.error).abs();
         let driven = energy.drive_work != 0.0;
         let strict = match self.method {
             Method::TwoLevel => !driven,
@@ -175,7 +184,7 @@ impl EnergyGuard {
         };
         // What a drive has given so far is no measure of a step.
         let turnover = match driven {
-            true => self.kinetic.max(energy.kinetic),
+            true => before.kinetic.max(energy.kinetic),
             false => available,
         };
         let wrong = match strict {
@@ -194,12 +203,7 @@ impl EnergyGuard {
             wrong,
             leapt: has_leapt.then_some(by),
         };
-        if refused.wrong || refused.leapt.is_some() {
-            // What a refused step has reached is no part of the motion.
-            return Some(refused);
-        }
-        self.note(energy);
-        None
+        (refused.wrong || refused.leapt.is_some()).then_some(refused)
     }
 }
 
@@ -210,19 +214,24 @@ fn works_of(energy: &Energy) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::EnergyGuard;
-    use crate::{Energy, Method};
+    use crate::{Energy, EnergyRange, Method};
 
     /// A motion that has 100 J; its balance has an error of 30 J now, and had one of `before`.
     fn judged(method: Method, before: f64) -> (bool, Option<f64>) {
-        let mut guard = EnergyGuard {
-            start: 0.0,
-            depth: 50.0,
-            least: 0.0,
-            kinetic: 50.0,
-            works: 0.0,
+        let guard = EnergyGuard {
             noise: 0.0,
             method,
             accepted: 0.0,
+        };
+        let range = EnergyRange {
+            depth: 50.0,
+            least: -50.0,
+            ..EnergyRange::default()
+        };
+        let before = Energy {
+            kinetic: 50.0,
+            error: before,
+            ..Energy::default()
         };
         let energy = Energy {
             kinetic: 80.0,
@@ -230,7 +239,8 @@ mod tests {
             error: 30.0,
             ..Energy::default()
         };
-        let refused = guard.judge(&energy, 0.0, before).expect("a fifth is wrong");
+        let refused = guard.judge(&range, &energy, &before);
+        let refused = refused.expect("a fifth is wrong");
         (refused.wrong, refused.leapt)
     }
 

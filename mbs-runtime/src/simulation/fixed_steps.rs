@@ -8,6 +8,7 @@ use super::Simulation;
 use super::known_poses::{ALIKE, SAME};
 use super::passage::{LEAP, Pose};
 use super::pose::{NEAR_AHEAD, Passage};
+use crate::samples::rounding;
 use crate::{Foreseen, LastStep, SimulationError, System};
 
 /// Steps past such a pose, as a part of σ/k.
@@ -59,9 +60,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[inline(never)]
     fn corrects(&mut self, last: &LastStep, step: &LastStep) -> Result<bool, SimulationError> {
         let length = step.length;
-        // The end of a run removes the rounding of its sum of steps from the clock.
+        // The end of a run removes the rounding of its sum of steps from the clock, and times are rounded.
         let apart = (step.begin - last.begin - last.length).abs();
-        let follows = apart <= 1e-6 * length && last.length > 0.0;
+        let follows = apart <= 1e-6 * length + rounding(step.begin) && last.length > 0.0;
         let passage = Passage {
             steps: [last.length, length],
             margins: [last.margin(), step.margin(), self.margin()],

@@ -60,8 +60,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let before = self.state();
         let mut state = before.boxed_copy();
         state.forget_factors();
-        // Momenta of the old masses.
+        // Momenta of the old masses, energies of the old forces, and a speed in the old size.
         state.fields = ThreeFields::default();
+        state.ledger.range = None;
+        state.step_controller.speed = 0.0;
         state.poses_ahead = PosesAhead::default();
         state.known_poses = KnownPoses::none();
         // The difficulties of another motion.
@@ -94,7 +96,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// After the method changed: the same, and what does not depend on it.
     pub(super) fn take_over_motion(&mut self, before: &mut Self) {
         self.take_over(before);
-        self.energy_guard.take_over(&before.energy_guard);
         std::mem::swap(&mut self.singularities, &mut before.singularities);
         std::mem::swap(&mut self.last_step_start, &mut before.last_step_start);
         // What an event goes back to belongs to this method.

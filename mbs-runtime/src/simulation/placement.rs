@@ -7,7 +7,7 @@ use super::Simulation;
 use super::advance::HALVINGS;
 use super::energy_guard::Refused;
 use crate::linear::dot;
-use crate::{Method, SimulationError, State, System, alf3f};
+use crate::{Energy, Method, SimulationError, State, System, alf3f};
 use nalgebra::SVector;
 
 /// Clearances as fractions of a step: a step with more than the first is accepted; otherwise a length with at least the
@@ -62,15 +62,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// A step of about h, at most `left`, with placement; returns its length.
     pub(super) fn guarded_step(&mut self, h: f64, left: f64) -> Result<f64, SimulationError> {
-        let before = self.balance.error;
+        let before = self.balance;
         let length = self.step_past_poses(h, left)?;
-        match self
-            .energy_guard
-            .refuses(&self.balance, &self.books, before)
-        {
+        match self.refused_after(&before) {
             None => Ok(length),
-            Some(refused) => self.take_in_parts(h, left, (length, refused), before),
+            Some(refused) => self.take_in_parts(h, left, (length, refused), &before),
         }
+    }
+
+    /// Why the energy balance after a step is refused, if it is; `before` is that before the step.
+    #[inline]
+    fn refused_after(&mut self, before: &Energy) -> Option<Refused> {
+        let range = &mut self.integrator.state_mut().ledger.range;
+        let range = range.get_or_insert_default();
+        self.energy_guard.refuses(range, &self.balance, before)
     }
 
     /// After a step whose energy balance is refused: a shorter one, if the error is due to the rows of the step and it
@@ -82,7 +87,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         h: f64,
         left: f64,
         (mut length, refused): (f64, Refused),
-        before: f64,
+        before: &Energy,
     ) -> Result<f64, SimulationError> {
         if !self.balance.error.is_finite() {
             let (time, what) = (self.time() - length, "energy");
@@ -107,8 +112,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 let Ok(shorter) = self.step_past_poses(part, left) else {
                     continue;
                 };
-                let refused = (self.energy_guard).refuses(&self.balance, &self.books, before);
-                if refused.is_none() {
+                if self.refused_after(before).is_none() {
                     return Ok(shorter);
                 }
             }
@@ -124,11 +128,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A step of h in equal parts, with placement off; whether all of them are accepted. Otherwise the state is that before it.
     fn in_parts(&mut self, h: f64, count: u32) -> Result<bool, SimulationError> {
         for _ in 0..count {
-            let before = self.balance.error;
+            let before = self.balance;
             let is_taken = match self.advance(h / f64::from(count)) {
-                Ok(_) => (self.energy_guard)
-                    .refuses(&self.balance, &self.books, before)
-                    .is_none(),
+                Ok(_) => self.refused_after(&before).is_none(),
                 Err(error) if error.asks_for_less() => false,
                 Err(error) => return Err(error),
             };

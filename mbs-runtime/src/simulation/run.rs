@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::books::Books;
 use super::hermite::Hermite;
-use crate::samples::is_counted;
+use crate::samples::{is_counted, rounding};
 use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
 
@@ -76,12 +76,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let State {
             time: now, clock, ..
         } = self.state();
-        let behind = if clock.abs() > rounding(time) {
-            *clock
-        } else {
-            0.0
-        };
-        time - now - behind
+        time - now - clock
     }
 
     /// The remainder that is no step, s. With a tolerance the last steps end at the time that was asked for, and a mechanism at
@@ -97,8 +92,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Removes the rounding of the sum of steps from the clock; the next step makes up for a remainder that was no step.
     pub(super) fn land(&mut self, time: f64) {
         if self.next_step(time).is_none() {
-            let left = self.left(time);
-            let behind = if left > rounding(time) { -left } else { 0.0 };
+            let behind = -self.left(time);
             let state = self.integrator.state_mut();
             (state.time, state.clock) = (time, behind);
         }
@@ -129,7 +123,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.forward(h, self.left(latest))?;
             self.land(latest);
             let after = self.event(index)?;
-            if before * after < 0.0 || (after == 0.0 && before != 0.0) {
+            if before != 0.0 && (after == 0.0 || !has_sign_of(before, after)) {
                 self.locate(index, books, before, after)?;
                 // The end of the step, where it led to, is no longer ahead.
                 self.last_step_start.time = f64::INFINITY;
@@ -177,7 +171,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 // The cubic is off by a little: a step beyond its own error brackets the change tightly.
                 guess = Some(current - BEYOND * value * (high - low) / (f_high - f_low));
             }
-            let raised = before * value > 0.0;
+            let raised = value != 0.0 && has_sign_of(before, value);
             // The value at an end that stays for the second time is halved.
             let weight = if last == Some(raised) { 0.5 } else { 1.0 };
             last = Some(raised);
@@ -208,7 +202,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
             let (t, q, v) = cubic.at(self.system(), middle);
-            match before * self.event_at(index, t, &q, &v) > 0.0 {
+            let value = self.event_at(index, t, &q, &v);
+            match value != 0.0 && has_sign_of(before, value) {
                 true => low = middle,
                 false => high = middle,
             }
@@ -245,7 +240,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 }
 
-/// The round-off of a time, s.
-fn rounding(time: f64) -> f64 {
-    4.0 * f64::EPSILON * time.abs()
+/// Whether two values have the same sign. (The product of small ones vanishes.)
+fn has_sign_of(value: f64, other: f64) -> bool {
+    (value < 0.0) == (other < 0.0)
 }

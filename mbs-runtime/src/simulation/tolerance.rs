@@ -63,6 +63,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if moved.is_err() {
             // Those of its trials are no answer.
             self.multipliers_before = Some(None);
+            self.balance = self.energy();
         }
         moved
     }
@@ -148,7 +149,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             self.rejected += 1;
             self.integrator.state_mut().copy_from(&self.pair_start);
-            (self.books, self.rank_margin) = (books, None);
+            (self.books, self.rank_margin, self.balance) = (books, None, balance);
             self.integrator.refresh(&self.settings)?;
             if error_ratio.is_nan() && !last {
                 sidestep += 1;
@@ -168,6 +169,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if !(step_controller.step > shortest) {
                 return Err(error);
             }
+            // A shorter attempt is no remainder, which is not placed.
+            self.integrator.state_mut().step_controller.step = step_controller.step;
         }
     }
 
