@@ -124,6 +124,12 @@ impl PaperSettings {
         count("max_newton_iterations", self.max_newton_iterations)?;
         count("max_augmentations", self.max_augmentations)?;
         count("max_updates", self.max_updates)?;
+        require(
+            "min_updates",
+            self.min_updates as f64,
+            self.min_updates <= self.max_updates,
+            "at most `max_updates`",
+        )?;
         positive("smallest_step", self.smallest_step)?;
         require(
             "penalty_growth",

@@ -61,7 +61,11 @@ pub(super) struct Taken<const R: usize> {
 }
 
 /// Sums over the columns, with their weights.
-struct Mean<const N: usize, const R: usize> {
+struct Mean<const Q: usize, const N: usize, const R: usize> {
+    /// The end of the first column, …
+    place: SVector<f64, Q>,
+    /// … and the mean of the ends, from there: from the start of a step that turns a body by about half a turn, the ends would lie on
+    /// both sides of it.
     moved: SVector<f64, N>,
     velocities: SVector<f64, N>,
     impulse: SVector<f64, R>,
@@ -92,6 +96,7 @@ impl Extrapolation {
         monitor: &mut StepMonitor,
     ) -> Result<Taken<R>, Fault> {
         let mut mean = Mean {
+            place: before.positions,
             moved: crate::linear::zeros(),
             velocities: crate::linear::zeros(),
             impulse: crate::linear::zeros(),
@@ -129,18 +134,23 @@ impl Extrapolation {
                     nearest = nearest.min(context.rank_margin().beside(start));
                 }
             }
-            let moved = context
-                .system
-                .difference(&before.positions, &context.state.positions);
-            let now = context.state.velocities;
-            if let Some((before_moved, before_now)) = last.replace((moved, now)) {
-                let are_alike = |a: &SVector<f64, N>, b: &SVector<f64, N>, least: f64| {
-                    let measure = |way: &SVector<f64, N>| context.yardstick.measure(way);
-                    measure(&(a - b)) <= UNLIKE * measure(a).max(measure(b)).max(least)
-                };
-                alike &= are_alike(&moved, &before_moved, 0.0);
+            let State {
+                positions: place,
+                velocities: now,
+                ..
+            } = context.state;
+            if column == 0 {
+                mean.place = place;
+            }
+            let system = &context.system;
+            let moved = system.difference(&mean.place, &place);
+            let measure = |way: &SVector<f64, N>| context.yardstick.measure(way);
+            let way = measure(&system.difference(&before.positions, &place));
+            if let Some((last_moved, last_way, last_now)) = last.replace((moved, way, now)) {
+                alike &= measure(&(moved - last_moved)) <= UNLIKE * way.max(last_way);
                 // A part that turns into another branch late in the step has moved little there.
-                alike &= are_alike(&now, &before_now, speed);
+                let speed = measure(&now).max(measure(&last_now)).max(speed);
+                alike &= measure(&(now - last_now)) <= UNLIKE * speed;
             }
             mean.moved += moved * weight;
             mean.velocities += context.state.velocities * weight;
@@ -188,11 +198,11 @@ fn begin_again<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usiz
 fn land<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     context: &mut StepContext<S, Q, N, R>,
     before: &State<Q, N, R>,
-    mean: &Mean<N, R>,
+    mean: &Mean<Q, N, R>,
     h: f64,
 ) -> Result<(), Fault> {
     let (system, state) = (&context.system, &mut context.state);
-    let place = system.advance(&before.positions, &mean.moved, 1.0);
+    let place = system.advance(&mean.place, &mean.moved, 1.0);
     state.time = before.time;
     state.positions = place;
     state.velocities = SVector::zeros();
@@ -256,8 +266,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         Ok(&start.w)
     }
 
-    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R> {
-        w0
+    /// The velocities at the end are given.
+    fn velocity_sensitivity<'a>(&'a self, _: &'a RowMatrix<N, R>) -> Option<&'a RowMatrix<N, R>> {
+        None
     }
 
     fn predict(&mut self, _: &SVector<f64, R>) {}

@@ -270,6 +270,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
     const PATIENCE: i32 = 3;
     const VELOCITIES: bool = true;
 
+    fn round_off(&self) -> f64 {
+        self.context.round_off_of_rows(false, &self.q)
+    }
+
     #[inline(always)]
     fn residual(&mut self) -> Result<f64, Fault> {
         let StepContext {

@@ -223,9 +223,8 @@ where
 
     #[inline(always)]
     fn round_off(&self) -> f64 {
-        self.context
-            .scale
-            .round_off_of(self.context.work.projection.regularised)
+        let is_lost = self.context.work.projection.regularised;
+        self.context.round_off_of_rows(is_lost, &self.kick.q)
     }
 
     #[inline(always)]

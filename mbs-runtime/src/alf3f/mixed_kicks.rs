@@ -163,16 +163,17 @@ where
         for i in holonomic..R {
             let row = projected(end, work, i);
             for j in 0..R {
-                work.matrix[i][j] = dot(&row, &far[j]);
+                work.matrix[i][j] = far.map_or(0.0, |far| dot(&row, &far[j]));
                 if j >= holonomic {
                     work.matrix[i][j] += dot(&row, &end.w[j]);
                 }
             }
         }
-        // The kick of a nonholonomic row counts twice.
+        // The kick of a nonholonomic row counts twice where the end follows the first one.
         let mut lengths = scale.lengths(start);
+        let times = if far.is_some() { 2.0 } else { 1.0 };
         for length in &mut lengths.as_mut_slice()[holonomic..] {
-            *length *= 2.0;
+            *length *= times;
         }
         let work = &mut **work;
         (work.projection).factor(&work.matrix, &lengths, work.delassus.skipped());
@@ -202,9 +203,8 @@ where
 
     #[inline(always)]
     fn round_off(&self) -> f64 {
-        self.context
-            .scale
-            .round_off_of(self.context.work.projection.regularised)
+        let is_lost = self.context.work.projection.regularised;
+        self.context.round_off_of_rows(is_lost, &self.q)
     }
 
     #[inline(always)]

@@ -352,6 +352,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
 {
     const PATIENCE: i32 = 3;
 
+    fn round_off(&self) -> f64 {
+        self.context.round_off_of_rows(false, &self.kick.q)
+    }
+
     #[inline(always)]
     fn residual(&mut self) -> Result<f64, Fault> {
         let StepContext {

@@ -244,6 +244,26 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         }
     }
 
+    /// The residual of the rows that is accepted if a new factor does not reduce it, `is_lost` where a row has lost its direction:
+    /// the round-off of positions grows with them, as the angle of a wheel and the place of a vehicle do.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn round_off_of_rows(&self, is_lost: bool, q: &SVector<f64, Q>) -> f64 {
+        let of_positions = self.yardstick.round_off_of_positions(q) / self.scale.tolerance;
+        (self.scale.round_off_of(is_lost)).max(of_positions * of_positions)
+    }
+
+    /// Rows that vanish at the declared guess have their usual lengths once they have been longer: for runs without rank margins.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn settle_short_rows(&mut self) {
+        let StepContext {
+            scale, start, work, ..
+        } = self;
+        scale.settle(&start.delassus);
+        work.delassus.usual = scale.usual;
+    }
+
     /// The rank margin of the holonomic rows, of which S is factored, at the current instant.
     #[inline]
     pub(crate) fn rank_margin(&mut self) -> RankMargin {
@@ -259,11 +279,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
     #[cold]
     #[inline(never)]
     fn margin_of_short_rows(&mut self) -> RankMargin {
+        self.settle_short_rows();
         let StepContext {
             scale, start, work, ..
         } = self;
-        scale.settle(&start.delassus);
-        work.delassus.usual = scale.usual;
         let rows = S::STRUCTURE.holonomic_rows;
         let margin = work.delassus.rank_margin(&start.delassus, rows);
         match scale.is_waiting() {

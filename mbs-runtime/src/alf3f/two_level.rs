@@ -213,7 +213,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             return self.composed(h);
         }
         self.length = h;
-        self.try_step(h).map_err(|fault| {
+        let stepped = self.try_step(h);
+        self.settle_short_rows();
+        stepped.map_err(|fault| {
             SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
         })
     }
@@ -221,7 +223,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     #[cold]
     #[inline(never)]
     fn composed(&mut self, h: f64) -> Result<(), SimulationError> {
-        self.compose(h, None).map_err(|fault| {
+        let composed = self.compose(h, None);
+        self.settle_short_rows();
+        composed.map_err(|fault| {
             SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
         })
     }
@@ -232,9 +236,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         h: f64,
         monitor: &mut StepMonitor,
     ) -> Result<(), SimulationError> {
-        self.compose(h, Some(monitor)).map_err(|fault| {
+        let is_watched = monitor.rank_margin.is_some();
+        let composed = self.compose(h, Some(monitor));
+        if !is_watched {
+            self.settle_short_rows();
+        }
+        composed.map_err(|fault| {
             SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
         })
+    }
+
+    /// After a step without rank margins, which do this.
+    #[inline(always)]
+    fn settle_short_rows(&mut self) {
+        let is_dense = !matches!(self.flow, Stepping::Sparse(..) | Stepping::Large(_));
+        if is_dense && self.context.scale.is_waiting() {
+            self.context.settle_short_rows();
+        }
     }
 
     /// The rank margin of the holonomic rows at the current state; `None` without such rows.

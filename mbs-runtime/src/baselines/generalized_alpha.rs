@@ -37,10 +37,14 @@ pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     shift: Saddle<N, R>,
     moved: RowMatrix<N, R>,
     history: Option<History<N, R>>,
+    /// Whether accelerations have jumped since.
+    jumped: bool,
 }
 
 #[derive(Clone, Copy)]
 struct History<const N: usize, const R: usize> {
+    /// The length of the step, s.
+    length: f64,
     acceleration: SVector<f64, N>,
     /// The auxiliary acceleration a.
     algorithmic: SVector<f64, N>,
@@ -74,11 +78,38 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             shift: Saddle::new(),
             moved: RowMatrix::zeros(),
             history: None,
+            jumped: false,
         }
     }
 
-    fn refresh(&mut self) {
-        self.history = None;
+    /// What a step begins with. a is an acceleration (α_m − α_f) h after the one of the state: with another length it is nearer or
+    /// farther in proportion, and where v̇ jumps a jumps with it.
+    fn beginning<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<History<N, R>, Fault> {
+        let mut begins = match self.history {
+            Some(history) if !self.jumped => history,
+            before => {
+                let (acceleration, lambda) = consistent(&mut Index1::new(0.0), bench)?;
+                let (length, ahead) = match before {
+                    Some(old) => (old.length, old.algorithmic - old.acceleration),
+                    None => (h, SVector::zeros()),
+                };
+                History {
+                    length,
+                    acceleration,
+                    algorithmic: acceleration + ahead,
+                    lambda,
+                }
+            }
+        };
+        if begins.length != h {
+            let ahead = begins.algorithmic - begins.acceleration;
+            begins.algorithmic = begins.acceleration + ahead * (h / begins.length);
+        }
+        Ok(begins)
     }
 
     fn step<S: System<Q, N, R>, const Q: usize>(
@@ -87,17 +118,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         h: f64,
     ) -> Result<(), Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
-        let old = match self.history {
-            Some(history) => history,
-            None => {
-                let (acceleration, lambda) = consistent(&mut Index1::new(0.0), bench)?;
-                History {
-                    acceleration,
-                    algorithmic: acceleration,
-                    lambda,
-                }
-            }
-        };
+        let old = self.beginning(bench, h)?;
         let (q0, v0) = (bench.state.positions, bench.state.velocities);
         let t1 = bench.state.time + h;
         // Derivatives of a₁, v₁ and q₁ with respect to v̇₁.
@@ -183,7 +204,9 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         bench.multipliers = Some(lambda);
         bench.trapezoid_works(start, h, (&q0, &v0), (&q, &v), [&old.lambda, &lambda]);
         bench.commit(t1, q, v, false)?;
+        self.jumped = false;
         self.history = Some(History {
+            length: h,
             acceleration,
             algorithmic: self.algorithmic(&old, &acceleration),
             lambda,
@@ -237,6 +260,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
     }
 
     fn refresh(&mut self) {
-        GeneralizedAlpha::refresh(self);
+        self.jumped = true;
     }
 }

@@ -26,6 +26,7 @@ use crate::flow::unroll;
 use crate::linear::{RowMatrix, accumulate, add_scaled, dot, vector, zeros};
 use crate::row_scale::RowScale;
 use crate::singular::RankMargin;
+use crate::sink::Discard;
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, System};
 use nalgebra::{Complex, SVector};
@@ -119,7 +120,7 @@ struct Stage<const Q: usize, const N: usize, const R: usize> {
     force: SVector<f64, N>,
     /// A v + b.
     rates: SVector<f64, R>,
-    /// −λ · b, W.
+    /// −λ · b, W, after the last correction; 0 without rows of time.
     drive: f64,
 }
 
@@ -178,7 +179,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         if !self.factors[0].are_for(h) {
             self.factors[0].length = 0.0;
         }
-        let known = self.memory.before(&bench.state);
+        let known = self.memory.before(&bench.state, bench.system.inputs());
         let mut corrections = self.attempt(bench, h, known.as_ref());
         if known.is_some() && corrections.is_err() {
             self.factors[0].length = 0.0;
@@ -197,18 +198,19 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         Ok(())
     }
 
-    /// The stages of a step of h; returns the number of corrections. `known`: the last step.
+    /// The stages of a step of h; returns the number of corrections. `known`: the last step, and whether it had the same inputs. If it
+    /// had not, it does not tell how exact the first correction is.
     fn attempt<S: System<Q, N, R>>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
-        known: Option<&Known<N, R>>,
+        known: Option<&(Known<N, R>, bool)>,
     ) -> Result<u64, Fault> {
         let v0 = bench.state.velocities;
         let start = start(bench, self.errors.is_some());
         for (i, stage) in self.stages.iter_mut().enumerate() {
             (stage.v, stage.lambda) = match known {
-                Some(last) => {
+                Some((last, _)) => {
                     let place = 1.0 + NODES[i] * h / last.length;
                     (last.velocities_at(place), last.multipliers_at(place))
                 }
@@ -231,7 +233,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             }
             let end = &self.stages[2];
             let (sizes, floor) = Progress::sizes(bench, &change, (&end.q, &end.v), h);
-            if last.is_infinite() && known.is_some() {
+            if last.is_infinite() && known.is_some_and(|&(_, has_inputs)| has_inputs) {
                 let [size, speed] = sizes;
                 enough = (LOOSE * (size / speed).powf(1.5)).min(self.loosest);
             }
@@ -299,8 +301,13 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
     ) {
         self.turn::<S>(h);
         let Bench { system, state, .. } = bench;
-        for stage in &mut *self.stages {
+        for (stage, node) in self.stages.iter_mut().zip(NODES) {
             stage.q = system.advance(&state.positions, &stage.turn, 1.0);
+            if S::STRUCTURE.rheonomic && R > 0 {
+                let (t, mut phi, mut b) = (state.time + node * h, zeros(), zeros());
+                system.constraints(t, &stage.q, &mut phi, &mut Discard, &mut b);
+                stage.drive = -dot(&stage.lambda, &b);
+            }
         }
         let Some(errors) = &mut self.errors else {
             return;
@@ -345,7 +352,6 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             system.constraints(t, &stage.q, phi, geometry.a.entries_mut(), &mut geometry.b);
             accumulate(&mut stage.force, &geometry.a, &stage.lambda);
             stage.rates = vector(|i| dot(&geometry.a[i], &stage.v) + geometry.b[i]);
-            stage.drive = -dot(&stage.lambda, &geometry.b);
         }
     }
 
@@ -413,7 +419,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             self.equations.project(bench, &mut v);
         }
         bench.commit(t1, q, v, R > 0)?;
-        self.memory.keep(&bench.state, known);
+        self.memory.keep(&bench.state, bench.system.inputs(), known);
         self.placed = R > 0;
         Ok(())
     }

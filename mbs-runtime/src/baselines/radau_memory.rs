@@ -50,6 +50,14 @@ fn weights<const K: usize>(nodes: [f64; K], place: f64) -> [f64; K] {
     })
 }
 
+/// A number that differs for different inputs, but for one pair of lists in 2⁶⁴.
+fn mark(inputs: &[f64]) -> u64 {
+    let mixed = |mark: u64, input: &f64| {
+        (mark.rotate_left(5) ^ input.to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15)
+    };
+    inputs.iter().fold(0, mixed)
+}
+
 /// A step, and the state at its end.
 #[derive(Clone, Copy)]
 struct Remembered<const Q: usize, const N: usize, const R: usize> {
@@ -57,6 +65,8 @@ struct Remembered<const Q: usize, const N: usize, const R: usize> {
     time: f64,
     positions: SVector<f64, Q>,
     velocities: SVector<f64, N>,
+    /// [`mark`] of the inputs during the step.
+    inputs: u64,
     known: Known<N, R>,
 }
 
@@ -72,6 +82,7 @@ impl<const Q: usize, const N: usize, const R: usize> Memory<Q, N, R> {
             time: f64::NAN,
             positions: zeros(),
             velocities: zeros(),
+            inputs: 0,
             known: Known {
                 length: 0.0,
                 velocities: [zeros(); 4],
@@ -84,23 +95,29 @@ impl<const Q: usize, const N: usize, const R: usize> Memory<Q, N, R> {
         }
     }
 
-    /// The step that ended in this state.
-    pub(super) fn before(&self, state: &State<Q, N, R>) -> Option<Known<N, R>> {
+    /// The step that ended in this state, and whether it had these inputs.
+    pub(super) fn before(
+        &self,
+        state: &State<Q, N, R>,
+        inputs: &[f64],
+    ) -> Option<(Known<N, R>, bool)> {
         let ended_here = |step: &&Remembered<Q, N, R>| {
             let rounding = ROUNDING * step.known.length.abs() + rounding(state.time);
             (step.time - state.time).abs() <= rounding
                 && step.positions == state.positions
                 && step.velocities == state.velocities
         };
-        self.steps.iter().find(ended_here).map(|step| step.known)
+        let step = self.steps.iter().find(ended_here)?;
+        Some((step.known, step.inputs == mark(inputs)))
     }
 
     /// Keeps a step that has ended in this state, instead of the oldest one.
-    pub(super) fn keep(&mut self, state: &State<Q, N, R>, known: Known<N, R>) {
+    pub(super) fn keep(&mut self, state: &State<Q, N, R>, inputs: &[f64], known: Known<N, R>) {
         self.steps[self.oldest] = Remembered {
             time: state.time,
             positions: state.positions,
             velocities: state.velocities,
+            inputs: mark(inputs),
             known,
         };
         self.oldest = (self.oldest + 1) % KEPT;

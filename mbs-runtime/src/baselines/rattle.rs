@@ -110,6 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
         let mut va = bench.state.velocities;
         accumulate(&mut va, &bench.geometry.w, &kappa);
         let (t0, q) = (bench.state.time, bench.state.positions);
+        let power = (bench.system).nonconservative_power(t0, &q, &bench.state.velocities);
         flow.begin(&bench.system, t0, &q, &va, &bench.geometry, h);
         let limits = Limits {
             most: bench.max_iterations,
@@ -161,6 +162,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
             .sum();
         self.force = vector(|i| kappa[i] / h);
         std::mem::swap(start, end);
+        let power = power + bench.system.nonconservative_power(t1, &q, &v);
+        bench.add_works(0.5 * h, [power, 0.0]);
         bench.works.drive += drive;
         bench.commit(t1, q, v, true)
     }

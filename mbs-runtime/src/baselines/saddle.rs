@@ -45,7 +45,7 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         }
     }
 
-    /// Factors the equations; false if J is singular or not finite.
+    /// Factors the equations; false if J is singular, or if J or a row is not finite.
     pub(crate) fn factor(
         &mut self,
         jacobian: &RowMatrix<N, N>,
@@ -59,6 +59,9 @@ impl<const N: usize, const R: usize> Saddle<N, R> {
         self.jacobian.solve_rows(&mut self.along);
         for i in 0..R {
             let length = dot(&a_moved[i], &self.along[i]).abs();
+            if !length.is_finite() {
+                return false;
+            }
             self.scale[i] = if length > f64::MIN_POSITIVE {
                 1.0 / length.sqrt()
             } else {

@@ -55,10 +55,10 @@ pub unsafe fn make<M: Mechanism>(
     plant: *mut *mut Plant,
 ) -> i32 {
     status_of(|| {
-        if plant.is_null() {
+        if plant.is_null() || !plant.is_aligned() {
             return Err(null("the place for the simulation"));
         }
-        // SAFETY: it is not null.
+        // SAFETY: it is not null, and aligned.
         unsafe { plant.write(std::ptr::null_mut()) };
         // SAFETY: as for this function.
         let values = unsafe { read(M::MODEL.parameters, parameters, size) }?;
@@ -67,8 +67,9 @@ pub unsafe fn make<M: Mechanism>(
             let set = mechanism.set_parameter(quantity.name, value);
             set.map_err(SimulationError::from)?;
         }
-        let made = Box::new(make(mechanism, step)?);
-        // SAFETY: it is not null.
+        let made = make(mechanism, step).map_err(Failure::at_start)?;
+        let made = Box::new(made);
+        // SAFETY: it is not null, and aligned.
         unsafe { plant.write(Box::into_raw(made)) };
         Ok(())
     })

@@ -48,6 +48,19 @@ impl Failure {
         let text = text.into();
         Failure { status, text }
     }
+
+    /// The same where no simulation was made: no step has failed.
+    pub(super) fn at_start(error: SimulationError) -> Self {
+        let is_open = matches!(error, SimulationError::NotConverged { .. });
+        let mut failure = Failure::from(error);
+        if failure.status == Status::Step {
+            failure.status = match is_open {
+                true => Status::Assembly,
+                false => Status::Value,
+            };
+        }
+        failure
+    }
 }
 
 impl From<SimulationError> for Failure {

@@ -105,11 +105,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
 
     /// Leaves out h²/2 of the force gradient, which only slows the iteration a little.
     #[inline(always)]
-    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R> {
-        match &self.drift {
+    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> Option<&'a RowMatrix<N, R>> {
+        Some(match &self.drift {
             Some(drift) if !S::ROTATIONS.is_empty() => &drift.far,
             _ => w0,
-        }
+        })
     }
 
     #[inline(always)]

@@ -156,8 +156,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
         Ok(&self.directions)
     }
 
-    fn velocity_sensitivity<'a>(&'a self, _: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R> {
-        &self.far
+    fn velocity_sensitivity<'a>(&'a self, _: &'a RowMatrix<N, R>) -> Option<&'a RowMatrix<N, R>> {
+        Some(&self.far)
     }
 
     fn predict(&mut self, change: &SVector<f64, R>) {

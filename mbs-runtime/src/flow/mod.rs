@@ -52,7 +52,7 @@ pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, co
         start: &'a ConstraintGeometry<S, Q, N, R>,
     ) -> Result<&'a RowMatrix<N, R>, Fault>;
     /// Row by row (∂v_b/∂v_a) w, after `directions` for the same rows.
-    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> &'a RowMatrix<N, R>;
+    fn velocity_sensitivity<'a>(&'a self, w0: &'a RowMatrix<N, R>) -> Option<&'a RowMatrix<N, R>>;
     /// The multipliers, and with them v_a, are about to change by `change`.
     fn predict(&mut self, change: &SVector<f64, R>);
     /// v_b, where `end` has the metric of the end already; stores the quantities of the end for the next step.

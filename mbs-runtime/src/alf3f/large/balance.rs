@@ -83,6 +83,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
     /// The first correction is much larger than the others: what it leaves of the rows is not linear in it.
     const TELLING: usize = 2;
 
+    fn round_off(&self) -> f64 {
+        self.context.round_off_of_rows(false, &self.q)
+    }
+
     fn residual(&mut self) -> Result<f64, Fault> {
         let StepContext {
             system,
