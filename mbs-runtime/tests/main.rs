@@ -12,6 +12,7 @@ mod composition;
 mod contract;
 mod copies;
 mod dense_mass;
+mod driven_steps;
 mod dynamics;
 mod energy_gain;
 mod ensemble;
