@@ -102,6 +102,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         simulation.take_stock();
         let energy = simulation.energy();
         let ledger = &mut simulation.stepper.context.state.ledger;
+        // Its steps are not judged, and do not keep this up.
+        ledger.range = None;
         ledger
             .initial
             .get_or_insert(energy.kinetic + energy.potential);

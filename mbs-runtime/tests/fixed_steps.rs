@@ -57,11 +57,13 @@ fn steps_are_those_of_a_simulation() {
         simulation.set_input("push", push).unwrap();
         plant.step().unwrap();
         simulation.step().unwrap();
-        let wanted = State {
-            // These steps are not guarded against poses that are nearly singular.
+        let mut wanted = State {
+            // These steps are not guarded against poses that are nearly singular, …
             poses_ahead: PosesAhead::default(),
             ..simulation.state().clone()
         };
+        // … and not by their energy.
+        wanted.ledger.range = None;
         assert_eq!(plant.state(), &wanted, "step {step}");
     }
     assert_eq!(plant.outputs(), simulation.outputs());
