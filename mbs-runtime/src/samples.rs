@@ -1,5 +1,6 @@
 //! Results at regular instants.
 
+use crate::state::rounding;
 use crate::{AnySimulation, Sample, SimulationError};
 
 /// Part of an interval by which one of its multiples may miss the end of a run: round-off reaches it after some billion
@@ -12,11 +13,6 @@ const COUNTED: f64 = 1e-13;
 /// Whether the clock can count steps or intervals of this length between two times.
 pub(crate) fn is_counted(length: f64, [from, to]: [f64; 2]) -> bool {
     !(length < COUNTED * (to - from).max(from.abs()))
-}
-
-/// The round-off of a time, s.
-pub(crate) fn rounding(time: f64) -> f64 {
-    4.0 * f64::EPSILON * time.abs()
 }
 
 /// Whether a time is before now by more than round-off.

@@ -29,6 +29,12 @@ pub use known_poses::KnownPoses;
 use nalgebra::SVector;
 pub use poses_ahead::{Foreseen, LastStep, PosesAhead};
 
+/// The round-off of a time, s.
+#[cfg(feature = "std")]
+pub(crate) fn rounding(time: f64) -> f64 {
+    4.0 * f64::EPSILON * time.abs()
+}
+
 /// Whether a step of h is as long as an earlier one, which is zero if there was none.
 #[cfg(feature = "sparse")]
 fn is_equal(step: f64, h: f64) -> bool {

@@ -2,6 +2,7 @@
 //! coordinates and in those of free bodies, with few operations.
 
 use mbs_macros_core::{Analysis, analyse};
+use mbs_runtime::{Simulation, mechanism};
 use mbs_tests::instant::Instant;
 
 /// An arm on a universal joint with a slide, each with forces and torques in all axes; `COORDINATES` is replaced.
@@ -99,4 +100,52 @@ fn a_damper_between_welded_parts_does_no_work() {
     };
     assert!(kinetic > 0.01, "it moves: {kinetic} J");
     assert!(power.abs() < 1e-12, "{power} W");
+}
+
+/// The gains of a bushing are in the axes of its parent, however its partners are written.
+macro_rules! turned_parent {
+    ($name:ident, $parent:expr, $child:expr $(, $at:tt)*) => {
+        mechanism!($name {
+            world: Spatial(),
+            base: Body(
+                mass = 1.0_kg,
+                inertia = 1.0_kg_m2,
+                orientation = turn(Z, 90.0_deg)
+            ),
+            weld: Fixed(ground, base, at = [0.0_m, 0.0, 0.0]),
+            load: Body(
+                mass = 1.0_kg,
+                inertia = 1.0_kg_m2,
+                velocity = [1.0_m_per_s, 0.0, 0.0]
+            ),
+            mount: Bushing(
+                $parent,
+                $child,
+                $($at = [0.0_m, 0.0, 0.0],)*
+                damping = [10.0_N_s_per_m, 20.0, 30.0]
+            ),
+            pull: Output(load.origin.acceleration.x),
+        });
+    };
+}
+
+turned_parent!(ByParts, base, load, at);
+turned_parent!(ByPoints, base.origin, load.origin);
+turned_parent!(
+    ByFrames,
+    base.frame([0.0, 0.0, 0.0], Z),
+    load.frame([0.0, 0.0, 0.0], Z)
+);
+
+#[test]
+fn gains_of_a_bushing_are_in_the_axes_of_its_parent() {
+    let pulls = [
+        Simulation::new(ByParts::default()).map(|run| run.outputs().pull),
+        Simulation::new(ByPoints::default()).map(|run| run.outputs().pull),
+        Simulation::new(ByFrames::default()).map(|run| run.outputs().pull),
+    ];
+    for pull in pulls {
+        let pull = pull.expect("it assembles");
+        assert!((pull + 20.0).abs() < 1e-12, "{pull}");
+    }
 }

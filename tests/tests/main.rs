@@ -26,6 +26,7 @@ mod integrability;
 mod large;
 mod layers;
 mod left_out;
+mod massless;
 mod mobility;
 mod new_joint;
 mod newton_euler;

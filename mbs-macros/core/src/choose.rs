@@ -65,6 +65,8 @@ pub(crate) struct Search<'d> {
     errors: Errors,
     /// Errors of descriptions other than the first: these do not apply, and are skipped.
     passed_over: Errors,
+    /// Errors of the first one about parts that move without mass, where others are tried in its place.
+    fallback: Option<Errors>,
     best: Option<Analysis>,
     candidates: Vec<Candidate>,
     taken: usize,
@@ -84,6 +86,7 @@ impl<'d> Search<'d> {
             current: None,
             errors,
             passed_over: Errors::new(),
+            fallback: None,
             best: None,
             candidates: Vec::new(),
             taken: 0,
@@ -104,7 +107,8 @@ impl<'d> Search<'d> {
 
     /// The list for the errors of the current description.
     pub(crate) fn errors(&mut self) -> &mut Errors {
-        match self.is_first() && self.purpose() == Purpose::Candidate {
+        let is_first = self.is_first() && self.fallback.is_none();
+        match is_first && self.purpose() == Purpose::Candidate {
             true => &mut self.errors,
             false => &mut self.passed_over,
         }
@@ -113,6 +117,11 @@ impl<'d> Search<'d> {
     /// After stage 2: returns the model if its equations are to be derived.
     pub(crate) fn admit(&mut self, model: Option<Model>) -> Option<Model> {
         let trial = self.current.clone()?;
+        if model.is_none() && self.requested.is_none() && self.errors.is_of_mass() {
+            // A part that moves without mass by its points may move others with its joint.
+            self.fallback = Some(std::mem::take(&mut self.errors));
+            self.queue_others();
+        }
         let model = model?;
         match trial.purpose {
             Purpose::Candidate => {}
@@ -221,6 +230,17 @@ impl<'d> Search<'d> {
         system.unknown_readings.is_empty()
     }
 
+    /// Whether each coordinate moves a mass, or the name of one that does not: then the description does not apply.
+    pub(crate) fn moves(&mut self, massless: Option<String>) -> bool {
+        if let Some(coordinate) = &massless
+            && self.is_first()
+            && self.requested.is_some()
+        {
+            refusals::refuse_massless(self.declaration, coordinate, &mut self.errors);
+        }
+        massless.is_none()
+    }
+
     /// After the check of positions that are held: whether the description is continued.
     pub(crate) fn holds(&mut self, found: Result<(), Open>) -> bool {
         match found {
@@ -239,10 +259,8 @@ impl<'d> Search<'d> {
         if self.is_first() {
             let others = self.requested.is_none() && !self.is_far_cheaper(&analysis, &own);
             self.best = Some(analysis);
-            if others {
-                for formulation in [Formulation::Reference, Formulation::Joint] {
-                    self.queue(Description::from(formulation), Purpose::Candidate);
-                }
+            if others && self.fallback.is_none() {
+                self.queue_others();
             }
         } else if own.operations < cheapest(&self.candidates) {
             self.best = Some(analysis);
@@ -280,6 +298,9 @@ impl<'d> Search<'d> {
     /// The cheapest.
     pub(crate) fn finish(mut self) -> Result<Analysis, Failure> {
         self.errors.stop_if_any()?;
+        if let (None, Some(fallback)) = (&self.best, self.fallback) {
+            fallback.stop_if_any()?;
+        }
         let mut best = self.best.ok_or_else(Failure::unexplained)?;
         if self.candidates.len() > 1 || self.requested.is_none() {
             self.candidates[self.taken].taken = true;
@@ -302,6 +323,13 @@ impl<'d> Search<'d> {
             description,
             purpose,
         });
+    }
+
+    /// The descriptions beside natural coordinates.
+    fn queue_others(&mut self) {
+        for formulation in [Formulation::Reference, Formulation::Joint] {
+            self.queue(Description::from(formulation), Purpose::Candidate);
+        }
     }
 
     fn try_again(&mut self, description: Description, purpose: Purpose) {

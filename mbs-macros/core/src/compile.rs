@@ -117,7 +117,7 @@ fn analyse_cheapest(declaration: &Declaration) -> Result<Analysis, Failure> {
             continue;
         };
         let (outline, mut system) = equations::derive(model); // 3
-        if !search.reads(&system) {
+        if !search.reads(&system) || !search.moves(mobility::massless(&outline, &system)) {
             continue;
         }
         let mobility = mobility::analyse(&outline, &system);

@@ -33,6 +33,18 @@ pub(crate) fn refuse_held(declaration: &Declaration, open: &Open, errors: &mut E
     );
 }
 
+/// A coordinate of this name moves no mass.
+pub(crate) fn refuse_massless(declaration: &Declaration, coordinate: &str, errors: &mut Errors) {
+    let entry = coordinate
+        .rsplit_once('.')
+        .map_or(coordinate, |(entry, _)| entry);
+    errors.about(
+        entry,
+        place_of(declaration, entry),
+        format!("in joint coordinates nothing with mass follows `{coordinate}`: give the part `mass =`, or take other coordinates for it by `coordinates = Natural`"),
+    );
+}
+
 /// An output reads a component of a reaction that its joint does not have.
 pub(crate) fn refuse_reading(unknown: &UnknownReading, errors: &mut Errors) {
     let (reading, known) = (&unknown.reading, &unknown.known);

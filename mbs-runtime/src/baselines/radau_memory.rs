@@ -5,7 +5,7 @@
 use super::radau_coefficients::NODES;
 use crate::State;
 use crate::linear::{vector, zeros};
-use crate::samples::rounding;
+use crate::state::rounding;
 use nalgebra::SVector;
 
 /// Steps that are kept: a pair, and the one with which it is compared.

@@ -8,7 +8,7 @@ use super::Simulation;
 use super::known_poses::{ALIKE, SAME};
 use super::passage::{LEAP, Pose};
 use super::pose::{NEAR_AHEAD, Passage};
-use crate::samples::rounding;
+use crate::state::rounding;
 use crate::{Foreseen, LastStep, SimulationError, System};
 
 /// Steps past such a pose, as a part of σ/k.

@@ -3,7 +3,8 @@
 use super::Simulation;
 use super::books::Books;
 use super::hermite::Hermite;
-use crate::samples::{is_counted, rounding};
+use crate::samples::is_counted;
+use crate::state::rounding;
 use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
 

@@ -53,6 +53,8 @@ pub struct Errors {
     list: Vec<Recorded>,
     /// The member of a family that is being read.
     member: Option<String>,
+    /// Whether they are all about parts that move without mass.
+    of_mass: bool,
 }
 
 /// An error, and the members of a family that have it.
@@ -118,6 +120,16 @@ impl Errors {
     /// The entry that `enter` was called for has been read.
     pub fn leave(&mut self, before: Option<String>) {
         self.member = before;
+    }
+
+    /// All of them are about parts that move without mass in this description.
+    pub fn are_of_mass(&mut self) {
+        self.of_mass = true;
+    }
+
+    /// Whether all of them are: another description may move them with others.
+    pub fn is_of_mass(&self) -> bool {
+        self.of_mass && !self.list.is_empty()
     }
 
     /// The number of errors so far.

@@ -11,6 +11,7 @@
 
 mod closing;
 mod held;
+mod inertia;
 mod integrability;
 mod normal;
 mod numbers;
@@ -25,6 +26,7 @@ use numbers::Numbers;
 
 pub use closing::Open;
 pub use held::held;
+pub use inertia::massless;
 pub use words::{redundancies, summary};
 
 /// The number of poses.

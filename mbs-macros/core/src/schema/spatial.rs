@@ -241,7 +241,7 @@ pub const KINDS: &[Kind] = &[
                 "stiffness",
                 Gains(Dimension::STIFFNESS),
                 Assumed("0"),
-                "against displacement, in the parent's axes: a number, three of them, or a 3 × 3 matrix",
+                "against displacement, in the parent's axes, or those of its frame: a number, three of them, or a 3 × 3 matrix",
             ),
             field(
                 "damping",

@@ -164,6 +164,11 @@ impl Arguments<'_, '_> {
                 let home = resolver.home(frame.point.owner);
                 Some(resolver.graph.compose(&home.axes, &frame.local))
             }
+            // The gains of a bushing are in its parent's axes.
+            (None, false) if self.kind_name() == "Bushing" => {
+                let parent = holds.first()?.owner();
+                Some(self.resolver().home(parent).axes)
+            }
             (None, false) => Some(self.graph().ground_axes()),
             (None, true) => {
                 let axis = self.direction("axis")?;

@@ -31,6 +31,7 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction:
     // Of the parts that share a massless coordinate the first gets the error.
     let mut known = heavy.clone();
     let mut massless: Vec<(String, Span, String)> = Vec::new();
+    let mut are_bars = true;
     for (index, part) in resolver.parts.iter().enumerate() {
         let is_carried = carried.contains(&index);
         let of_points = part.representation.is_points();
@@ -56,12 +57,17 @@ pub(in crate::model) fn massive(resolver: &mut Resolver, tree: &Tree, reduction:
                 ),
                 None => massless_message(part, turns_only),
             };
+            are_bars &= part.kind == "Bar";
             massless.push((part.name.clone(), part.span, message));
         }
     }
     if known.is_empty() && tree.joints.is_empty() {
         let message = "nothing in this mechanism moves: declare a `Bar`, `Body` or `Particle` that the ground does not hold";
         resolver.fail::<()>(resolver.declaration.name.span(), message);
+    }
+    // A bar without mass is a link on purpose; other parts have lost theirs.
+    if !massless.is_empty() && are_bars && resolver.errors.is_empty() {
+        resolver.errors.are_of_mass();
     }
     for (name, span, message) in massless {
         resolver.fail_about(&name, span, message);
@@ -134,7 +140,7 @@ fn massless_message(part: &Part, turns_only: bool) -> String {
             "`{name}` turns without inertia: give it a positive `inertia =`, or use a `Particle`"
         ),
         "Bar" if part.representation == Representation::Natural => format!(
-            "`{name}` moves without mass: give it `mass =`, or join its moving ends to parts that have mass"
+            "`{name}` moves without mass: give it `mass =`, or join its moving ends to bars and particles that have mass (a joint with a `Body` does not share the point: there a `Distance` serves)"
         ),
         "Particle" => format!(
             "`{name}` moves without mass: give it `mass =`, or join it to a part that has mass"
