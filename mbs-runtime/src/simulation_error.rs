@@ -5,7 +5,7 @@ mod error_of;
 #[cfg(feature = "std")]
 mod start;
 
-use self::clock::clock;
+use self::clock::{Short, clock};
 pub use self::error_of::ErrorOf;
 use core::fmt;
 
@@ -374,13 +374,15 @@ impl fmt::Display for SimulationError {
                 iterations,
             } => write!(
                 out,
-                "`{row}` did not converge in the step from t = {} s (h = {step} s): residual {residual:.3e} after {iterations} iterations; use a smaller step",
-                clock(*time)
+                "`{row}` did not converge in the step from t = {} s (h = {} s): residual {residual:.3e} after {iterations} iterations; use a smaller step",
+                clock(*time),
+                Short(*step)
             ),
             Astray { time, step, by } => write!(
                 out,
-                "the step from t = {} s (h = {step} s) leads to another assembly of the mechanism, {by:.1} of its lengths or radians from where its velocities lead; use a smaller step",
-                clock(*time)
+                "the step from t = {} s (h = {} s) leads to another assembly of the mechanism, {by:.1} of its lengths or radians from where its velocities lead; use a smaller step",
+                clock(*time),
+                Short(*step)
             ),
             NonFinite { time, what } => write!(
                 out,
@@ -399,8 +401,9 @@ impl fmt::Display for SimulationError {
                 available,
             } => write!(
                 out,
-                "the motion has gained {gained:.1e} J up to t = {} s with steps of {step} s, where start and works have given it {available:.1e} J: {TOO_LONG}",
-                clock(*time)
+                "the motion has gained {gained:.1e} J up to t = {} s with steps of {} s, where start and works have given it {available:.1e} J: {TOO_LONG}",
+                clock(*time),
+                Short(*step)
             ),
             EnergyLoss {
                 time,
@@ -409,8 +412,9 @@ impl fmt::Display for SimulationError {
                 available,
             } => write!(
                 out,
-                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {step} s, which no force has taken: {TOO_LONG}",
-                clock(*time)
+                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {} s, which no force has taken: {TOO_LONG}",
+                clock(*time),
+                Short(*step)
             ),
             Mass { time } => write!(
                 out,

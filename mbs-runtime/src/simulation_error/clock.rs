@@ -13,6 +13,18 @@ pub(super) fn clock(time: f64) -> f64 {
     }
 }
 
+/// A length of time: with an exponent where it has many zeros.
+pub(super) struct Short(pub(super) f64);
+
+impl fmt::Display for Short {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 == 0.0 || (1e-4..1e5).contains(&self.0.abs()) {
+            true => fmt::Display::fmt(&clock(self.0), out),
+            false => write!(out, "{:.1e}", self.0),
+        }
+    }
+}
+
 /// Room for a number of twelve digits with its exponent.
 #[derive(Default)]
 struct Text {
