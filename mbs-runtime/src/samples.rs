@@ -68,7 +68,7 @@ impl<'a> Samples<'a> {
 
     fn advance(&mut self) -> Result<Option<Sample>, SimulationError> {
         check_interval("sample interval", self.interval, [self.start, self.until])?;
-        if !(self.until.is_finite() && !is_past(self.until, self.start)) {
+        if !self.until.is_finite() || is_past(self.until, self.start) {
             return Err(SimulationError::Time {
                 now: self.start,
                 wanted: self.until,

@@ -47,7 +47,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         system.inputs_mut().copy_from_slice(self.system().inputs());
         // In parts, whose frames are not on the stack together: without optimisation each move of a large state is a copy.
         let (state, verdict) = self.refitted(&system)?;
-        self.renew(system, state, verdict.clone())?;
+        self.renew(system, &state, verdict.clone())?;
         Ok(verdict)
     }
 
@@ -80,10 +80,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn renew(
         &mut self,
         system: S,
-        state: Box<State<Q, N, R>>,
+        state: &State<Q, N, R>,
         verdict: AssemblyVerdict,
     ) -> Result<(), SimulationError> {
-        match Self::from_state(system, self.settings, *state, verdict, self.other) {
+        match Self::from_state(system, self.settings, state.clone(), verdict, self.other) {
             Ok(mut renewed) => {
                 renewed.take_over(self);
                 *self = renewed;
