@@ -50,6 +50,12 @@ pub fn pivot_inverse(pivot: f64, whole: f64) -> f64 {
     }
 }
 
+/// The larger of two numbers; not a number where one of them is not.
+#[inline]
+pub fn larger(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
 /// −1, 0 or 1.
 #[inline]
 pub fn sign(x: f64) -> f64 {

@@ -162,6 +162,14 @@ impl<const R: usize> RowScale<R> {
         if lost { self.lost } else { STAGNATED }
     }
 
+    /// The same where positions have this round-off, in lengths of the mechanism: it grows with them, as the angle of a wheel and
+    /// the place of a vehicle do.
+    #[cold]
+    pub(crate) fn round_off_at(&self, of_positions: f64, lost: bool) -> f64 {
+        self.round_off_of(lost)
+            .max((of_positions / self.tolerance).powi(2))
+    }
+
     /// Σ |a_i|² x_i² of multipliers.
     #[inline(always)]
     pub(crate) fn square(&self, x: &SVector<f64, R>) -> f64 {

@@ -1,6 +1,5 @@
 //! Results at regular instants.
 
-use crate::state::rounding;
 use crate::{AnySimulation, Sample, SimulationError};
 
 /// Part of an interval by which one of its multiples may miss the end of a run: round-off reaches it after some billion
@@ -15,9 +14,12 @@ pub(crate) fn is_counted(length: f64, [from, to]: [f64; 2]) -> bool {
     !(length < COUNTED * (to - from).max(from.abs()))
 }
 
-/// Whether a time is before now by more than round-off.
+/// A sum of intervals may be before the time that steps have counted, by this part of it.
+const SUMMED: f64 = 1e-12;
+
+/// Whether a time is before now by more than the round-off of a sum.
 pub(crate) fn is_past(time: f64, now: f64) -> bool {
-    time < now - rounding(now)
+    time < now - SUMMED * now.abs()
 }
 
 /// Refuses an interval that is not positive and finite, or that the clock cannot count between two times.

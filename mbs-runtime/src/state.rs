@@ -309,7 +309,7 @@ pub struct Ledger {
 pub struct EnergyRange {
     /// What the forces at the start give along the size of the mechanism, or up to where a linear force vanishes.
     pub depth: f64,
-    /// The least potential energy so far, or what it is `depth` below the start if that is less.
+    /// The smaller of the least potential energy so far and that at the start less `depth`.
     pub least: f64,
     /// The largest works so far.
     pub works: f64,

@@ -1,7 +1,7 @@
 //! Outputs that read accelerations and reactions, in all descriptions.
 
 use crate::alloc::count;
-use mbs_runtime::{Mechanism, Settings, Simulation, System};
+use mbs_runtime::{Mechanism, Observables, Settings, Simulation, System};
 
 /// A declaration with one coordinate for each freedom of a joint, and with rows.
 macro_rules! both {
@@ -154,4 +154,40 @@ fn bodies_in_space_have_accelerations() {
     for (a, b) in natural.iter().flatten().zip(joint.iter().flatten()) {
         assert!((a - b).abs() < 1e-8 * (1.0 + a.abs()), "{a} {b}");
     }
+}
+
+mod swing {
+    mbs_runtime::mechanism!(Swing {
+        world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+        rod: Bar(mass = 1.0_kg, length = 1.0_m, angle = -60.0_deg),
+        pivot: Revolute(ground.origin, rod.a),
+        pull: Output(pivot.reaction.fx),
+        shifted: Output(rod.angle + 0.5 * pi),
+        spin: Output(rate(rod.rate)),
+        turning: Output(rod.rate),
+        tip: Output(rod.b),
+    });
+}
+
+/// The outputs behind one that reads an acceleration stood a place too early: held was the one behind.
+#[test]
+fn outputs_behind_those_that_read_accelerations_keep_their_places() {
+    use swing::Swing;
+    let start = || Simulation::start(Swing::default());
+    let held = start().hold("shifted", 0.3).hold_rate("shifted", 2.0);
+    let held = held.begin().expect("it can be held");
+    let found = held.outputs();
+    assert!((found.shifted - 0.3).abs() < 1e-9, "{found:?}");
+    assert!((found.turning - 2.0).abs() < 1e-9, "{found:?}");
+    let turning = start().hold("turning", 0.7).begin().expect("a rate");
+    assert!((turning.outputs().turning - 0.7).abs() < 1e-9);
+    let refused = start().hold("spin", 0.3).begin().err();
+    let message = refused.map(|error| error.to_string()).unwrap_or_default();
+    assert!(message.contains("without accelerations"), "{message}");
+    let (state, mut values) = (held.state(), [0.0f64; 6]);
+    let (q, v) = (&state.positions, &state.velocities);
+    Observables::outputs(held.system(), 0.0, q, v, &mut values);
+    assert!(values[0].is_nan() && values[2].is_nan(), "{values:?}");
+    assert_eq!(values[1], found.shifted);
+    assert_eq!(values[3], found.turning);
 }

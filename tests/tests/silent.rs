@@ -230,3 +230,69 @@ mechanism!(Rows {
 });"#,
     );
 }
+
+mechanism!(Limited {
+    world: Planar(),
+    large: Param(1e30_N),
+    rate: Param(3.0_N_per_m),
+    p: Particle(mass = 1.0_kg, at = [2.0_m, 0.0], free = true),
+    ramp: Table([0.0_m, 4.0_m], [0.0_N, 8.0_N]),
+    force: Output(min(rate * p.origin.x, large)),
+    place: Output(max(p.origin.x, -1e18_m)),
+    folded: Output(min(2.0, 1e30)),
+    far: Output(max(1e-3_m, p.origin.x - 1e9_m)),
+    change: Output(rate(max(p.origin.x, 1.0_m))),
+    power: Output((p.origin.x / 2.0_km).powi(120)),
+    push: Each([ramp, ramp], |table| Force(
+        p.origin,
+        value = [table(p.origin.x), 0.0_N]
+    )),
+});
+
+/// max(a, b) was b + (a − b) step(a − b), which cancels where b is large.
+#[test]
+fn limits_that_are_far_away_change_nothing() {
+    let limited = Simulation::new(Limited::default()).expect("it assembles");
+    let found = limited.outputs();
+    assert_eq!((found.force, found.place, found.folded), (6.0, 2.0, 2.0));
+    assert_eq!(found.far, 1e-3);
+    assert_eq!(found.change, 0.0);
+    // (2 m / 2 km)^120 = 1e-360 is less than any number, but not because 1e-3^120 was computed first.
+    assert_eq!(found.power, 0.0);
+    let dynamics = limited.dynamics().expect("it has a mass");
+    assert!((dynamics.accelerations()[0] - 8.0).abs() < 1e-12);
+}
+
+#[test]
+fn signs_of_velocities_are_no_velocity_rows() {
+    refused(
+        r#"mechanism!(Wrong {
+    world: Planar(),
+    p: Particle(mass = 1.0_kg, free = true),
+    q: Particle(mass = 1.0_kg, free = true),
+    n: Nonholonomic(p.velocity.x - sign(q.velocity.x) * q.origin.y / 1.0_s),
+                    ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ a nonholonomic condition must be affine in the velocities: N(q) v + n(q, t) = 0
+});"#,
+    );
+}
+
+#[test]
+fn large_powers_and_conditions_are_read() {
+    accepted(
+        r#"mechanism!(Read {
+    world: Planar(),
+    p: Particle(mass = 1.0_kg, free = true),
+    u: Let(p.origin.x / 1.0_m),
+    large: Output(u.powi(-512).powi(512).powi(512).powi(16)),
+    q: Each(0..3, |i| if i != 0 && 10 / i > 2 { Particle(mass = 1.0_kg, free = true) } else { Particle(mass = 2.0_kg, free = true) }),
+    length: Output((p.origin.x / 1.0_mm).powi(120)),
+});"#,
+    );
+    refused(
+        r#"mechanism!(Wrong {
+    world: Planar(),
+    p: Each(0..2, |i| if 10 / i > 2 { Particle(mass = 1.0_kg) } else { Particle(mass = 2.0_kg) }),
+                         ~~~~~~ in `p[0]`: this divides by zero
+});"#,
+    );
+}

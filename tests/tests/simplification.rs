@@ -231,6 +231,10 @@ fn rebuild(graph: &mut Graph, expr: Expr) -> Expr {
             let (y, x) = (rebuild(graph, y), rebuild(graph, x));
             graph.atan2(y, x)
         }
+        Node::Larger(a, b) => {
+            let (a, b) = (rebuild(graph, a), rebuild(graph, b));
+            graph.larger(a, b)
+        }
         Node::Power(x, exponent) => {
             let x = rebuild(graph, x);
             graph.power(x, exponent.value())

@@ -206,7 +206,7 @@
       const named = [scene.methods[0], this.method.selectedOptions[0].textContent];
       const [here, there] = this.stopped;
       // A clock adds up steps, and shows it in its last digits.
-      this.trouble.textContent = (here || (there && `${named[1]} stopped: ${there}`)).replace(/\d+\.\d{8,}/g, (x) => +(+x).toPrecision(6));
+      this.trouble.textContent = (here || (there && `${named[1]} stopped: ${there}`)).replace(/\d+\.\d{8,}/g, (x) => +(+x).toPrecision(9));
       [ours, other].forEach((now, i) => {
         const [name, energy, rows] = this.keys[i].children;
         this.keys[i].hidden = i > 0 && !this.comparing;

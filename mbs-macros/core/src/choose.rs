@@ -65,7 +65,7 @@ pub(crate) struct Search<'d> {
     errors: Errors,
     /// Errors of descriptions other than the first: these do not apply, and are skipped.
     passed_over: Errors,
-    /// Errors of the first one about parts that move without mass, where others are tried in its place.
+    /// Errors about parts that move without mass, where other descriptions are tried in the place of the first one.
     fallback: Option<Errors>,
     best: Option<Analysis>,
     candidates: Vec<Candidate>,
@@ -234,9 +234,15 @@ impl<'d> Search<'d> {
     pub(crate) fn moves(&mut self, massless: Option<String>) -> bool {
         if let Some(coordinate) = &massless
             && self.is_first()
-            && self.requested.is_some()
         {
-            refusals::refuse_massless(self.declaration, coordinate, &mut self.errors);
+            // Reported if no other description, or other cut, moves all with mass.
+            if self.fallback.is_none() && self.requested.is_none() {
+                self.queue_others();
+            }
+            let errors = self.fallback.get_or_insert_with(Errors::new);
+            if errors.is_empty() {
+                refusals::refuse_massless(self.declaration, coordinate, errors);
+            }
         }
         massless.is_none()
     }

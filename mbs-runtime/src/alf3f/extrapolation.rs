@@ -4,11 +4,12 @@
 //! second order has an error expansion in even powers of H/2k, of which the weighted mean
 //!
 //! ```text
-//! q = q₀ ⊕ Σ c_k (q_k ⊖ q₀),    v = Σ c_k v_k,    c_k = Π_{j ≠ k} k²/(k² − j²)
+//! q = q₁ ⊕ Σ c_k (q_k ⊖ q₁),    v = Σ c_k v_k,    c_k = Π_{j ≠ k} k²/(k² − j²)
 //! ```
 //!
 //! leaves 2n (E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, section II.9, with the
-//! harmonic sequence). The differences are taken from q₀, so that the chart is the same for all k. The mean satisfies the
+//! harmonic sequence). The differences are taken from the first end, so that the chart is the same for all k, and bodies may turn by half
+//! a turn in the step. The mean satisfies the
 //! rows to the order of the step; it is put on them by a kick that moves nothing else.
 //!
 //! Even numbers of parts, because the implicit trapezoid turns the sign of what a stiff damper brakes: over an even number

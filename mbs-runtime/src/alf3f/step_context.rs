@@ -244,13 +244,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
         }
     }
 
-    /// The residual of the rows that is accepted if a new factor does not reduce it, `is_lost` where a row has lost its direction:
-    /// the round-off of positions grows with them, as the angle of a wheel and the place of a vehicle do.
+    /// The residual of the rows that is accepted if a new factor does not reduce it, `is_lost` where a row has lost its direction.
     #[cold]
     #[inline(never)]
     pub(super) fn round_off_of_rows(&self, is_lost: bool, q: &SVector<f64, Q>) -> f64 {
-        let of_positions = self.yardstick.round_off_of_positions(q) / self.scale.tolerance;
-        (self.scale.round_off_of(is_lost)).max(of_positions * of_positions)
+        let of_positions = self.yardstick.round_off_of_positions(q);
+        self.scale.round_off_at(of_positions, is_lost)
     }
 
     /// Rows that vanish at the declared guess have their usual lengths once they have been longer: for runs without rank margins.

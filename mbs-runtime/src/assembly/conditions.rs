@@ -169,9 +169,9 @@ fn output<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     q: &SVector<f64, Q>,
     v: &SVector<f64, N>,
 ) -> f64 {
-    let mut outputs = vec![f64::NAN; index + 1];
+    let mut outputs = vec![f64::NAN; S::MODEL.outputs.len()];
     system.outputs(0.0, q, v, &mut outputs);
-    outputs[index]
+    outputs.get(index).copied().unwrap_or(f64::NAN)
 }
 
 impl Condition {

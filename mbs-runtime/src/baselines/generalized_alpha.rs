@@ -24,6 +24,9 @@ use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
+/// A step may be longer than the last one by this factor, so that it goes on with its a.
+const LONGER: f64 = 10.0;
+
 #[derive(Clone)]
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     alpha_m: f64,
@@ -105,9 +108,12 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                 }
             }
         };
-        if begins.length != h {
+        let ratio = h / begins.length;
+        if ratio != 1.0 {
+            // After a much shorter step the difference is round-off.
+            let ratio = if ratio.abs() < LONGER { ratio } else { 0.0 };
             let ahead = begins.algorithmic - begins.acceleration;
-            begins.algorithmic = begins.acceleration + ahead * (h / begins.length);
+            begins.algorithmic = begins.acceleration + ahead * ratio;
         }
         Ok(begins)
     }

@@ -224,6 +224,11 @@ where
         false
     }
 
+    fn round_off(&self) -> f64 {
+        let of_positions = self.bench.yardstick.round_off_of_positions(&self.q);
+        self.rows.scale.round_off_at(of_positions, false)
+    }
+
     #[inline(always)]
     fn fault(&self, iterations: usize) -> Fault {
         not_converged(&self.bench.phi, &self.rows.scale.weights, iterations)

@@ -55,8 +55,12 @@ pub unsafe fn make<M: Mechanism>(
     plant: *mut *mut Plant,
 ) -> i32 {
     status_of(|| {
-        if plant.is_null() || !plant.is_aligned() {
+        if plant.is_null() {
             return Err(null("the place for the simulation"));
+        }
+        if !plant.is_aligned() {
+            let text = "the place for the simulation is not aligned; pass the address of a pointer";
+            return Err(Failure::new(Status::Null, text));
         }
         // SAFETY: it is not null, and aligned.
         unsafe { plant.write(std::ptr::null_mut()) };

@@ -16,7 +16,7 @@ pub trait Observables<const Q: usize, const N: usize, const R: usize> {
     const STATES: &'static [ScalarState] = &[];
 
     /// `Output`s, in the order of [`Model::outputs`](crate::Model::outputs) (a shorter slice receives the first ones).
-    /// Those that read accelerations or reactions are not written.
+    /// Those that read accelerations or reactions become NaN, or are not written.
     fn outputs(&self, t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>, outputs: &mut [f64]);
     /// All `Output`s, from accelerations v̇ and multipliers λ as those of [`Self::reactions`].
     fn outputs_at_acceleration_level(

@@ -3,6 +3,7 @@
 use super::Simulation;
 use crate::assembly::refit;
 use crate::energy::total;
+use crate::yardstick::Yardstick;
 use crate::{
     AssemblyVerdict, KnownPoses, Mechanism, PosesAhead, SimulationError, State, System, ThreeFields,
 };
@@ -37,7 +38,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     ///
     /// # Errors
     /// Parameters that do not make a mechanism, [`SimulationError::Assembly`] where no pose satisfies the rows,
-    /// [`SimulationError::Contradiction`] where no velocities do, and forces or energies that are not finite; the simulation
+    /// [`SimulationError::Contradiction`] where no velocities do, forces or energies that are not finite, and
+    /// [`SimulationError::Large`] where that takes dense arrays for which a stack has no room; the simulation
     /// then goes on with the parameters that it had.
     pub fn set_parameters<M: Mechanism<System = S>>(
         &mut self,
@@ -63,7 +65,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // Momenta of the old masses, energies of the old forces, and a speed in the old size.
         state.fields = ThreeFields::default();
         state.ledger.range = None;
-        state.step_controller.speed = 0.0;
+        let length = Yardstick::new(system, self.settings.step).length;
+        state.step_controller.speed *= self.yardstick.length / length;
         state.poses_ahead = PosesAhead::default();
         state.known_poses = KnownPoses::none();
         // The difficulties of another motion.
@@ -86,6 +89,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match Self::from_state(system, self.settings, state.clone(), verdict, self.other) {
             Ok(mut renewed) => {
                 renewed.take_over(self);
+                // The works so far stay in the balance.
+                let [range, before] = [&mut renewed, &mut *self]
+                    .map(|run| &mut run.integrator.state_mut().ledger.range);
+                if let (Some(range), Some(before)) = (range, before) {
+                    range.doubts = before.doubts;
+                }
                 *self = renewed;
                 Ok(())
             }

@@ -73,8 +73,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Why the energy balance after a step is refused, if it is; `before` is that before the step.
     #[inline]
     fn refused_after(&mut self, before: &Energy) -> Option<Refused> {
-        let range = &mut self.integrator.state_mut().ledger.range;
-        let range = range.get_or_insert_default();
+        let range = self.integrator.state_mut().ledger.range.as_mut()?;
         self.energy_guard.refuses(range, &self.balance, before)
     }
 

@@ -3,7 +3,7 @@
 use super::Simulation;
 use super::books::Books;
 use super::hermite::Hermite;
-use crate::samples::is_counted;
+use crate::samples::{is_counted, is_past};
 use crate::state::rounding;
 use crate::{SimulationError, State, System, UnknownName};
 use nalgebra::SVector;
@@ -40,7 +40,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     pub(super) fn check_target(&self, wanted: f64) -> Result<(), SimulationError> {
         let now = self.time();
         let step = self.nominal();
-        if !(wanted.is_finite() && wanted >= now - self.sliver(now)) {
+        let is_past = is_past(wanted, now) && wanted < now - self.sliver(now);
+        if !wanted.is_finite() || is_past {
             return Err(SimulationError::Time { now, wanted });
         }
         // Such a run would not end: its steps are below the round-off of the time. With a tolerance they grow.

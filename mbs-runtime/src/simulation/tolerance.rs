@@ -84,8 +84,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
-            if attempts == 0 {
-                reach = 2.0 * h;
+            match attempts {
+                0 => reach = 2.0 * h,
+                // A shorter attempt is no remainder, which is not placed.
+                _ => self.integrator.state_mut().step_controller.step = step_controller.step,
             }
             let persists = attempts >= ATTEMPTS && margin.least < BESIDE;
             let allowance = if persists {
@@ -169,8 +171,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if !(step_controller.step > shortest) {
                 return Err(error);
             }
-            // A shorter attempt is no remainder, which is not placed.
-            self.integrator.state_mut().step_controller.step = step_controller.step;
         }
     }
 

@@ -328,7 +328,7 @@ fn entries_of_which_there_are_too_many() {
         "
 assembly!(Row { world: Planar(), p: Each(0..10000, |i| Particle(mass = 1.0_kg, free = true)) });
 mechanism!(Net { world: Planar(), row: Each(0..10000, |i| Assembly(Row)) });
-                                  ~~~ with this assembly there are more than 100000 entries; declare fewer
+                                  ~~~ with this assembly there are more than 100000 entries and assemblies; declare fewer
         ",
     );
 }

@@ -38,7 +38,9 @@ impl Function {
         let mut cost = Cost::default();
         for operation in &self.operations {
             match operation {
-                Operation::Add(..) | Operation::Subtract(..) => cost.additions += 1,
+                Operation::Add(..) | Operation::Subtract(..) | Operation::Larger(..) => {
+                    cost.additions += 1;
+                }
                 Operation::Multiply(..) => cost.multiplications += 1,
                 Operation::Divide(..) | Operation::PivotInverse(..) => cost.divisions += 1,
                 Operation::Call(..)

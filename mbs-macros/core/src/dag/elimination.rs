@@ -7,7 +7,7 @@
 use super::lower::Lowering;
 use super::{Operand, Operation};
 use crate::symbolic::Symbol;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The entries of a symmetric matrix on and above its diagonal; what is absent is zero.
 pub(super) type Upper = BTreeMap<(usize, usize), Operand>;
@@ -63,19 +63,23 @@ impl Factor {
             diagonal,
             columns: vec![Vec::new(); size],
         };
+        // Of each row that is left the others that are left and have an entry in it.
+        let mut neighbours = vec![BTreeSet::new(); size];
+        for &(i, j) in entries.keys().filter(|(i, j)| i != j) {
+            neighbours[i].insert(j);
+            neighbours[j].insert(i);
+        }
         while !left.is_empty() {
-            let neighbours = |k: usize| -> Vec<usize> {
-                let others = left.iter().copied().filter(|&i| i != k);
-                others
-                    .filter(|&i| entries.contains_key(&key(i, k)))
-                    .collect()
-            };
             // The first of those with the fewest neighbours.
             let place = (0..left.len())
-                .min_by_key(|&place| neighbours(left[place]).len())
+                .min_by_key(|&place| neighbours[left[place]].len())
                 .unwrap_or(0);
-            let (k, others) = (left[place], neighbours(left[place]));
-            left.remove(place);
+            let k = left.remove(place);
+            let others: Vec<usize> = std::mem::take(&mut neighbours[k]).into_iter().collect();
+            for &i in &others {
+                neighbours[i].remove(&k);
+                neighbours[i].extend(others.iter().filter(|&&j| j != i));
+            }
             factor.order.push(k);
             let pivot = entries.get(&(k, k)).copied().unwrap_or(zero);
             code.name(pivot, || format!("{name}_{k}"));

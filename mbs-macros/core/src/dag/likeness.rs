@@ -185,6 +185,7 @@ fn kind(graph: &Graph, expr: Expr, kinds: &[u64]) -> u64 {
         }
         Node::Function(function, x) => hash((4, *function as u64, of(*x))),
         Node::Atan2(y, x) => hash((5, of(*y), of(*x))),
+        Node::Larger(a, b) => hash((13, of(*a), of(*b))),
         Node::Power(x, exponent) => hash((6, exponent, of(*x))),
         Node::Law {
             law,

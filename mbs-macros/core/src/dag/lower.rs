@@ -214,6 +214,10 @@ impl<'a> Lowering<'a> {
                 let (y, x) = (self.operand(y), self.operand(x));
                 self.push(Operation::Atan2(y, x))
             }
+            Node::Larger(a, b) => {
+                let (a, b) = (self.operand(a), self.operand(b));
+                self.push(Operation::Larger(a, b))
+            }
             Node::Law {
                 law,
                 partial,

@@ -233,6 +233,8 @@ pub enum Operation {
     Call(Elementary, Operand),
     /// atan2(y, x)
     Atan2(Operand, Operand),
+    /// The larger of two values.
+    Larger(Operand, Operand),
     /// a^exponent
     Power(Operand, Number),
     /// A user's law: value and partials together; `Part` selects one of them.
@@ -257,6 +259,7 @@ impl Operation {
             }
             Operation::Call(function, a) => Operation::Call(*function, map(*a)),
             Operation::Atan2(y, x) => Operation::Atan2(map(*y), map(*x)),
+            Operation::Larger(a, b) => Operation::Larger(map(*a), map(*b)),
             Operation::Power(a, exponent) => Operation::Power(map(*a), *exponent),
             Operation::Law(law, arguments) => {
                 Operation::Law(*law, arguments.iter().map(|x| map(*x)).collect())
@@ -277,7 +280,8 @@ impl Operation {
             | Operation::Multiply(a, b)
             | Operation::Divide(a, b)
             | Operation::PivotInverse(a, b)
-            | Operation::Atan2(a, b) => {
+            | Operation::Atan2(a, b)
+            | Operation::Larger(a, b) => {
                 visit(*a);
                 visit(*b);
             }

@@ -1,7 +1,7 @@
 //! The interpreter of programs; tests compare it with the symbolic interpreter and with the compiled code.
 
 use super::{Function, Operand, Operation, Output};
-use crate::symbolic::{LawEvaluation, Symbol};
+use crate::symbolic::{LawEvaluation, Symbol, larger};
 
 /// A pivot below this part of what it began with is round-off; the same number as in `mbs_runtime::generated`.
 const ROUND_OFF: f64 = 1e-12;
@@ -39,6 +39,7 @@ impl Run<'_> {
                 }
                 Operation::Call(function, a) => function.evaluate(get(a)),
                 Operation::Atan2(y, x) => get(y).atan2(get(x)),
+                Operation::Larger(a, b) => larger(get(a), get(b)),
                 Operation::Power(a, exponent) => get(a).powf(exponent.value()),
                 Operation::Law(law, arguments) => {
                     let arguments: Vec<f64> = arguments.iter().map(get).collect();

@@ -40,6 +40,7 @@ impl Function {
                     format!("pivot_inverse({}, {})", name(pivot), name(whole))
                 }
                 Operation::Atan2(y, x) => format!("atan2({}, {})", name(y), name(x)),
+                Operation::Larger(a, b) => format!("larger({}, {})", name(a), name(b)),
                 Operation::Power(a, exponent) => format!("{}^{}", name(a), exponent.value()),
                 Operation::Law(law, arguments) => {
                     let arguments: Vec<_> = arguments.iter().map(name).collect();

@@ -215,6 +215,14 @@ impl<'a> Body<'a> {
                     Precedence::Atom,
                 )
             }
+            Operation::Larger(a, b) => {
+                let b = self.operand(*b, Precedence::Sum);
+                let a = self.operand(*a, Precedence::Sum);
+                (
+                    format!("::mbs_runtime::generated::larger({a}, {b})"),
+                    Precedence::Atom,
+                )
+            }
             Operation::Power(a, exponent) => (
                 format!("{}.powf({})", self.receiver(*a), number(exponent.value())),
                 Precedence::Atom,
@@ -307,7 +315,9 @@ impl<'a> Body<'a> {
     /// What a method is called on: `2.0.sin()` needs its type.
     fn receiver(&self, operand: Operand) -> String {
         match operand {
-            Operand::Number(value) => format!("({}_f64)", number(value.value())),
+            Operand::Number(value) if value.value().is_finite() => {
+                format!("({}_f64)", number(value.value()))
+            }
             _ => self.operand(operand, Precedence::Atom),
         }
     }

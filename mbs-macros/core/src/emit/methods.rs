@@ -6,7 +6,7 @@ use super::progressions::looped;
 use super::size::Size;
 use super::{motion, sparse};
 use crate::contract::{Capability, METHODS, Method, Origin, Returns, Shape};
-use crate::dag::{Function, Program, TURNING};
+use crate::dag::{Function, Place, Program, TURNING};
 use crate::symbolic::Graph;
 use std::fmt::Write;
 
@@ -161,7 +161,10 @@ fn straight_line(graph: &Graph, method: &Method, function: &Function) -> String 
         (Some((_, Shape::Values | Shape::Points)), _) if function.outputs.is_empty() => {
             String::new()
         }
-        (Some((name, Shape::Values)), _) => copy(name, &format!("[{}]", values().join(", "))),
+        (Some((name, Shape::Values)), _) => {
+            let values = in_places(function, values());
+            copy(name, &format!("[{}]", values.join(", ")))
+        }
         (Some((name, Shape::Points)), _) => {
             let values = values();
             let points = values
@@ -182,6 +185,20 @@ fn straight_line(graph: &Graph, method: &Method, function: &Function) -> String 
         _ => body.writes(),
     };
     statements + &end
+}
+
+/// The values in the order of their places; those that are not computed are no numbers. (Outputs that read accelerations stand among
+/// the others.)
+fn in_places(function: &Function, values: Vec<String>) -> Vec<String> {
+    let mut placed = Vec::with_capacity(values.len());
+    for (output, value) in function.outputs.iter().zip(values) {
+        if let Place::Element(place) = output.place {
+            let gap = place.saturating_sub(placed.len());
+            placed.extend(std::iter::repeat_n("f64::NAN".to_owned(), gap));
+        }
+        placed.push(value);
+    }
+    placed
 }
 
 /// Functions that are not in the program: attributes and comments before them, and the body.

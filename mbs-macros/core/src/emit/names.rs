@@ -9,6 +9,7 @@ use std::collections::{BTreeMap, HashSet};
 /// collide with.
 const TAKEN: &[&str] = &[
     "factor",
+    "pivot_loss",
     "turn",
     "at",
     "entries",

@@ -5,7 +5,7 @@ use crate::equations::System;
 use crate::model::{Outline, Part};
 use crate::symbolic::{Evaluator, Symbol};
 
-/// In larger mechanisms the factors of M are left to the runtime.
+/// In larger mechanisms the factors of M are left to the runtime; only entries that are not there are noticed.
 const MOST: usize = 100;
 /// A pivot of M below this part of its diagonal entry is round-off.
 const ROUND_OFF: f64 = 1e-9;
@@ -19,22 +19,23 @@ pub fn massless(outline: &Outline, system: &System) -> Option<String> {
         entries.iter().any(|&entry| system.graph.is_zero(entry))
     };
     let is_suspect = !outline.tree.joints.is_empty() && outline.parts.iter().any(is_light);
-    if system.size > MOST || !is_suspect {
+    if !is_suspect {
         return None;
     }
-    let matrix = mass_matrix(outline, system);
-    let slot = system.layout.slots.get(vanishing_pivot(matrix)?)?;
+    let pivot = match system.size > MOST {
+        true => (0..system.size).find(|&i| !system.mass.contains_key(&(i, i)))?,
+        false => vanishing_pivot(mass_matrix(outline, system))?,
+    };
+    let slot = system.layout.slots.get(pivot)?;
     Some(system.layout.coordinates.get(*slot)?.name.clone())
 }
 
-/// M near the guess, with default parameters; those that are zero are taken as one, so that masses that a program gives later are not
-/// missed.
+/// M near the guess, with the defaults of parameters and inputs; those that are zero are taken as one, so that masses that a program
+/// gives later are not missed.
 fn mass_matrix(outline: &Outline, system: &System) -> Vec<Vec<f64>> {
     let layout = &system.layout;
-    let parameter = |i: u32| match outline.parameters[i as usize].default {
-        0.0 => 1.0,
-        value => value,
-    };
+    let or_one = |value: f64| if value == 0.0 { 1.0 } else { value };
+    let parameter = |i: u32| or_one(outline.parameters[i as usize].default);
     let no_laws = |_: u32, _: &[f64]| (0.0, Vec::new());
     let constants = |symbol: Symbol| match symbol {
         Symbol::Parameter(i) => parameter(i),
@@ -53,7 +54,7 @@ fn mass_matrix(outline: &Outline, system: &System) -> Vec<Vec<f64>> {
     }
     let symbols = |symbol: Symbol| match symbol {
         Symbol::Parameter(i) => parameter(i),
-        Symbol::Input(i) => outline.inputs[i as usize].default,
+        Symbol::Input(i) => or_one(outline.inputs[i as usize].default),
         other => layout.value(other, &pose).unwrap_or(0.0),
     };
     let mut evaluator = Evaluator::new(&system.graph, &symbols, &no_laws);

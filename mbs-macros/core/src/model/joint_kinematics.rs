@@ -11,6 +11,7 @@ use crate::dimension::Dimension;
 use crate::schema::World;
 use crate::symbolic::{Expr, Function, Node, Substitution, Symbol};
 use proc_macro2::Span;
+use std::collections::BTreeMap;
 
 impl Resolver<'_> {
     /// A variable of the child against the parent: the angle about the axis, counted over full turns, rad; its rate; how far
@@ -45,10 +46,21 @@ impl Resolver<'_> {
 
     /// The rate of an expression of positions; that of a joint's angle or stroke by its name.
     pub(super) fn rate_of(&mut self, expr: Expr) -> Expr {
+        self.rate_with(expr, &mut BTreeMap::new())
+    }
+
+    /// The same, with the rates of sums that were found: sums may be in several others.
+    fn rate_with(&mut self, expr: Expr, found: &mut BTreeMap<Expr, Expr>) -> Expr {
+        if let Some(&rate) = found.get(&expr) {
+            return rate;
+        }
         if let Node::Sum { terms, .. } = self.graph.node(expr).clone() {
-            let rates = terms.iter().map(|&(x, c)| (self.rate_of(x), c.value()));
+            let rates = terms.iter();
+            let rates = rates.map(|&(x, c)| (self.rate_with(x, found), c.value()));
             let rates: Vec<_> = rates.collect();
-            return self.graph.linear(0.0, &rates);
+            let rate = self.graph.linear(0.0, &rates);
+            found.insert(expr, rate);
+            return rate;
         }
         let mut asked = self.joint_variables.iter();
         let known = asked.find(|known| known.expr == expr);

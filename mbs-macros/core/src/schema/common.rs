@@ -229,7 +229,7 @@ pub const KINDS: &[Kind] = &[
         group: Group::Force,
         fields: &[
             PARENT,
-            CHILD,
+            positional("child", Point, Required, "point of the second partner"),
             field(
                 "stiffness",
                 Known(Dimension::STIFFNESS),

@@ -235,13 +235,13 @@ pub const KINDS: &[Kind] = &[
         group: Group::Force,
         fields: &[
             PARENT,
-            CHILD,
+            positional("child", Attachment, Required, "the second partner"),
             AT,
             field(
                 "stiffness",
                 Gains(Dimension::STIFFNESS),
                 Assumed("0"),
-                "against displacement, in the parent's axes, or those of its frame: a number, three of them, or a 3 × 3 matrix",
+                "against displacement, in the parent's axes, or those of a frame that is given: a number, three of them, or a 3 × 3 matrix",
             ),
             field(
                 "damping",

@@ -116,7 +116,7 @@ impl AffineReader {
                 let still = self.read(graph, x)?.terms.is_empty();
                 still.then(|| Affine::constant(expr))
             }
-            Node::Atan2(y, x) => {
+            Node::Atan2(y, x) | Node::Larger(y, x) => {
                 let still =
                     self.read(graph, y)?.terms.is_empty() && self.read(graph, x)?.terms.is_empty();
                 still.then(|| Affine::constant(expr))

@@ -1,7 +1,7 @@
 //! Constructors: every node is made here, in canonical form.
 
 use super::collected::{Total, are_multiplied, collect, put_factor};
-use super::{Expr, Function, Graph, Node, Number, Symbol, reach_of};
+use super::{Expr, Function, Graph, Node, Number, Symbol, larger, reach_of};
 
 /// A sum of more terms is not flattened into another: one that grows name by name would be copied for each name.
 const LONG_SUM: usize = 512;
@@ -333,7 +333,10 @@ impl Graph {
                 Node::Sum {
                     constant: Number::ZERO,
                     terms,
-                } if terms.len() == 1 => {
+                } if terms.len() == 1
+                    && (terms[0].1.value().powi(power) != 0.0
+                        && terms[0].1.value().powi(power).is_finite()) =>
+                {
                     *coefficient *= terms[0].1.value().powi(power);
                     self.flatten_factors(&[(terms[0].0, power)], 1, coefficient, flat);
                 }
@@ -444,6 +447,28 @@ impl Graph {
             (Some(y), Some(x)) => self.constant(y.atan2(x)),
             _ => self.intern(Node::Atan2(y, x)),
         }
+    }
+
+    /// The larger of two values; not a number where one of them is not.
+    pub fn larger(&mut self, a: Expr, b: Expr) -> Expr {
+        match (self.as_constant(a), self.as_constant(b)) {
+            (Some(a), Some(b)) => self.constant(larger(a, b)),
+            _ if a == b => a,
+            _ => self.intern(Node::Larger(a, b)),
+        }
+    }
+
+    /// The smaller of two values.
+    pub fn smaller(&mut self, a: Expr, b: Expr) -> Expr {
+        let (a, b) = (self.neg(a), self.neg(b));
+        let negative = self.larger(a, b);
+        self.neg(negative)
+    }
+
+    /// 1 where the first of two values is the larger one, and 0 elsewhere.
+    pub(super) fn first_is_larger(&mut self, a: Expr, b: Expr) -> Expr {
+        let difference = self.sub(a, b);
+        self.function(Function::Step, difference)
     }
 
     /// The value of a user's law.

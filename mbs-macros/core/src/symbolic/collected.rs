@@ -2,12 +2,16 @@
 
 use super::Expr;
 
-/// Whether the powers of factors times another power are numbers of this size.
+/// Larger powers of one factor are not put together.
+const LARGEST: i32 = 1 << 24;
+
+/// Whether the powers of factors times another power are not too large.
 pub(super) fn are_multiplied(factors: &[(Expr, i32)], power: i32) -> bool {
+    let is_small = |power: i32| (-LARGEST..=LARGEST).contains(&power);
     power == 1
         || factors
             .iter()
-            .all(|(_, own)| own.checked_mul(power).is_some())
+            .all(|(_, own)| own.checked_mul(power).is_some_and(is_small))
 }
 
 /// Puts a factor into a sorted list.
@@ -18,7 +22,8 @@ pub(super) fn put_factor(flat: &mut Vec<(Expr, i32)>, factor: Expr, power: i32) 
     }
     if at > 0
         && flat[at - 1].0.0 == factor.0
-        && let Some(sum) = flat[at - 1].1.checked_add(power)
+        && let sum = flat[at - 1].1.saturating_add(power)
+        && (-LARGEST..=LARGEST).contains(&sum)
     {
         flat[at - 1].1 = sum;
         if sum == 0 {

@@ -67,6 +67,17 @@ impl Graph {
                 let denominator = self.add(xx, yy);
                 self.div(numerator, denominator)
             }
+            Node::Larger(a, b) => {
+                let (da, db) = (self.derivative(a, symbol), self.derivative(b, symbol));
+                if da == db {
+                    return da;
+                }
+                let by_a = self.first_is_larger(a, b);
+                let one = self.one();
+                let by_b = self.sub(one, by_a);
+                let (first, second) = (self.mul(by_a, da), self.mul(by_b, db));
+                self.add(first, second)
+            }
             Node::Law {
                 law,
                 partial,

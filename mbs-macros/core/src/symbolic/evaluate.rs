@@ -39,6 +39,11 @@ impl Function {
     }
 }
 
+/// The larger of two values, as generated code computes it: not a number where one of them is not.
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
 /// A law for the interpreter: value and partials for the arguments given.
 pub type LawEvaluation<'a> = &'a dyn Fn(u32, &[f64]) -> (f64, Vec<f64>);
 
@@ -84,6 +89,7 @@ impl<'a> Evaluator<'a> {
             Node::Function(function, x) => function.evaluate(self.value(*x)),
             Node::Power(x, exponent) => self.value(*x).powf(exponent.value()),
             Node::Atan2(y, x) => self.value(*y).atan2(self.value(*x)),
+            Node::Larger(a, b) => larger(self.value(*a), self.value(*b)),
             Node::Law {
                 law,
                 partial,

@@ -88,6 +88,11 @@ impl Graph {
                 let (by_y, by_x) = (self.div(x, square), self.div(y, square));
                 vec![(y, by_y), (x, self.neg(by_x))]
             }
+            Node::Larger(a, b) => {
+                let by_a = self.first_is_larger(a, b);
+                let one = self.one();
+                vec![(a, by_a), (b, self.sub(one, by_a))]
+            }
             Node::Law {
                 law,
                 partial,

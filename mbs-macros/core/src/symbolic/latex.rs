@@ -26,6 +26,9 @@ impl Graph {
                     self.latex(*x)
                 )
             }
+            Node::Larger(a, b) => {
+                format!("\\max\\left({}, {}\\right)", self.latex(*a), self.latex(*b))
+            }
             Node::Law {
                 law,
                 partial,
@@ -118,16 +121,24 @@ fn latex_function(function: Function) -> &'static str {
         Function::Atan => "arctan",
         Function::Sign => "operatorname{sgn}",
         Function::Step => "Theta",
+        Function::Round => "operatorname{round}",
         other => other.name(),
     }
 }
 
 fn number(value: f64) -> String {
     let text = format!("{value}");
-    if text.len() > 9 {
-        format!("{value:.6}")
-    } else {
-        text
+    let size = value.abs();
+    match text.len() > 9 {
+        true if size != 0.0 && !(1e-3..1e9).contains(&size) => {
+            let text = format!("{value:.5e}");
+            match text.split_once('e') {
+                Some((digits, power)) => format!("{digits}\\cdot 10^{{{power}}}"),
+                None => text,
+            }
+        }
+        true => format!("{value:.6}"),
+        false => text,
     }
 }
 

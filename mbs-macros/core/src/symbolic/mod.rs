@@ -33,6 +33,7 @@ pub(crate) use map::{Map, Set};
 pub(crate) use mixing::{hash, mixed, mixed_text};
 
 pub use affine::{Affine, AffineReader, Elimination, eliminate};
+pub(crate) use evaluate::larger;
 pub use evaluate::{Evaluator, LawEvaluation};
 pub use latex::latex_identifier;
 pub use length::Length;
@@ -198,6 +199,8 @@ pub enum Node {
     Function(Function, Expr),
     /// atan2(y, x).
     Atan2(Expr, Expr),
+    /// The larger of two values.
+    Larger(Expr, Expr),
     /// base^exponent with a constant exponent that is not an integer.
     Power(Expr, Number),
     /// A law supplied by the user: its value (`partial: None`) or the partial by one argument.
@@ -363,9 +366,9 @@ impl Graph {
             Node::Sum { terms, .. } => terms.iter().for_each(|&(term, _)| visit(term)),
             Node::Product(factors) => factors.iter().for_each(|&(factor, _)| visit(factor)),
             Node::Function(_, x) | Node::Power(x, _) | Node::Table { x, .. } => visit(*x),
-            Node::Atan2(y, x) => {
-                visit(*y);
-                visit(*x);
+            Node::Atan2(a, b) | Node::Larger(a, b) => {
+                visit(*a);
+                visit(*b);
             }
             Node::Law { arguments, .. } => arguments.iter().for_each(|&x| visit(x)),
         }

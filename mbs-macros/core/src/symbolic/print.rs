@@ -134,6 +134,13 @@ impl Writer<'_> {
                 self.write(*x, Precedence::Sum, out);
                 out.push(')');
             }
+            Node::Larger(a, b) => {
+                out.push_str("max(");
+                self.write(*a, Precedence::Sum, out);
+                out.push_str(", ");
+                self.write(*b, Precedence::Sum, out);
+                out.push(')');
+            }
             Node::Law {
                 law,
                 partial,

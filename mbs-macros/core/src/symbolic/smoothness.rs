@@ -56,7 +56,7 @@ impl Graph {
             }
             Node::Function(function, x) => !is_plain(*function) && varies(*x),
             Node::Power(x, _) | Node::Table { x, .. } => varies(*x),
-            Node::Atan2(y, x) => varies(*y) || varies(*x),
+            Node::Atan2(a, b) | Node::Larger(a, b) => varies(*a) || varies(*b),
             Node::Law { arguments, .. } => arguments.iter().any(|&argument| varies(argument)),
         })
     }

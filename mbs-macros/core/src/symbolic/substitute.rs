@@ -88,6 +88,13 @@ impl Graph {
                 );
                 self.atan2(y, x)
             }
+            Node::Larger(a, b) => {
+                let (a, b) = (
+                    self.substitute(a, substitution),
+                    self.substitute(b, substitution),
+                );
+                self.larger(a, b)
+            }
             Node::Law {
                 law,
                 partial,
@@ -142,6 +149,16 @@ impl Graph {
 
     /// Whether an expression is affine in the velocities.
     pub fn is_affine_in_velocities(&mut self, expr: Expr) -> bool {
+        // The derivative of a sign is zero wherever it has one.
+        let switches = self.any_inside([expr], |node| match node {
+            Node::Function(Function::Sign | Function::Step | Function::Round, x) => {
+                self.depends_on(*x, Symbol::is_velocity)
+            }
+            _ => false,
+        });
+        if switches {
+            return false;
+        }
         let symbols = self.symbols([expr]).into_iter();
         let velocities: Vec<Symbol> = symbols.filter(|symbol| symbol.is_velocity()).collect();
         velocities.into_iter().all(|velocity| {

@@ -177,11 +177,11 @@ pub(super) fn put_all(declaration: &mut Declaration, kinds: &Kinds, errors: &mut
         if !put(&entry, &outside, kinds, declaration, errors) {
             return false;
         }
-        if declaration.entries.len() > MOST_ENTRIES {
+        if declaration.entries.len() + declaration.instances.len() > MOST_ENTRIES {
             errors.at(
                 entry.name.span(),
                 format!(
-                    "with this assembly there are more than {MOST_ENTRIES} entries; declare fewer"
+                    "with this assembly there are more than {MOST_ENTRIES} entries and assemblies; declare fewer"
                 ),
             );
             return false;

@@ -78,6 +78,16 @@ impl<'f> Bindings<'f> {
                 *expr = only.ok_or_else(|| no_statements(block))?;
                 return self.write(expr, is_operand);
             }
+            // A table that the item names.
+            Expr::Call(call) => {
+                if let Expr::Path(path) = &*call.func
+                    && let Some(name) = path.path.get_ident()
+                    && let Some((_, Bound::Item(item @ Expr::Path(_)))) =
+                        self.list.iter().find(|(known, _)| *known == name)
+                {
+                    *call.func = (*item).clone();
+                }
+            }
             _ => {}
         }
         let are_operands = matches!(

@@ -28,6 +28,9 @@ pub(super) fn whole(expr: &Expr) -> syn::Result<i64> {
         }
         Expr::Binary(binary) => {
             let (left, right) = (whole(&binary.left)?, whole(&binary.right)?);
+            if right == 0 && matches!(binary.op, BinOp::Div(_) | BinOp::Rem(_)) {
+                return Err(Error::new_spanned(expr, "this divides by zero"));
+            }
             let result = match binary.op {
                 BinOp::Add(_) => left.checked_add(right),
                 BinOp::Sub(_) => left.checked_sub(right),
@@ -57,8 +60,8 @@ pub(super) fn holds(condition: &Expr) -> syn::Result<bool> {
 fn compare(condition: &Expr, binary: &ExprBinary) -> syn::Result<bool> {
     let numbers = || Ok::<_, Error>((whole(&binary.left)?, whole(&binary.right)?));
     Ok(match binary.op {
-        BinOp::And(_) => holds(&binary.left)? & holds(&binary.right)?,
-        BinOp::Or(_) => holds(&binary.left)? | holds(&binary.right)?,
+        BinOp::And(_) => holds(&binary.left)? && holds(&binary.right)?,
+        BinOp::Or(_) => holds(&binary.left)? || holds(&binary.right)?,
         BinOp::Eq(_) => numbers().map(|(left, right)| left == right)?,
         BinOp::Ne(_) => numbers().map(|(left, right)| left != right)?,
         BinOp::Lt(_) => numbers().map(|(left, right)| left < right)?,

@@ -14,6 +14,7 @@ pub(super) fn kind(operation: &Operation) -> (u8, u64) {
         Operation::PivotInverse(..) => (5, 0),
         Operation::Call(function, _) => (6, *function as u64),
         Operation::Atan2(..) => (7, 0),
+        Operation::Larger(..) => (12, 0),
         Operation::Power(_, exponent) => (8, exponent.value().to_bits()),
         Operation::Law(law, arguments) => (9, u64::from(*law) << 32 | arguments.len() as u64),
         Operation::Table(table, order, _) => (11, (table.index as u64) << 8 | *order as u8 as u64),

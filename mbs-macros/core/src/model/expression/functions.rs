@@ -237,18 +237,8 @@ impl Resolver<'_> {
         Some(match name {
             "atan2" => Value::Scalar(self.graph.atan2(a, b), Some(Dimension::NONE)),
             "hypot" => Value::Scalar(self.planar_norm(a, b), dimension),
-            // max(a, b) = b + (a − b) step(a − b)
-            _ => {
-                let difference = if name == "max" {
-                    self.graph.sub(a, b)
-                } else {
-                    self.graph.sub(b, a)
-                };
-                let step = self.graph.function(Function::Step, difference);
-                let forward = self.graph.sub(a, b);
-                let change = self.graph.mul(forward, step);
-                Value::Scalar(self.graph.add(b, change), dimension)
-            }
+            "max" => Value::Scalar(self.graph.larger(a, b), dimension),
+            _ => Value::Scalar(self.graph.smaller(a, b), dimension),
         })
     }
 
