@@ -68,3 +68,20 @@ mechanism!(Stayed {
 "#,
     );
 }
+
+/// Also where they are asked for by the part alone, and points would move it without mass, too.
+#[test]
+fn a_link_that_nothing_follows_is_refused() {
+    refused(
+        r#"
+mechanism!(Loose {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    bob: Particle(mass = 1.0_kg, at = [2.0_m, 0.0], free = true),
+    link: Bar(length = 1.0_m, angle = 0.0_deg, coordinates = Joint),
+    ~~~~ in joint coordinates nothing with mass follows `link.angle`: give the part `mass =`, or take other coordinates for it by `coordinates = Natural`
+    pivot: Revolute(ground.origin, link.a),
+    spring: SpringDamper(link.b, bob, stiffness = 1.0_N_per_m, length = 1.0_m),
+});
+"#,
+    );
+}
