@@ -214,20 +214,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         }
         self.length = h;
         let stepped = self.try_step(h);
-        self.settle_short_rows();
-        stepped.map_err(|fault| {
-            SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
-        })
+        self.settle_unwatched();
+        self.named(stepped, h)
     }
 
     #[cold]
     #[inline(never)]
     fn composed(&mut self, h: f64) -> Result<(), SimulationError> {
         let composed = self.compose(h, None);
-        self.settle_short_rows();
-        composed.map_err(|fault| {
-            SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
-        })
+        self.settle_unwatched();
+        self.named(composed, h)
     }
 
     /// The same, and records works and clearances.
@@ -239,16 +235,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         let is_watched = monitor.rank_margin.is_some();
         let composed = self.compose(h, Some(monitor));
         if !is_watched {
-            self.settle_short_rows();
+            self.settle_unwatched();
         }
-        composed.map_err(|fault| {
-            SimulationError::from_fault(fault, S::MODEL, self.context.state.time, h)
-        })
+        self.named(composed, h)
+    }
+
+    /// What a step of h has come to, a fault with names and time.
+    #[inline(always)]
+    fn named(&self, outcome: Result<(), Fault>, h: f64) -> Result<(), SimulationError> {
+        let time = self.context.state.time;
+        outcome.map_err(|fault| SimulationError::from_fault(fault, S::MODEL, time, h))
     }
 
     /// After a step without rank margins, which do this.
     #[inline(always)]
-    fn settle_short_rows(&mut self) {
+    fn settle_unwatched(&mut self) {
         let is_dense = !matches!(self.flow, Stepping::Sparse(..) | Stepping::Large(_));
         if is_dense && self.context.scale.is_waiting() {
             self.context.settle_short_rows();

@@ -41,12 +41,16 @@ pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     state: &mut State<Q, N, R>,
 ) -> Result<AssemblyVerdict, SimulationError> {
     let At { q, v, rows } = follow(system, settings, state)?;
-    let mut verdict = match rows {
+    let verdict = match rows {
         Rows::Judged(verdict) => verdict,
-        Rows::Dense(rows) => rows.verdict(system, [&state.positions, &q]),
+        Rows::Dense(rows) => {
+            let positions = [&state.positions, &q];
+            let (velocities, length) = ([&state.velocities, &v], rows.yardstick.length);
+            let mut verdict = rows.verdict(system, positions);
+            verdict.changes = moved::<S, Q, N, R>(positions, velocities, length);
+            verdict
+        }
     };
-    let length = Yardstick::new(system, settings.step).length;
-    verdict.changes = moved::<S, Q, N, R>([&state.positions, &q], [&state.velocities, &v], length);
     (state.positions, state.velocities) = (q, v);
     Ok(verdict)
 }

@@ -90,9 +90,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             Ok(mut renewed) => {
                 renewed.take_over(self);
                 // The works so far stay in the balance.
-                let [range, before] = [&mut renewed, &mut *self]
-                    .map(|run| &mut run.integrator.state_mut().ledger.range);
-                if let (Some(range), Some(before)) = (range, before) {
+                let range = &mut renewed.integrator.state_mut().ledger.range;
+                if let (Some(range), Some(before)) = (range, &self.state().ledger.range) {
                     range.doubts = before.doubts;
                 }
                 *self = renewed;

@@ -333,11 +333,14 @@ impl Graph {
                 Node::Sum {
                     constant: Number::ZERO,
                     terms,
-                } if terms.len() == 1
-                    && (terms[0].1.value().powi(power) != 0.0
-                        && terms[0].1.value().powi(power).is_finite()) =>
-                {
-                    *coefficient *= terms[0].1.value().powi(power);
+                } if terms.len() == 1 => {
+                    let powered = terms[0].1.value().powi(power);
+                    if powered == 0.0 || !powered.is_finite() {
+                        // Not the value of the whole.
+                        put_factor(flat, factor, power);
+                        continue;
+                    }
+                    *coefficient *= powered;
                     self.flatten_factors(&[(terms[0].0, power)], 1, coefficient, flat);
                 }
                 Node::Product(inner) if are_multiplied(inner, power) => {

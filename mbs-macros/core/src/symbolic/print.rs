@@ -127,20 +127,8 @@ impl Writer<'_> {
                 self.write(*x, Precedence::Power, out);
                 out.push_str(&format!("^{}", exponent.value()));
             }
-            Node::Atan2(y, x) => {
-                out.push_str("atan2(");
-                self.write(*y, Precedence::Sum, out);
-                out.push_str(", ");
-                self.write(*x, Precedence::Sum, out);
-                out.push(')');
-            }
-            Node::Larger(a, b) => {
-                out.push_str("max(");
-                self.write(*a, Precedence::Sum, out);
-                out.push_str(", ");
-                self.write(*b, Precedence::Sum, out);
-                out.push(')');
-            }
+            Node::Atan2(y, x) => self.write_of_two("atan2", [*y, *x], out),
+            Node::Larger(a, b) => self.write_of_two("max", [*a, *b], out),
             Node::Law {
                 law,
                 partial,
@@ -199,6 +187,16 @@ impl Writer<'_> {
                 constant.abs()
             ));
         }
+    }
+
+    /// A function of two values.
+    fn write_of_two(&self, name: &str, [a, b]: [Expr; 2], out: &mut String) {
+        out.push_str(name);
+        out.push('(');
+        self.write(a, Precedence::Sum, out);
+        out.push_str(", ");
+        self.write(b, Precedence::Sum, out);
+        out.push(')');
     }
 
     fn write_product(&self, factors: &[(Expr, i32)], out: &mut String) {
