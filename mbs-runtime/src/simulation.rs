@@ -17,6 +17,7 @@ mod hermite;
 mod imbalance;
 mod jumps;
 mod known_poses;
+mod lone_step;
 mod names;
 mod other_methods;
 mod parameters;

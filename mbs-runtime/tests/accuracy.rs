@@ -73,6 +73,25 @@ fn the_error_is_that_which_was_asked_for() {
 }
 
 /// The choice is by counts, and the settings that it leaves are those of a run that goes on.
+/// A program that runs to each instant of its own takes one step for each where a step is longer: order 8 has 12 stages.
+#[test]
+fn short_pieces_take_a_step_each() {
+    let exact = run(SliderCrank, settings(8, 1e-3), 1.0);
+    for pieces in [200, 1000] {
+        let mut simulation = with_accuracy(SliderCrank, 1e-4);
+        for piece in 1..=pieces {
+            simulation
+                .run_until(f64::from(piece) / f64::from(pieces))
+                .unwrap();
+        }
+        let error = distance(simulation.positions(), exact.positions());
+        let each = simulation.report().steps as f64 / f64::from(pieces);
+        println!("{pieces}: {error:.1e}, {each} steps each");
+        assert!(error < 1e-8, "{pieces}: {error:e}");
+        assert!(each < 1.2, "{pieces}: {each}");
+    }
+}
+
 #[test]
 fn a_resumed_run_is_the_same_bit_for_bit() {
     let mut whole = with_accuracy(SliderCrank, 1e-7);

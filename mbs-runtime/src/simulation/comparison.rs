@@ -7,7 +7,7 @@ use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
 use crate::linear::vector;
 use crate::singular::RankMargin;
-use crate::{ErrorOf, SimulationError, StepController, System};
+use crate::{Energy, ErrorOf, SimulationError, StepController, System};
 use nalgebra::SVector;
 
 /// The part of the tolerance that a pair may use: errors of tens of radians of motion add up, and grow with it.
@@ -30,10 +30,10 @@ const WEAKEST: f64 = 1e-5;
 const PROJECTED: [f64; 2] = [0.1, 1e-3];
 /// Pairs without a comparison in a row, at most: where each step has a length of its own, where a pair has one, and where lengths
 /// are constant. With more of them the factor of the estimate is that of another part of the motion.
-const UNCOMPARED: [u32; 3] = [63, 15, 7];
+pub(super) const UNCOMPARED: [u32; 3] = [63, 15, 7];
 /// The error ratio of an estimate, times the last factor, up to which a pair is kept without a comparison, where each step has a
 /// length of its own and otherwise, …
-const CLEARLY: [f64; 2] = [0.75, 0.5];
+pub(super) const CLEARLY: [f64; 2] = [0.75, 0.5];
 /// … and from which on it is not kept, where lengths follow the motion.
 const TOO_MUCH: f64 = 1.0;
 /// A second step that would be longer than this part of what is left takes all of it.
@@ -66,6 +66,25 @@ pub(super) struct Found {
     pub(super) passage: Passage,
 }
 
+impl Found {
+    /// Before the error of these steps is known; the balance is that after the first one.
+    pub(super) fn before(steps: [f64; 2], margins: [RankMargin; 3], balance: &Energy) -> Self {
+        Found {
+            error_ratio: f64::NAN,
+            of: ErrorOf::Motion,
+            speed: 0.0,
+            as_chosen: false,
+            estimate_factor: None,
+            is_embedded: false,
+            difficulty_of_first: None,
+            estimated_difficulty: None,
+            parts: None,
+            imbalance: balance.error,
+            passage: Passage { steps, margins },
+        }
+    }
+}
+
 /// What the error of a pair is measured by, in sizes and radians.
 struct Bounds {
     /// The way of the pair.
@@ -96,22 +115,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let first = self.guarded_step(h, left)?;
         let of_first = self.integrator.estimate();
         let middle = self.margin();
-        let mut found = Found {
-            error_ratio: f64::NAN,
-            of: ErrorOf::Motion,
-            speed: 0.0,
-            as_chosen: first == h,
-            estimate_factor: None,
-            is_embedded: false,
-            difficulty_of_first: None,
-            estimated_difficulty: None,
-            parts: None,
-            imbalance: self.balance.error,
-            passage: Passage {
-                steps: [first, first],
-                margins: [start, middle, middle],
-            },
-        };
+        let mut found = Found::before([first, first], [start, middle, middle], &self.balance);
+        found.as_chosen = first == h;
         let rest = left - first;
         let by_steps = self.follows() && self.pace() == Pace::Steps;
         let mut next = h;
@@ -150,7 +155,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             margins: [start, middle, end],
         };
         let way = length.max(reach) * found.speed.max(controller.speed);
-        let allowed = (SHARE * tolerance * way).max(noise);
+        let allowed = self.allowed(tolerance, way, noise);
         // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
         found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
         let of_pair = of_pair.filter(|_| found.is_embedded);
@@ -307,8 +312,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
+    /// The error that is allowed on a way, in sizes and radians.
+    pub(super) fn allowed(&self, tolerance: f64, way: f64, noise: f64) -> f64 {
+        (SHARE * tolerance * way).max(noise)
+    }
+
     /// Round-off between instants with these rank margins, in sizes and radians.
-    fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
+    pub(super) fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
         let least = end.least.min(start.least).max(WEAKEST);
         let left = match self.follows() && least > PROJECTED[1] {

@@ -23,13 +23,16 @@
 //! If the steps of a comparison end beside a singular pose, they have an additional error. It is then made with two
 //! unequal steps, and after these with a shorter pair.
 //!
+//! Where less than a step of one of the latter is left, a single step is taken (`lone_step.rs`).
+//!
 //! A pair that leaps over a pose that is nearly singular is not kept, though its error seems small (`passage.rs`).
 
 use super::Simulation;
+use super::books::Books;
 use super::jumps::Previous;
 use super::pose::Passage;
 use super::step_controller::{Pace, TOO_LONG, notches};
-use crate::{ErrorOf, Method, SimulationError, StepController, System};
+use crate::{Energy, ErrorOf, Method, SimulationError, StepController, System};
 
 /// Lengths of pairs, as fractions of h, that are tried if a singular pose spoils every comparison.
 const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
@@ -78,6 +81,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let (books, balance) = (self.books, self.balance);
         self.pair_start.copy_from(self.integrator.state());
         let margin = self.margin();
+        if self.may_be_lone(left, &step_controller, margin) {
+            let controller = (&step_controller, previous, margin);
+            let found = self.lone_step(tolerance, left, controller)?;
+            if let Some(found) = found
+                && self.imbalance(tolerance, &balance, &found) <= 1.0
+            {
+                step_controller.speed = step_controller.speed.max(found.speed);
+                step_controller.note(None, found.error_ratio, None);
+                self.integrator.state_mut().step_controller = step_controller;
+                return Ok(found.passage);
+            }
+            self.begin_pair_again(books, balance)?;
+        }
         let (mut sidestep, mut attempts, mut reach) = (0, 0, 0.0);
         let clock = 1e-13 * self.pair_start.time.abs();
         let shortest = clock.max(SHORTEST * self.settings.step.min(0.5 * left));
@@ -149,10 +165,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 Err(error) if error.is_due_to_steps() => (TOO_LONG, false, error),
                 Err(error) => return Err(error),
             };
-            self.rejected += 1;
-            self.integrator.state_mut().copy_from(&self.pair_start);
-            (self.books, self.rank_margin, self.balance) = (books, None, balance);
-            self.integrator.refresh(&self.settings)?;
+            self.begin_pair_again(books, balance)?;
             if error_ratio.is_nan() && !last {
                 sidestep += 1;
                 continue;
@@ -172,6 +185,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 return Err(error);
             }
         }
+    }
+
+    /// After steps that are not kept.
+    fn begin_pair_again(&mut self, books: Books, balance: Energy) -> Result<(), SimulationError> {
+        self.rejected += 1;
+        self.integrator.state_mut().copy_from(&self.pair_start);
+        (self.books, self.rank_margin, self.balance) = (books, None, balance);
+        self.integrator.refresh(&self.settings)
     }
 
     /// Whether steps are controlled by the estimates of an embedded method. A step that fails is then as one whose estimate is
