@@ -9,10 +9,12 @@ assembly!(FourBar {
     left: Port(Point),
     /// The bearing of the rocker.
     right: Port(Point),
-    /// Angle of the crank at the start.
+    /// Guess of the angle of the crank at the start; `Exactly(…)` holds it.
     angle: Port(Number, default = 60.0_deg),
-    /// Its rate at the start.
+    /// Guess of its rate; `Exactly(…)` holds it.
     rate: Port(Number, default = 0.0_rad_per_s),
+    /// Guess of the direction from `left` to `right`.
+    line: Port(Number, default = 0.0_deg),
 
     /// Length of the crank.
     crank_length: Param(0.3_m),
@@ -29,8 +31,16 @@ assembly!(FourBar {
         angle = angle,
         rate = rate
     ),
-    coupler: Bar(mass = mass * coupler_length, length = coupler_length),
-    rocker: Bar(mass = mass * rocker_length, length = rocker_length),
+    coupler: Bar(
+        mass = mass * coupler_length,
+        length = coupler_length,
+        angle = line + 23.0_deg
+    ),
+    rocker: Bar(
+        mass = mass * rocker_length,
+        length = rocker_length,
+        angle = line + 72.0_deg
+    ),
     main: Revolute(left, crank.a),
     pin: Revolute(crank.b, coupler.a),
     top: Revolute(coupler.b, rocker.b),
@@ -44,8 +54,12 @@ assembly!(GearTrain {
     carrier: Port(Part),
     /// How many wheels there are.
     count: Port(Number, default = 3),
-    /// Rate of the first one at the start.
+    /// Rate of the first one at the start, against the carrier.
     rate: Port(Number, default = 0.0_rad_per_s),
+    /// Angle of the carrier at the start.
+    angle: Port(Number, default = 0.0_deg),
+    /// Rate of the carrier at the start.
+    turning: Port(Number, default = 0.0_rad_per_s),
 
     /// Pitch radius of each wheel.
     radius: Param(0.05_m),
@@ -55,7 +69,8 @@ assembly!(GearTrain {
     wheel: Each(0..count, |i| Body(
         mass = mass,
         inertia = 0.5 * mass * radius * radius,
-        rate = if i % 2 == 0 { rate } else { -rate }
+        angle = angle,
+        rate = turning + if i % 2 == 0 { rate } else { -rate }
     )),
     bearing: Each(0..count, |i| Revolute(
         carrier.point(2.0 * i * radius, 0.0_m),
@@ -76,10 +91,12 @@ assembly!(ScissorStage {
     left: Port(Point),
     /// Where the other one begins.
     right: Port(Point),
-    /// Angle of the arm that rises, at the start.
+    /// Guess of the angle of the arm that rises; `Exactly(…)` holds it.
     angle: Port(Number, default = 40.0_deg),
-    /// Its rate at the start.
+    /// Guess of its rate; `Exactly(…)` holds it.
     rate: Port(Number, default = 0.0_rad_per_s),
+    /// Guess of the direction from `left` to `right`.
+    line: Port(Number, default = 0.0_deg),
 
     /// Length of the arms.
     length: Param(1.0_m),
@@ -90,7 +107,7 @@ assembly!(ScissorStage {
     falling: Bar(
         mass = mass,
         length = length,
-        angle = 180.0_deg - angle,
+        angle = 180.0_deg + 2.0 * line - angle,
         rate = -rate
     ),
     foot: Revolute(left, rising.a),

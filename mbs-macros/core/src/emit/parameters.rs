@@ -24,6 +24,9 @@ use std::fmt::Write;
 /// More entries of M are written in loops.
 const MOST_ENTRIES: usize = 200;
 
+/// A value in as many places of M has a loop of its own.
+const OFTEN: usize = 16;
+
 /// More defaults of a family are not listed in its documentation.
 const MOST_DEFAULTS: usize = 6;
 
@@ -355,7 +358,7 @@ fn preparation(analysis: &Analysis, program: &Program, system: &str) -> String {
     out
 }
 
-/// M, entry by entry; where these are many, in a loop for each value that occurs.
+/// M, entry by entry; where these are many, in a loop for each value that occurs often, and in loops over the others.
 fn write_mass(
     out: &mut String,
     entries: &[(usize, usize, Operand)],
@@ -376,10 +379,13 @@ fn write_mass(
         let places = places.entry(source(value)).or_default();
         places.push((i, j));
     }
-    for (value, places) in places {
-        let both = |(i, j): &(usize, usize)| {
-            format!("mass[({i}, {j})] = {value}; mass[({j}, {i})] = {value};")
-        };
+    let both = |value: &str, (i, j): &(usize, usize)| {
+        format!("mass[({i}, {j})] = {value}; mass[({j}, {i})] = {value};")
+    };
+    let (often, seldom): (BTreeMap<_, _>, BTreeMap<_, _>) =
+        (places.into_iter()).partition(|(_, places)| places.len() >= OFTEN);
+    for (value, places) in often {
+        let both = |place: &(usize, usize)| both(&value, place);
         if let Some(loops) = looped(places.iter().map(both).collect()) {
             out.push_str(&loops);
             continue;
@@ -390,6 +396,26 @@ fn write_mass(
             out,
             "for &(i, j) in &[{}] {{ mass[(i, j)] = {value}; mass[(j, i)] = {value}; }}",
             places.join(", ")
+        );
+    }
+    let mut seldom: Vec<((usize, usize), String)> = (seldom.into_iter())
+        .flat_map(|(value, places)| places.into_iter().map(move |place| (place, value.clone())))
+        .collect();
+    seldom.sort_unstable();
+    let statements = seldom.iter().map(|(place, value)| both(value, place));
+    if let Some(loops) = looped(statements.collect()) {
+        out.push_str(&loops);
+        return;
+    }
+    for part in seldom.chunks(MOST_ENTRIES) {
+        let list = part
+            .iter()
+            .map(|((i, j), value)| format!("({i}, {j}, {value})"));
+        let list: Vec<String> = list.collect();
+        let _ = writeln!(
+            out,
+            "for (i, j, value) in [{}] {{ mass[(i, j)] = value; mass[(j, i)] = value; }}",
+            list.join(", ")
         );
     }
 }

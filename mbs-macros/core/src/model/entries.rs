@@ -120,6 +120,16 @@ impl<'d> Resolver<'d> {
         if let Some((outer, own)) = name.rsplit_once('.')
             && let Some(instance) = declaration.instance(outer)
         {
+            let definition = &instance.definition;
+            if definition.ports.iter().any(|port| port.name == own) {
+                return self.fail(
+                    place,
+                    format!(
+                        "`{own}` is a port of the assembly `{}`, and only the entries of the assembly read it: write here what it was given",
+                        definition.name
+                    ),
+                );
+            }
             let inside = format!("{outer}.");
             let known = declaration
                 .entries
@@ -133,7 +143,7 @@ impl<'d> Resolver<'d> {
                 place,
                 format!(
                     "the assembly `{}` has no entry or port `{own}`{hint}",
-                    instance.definition.name
+                    definition.name
                 ),
             );
         }

@@ -4,7 +4,7 @@ use super::arguments::Arguments;
 use super::resolver::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;
-use crate::syntax::{Entry, Given, Port, Receiver, Takes};
+use crate::syntax::{Entry, Given, Port, Receiver, Takes, exactly};
 use syn::Expr;
 
 impl Resolver<'_> {
@@ -55,7 +55,7 @@ impl Resolver<'_> {
     }
 
     fn check_port(&mut self, assembly: &str, port: &Port, value: &Expr) {
-        let Some(found) = self.evaluate(value) else {
+        let Some(found) = self.evaluate(exactly(value).unwrap_or(value)) else {
             return;
         };
         let fits = match port.takes {

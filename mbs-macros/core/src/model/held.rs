@@ -7,6 +7,7 @@ use super::parts::{Part, StartPlace};
 use super::resolver::Resolver;
 use crate::schema::Initial;
 use crate::symbolic::{Expr, Symbol};
+use crate::syntax::exactly;
 
 /// One number of a start that assembly holds.
 #[derive(Debug, Clone)]
@@ -42,18 +43,6 @@ impl Number {
             gap,
             rate,
         }
-    }
-}
-
-/// The value inside `Exactly(…)`.
-pub(super) fn exactly(syntax: &syn::Expr) -> Option<&syn::Expr> {
-    match syntax {
-        syn::Expr::Group(group) => exactly(&group.expr),
-        syn::Expr::Call(call) if call.args.len() == 1 => match &*call.func {
-            syn::Expr::Path(path) if path.path.is_ident("Exactly") => call.args.first(),
-            _ => None,
-        },
-        _ => None,
     }
 }
 

@@ -50,6 +50,15 @@ impl Value {
         }
     }
 
+    /// The same, of a vector with its unit.
+    pub(super) fn with_unit(&self) -> String {
+        match self {
+            Value::Vector(_, Some(Dimension::NONE)) => "a vector of pure numbers".to_owned(),
+            Value::Vector(_, Some(dimension)) => format!("a vector in {}", dimension.unit()),
+            other => other.describe(),
+        }
+    }
+
     /// Whether it depends on a symbol for which `predicate` holds.
     pub(in crate::model) fn depends_on(
         &self,

@@ -12,6 +12,7 @@ use super::{Declaration, Entry};
 use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Kinds, World};
 use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::ToTokens;
 use std::collections::HashMap;
 use std::rc::Rc;
 use syn::{Expr, Visibility};
@@ -321,9 +322,18 @@ fn not_given(definition: &Definition, name: &Ident) -> String {
             entry.kind
         );
     }
-    let is_family = |item: &Item| matches!(item, Item::Family(family) if family.name == name.to_string().as_str());
-    if definition.items.iter().any(is_family) {
-        return format!("`{name}` is a family of `{assembly}`: the program sets its members");
+    let is_family = |item: &&Item| matches!(item, Item::Family(family) if family.name == name.to_string().as_str());
+    if let Some(Item::Family(family)) = definition.items.iter().find(is_family) {
+        let is_parameter =
+            |token: &TokenTree| matches!(token, TokenTree::Ident(kind) if *kind == "Param");
+        return match any_token(family.call.to_token_stream(), &is_parameter) {
+            true => format!(
+                "`{name}` is a family of parameters of `{assembly}`: the program sets its members"
+            ),
+            false => {
+                format!("`{name}` is a family of `{assembly}`; ports and parameters can be given")
+            }
+        };
     }
     let ports: Vec<String> = definition
         .ports

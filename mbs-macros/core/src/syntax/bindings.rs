@@ -82,7 +82,7 @@ impl<'f> Bindings<'f> {
             Expr::Call(call) => {
                 if let Expr::Path(path) = &*call.func
                     && let Some(name) = path.path.get_ident()
-                    && let Some((_, Bound::Item(item @ Expr::Path(_)))) =
+                    && let Some((_, Bound::Item(item @ (Expr::Path(_) | Expr::Index(_))))) =
                         self.list.iter().find(|(known, _)| *known == name)
                 {
                     *call.func = (*item).clone();

@@ -110,7 +110,7 @@ impl<'e> Written<'e> {
                 ),
             ));
         };
-        let over = ranges(over)?;
+        let over = ranges(name, over)?;
         let ranges: Vec<Range<usize>> = over.iter().map(Over::range).collect();
         let sizes = ranges.iter().map(|range| Some(range.end - range.start));
         let members = sizes.reduce(|all, size| all?.checked_mul(size?)).flatten();

@@ -11,6 +11,7 @@ mod children;
 mod chunk;
 mod definition;
 mod entry;
+mod exactly;
 mod families;
 mod height;
 mod item;
@@ -36,6 +37,7 @@ pub use assemblies::{Definition, Definitions, Given, Instance, Port, Receiver, T
 pub use children::{children, inner};
 pub use definition::{define, is_broken};
 pub use entry::ASSEMBLY;
+pub use exactly::exactly;
 pub use families::{Family, MOST_MEMBERS};
 pub use name::Name;
 pub use parse::parse;

@@ -95,7 +95,7 @@ fn collected(
 ) -> Vec<Ident> {
     let names = RefCell::new(Vec::new());
     visit(&mut expr.clone(), &|name, role| {
-        if role == Role::Value {
+        if role != Role::Function {
             names.borrow_mut().push(name.clone());
         }
         None

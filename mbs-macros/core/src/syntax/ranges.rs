@@ -1,6 +1,7 @@
 //! Over what a family goes: ranges of indices, and lists of data.
 
 use super::children::inner;
+use super::name::Name;
 use super::whole::whole;
 use std::ops::Range;
 use syn::{Error, Expr, RangeLimits};
@@ -26,14 +27,17 @@ impl Over<'_> {
 ///
 /// # Errors
 /// It is none of these, or empty.
-pub(super) fn ranges(expr: &Expr) -> syn::Result<Vec<Over<'_>>> {
+pub(super) fn ranges<'e>(family: &Name, expr: &'e Expr) -> syn::Result<Vec<Over<'e>>> {
     match inner(expr) {
-        Expr::Tuple(tuple) if !tuple.elems.is_empty() => tuple.elems.iter().map(over).collect(),
-        _ => Ok(vec![over(expr)?]),
+        Expr::Tuple(tuple) if !tuple.elems.is_empty() => {
+            let ranges = tuple.elems.iter().map(|expr| over(family, expr));
+            ranges.collect()
+        }
+        _ => Ok(vec![over(family, expr)?]),
     }
 }
 
-fn over(expr: &Expr) -> syn::Result<Over<'_>> {
+fn over<'e>(family: &Name, expr: &'e Expr) -> syn::Result<Over<'e>> {
     match inner(expr) {
         Expr::Range(range) => {
             let (Some(start), Some(end)) = (&range.start, &range.end) else {
@@ -51,13 +55,13 @@ fn over(expr: &Expr) -> syn::Result<Over<'_>> {
                 true => Ok(Over::Range(first..last)),
                 false => Err(Error::new_spanned(
                     expr,
-                    "this range is empty: the family would have no members",
+                    format!("this range is empty: `{family}` would have no members"),
                 )),
             }
         }
         Expr::Array(array) if array.elems.is_empty() => Err(Error::new_spanned(
             expr,
-            "this list is empty: the family would have no members",
+            format!("this list is empty: `{family}` would have no members"),
         )),
         Expr::Array(array) => Ok(Over::List(array.elems.iter().collect())),
         _ => Err(Error::new_spanned(

@@ -8,8 +8,10 @@ use syn::{Expr, Ident, Stmt};
 /// Where a name stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Role {
-    /// For a value.
+    /// For a value, in an expression.
     Value,
+    /// For the whole value of an argument.
+    Argument,
     /// For a function, which may be a table.
     Function,
 }
@@ -28,7 +30,7 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
             for argument in call.args.iter_mut().skip(skipped) {
                 match argument {
                     // Its ports may have any names.
-                    Expr::Assign(assign) if is_assembly => rewrite(&mut assign.right, of),
+                    Expr::Assign(assign) if is_assembly => rewrite_argument(&mut assign.right, of),
                     other => rewrite(other, of),
                 }
             }
@@ -39,7 +41,7 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
         Expr::Assign(assign) => match argument(&assign.left) {
             Some(Word::Law) => rewrite_function(&mut assign.right, of),
             Some(Word::OfLanguage) => {}
-            None => rewrite(&mut assign.right, of),
+            None => rewrite_argument(&mut assign.right, of),
         },
         Expr::Range(range) => {
             let ends = [&mut range.start, &mut range.end];
@@ -66,6 +68,14 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
         other => children_mut(other)
             .into_iter()
             .for_each(|child| rewrite(child, of)),
+    }
+}
+
+/// The same of the value of an argument.
+pub(super) fn rewrite_argument(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
+    match expr {
+        Expr::Path(_) => replace(expr, Role::Argument, of),
+        other => rewrite(other, of),
     }
 }
 

@@ -2,11 +2,12 @@
 
 use super::assemblies::{Definition, TABLE, any_token};
 use super::entry::{ASSEMBLY, place};
+use super::exactly::exactly;
 use super::item::Item;
 use super::members::{FamilyItem, place_family};
 use super::name::Name;
 use super::reference::{from_root, path_to};
-use super::rewrite::{Role, Word, rewrite, rewrite_function, word};
+use super::rewrite::{Role, Word, rewrite, rewrite_argument, rewrite_function, word};
 use super::{Declaration, Entry, Takes};
 use crate::diagnostics::Errors;
 use crate::schema::{Kinds, RESERVED};
@@ -35,7 +36,7 @@ impl Outside {
         let mut value = value.clone();
         rewrite(&mut value, &|name, role| {
             let is_entry = match role {
-                Role::Value => may_be_entry(name),
+                Role::Value | Role::Argument => may_be_entry(name),
                 Role::Function => self.tables.contains(&name.to_string()),
             };
             is_entry.then(|| from_root(name))
@@ -89,13 +90,13 @@ impl Scope<'_> {
         let is_assembly = entry.kind == ASSEMBLY;
         // A path stays what it is.
         for argument in entry.positional.iter_mut().skip(usize::from(is_assembly)) {
-            self.write(argument);
+            self.write_argument(argument);
         }
         for argument in &mut entry.named {
             match word(&argument.name).filter(|_| !is_assembly) {
                 Some(Word::Law) => rewrite_function(&mut argument.value, &self.meaning()),
                 Some(Word::OfLanguage) => {}
-                None => self.write(&mut argument.value),
+                None => self.write_argument(&mut argument.value),
             }
         }
         if entry.kind == "Param"
@@ -123,10 +124,19 @@ impl Scope<'_> {
         rewrite(expr, &self.meaning());
     }
 
+    fn write_argument(&self, expr: &mut Expr) {
+        rewrite_argument(expr, &self.meaning());
+    }
+
     /// What a name stands for. Entries outside are not seen.
     fn meaning(&self) -> impl Fn(&Ident, Role) -> Option<Expr> {
         |name, role| match role {
-            Role::Value => self.value(name),
+            // As a part of an expression a value is not held.
+            Role::Value => self.value(name).map(|value| match exactly(&value) {
+                Some(held) => held.clone(),
+                None => value,
+            }),
+            Role::Argument => self.value(name),
             Role::Function => self.table(name),
         }
     }

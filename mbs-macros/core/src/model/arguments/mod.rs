@@ -9,14 +9,13 @@ mod places;
 mod requirements;
 
 pub(super) use self::numbers::CONSTANT_IN_ASSEMBLY;
-use super::held::exactly;
 use super::resolver::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
 use crate::schema::{self, Expects, Kind, World};
 use crate::symbolic::{Expr, Graph};
-use crate::syntax::Entry;
+use crate::syntax::{Entry, exactly};
 use syn::Expr as Syntax;
 
 /// Reads the arguments of one entry. Every reader returns `None` if the argument is absent or wrong (then the error

@@ -155,8 +155,8 @@ impl Resolver<'_> {
             span,
             format!(
                 "dimensions differ: {} against {}",
-                left.describe(),
-                right.describe()
+                left.with_unit(),
+                right.with_unit()
             ),
         )
     }
