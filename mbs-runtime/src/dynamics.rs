@@ -8,7 +8,8 @@ use crate::fault::Fault;
 use crate::free::free;
 use crate::linear::{DelassusFactor, RowMatrix, accumulate, dot, finite, vector};
 use crate::memory::Box;
-use crate::{SimulationError, System, TensorSink};
+use crate::singular::Thresholds;
+use crate::{Model, SimulationError, System, TensorSink};
 use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
@@ -79,7 +80,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         let mut dynamics = Dynamics {
             geometry: ConstraintGeometry::new(&system, q)?,
             system,
-            solver: Box::new(DelassusFactor::new()),
+            solver: Box::new(solver_for(S::MODEL)),
             time: t,
             positions: *q,
             velocities: *v,
@@ -218,4 +219,14 @@ fn told<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     t: f64,
 ) -> SimulationError {
     SimulationError::from_fault(fault, S::MODEL, t, 0.0)
+}
+
+/// Independent rows have small pivots where masses differ by many powers of ten, and beside singular poses; they are eliminated
+/// as long as they have one. Of rows that follow from others only round-off is left, which is larger at poses that violate them.
+fn solver_for<const R: usize>(model: &Model) -> DelassusFactor<R> {
+    let mut solver = DelassusFactor::new();
+    if model.has_independent_rows() {
+        solver.thresholds = Thresholds::ELIMINATED;
+    }
+    solver
 }

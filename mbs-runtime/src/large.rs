@@ -30,16 +30,21 @@ pub(crate) fn is_sparse<S, const Q: usize, const N: usize, const R: usize>(
 where
     S: System<Q, N, R>,
 {
+    may_be_sparse::<N, R>(settings)
+        && match settings.flow {
+            None if kick_elimination::<S, Q, N, R>().is_some() => false,
+            None => S::STRUCTURE.velocity_forces || is_beside_others::<N, R>(),
+            flow => flow == Some(Flow::Implicit),
+        }
+}
+
+/// Whether steps with these settings could take them if their flow is the implicit one.
+pub(crate) fn may_be_sparse<const N: usize, const R: usize>(settings: &Settings) -> bool {
     let possible = const { is_large::<N, R>() };
     possible
         && settings.method == Method::TwoLevel
         && settings.order == 2
         && settings.fixed_iterations.is_none()
-        && match settings.flow {
-            None if kick_elimination::<S, Q, N, R>().is_some() => false,
-            None => S::STRUCTURE.velocity_forces || N + R >= FEWEST_BESIDE_OTHERS,
-            flow => flow == Some(Flow::Implicit),
-        }
 }
 
 /// The elimination of a mechanism whose kicks were planned when it was compiled, too.
@@ -57,7 +62,12 @@ where
 /// Whether the start of a mechanism is computed without dense arrays, if there are factors for it: those of an elimination
 /// that was planned when the mechanism was compiled, or those of the sparse implicit flow.
 pub(crate) const fn starts_sparse<const N: usize, const R: usize>() -> bool {
-    cfg!(feature = "std") && N + R >= FEWEST_BESIDE_OTHERS
+    cfg!(feature = "std") && is_beside_others::<N, R>()
+}
+
+/// Whether a mechanism is so large that dense arrays are the slower ones, also for flows that need no tangents.
+pub(crate) const fn is_beside_others<const N: usize, const R: usize>() -> bool {
+    N + R >= FEWEST_BESIDE_OTHERS
 }
 
 /// Refuses dense arrays that would not fit on a stack.
@@ -73,11 +83,16 @@ pub(crate) fn check_dense(velocities: usize, flow: Flow) -> Result<(), Simulatio
 pub(crate) fn check_dense_start(velocities: usize, rows: usize) -> Result<(), SimulationError> {
     match rows * (velocities + rows) <= MOST_DENSE * MOST_DENSE {
         true => Ok(()),
-        false => Err(too_large(velocities, Flow::Implicit)),
+        false => Err(SimulationError::Large {
+            velocities,
+            flow: None,
+            wanted: "only starts without held values, in poses and with rows that an elimination serves, have sparse ones",
+        }),
     }
 }
 
 fn too_large(velocities: usize, flow: Flow) -> SimulationError {
+    let flow = Some(flow);
     let wanted = match cfg!(feature = "sparse") {
         true => "the sparse ones are of order 2, with the implicit flow or the runtime's choice",
         false => "sparse ones come with the feature `sparse` of `mbs-runtime`",

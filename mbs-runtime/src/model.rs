@@ -61,6 +61,12 @@ impl Model {
         self.structure.holonomic_rows
     }
 
+    /// Whether rows are known to be independent at generic poses.
+    pub(crate) fn has_independent_rows(&self) -> bool {
+        self.mobility
+            .is_some_and(|mobility| mobility.redundant.iter().all(|row| row.left_out))
+    }
+
     /// Whether the reaction of a joint is determined at generic poses. If redundant rows contribute to it, it is the
     /// value of least norm of many; a row that is left out has no reaction.
     pub fn is_determined(&self, joint: &str) -> bool {

@@ -67,7 +67,9 @@ impl Model {
 
     /// Whether a velocity of this name is a state.
     pub(crate) fn is_state(&self, velocity: &str) -> bool {
-        self.states().any(|state| state.name == velocity)
+        // (Of thousands of outputs not each is compared with each velocity.)
+        self.velocities.iter().any(|own| own.name == velocity)
+            && self.outputs.iter().any(|own| own.name == velocity)
     }
 
     /// Whether the coordinate of this name is the integral of a state over time, on which nothing depends.

@@ -44,8 +44,8 @@ pub enum SimulationError {
     Large {
         /// N.
         velocities: usize,
-        /// The flow that would need them.
-        flow: Flow,
+        /// The flow that would need them; `None`: the start.
+        flow: Option<Flow>,
         /// What to do.
         wanted: &'static str,
     },
@@ -318,11 +318,16 @@ impl fmt::Display for SimulationError {
                 velocities,
                 flow,
                 wanted,
-            } => write!(
-                out,
-                "the {} flow would need dense arrays of {velocities} × {velocities} numbers; {wanted}",
-                flow.name()
-            ),
+            } => {
+                match flow {
+                    Some(flow) => write!(out, "the {} flow", flow.name())?,
+                    None => out.write_str("this start")?,
+                }
+                write!(
+                    out,
+                    " would need dense arrays of {velocities} × {velocities} numbers; {wanted}"
+                )
+            }
             Method { method, because } => write!(
                 out,
                 "the method {method} cannot integrate this mechanism: {because}; use two-level"

@@ -229,3 +229,77 @@ fn updates_at_least_are_not_more_than_at_most() {
         Some("setting `min_updates` is 40; give it at most `max_updates`")
     );
 }
+
+mechanism!(Door {
+    world: Planar(),
+    torque: Input(unit = Nm),
+    bias: Input(unit = Nm),
+    leaf: Body(
+        mass = 20.0_kg,
+        inertia = 2.0_kg_m2,
+        center_of_mass = [0.4_m, 0.0_m],
+        rate = 2.0_rad_per_s
+    ),
+    hinge: Revolute(ground.origin, leaf.origin),
+    push: Torque(on = leaf, value = torque + bias),
+    limits: Stop(
+        leaf.angle,
+        lower = 0.0_deg,
+        upper = 90.0_deg,
+        stiffness = 2.0_kNm,
+        onset = 1.0_deg,
+        dissipation = 0.2_s
+    ),
+    turned: Event(leaf.rate),
+});
+
+/// Steps of a method with a memory depend on the trials before: the state after the search could be that just before the change.
+#[test]
+fn an_event_is_found_once() {
+    let settings = Settings {
+        method: Method::Radau,
+        tolerance: Some(1e-4),
+        ..Settings::default()
+    };
+    for k in 0..60 {
+        let mut door =
+            Simulation::with_methods(Door::default(), settings, mbs_runtime::methods::Any)
+                .expect("it assembles");
+        door.inputs_mut().torque = -3.0 + 0.1173 * f64::from(k);
+        let mut last = f64::NEG_INFINITY;
+        while let Some(time) = door.run_to_event("turned", 4.0).expect("it runs") {
+            assert!(time > last + 1e-9, "{k}: {last} and {time}");
+            last = time;
+        }
+    }
+}
+
+/// What was given with a refused value waits for it to be set again; it does not come back later, and is not lost.
+#[test]
+fn inputs_beside_a_refused_one_are_kept() {
+    let door = || Simulation::new(Door::default()).expect("it assembles");
+    let mut simulation = door();
+    simulation.inputs_mut().torque = f64::NAN;
+    simulation.set_input("bias", 2.0).expect("it is finite");
+    simulation.inputs_mut().torque = 1.0;
+    assert_eq!(simulation.input_values(), [1.0, 2.0]);
+    let mut simulation = door();
+    {
+        let mut inputs = simulation.inputs_mut();
+        (inputs.torque, inputs.bias) = (f64::NAN, 3.0);
+    }
+    simulation.set_input("torque", 1.0).expect("it is finite");
+    assert_eq!(simulation.input_values(), [1.0, 3.0]);
+    let mut simulation = door();
+    {
+        let mut inputs = simulation.inputs_mut();
+        (inputs.torque, inputs.bias) = (f64::NAN, f64::NAN);
+    }
+    simulation.set_input("torque", 1.0).expect("it is finite");
+    assert_eq!(simulation.input_values(), [1.0, 0.0]);
+    let error = simulation
+        .step()
+        .expect_err("the bias is no number")
+        .to_string();
+    assert!(error.contains("bias"), "{error}");
+}

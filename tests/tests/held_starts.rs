@@ -357,7 +357,7 @@ fn refusals_are_typed() {
     let error = refused(&[], &[("crank_rate", 0.4)]).to_string();
     assert!(
         error.starts_with(
-            "no coordinate, velocity or output of positions is named `crank_rate`; there are: "
+            "no coordinate, velocity or output of positions alone is named `crank_rate`; there are: "
         ),
         "{error}"
     );
@@ -400,9 +400,71 @@ fn drives_prescribe_velocities() -> Result<(), Box<dyn std::error::Error>> {
     );
     assert!(
         error.ends_with(
-            " rad/s; 1 values are held, and the joints leave 0 free: hold 0 at most, and declare the others as guesses"
+            " rad/s; the joints leave nothing free that could be held: declare these values as guesses"
         ),
         "{error}"
     );
     Ok(())
+}
+
+mechanism!(Drifting {
+    world: Planar(),
+    block: Particle(mass = 1.0_kg, at = [0.1_m, 0.0], free = true),
+    drift: Output(block.origin.x - 2.0_m_per_s * t),
+});
+
+/// Its rate at the start is not that of the motion alone: 0 held it at −2 m/s.
+#[test]
+fn a_rate_that_changes_with_time_is_not_held() {
+    let start = Simulation::start(Drifting::default()).hold_rate("drift", 0.0);
+    let error = start.begin().expect_err("it has no rate of positions");
+    let error = error.to_string();
+    assert!(
+        error.starts_with("no coordinate, velocity or output of positions alone is named `drift`"),
+        "{error}"
+    );
+    let start = Simulation::start(Drifting::default()).hold("drift", 0.3);
+    let held = start.begin().expect("its value is that of time zero");
+    near(held.outputs().drift, 0.3);
+}
+
+mechanism!(Sleigh {
+    world: Planar(),
+    body: Body(mass = 1.0_kg, inertia = 0.2_kg_m2, at = [0.0_m, 0.0]),
+    charge: State(initial = 1.0, rate = -1.0_per_s),
+    runner: Nonholonomic(dot(body.velocity, body.y)),
+    x: Output(body.origin.x),
+    y: Output(body.origin.y),
+    sum: Output(body.origin.x + body.origin.y),
+    angle: Output(body.angle),
+});
+
+/// A velocity row leaves all positions free, and a state is none.
+#[test]
+fn as_many_positions_are_held_as_holonomic_rows_leave() {
+    let start = Simulation::start(Sleigh::default());
+    let all = start
+        .hold("x", 1.0)
+        .hold("y", 2.0)
+        .hold("angle", 0.7)
+        .begin();
+    near(all.expect("they are free").outputs().sum, 3.0);
+    let start = Simulation::start(Sleigh::default());
+    let contradiction = start.hold("x", 1.0).hold("y", 2.0).hold("sum", 2.0).begin();
+    let error = contradiction.expect_err("x + y is 3").to_string();
+    assert!(
+        error.contains("do not allow these values together"),
+        "{error}"
+    );
+    let start = Simulation::start(Sleigh::default());
+    let too_many = start
+        .hold_rate("x", 1.0)
+        .hold_rate("y", 2.0)
+        .hold_rate("angle", 0.7)
+        .begin();
+    let error = too_many.expect_err("the runner takes one").to_string();
+    assert!(
+        error.contains("3 values are held, and the joints leave 2 free"),
+        "{error}"
+    );
 }

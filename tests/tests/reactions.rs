@@ -1,7 +1,7 @@
 //! Joint reactions compared with formulas and with reference tables.
 
 use mbs_examples::scenes;
-use mbs_runtime::{Mechanism, Settings, Simulation, System};
+use mbs_runtime::{Mechanism, Settings, Simulation, System, mechanism};
 use mbs_tests::reference;
 
 fn reaction<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -302,4 +302,48 @@ fn a_step_that_the_clock_cannot_count_is_refused() {
         .expect_err("it would never end")
         .to_string();
     assert!(error.contains("setting `step`"), "{error}");
+}
+
+/// A link of very little mass bears a load.
+macro_rules! cranes {
+    ($($name:ident $coordinates:ident;)*) => { $(
+        mechanism!($name {
+            world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = $coordinates),
+            light: Param(1e-5_kg),
+            link: Bar(mass = light, length = 1.0_m, angle = -60.0_deg),
+            load: Body(mass = 1000.0_kg, inertia = 100.0_kg_m2),
+            hook: Revolute(ground.origin, link.a),
+            eye: Revolute(link.b, load.origin),
+            pull: Output([eye.reaction.fx, eye.reaction.fy]),
+            fall: Output(load.acceleration.y),
+        });
+    )* };
+}
+cranes! {
+    CraneByBodies Reference;
+    CraneByJoints Joint;
+}
+
+/// Rows with small pivots were taken as dependent: the pull was 15 N, and the load fell freely.
+#[test]
+fn a_light_link_bears_its_load() {
+    // A body hinged at its centre of mass on a link without mass: m g cos 30°, and −g sin² 30°.
+    let (pull, fall) = (9810.0 * 30f64.to_radians().cos(), -9.81 * 0.25);
+    for light in [1e-3, 1e-5, 1e-7] {
+        let bodies = Simulation::new(CraneByBodies { light }).expect("it assembles");
+        let joints = Simulation::new(CraneByJoints { light }).expect("it assembles");
+        assert!(bodies.reactions().expect("they exist").unique);
+        let (by_bodies, by_joints) = (bodies.outputs(), joints.outputs());
+        for (name, found, wanted) in [
+            ("pull by bodies", by_bodies.pull.norm(), pull),
+            ("pull by joints", by_joints.pull.norm(), pull),
+            ("fall by bodies", by_bodies.fall, fall),
+            ("fall by joints", by_joints.fall, fall),
+        ] {
+            assert!(
+                (found / wanted - 1.0).abs() < 1e-5,
+                "{light} {name}: {found} for {wanted}"
+            );
+        }
+    }
 }

@@ -296,3 +296,43 @@ fn large_powers_and_conditions_are_read() {
 });"#,
     );
 }
+
+mechanism!(Braked {
+    world: Planar(),
+    rotor: Body(mass = 1.0_kg, inertia = 0.5_kg_m2, rate = 3.0_rad_per_s),
+    hinge: Revolute(ground.origin, rotor.origin),
+    brake: Torque(on = rotor, value = -2.0_Nm * sign(hinge.rate)),
+    rate: Output(rotor.rate),
+});
+
+mechanism!(Switched {
+    world: Planar(),
+    charge: State(initial = 1.0, rate = -2.0_per_s),
+    rotor: Body(mass = 1.0_kg, inertia = 0.5_kg_m2),
+    hinge: Revolute(ground.origin, rotor.origin),
+    motor: Torque(on = rotor, value = 2.0_Nm * step(charge)),
+    rate: Output(rotor.rate),
+});
+
+/// Their derivative by the velocity is zero, and they were taken as forces of positions: the generated code named a velocity that it
+/// did not have.
+#[test]
+fn forces_may_depend_on_velocities_by_their_sign_alone() {
+    for model in [
+        Simulation::new(Braked::default())
+            .expect("it assembles")
+            .model(),
+        Simulation::new(Switched::default())
+            .expect("it assembles")
+            .model(),
+    ] {
+        assert!(model.structure.velocity_forces);
+    }
+    let mut braked = Simulation::with_accuracy(Braked::default(), 1e-6).expect("it assembles");
+    braked.run_until(0.5).expect("it runs");
+    assert!((braked.outputs().rate - 1.0).abs() < 1e-9);
+    let mut switched = Simulation::with_accuracy(Switched::default(), 1e-6).expect("it assembles");
+    switched.run_until(1.0).expect("it runs");
+    let rate = switched.outputs().rate;
+    assert!((rate - 2.0).abs() < 1e-5, "{rate}");
+}

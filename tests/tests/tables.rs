@@ -1,5 +1,6 @@
 //! Tables: the curves themselves, and mechanisms that follow them.
 
+use crate::common::expansion::accepted;
 use mbs_macros_core::symbolic::{Beyond, INTEGRAL, Interpolation, Table};
 use mbs_runtime::{Settings, Simulation, mechanism};
 use mbs_tests::fixtures::Measured;
@@ -227,4 +228,25 @@ fn rows_follow_the_curve() {
         "{:?}",
         simulation.energy()
     );
+}
+
+/// Where both slopes at the ends of a piece vanish, one of them is round-off, and that was a kink.
+#[test]
+fn a_cubic_table_between_dwells_moves_a_drive() {
+    for table in [
+        "[0.0, 0.4, 1.1, 2.0], [0.0, 0.0, 0.3, 0.3]",
+        "[0.0, 1.0, 1.3, 2.0], [0.0, 0.0, 0.7, 0.7]",
+        "[0.0, 0.2, 0.9, 2.0], [0.1, 0.1, 0.6, 0.6]",
+        "[0.0, 0.3, 0.7, 1.0], [0.0, 0.1, -0.1, 0.3]",
+    ] {
+        accepted(&format!(
+            "mechanism!(Dwell {{
+    world: Planar(),
+    lift: Table({table}),
+    bar: Bar(mass = 1.0_kg, length = 1.0_m, angle = lift(0.0)),
+    pin: Revolute(ground.origin, bar.a),
+    cam: Drive(bar.angle, value = lift(t / 1.0_s)),
+}});"
+        ));
+    }
 }

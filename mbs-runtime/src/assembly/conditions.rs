@@ -117,6 +117,9 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     let declared = model.outputs.iter().position(|own| own.name == name);
     let output = declared.filter(startable);
     let moving = |i: &usize| depends_on_velocities(system, *i, q);
+    // The rate of such an output is not that of the motion alone.
+    let timed = |i: &usize| depends_on_time(system, *i, q);
+    let output = output.filter(|i| !(wanted.rate && timed(i)));
     match output.map(|i| (i, moving(&i))) {
         Some((i, false)) if wanted.rate => {
             let unit = model.outputs[i].unit;
@@ -132,12 +135,13 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         }
         _ => {
             let what = match (wanted.rate, declared) {
-                (true, _) => "coordinate, velocity or output of positions",
+                (true, _) => "coordinate, velocity or output of positions alone",
                 (false, Some(_)) => "coordinate, velocity or output without accelerations",
                 (false, None) => "coordinate, velocity or output",
             };
             let outputs = model.outputs.iter().enumerate();
-            let outputs = outputs.filter(|(i, _)| startable(i) && (!wanted.rate || !moving(i)));
+            let has_rate = |i: &usize| !moving(i) && !timed(i);
+            let outputs = outputs.filter(|(i, _)| startable(i) && (!wanted.rate || has_rate(i)));
             let stored = model.coordinates.iter().chain(model.velocities);
             let known = stored.map(|own| own.name).filter(|own| is_free(own));
             let known = known.chain(outputs.map(|(_, own)| own.name));
@@ -162,6 +166,16 @@ fn depends_on_velocities<S: System<Q, N, R>, const Q: usize, const N: usize, con
     })
 }
 
+/// Whether an output changes with the time where nothing moves.
+fn depends_on_time<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    index: usize,
+    q: &SVector<f64, Q>,
+) -> bool {
+    let at = |t: f64| output_at(system, index, (t, q, &zeros()));
+    [1e-3, 0.7, 31.0].into_iter().any(|t| at(t) != at(0.0))
+}
+
 /// NaN if it reads accelerations.
 fn output<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
@@ -169,8 +183,16 @@ fn output<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     q: &SVector<f64, Q>,
     v: &SVector<f64, N>,
 ) -> f64 {
+    output_at(system, index, (0.0, q, v))
+}
+
+fn output_at<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    index: usize,
+    (t, q, v): (f64, &SVector<f64, Q>, &SVector<f64, N>),
+) -> f64 {
     let mut outputs = vec![f64::NAN; S::MODEL.outputs.len()];
-    system.outputs(0.0, q, v, &mut outputs);
+    system.outputs(t, q, v, &mut outputs);
     outputs.get(index).copied().unwrap_or(f64::NAN)
 }
 

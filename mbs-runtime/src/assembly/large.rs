@@ -10,7 +10,7 @@ use crate::alf3f::residual_of;
 use crate::contract::{constraint_rows, mass_rows};
 use crate::large::{check_dense_start, is_large, is_sparse, starts_sparse};
 use crate::linear::sparse::{Entries, Recorder, dependence};
-use crate::linear::{Dependence, largest, zeros};
+use crate::linear::{Dependence, finite, largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
 use crate::{AssemblyVerdict, Settings, SimulationError, System};
@@ -32,7 +32,15 @@ pub(super) fn assemble<S: System<Q, N, R>, const Q: usize, const N: usize, const
     let mut start = SparseStart::new(system, settings, (t, guess))?;
     let (mut q, mut v) = (*guess, *declared);
     let before = largest(&start.phi);
-    if !(start.close(&mut q, scale) && start.project(&mut v, scale, yardstick)) {
+    if !start.close(&mut q, scale)? {
+        if check_dense_start(N, R).is_ok() || !finite(&q) {
+            return None;
+        }
+        let rows = rows(system, t, &q, yardstick)?;
+        let verdict = judge(system, rows, (&start.phi, scale), before, [guess, &q]);
+        return Some(Err(SimulationError::Assembly(verdict)));
+    }
+    if !start.project(&mut v, scale, yardstick) {
         return None;
     }
     let rates = (&start.rates(&v), &start.b);
@@ -149,12 +157,13 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.factors.factor((&self.mass, &self.a), rows)
     }
 
-    /// Damped Newton in the metric of M, as with dense arrays; false if it does not close the rows.
-    fn close(&mut self, q: &mut SVector<f64, Q>, scale: &RowScale<R>) -> bool {
+    /// Damped Newton in the metric of M, as with dense arrays; false if it does not close the rows, `None` where the solution needs
+    /// dense arrays.
+    fn close(&mut self, q: &mut SVector<f64, Q>, scale: &RowScale<R>) -> Option<bool> {
         let holonomic = S::STRUCTURE.holonomic_rows;
         for _ in 0..MAX_ITERATIONS {
             if is_closed(&self.phi, scale) {
-                return true;
+                return Some(true);
             }
             let before = residual_of(&self.phi, &scale.weights);
             let phi = self.phi;
@@ -163,7 +172,7 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 true => self.factors.way(change),
                 false => None,
             };
-            let Some(way) = way else { return false };
+            let way = way?;
             let mut factor = 1.0;
             *q = loop {
                 let trial = self.system.advance(q, &way, factor);
@@ -174,12 +183,12 @@ impl<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 }
                 factor *= 0.5;
                 if factor < 1e-6 {
-                    return scale.displacement(&self.phi) <= ASSEMBLED;
+                    return Some(scale.displacement(&self.phi) <= ASSEMBLED);
                 }
             };
             self.evaluate(q);
         }
-        scale.displacement(&self.phi) <= ASSEMBLED
+        Some(scale.displacement(&self.phi) <= ASSEMBLED)
     }
 
     /// A v + b.

@@ -97,8 +97,9 @@ pub(crate) fn assemble<
             at.map_err(fault)?;
             close(system, 0.0, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
             if scale.displacement(&phi) <= ASSEMBLED {
-                let rank = independent_rows(system, &geometry, &yardstick).rank;
-                return Err(start.refused(Level::Position, open, N.saturating_sub(rank)));
+                let rows = independent_rows(system, &geometry, &yardstick);
+                let most = freedoms::<S, Q, N, R>(Level::Position, &rows);
+                return Err(start.refused(Level::Position, open, most));
             }
         }
     } else {
@@ -106,22 +107,39 @@ pub(crate) fn assemble<
     }
 
     let rows = independent_rows(system, &geometry, &yardstick);
+    let most = freedoms::<S, Q, N, R>(Level::Velocity, &rows);
     let mut verdict = judge(system, rows, (&phi, &scale), residual_before, [&guess, &q]);
     if !(scale.displacement(&phi) <= ASSEMBLED) {
         return Err(SimulationError::Assembly(verdict));
     }
-    let freedoms = N.saturating_sub(verdict.rank);
     let mut v = declared;
     let speed = yardstick.measure(&v);
     project(system, &geometry, &mut v, &scale, speed);
     if const { ASKED || !S::HELD.is_empty() } && start.count(Level::Velocity) > 0 {
         let moving = set_in_motion(&start, &geometry, &q, [&declared, &v]).map_err(fault)?;
-        v = moving.map_err(|open| start.refused(Level::Velocity, open, freedoms))?;
+        v = moving.map_err(|open| start.refused(Level::Velocity, open, most))?;
     }
     let rates = (&geometry.velocity_rows(system, &v), &geometry.b);
     check_start(system, (0.0, &q, &v), rates, (&scale, &yardstick), settings)?;
     verdict.changes = moved::<S, Q, N, R>([&guess, &q], [&declared, &v], yardstick.length);
     Ok((State::new(0.0, q, v), verdict))
+}
+
+/// How many values of a level can be held: as many as rows leave free, of positions the holonomic ones. States are no motion.
+fn freedoms<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    level: Level,
+    rows: &Dependence,
+) -> usize {
+    let velocities = S::MODEL.velocities.iter();
+    let moving = velocities.filter(|velocity| !S::MODEL.is_state(velocity.name));
+    let holonomic = S::MODEL.holonomic_rows();
+    let rank = match level {
+        Level::Position => (0..holonomic)
+            .filter(|row| !rows.dependent.contains(row))
+            .count(),
+        Level::Velocity => rows.rank,
+    };
+    moving.count().saturating_sub(rank)
 }
 
 /// The verdict on a state from which a simulation resumes; the state is not changed.

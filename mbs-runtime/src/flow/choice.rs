@@ -3,7 +3,7 @@
 #[cfg(not(feature = "std"))]
 use crate::elementary::Elementary as _;
 use crate::fault::Fault;
-use crate::large::is_sparse;
+use crate::large::{is_beside_others, is_sparse, may_be_sparse};
 use crate::linear::{RowMatrix, dot, vector};
 use crate::yardstick::Yardstick;
 use crate::{Flow, Settings, SimulationError, State, Structure, System};
@@ -50,10 +50,12 @@ pub(crate) fn choose<S: System<Q, N, R>, const Q: usize, const N: usize, const R
                 SimulationError::from_fault(fault, S::MODEL, state.time, settings.step)
             })?;
             let stiff = settings.step * settings.step * stiffness > STIFF;
-            Ok(if stiff {
-                Flow::Trapezoid
-            } else {
-                Flow::Leapfrog
+            Ok(match stiff {
+                false => Flow::Leapfrog,
+                true if is_beside_others::<N, R>() && may_be_sparse::<N, R>(settings) => {
+                    Flow::Implicit
+                }
+                true => Flow::Trapezoid,
             })
         }
         None => Ok(natural),

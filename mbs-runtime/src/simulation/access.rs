@@ -65,9 +65,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let name = S::MODEL.inputs.get(index).map_or("", |input| input.name);
             return Err(SimulationError::Input { name, value });
         }
-        let error = self.refused.as_ref().map(|refused| &refused.error);
-        if matches!(error, Some(SimulationError::Input { name: refused, .. }) if *refused == name) {
-            self.refused = None;
+        if let Some(refused) = self.refused.take() {
+            let inputs = with(refused.inputs, index, value);
+            match self.set_inputs(inputs) {
+                Ok(()) => return Ok(()),
+                Err(error) => self.refused = Some(Refused { error, inputs }),
+            }
         }
         // Of a value that it has already the motion takes no note.
         if self.system().inputs().get(index) == Some(&value) {
@@ -222,4 +225,14 @@ pub(super) fn find(
         .clone()
         .position(|candidate| candidate == name)
         .ok_or_else(|| UnknownName::new(what, name, known))
+}
+
+/// Inputs of which one has another value.
+fn with<I: NamedValues + Copy>(inputs: I, index: usize, value: f64) -> I {
+    I::from_values(|values| {
+        inputs.with_values(|known| copy(known, values));
+        if let Some(input) = values.get_mut(index) {
+            *input = value;
+        }
+    })
 }

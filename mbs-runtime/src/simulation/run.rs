@@ -3,6 +3,7 @@
 use super::Simulation;
 use super::books::Books;
 use super::hermite::Hermite;
+use crate::integrator::Integrator;
 use crate::samples::{is_counted, is_past};
 use crate::state::rounding;
 use crate::{SimulationError, State, System, UnknownName};
@@ -153,6 +154,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut current = h;
         let mut last = None;
         let longest = self.longest_part();
+        // Steps of a method with a memory depend on those before, also on the trials of this search.
+        let memory = (self.settings.method.has_memory()).then(|| self.integrator.clone());
         for iteration in 0..200 {
             if high - low <= resolution || f_high == 0.0 {
                 break;
@@ -166,7 +169,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             if current <= low || current >= high {
                 break;
             }
-            self.rewind(books)?;
+            self.rewind(books, memory.as_ref())?;
             self.reach(current, longest)?;
             let value = self.event(index)?;
             if iteration == 0 {
@@ -186,7 +189,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
         }
         if current != high {
-            self.rewind(books)?;
+            self.rewind(books, memory.as_ref())?;
             self.reach(high, longest)?;
         }
         self.watch();
@@ -213,7 +216,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         Some(0.5 * (low + high) * h)
     }
 
-    fn rewind(&mut self, books: Books) -> Result<(), SimulationError> {
+    fn rewind(
+        &mut self,
+        books: Books,
+        memory: Option<&Integrator<S, Q, N, R>>,
+    ) -> Result<(), SimulationError> {
+        if let Some(memory) = memory {
+            self.integrator = memory.clone();
+        }
         self.integrator.state_mut().copy_from(&self.last_step_start);
         self.books = books;
         self.integrator.refresh(&self.settings)?;

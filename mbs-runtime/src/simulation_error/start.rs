@@ -48,6 +48,9 @@ pub(super) fn write_held(
         write!(out, "{comma}`{name}` is off by {gap:.3e} {unit}")?;
     }
     match (degrees_of_freedom, held.len()) {
+        (0, _) => out.write_str(
+            "; the joints leave nothing free that could be held: declare these values as guesses",
+        ),
         (most, count) if count > most => write!(
             out,
             "; {count} values are held, and the joints leave {most} free: hold {most} at most, and declare the others as guesses"

@@ -242,6 +242,15 @@ fn structure(derived: &Derived) -> Structure {
     let system = &derived.system;
     let graph = &system.graph;
     let on_time = |expr: &Expr| graph.depends_on(*expr, |symbol| symbol == Symbol::Time);
+    let on_positions = |force: &Expr| {
+        let is_position = |symbol| {
+            matches!(
+                symbol,
+                Symbol::Coordinate(_) | Symbol::Rotation(..) | Symbol::UnwrappedAngle(_)
+            )
+        };
+        graph.depends_on(*force, is_position)
+    };
     let on_inputs =
         |expr: &Expr| graph.depends_on(*expr, |symbol| matches!(symbol, Symbol::Input(_)));
     let rheonomic = system
@@ -251,8 +260,8 @@ fn structure(derived: &Derived) -> Structure {
         || derived.rheonomic.iter().any(|&b| !graph.is_zero(b));
     Structure {
         constant_mass: derived.constant_mass,
-        velocity_forces: !derived.applied.by_velocity.is_empty(),
-        position_forces: !derived.applied.by_position.is_empty(),
+        velocity_forces: derived.has_velocity_forces(),
+        position_forces: system.forces.iter().any(on_positions),
         time_dependent: rheonomic || system.forces.iter().any(on_time),
         rheonomic,
         // The value of a row is zero, and atan2 is smooth there.

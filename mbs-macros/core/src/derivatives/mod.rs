@@ -72,8 +72,19 @@ pub struct Derived {
 impl Derived {
     /// Whether M is constant and forces do not depend on velocities.
     pub fn is_explicit(&self) -> bool {
-        self.constant_mass && self.applied.by_velocity.is_empty()
+        self.constant_mass && !self.has_velocity_forces()
     }
+
+    /// Whether forces depend on velocities. (By `sign` or `step` they may do so where ∂f/∂v = 0.)
+    pub fn has_velocity_forces(&self) -> bool {
+        depend_on_velocities(&self.system)
+    }
+}
+
+fn depend_on_velocities(system: &System) -> bool {
+    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+    let mut forces = system.forces.iter();
+    forces.any(|&force| system.graph.depends_on(force, is_velocity))
 }
 
 /// With more entries of M⁻¹, M⁻¹ f is not derived: a chain of a thousand bars has a million, and is solved without M⁻¹.
@@ -81,6 +92,7 @@ const MOST_ENTRIES: usize = 10_000;
 
 /// Derives everything, once. `redundant` are rows that follow from others.
 pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
+    let is_by_velocity = depend_on_velocities(&system);
     let graph = &mut system.graph;
     let size = system.size;
     let (momentum, kinetic) = match &system.kinetic {
@@ -120,7 +132,7 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
     };
     let total = applied.with_inertial(graph, &inertial);
     let total = total.or_direct(graph, &total_forces, &curvature.momentum);
-    let explicit = system.constant_mass && applied.by_velocity.is_empty();
+    let explicit = system.constant_mass && !is_by_velocity;
     let inverse = explicit.then(|| InverseMass::new(size, &system.mass));
     let inverse = inverse.filter(|inverse| inverse.entries() <= MOST_ENTRIES);
     let acceleration = inverse.map(|inverse| inverse.apply(graph, &system.forces));

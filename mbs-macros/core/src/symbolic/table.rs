@@ -178,7 +178,13 @@ impl Table {
         (0..knots.len()).any(|k| {
             let width = if k > 0 { knots[k] - knots[k - 1] } else { 0.0 };
             let before = evaluate(&pieces[k], width, 1);
-            let size = pieces[k][1].abs() + pieces[k + 1][1].abs();
+            // Where both slopes vanish the one before is round-off of what the piece has in between.
+            let within = if width > 0.0 {
+                (evaluate(&pieces[k], width, 0) - pieces[k][0]) / width
+            } else {
+                0.0
+            };
+            let size = pieces[k][1].abs() + pieces[k + 1][1].abs() + within.abs();
             (before - pieces[k + 1][1]).abs() > 1e-9 * size
         })
     }
