@@ -350,6 +350,9 @@ pub struct StepController {
     /// Powers of 2 by which errors are aimed below the usual aim, after pairs that were too long.
     #[cfg_attr(feature = "serde", serde(default))]
     pub caution: f64,
+    /// Pairs from rest whose way is round-off, in very short steps, since the last pair in longer ones.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub still_pairs: u32,
 }
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.

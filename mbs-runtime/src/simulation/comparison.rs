@@ -5,6 +5,7 @@ use super::jumps::{Previous, Signs, over_a_jump};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
+use super::tolerance::CLOCK;
 use crate::linear::vector;
 use crate::singular::RankMargin;
 use crate::{Energy, ErrorOf, SimulationError, StepController, System};
@@ -38,8 +39,12 @@ pub(super) const CLEARLY: [f64; 2] = [0.75, 0.5];
 const TOO_MUCH: f64 = 1.0;
 /// A second step that would be longer than this part of what is left takes all of it.
 const NEARLY: f64 = 0.8;
-/// The least step, as a part of the first one, with which a mechanism can be at rest.
+/// The least step, as a part of the first one, with which a mechanism can be at rest …
 const PACED: f64 = 1e-5;
+/// … but for as many pairs: a force that jumps once sets it in motion, and all of the way of a pair is then due to the jump.
+const STILL_PAIRS: u32 = 16;
+/// Steps shorter than this multiple of the shortest that the clock counts are next to it.
+const NEAR_CLOCK: f64 = 16.0;
 
 /// What a comparison found.
 pub(super) struct Found {
@@ -61,6 +66,10 @@ pub(super) struct Found {
     pub(super) estimated_difficulty: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
+    /// Whether the way of the pair is round-off, …
+    pub(super) is_still: bool,
+    /// … and whether its steps are so long that a mechanism can be at rest with them.
+    pub(super) is_paced: bool,
     /// The error of the energy balance after the first step, J.
     pub(super) imbalance: f64,
     pub(super) passage: Passage,
@@ -79,6 +88,8 @@ impl Found {
             difficulty_of_first: None,
             estimated_difficulty: None,
             parts: None,
+            is_still: false,
+            is_paced: true,
             imbalance: balance.error,
             passage: Passage { steps, margins },
         }
@@ -117,6 +128,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let middle = self.margin();
         let mut found = Found::before([first, first], [start, middle, middle], &self.balance);
         found.as_chosen = first == h;
+        found.is_paced = controller.step >= PACED * self.settings.step;
         let rest = left - first;
         let by_steps = self.follows() && self.pace() == Pace::Steps;
         let mut next = h;
@@ -189,7 +201,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             share: SHARE * tolerance,
             signs,
         };
-        let outcome = self.measure(&mut found, controller.step, &bounds, (estimate, last));
+        let outcome = self.measure(&mut found, controller, &bounds, (estimate, last));
         if may_jump {
             if signs.is_some_and(|signs| signs.is_blind(found.estimate_factor)) {
                 found.error_ratio = found.error_ratio.max(TOO_LONG);
@@ -225,7 +237,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     fn measure(
         &mut self,
         found: &mut Found,
-        in_use: f64,
+        controller: &StepController,
         bounds: &Bounds,
         (estimate, last): (Option<f64>, bool),
     ) -> Result<(), SimulationError> {
@@ -238,8 +250,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let power = |h: f64| (h / length).powi(order + 1);
         let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();
         // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
-        let paced = in_use >= PACED * self.settings.step;
-        let still = if paced { bounds.noise } else { 0.0 };
+        let still = match found.is_paced {
+            true => bounds.noise,
+            false if controller.still_pairs >= STILL_PAIRS => 0.0,
+            // At large times the clock does not tell the instant of a jump better than by such a way.
+            false if controller.step < NEAR_CLOCK * CLOCK * self.pair_start.time.abs() => {
+                bounds.noise.max(self.settings.constraint_tolerance)
+            }
+            false => bounds.noise,
+        };
         let partitions = match self.follows() {
             true => ESTIMATED,
             false => PARTITIONS.len(),
@@ -256,9 +275,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             converged = true;
             let (apart, mut worst) = self.apart(0.5 * length);
-            let mut error_ratio = match apart > (UNLIKE * bounds.way).max(still) {
-                true => TOO_LONG,
-                false => apart / (ratio * bounds.allowed),
+            found.is_still = apart > UNLIKE * bounds.way;
+            let mut error_ratio = match (found.is_still, apart > still) {
+                (true, true) => TOO_LONG,
+                (true, false) => apart / (ratio * bounds.allowed.max(still)),
+                (false, _) => apart / (ratio * bounds.allowed),
             };
             if let Some((own, state)) =
                 self.state_error_ratio((bounds.share, bounds.way), bounds.noise)
@@ -320,6 +341,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Round-off between instants with these rank margins, in sizes and radians.
     pub(super) fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
+        if const { Self::UNBRANCHED } {
+            return exact;
+        }
         let least = end.least.min(start.least).max(WEAKEST);
         let left = match self.follows() && least > PROJECTED[1] {
             true => PROJECTED[0] * self.settings.constraint_tolerance,

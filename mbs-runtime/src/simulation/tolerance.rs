@@ -42,8 +42,10 @@ const SIDESTEPS: [f64; 4] = [1.0, 0.84, 0.71, 0.59];
 const BESIDE: f64 = 0.02;
 const ATTEMPTS: u32 = 3;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
-/// Steps shorter than this part of the first one that may be tried are not.
+/// Steps shorter than this part of the first one that may be tried are not, …
 const SHORTEST: f64 = 1e-9;
+/// … nor those shorter than this part of the time, of which the clock counts some fifty parts.
+pub(super) const CLOCK: f64 = 1e-14;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The step in use, s.
@@ -95,7 +97,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.begin_pair_again(books, balance)?;
         }
         let (mut sidestep, mut attempts, mut reach) = (0, 0, 0.0);
-        let clock = 1e-13 * self.pair_start.time.abs();
+        let clock = CLOCK * self.pair_start.time.abs();
         let shortest = clock.max(SHORTEST * self.settings.step.min(0.5 * left));
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
@@ -129,6 +131,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.error_ratio <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
+                        step_controller.still_pairs = match (found.is_paced, found.is_still) {
+                            (true, _) => 0,
+                            (false, is_still) => step_controller.still_pairs + u32::from(is_still),
+                        };
                         // In the short last pair of a run an estimate is mostly round-off.
                         if h == step_controller.step && found.estimated_difficulty.is_some() {
                             step_controller.estimated_difficulty = found.estimated_difficulty;
