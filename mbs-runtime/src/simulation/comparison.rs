@@ -1,7 +1,7 @@
 //! What a pair of steps is compared with, and the error that this shows ([`tolerance`](super::tolerance)).
 
 use super::Simulation;
-use super::jumps::{Previous, Signs, over_a_jump};
+use super::jumps::{Previous, Signs, UNUSUAL, over_a_jump};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
@@ -66,6 +66,8 @@ pub(super) struct Found {
     pub(super) estimated_difficulty: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
+    /// Whether a force jumps or bends in the pair.
+    pub(super) is_jump: bool,
     /// Whether the way of the pair is round-off, …
     pub(super) is_still: bool,
     /// … and whether its steps are so long that a mechanism can be at rest with them.
@@ -88,6 +90,7 @@ impl Found {
             difficulty_of_first: None,
             estimated_difficulty: None,
             parts: None,
+            is_jump: false,
             is_still: false,
             is_paced: true,
             imbalance: balance.error,
@@ -208,7 +211,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             // The factor of smooth motion is not smaller because of a jump.
             let usual = controller.estimate_factor;
-            found.estimate_factor = found.estimate_factor.map(|factor| factor.max(usual));
+            let is_sudden = signs.is_some_and(|signs| signs.is_sudden());
+            let larger = |factor: f64| match (found.is_jump && usual > 0.0, is_sudden) {
+                (true, _) => factor.clamp(usual, UNUSUAL * usual),
+                (false, true) => factor.max(usual),
+                (false, false) => factor,
+            };
+            found.estimate_factor = found.estimate_factor.map(larger);
         }
         self.integrator.state_mut().copy_from(&self.pair_end);
         self.restore(kept)?;
@@ -291,6 +300,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let is_jump = bounds
                 .signs
                 .is_some_and(|signs| signs.is_jump(error_ratio, factor));
+            found.is_jump = is_jump;
             if is_jump {
                 error_ratio = over_a_jump(error_ratio, ratio);
             }

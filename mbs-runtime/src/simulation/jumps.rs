@@ -8,6 +8,7 @@
 //! |---|---|---|
 //! | explicit of order 8 | the estimate of order 5 is more than a tenth of that of order 3 ([`Estimate::is_rough`]) | the same |
 //! | explicit of order 8, Radau | the difficulty by the estimate is more than 2¹⁰ times the previous one | the difficulty by the comparison is more than 2²⁰ times the previous one |
+//! | Radau | the difficulty by the estimate is more than √2 times the previous one, or less than 1/√2 of it (where a stop is left it falls) | the error is more than 8 times the estimate with its previous factor |
 //! | two-level, orders 4 to 8 | the difficulty by the estimate is more than √2 times the previous one | it is more than 2³ times that, or the error is more than 8 times the estimate with its previous factor |
 //!
 //! The previous values are those of the last pair that was kept and had the chosen length. Methods without an estimate compare
@@ -16,7 +17,7 @@
 use super::Simulation;
 use super::step_controller::difficulty;
 use crate::estimate::Estimate;
-use crate::{StepController, System};
+use crate::{Method, StepController, System};
 
 /// Where lengths follow the motion, the difficulty grows from one pair to the next by more than this power of 2 only over a jump: by
 /// the estimate, …
@@ -30,7 +31,7 @@ const SUDDEN: f64 = 0.5;
 /// 0.5.)
 const CERTAIN: f64 = 3.0;
 /// Where lengths are constant, the multiple of the estimate that the error is has grown by more than this factor only over a jump.
-const UNUSUAL: f64 = 8.0;
+pub(super) const UNUSUAL: f64 = 8.0;
 /// With a smaller error ratio of the estimate a jump is harmless, or round-off.
 const HARMLESS: f64 = 1e-6;
 /// A difference that is a smaller part of such an estimate was not seen: with both lengths all stages lie beyond the jump.
@@ -71,6 +72,8 @@ pub(super) struct Signs {
     is_rough: bool,
     /// Whether lengths follow the motion.
     follows: bool,
+    /// Whether the estimate tells what is rough.
+    tells_roughness: bool,
     order: u8,
     /// The mean length of the steps, s.
     step: f64,
@@ -94,30 +97,38 @@ impl Signs {
         let Some([ratio, _]) = self.estimated.filter(|_| self.is_clear) else {
             return false;
         };
-        let has_grown = match (self.follows, self.growth()) {
+        let has_changed = match (self.follows, self.growth()) {
             (true, None) => ratio > 1.0,
-            (true, Some(growth)) => growth > GROWTH_BY_ESTIMATE,
+            (true, Some(growth)) if self.tells_roughness => growth > GROWTH_BY_ESTIMATE,
+            // The difficulty falls where a stop is left.
+            (true, Some(growth)) => growth.abs() > SUDDEN,
             (false, growth) => growth.is_some_and(|growth| growth > SUDDEN),
         };
-        ratio > HARMLESS && (self.is_rough || has_grown)
+        ratio > HARMLESS && (self.is_rough || has_changed)
     }
 
     /// Whether a force jumps in the pair, if the comparison has found this error ratio and this factor of the estimate.
     pub(super) fn is_jump(&self, error_ratio: f64, factor: Option<f64>) -> bool {
+        let usual = UNUSUAL * self.previous.factor;
+        let is_unusual = usual > 0.0 && factor.is_some_and(|factor| factor > usual);
         if self.follows {
             let now = difficulty(self.order, self.step, error_ratio);
             let previous = self.previous.judged;
             let has_grown = previous.is_some_and(|judged| now > judged + GROWTH_BY_COMPARISON);
-            return has_grown || (self.is_clear && self.is_rough);
+            let is_unusual = !self.tells_roughness && is_unusual;
+            return has_grown || (self.is_clear && (self.is_rough || is_unusual));
         }
-        let usual = UNUSUAL * self.previous.factor;
-        let is_unusual = usual > 0.0 && factor.is_some_and(|factor| factor > usual);
         self.is_clear && (is_unusual || self.growth().is_some_and(|growth| growth > CERTAIN))
+    }
+
+    /// Whether a pair that may have a jump is unlike smooth motion: by the roughness of the estimate, or by its growth.
+    pub(super) fn is_sudden(&self) -> bool {
+        self.tells_roughness || (self.growth()).is_none_or(|growth| growth > GROWTH_BY_ESTIMATE)
     }
 
     /// Whether a comparison has not seen the jump that an estimate shows: the error that it found is this factor times the estimate.
     pub(super) fn is_blind(&self, factor: Option<f64>) -> bool {
-        self.follows && factor.is_some_and(|factor| factor < BLIND)
+        self.follows && self.is_sudden() && factor.is_some_and(|factor| factor < BLIND)
     }
 }
 
@@ -148,6 +159,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             is_clear: estimate.is_some_and(|pair| pair.error > noise),
             is_rough: estimate.is_some_and(|pair| pair.is_rough),
             follows: self.follows(),
+            tells_roughness: self.settings.method != Method::Radau,
             order,
             step,
         })
@@ -178,6 +190,7 @@ mod tests {
             is_clear: true,
             is_rough: false,
             follows,
+            tells_roughness: follows,
             order: 8,
             step: 0.1,
         }
