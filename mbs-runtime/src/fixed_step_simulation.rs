@@ -163,8 +163,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     /// Sets the `Input`s from now on, or none if one of them is NaN or infinite. Where a `Drive` follows an input, the mechanism gets
-    /// to its new place in the next step, and the work of this is not in the energy balance; a [`Simulation`](crate::Simulation)
-    /// moves it at once.
+    /// to its new place in the next step, and is as fast as this takes: change such an input in small parts. The work of this is not in
+    /// the energy balance. A [`Simulation`](crate::Simulation) moves it at once.
     ///
     /// # Errors
     /// A value that is NaN or infinite, with the name of its input.

@@ -63,6 +63,8 @@ pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
     lambda: SVector<f64, R>,
     motion: Motion<N>,
     saddle: Saddle<N, R>,
+    /// The equations at acceleration level, for the first step and those after a jump.
+    equations: Box<Index1<N, R>>,
 }
 
 /// The end of a step that may be accepted.
@@ -96,6 +98,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             lambda: SVector::zeros(),
             motion: Motion::new(),
             saddle: Saddle::with_threshold(DEPENDENT),
+            equations: Box::new(Index1::new(0.0)),
         }
     }
 
@@ -162,7 +165,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<(), Fault> {
-        let (acceleration, lambda) = consistent(&mut Index1::new(0.0), bench)?;
+        let (acceleration, lambda) = consistent(&mut self.equations, bench)?;
         let state = &bench.state;
         let (q, v) = (state.positions, state.velocities);
         bench.system.momentum(&q, &v, &mut self.motion.p);

@@ -42,6 +42,8 @@ pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     history: Option<History<N, R>>,
     /// Whether accelerations have jumped since.
     jumped: bool,
+    /// The equations at acceleration level, for the first step and those after a jump.
+    equations: Box<Index1<N, R>>,
 }
 
 #[derive(Clone, Copy)]
@@ -82,6 +84,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             moved: RowMatrix::zeros(),
             history: None,
             jumped: false,
+            equations: Box::new(Index1::new(0.0)),
         }
     }
 
@@ -95,7 +98,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         let mut begins = match self.history {
             Some(history) if !self.jumped => history,
             before => {
-                let (acceleration, lambda) = consistent(&mut Index1::new(0.0), bench)?;
+                let (acceleration, lambda) = consistent(&mut self.equations, bench)?;
                 let (length, ahead) = match before {
                     Some(old) => (old.length, old.algorithmic - old.acceleration),
                     None => (h, SVector::zeros()),

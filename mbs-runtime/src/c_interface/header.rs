@@ -5,7 +5,7 @@ use crate::{Model, Quantity};
 use std::fmt::Write;
 
 /// Words that are no names in C or in C++, beside those that Rust refuses as well.
-const RESERVED: [&str; 75] = [
+const RESERVED: [&str; 77] = [
     "alignas",
     "alignof",
     "and",
@@ -43,6 +43,7 @@ const RESERVED: [&str; 75] = [
     "goto",
     "inline",
     "int",
+    "linux",
     "long",
     "mutable",
     "namespace",
@@ -75,6 +76,7 @@ const RESERVED: [&str; 75] = [
     "typeid",
     "typename",
     "union",
+    "unix",
     "unsigned",
     "void",
     "volatile",

@@ -222,7 +222,7 @@ fn linear(area: &Area, caption: &str, (name, unit): (&str, &str), curves: &[Curv
 fn logarithmic(area: &Area, caption: &str, unit: &str, curves: &[Curve]) -> Drawn {
     let curves: Vec<Curve> = curves.iter().map(envelope).collect();
     let values = curves.iter().flat_map(|c| &c.points).map(|p| p.1);
-    let (low, high) = span(values.filter(|y| *y > 0.0)).unwrap_or((FLOOR, FLOOR));
+    let (low, high) = span(values.filter(|y| *y > 0.0 && y.is_finite())).unwrap_or((FLOOR, FLOOR));
     // Whole decades, nine at most.
     let top = high.max(FLOOR * 10.0).log10().ceil();
     let bottom = low.max(FLOOR).log10().floor().max(top - 9.0).min(top - 1.0);

@@ -255,7 +255,8 @@ impl Settings {
     }
 
     /// An accuracy and nothing else: the largest error of a position over the run, in sizes of the mechanism and radians,
-    /// between 1e-11 and 0.1.
+    /// between 1e-11 and 0.1; relative to the greatest speed, so that parts that are far slower than the fastest one have larger
+    /// errors.
     ///
     /// The tolerance is a fifth of the accuracy. Where other candidates are compiled
     /// ([`Simulation::with_accuracy`](crate::Simulation::with_accuracy)) the simulation runs the beginning of the motion

@@ -11,8 +11,8 @@ mechanism!(OneByHand {
         angle = 60.0_deg,
         rate = 5.0_rad_per_s
     ),
-    coupler: Bar(mass = 0.8_kg, length = 0.8_m),
-    rocker: Bar(mass = 0.6_kg, length = 0.6_m),
+    coupler: Bar(mass = 0.8_kg, length = 0.8_m, angle = 23.0_deg),
+    rocker: Bar(mass = 0.6_kg, length = 0.6_m, angle = 72.0_deg),
     main: Revolute(ground.origin, crank.a),
     pin: Revolute(crank.b, coupler.a),
     top: Revolute(coupler.b, rocker.b),
@@ -214,4 +214,78 @@ fn long_lists_of_names_are_short() {
         "23 rows, rank 22: the row of `level` follows from rail, stage[0].foot…stage[2].foot, \
          stage[0].other_foot…stage[2].other_foot, stage[0].pin…stage[2].pin, hinge, roller; mobility 1; Grübler counts 0"
     );
+}
+
+mechanism!(Turned {
+    world: Planar(),
+    line: Param(0.0_deg),
+    linkage: Assembly(
+        FourBar,
+        left = ground.origin,
+        right = ground.point(0.7_m * cos(line), 0.7_m * sin(line)),
+        angle = Exactly(line + 50.0_deg),
+        rate = Exactly(5.0_rad_per_s),
+        line = line
+    ),
+    slide: Particle(mass = 0.5_kg, at = [0.8_m * cos(line), 0.8_m * sin(line)]),
+    rail: Holonomic(slide.origin.y * cos(line) - slide.origin.x * sin(line)),
+    stage: Assembly(
+        ScissorStage,
+        left = ground.origin,
+        right = slide.origin,
+        angle = Exactly(40.0_deg + line),
+        rate = Exactly(0.5_rad_per_s),
+        line = line
+    ),
+    carrier: Body(
+        mass = 0.2_kg,
+        inertia = 0.001_kg_m2,
+        angle = line,
+        rate = 1.0_rad_per_s
+    ),
+    hub: Revolute(ground.origin, carrier.origin),
+    train: Assembly(
+        GearTrain,
+        carrier = carrier,
+        rate = 2.0_rad_per_s,
+        angle = line,
+        turning = 1.0_rad_per_s
+    ),
+    bars: Output([linkage.crank.angle - line, linkage.rocker.angle - line]),
+    arms: Output([stage.rising.angle - line, stage.falling.angle - line]),
+    rates: Output([linkage.crank.rate, stage.rising.rate]),
+    wheels: Output([train.wheel[0].rate - carrier.rate, carrier.rate]),
+});
+
+/// Guesses were those of a level line: in other poses the branch was another one, and a carrier was moved by its wheels.
+#[test]
+fn parts_start_in_turned_poses_as_they_are_told() {
+    let level = Simulation::new(Turned::default())
+        .expect("it assembles")
+        .outputs();
+    for turn in 1..12 {
+        let line = (30.0 * f64::from(turn)).to_radians();
+        let turned = Simulation::new(Turned {
+            line,
+            ..Turned::default()
+        });
+        let turned = turned
+            .unwrap_or_else(|error| panic!("{turn}: {error}"))
+            .outputs();
+        for (name, found, wanted) in [
+            ("crank", turned.bars.x, 50f64.to_radians()),
+            ("rocker", turned.bars.y, level.bars.y),
+            ("rising", turned.arms.x, 40f64.to_radians()),
+            ("falling", turned.arms.y, 140f64.to_radians()),
+            ("rate of the crank", turned.rates.x, 5.0),
+            ("rate of the stage", turned.rates.y, 0.5),
+            ("wheel", turned.wheels.x, 2.0),
+            ("carrier", turned.wheels.y, 1.0),
+        ] {
+            assert!(
+                (found - wanted).abs() < 1e-9,
+                "{turn}, {name}: {found} for {wanted}"
+            );
+        }
+    }
 }

@@ -33,7 +33,9 @@ for (let track = 0; track < trackCount; track++) for (let f = 0; f <= last; f++)
 }
 if (!(low[0] <= high[0])) { low.fill(-1); high.fill(1); }
 const middle = low.map((x, k) => (x + high[k]) / 2);
-const extent = size(low.map((x, k) => high[k] - x)) || 1;
+// At rest, where only round-off moves, a metre is shown.
+const moved = size(low.map((x, k) => high[k] - x));
+const extent = moved > 1e-9 * Math.max(size(low), size(high)) ? moved : 1;
 
 /* ---- what is drawn --------------------------------------------------------------------------------------------- */
 

@@ -64,6 +64,13 @@ function drawScene() {
   drawForceKey(c, cam);
 }
 
+// The multiples of a step between two numbers; not without end, where round-off is larger than the step.
+function multiples(from, to, step) {
+  const first = Math.ceil(from / step), list = [];
+  for (let n = 0; n < 2000 && (first + n) * step <= to; n++) list.push(first + n);
+  return list;
+}
+
 function drawGrid(c, cam, step) {
   const { width, height, scale } = cam, marks = []; // drawn last: a line through a number makes it illegible
   const [x0, y0] = cam.place([0, 0, 0]);
@@ -72,12 +79,12 @@ function drawGrid(c, cam, step) {
     c.strokeStyle = i === 0 ? colours.line : colours.grid;
     c.beginPath(); c.moveTo(Math.round(x) + 0.5, Math.round(y) + 0.5); c.lineTo(Math.round(u) + 0.5, Math.round(w) + 0.5); c.stroke();
   };
-  for (let i = Math.ceil(-x0 / scale / step); i * step < (width - x0) / scale; i++) {
+  for (const i of multiples(-x0 / scale, (width - x0) / scale, step)) {
     const x = x0 + scale * i * step;
     rule(i, x, 0, x, height);
     if (x > 60 && x < width - 24) marks.push(["center", label(i * step, step), x, height - 11]);
   }
-  for (let i = Math.ceil((y0 - height) / scale / step); i * step < y0 / scale; i++) {
+  for (const i of multiples((y0 - height) / scale, y0 / scale, step)) {
     const y = y0 - scale * i * step;
     rule(i, 0, y, width, y);
     if (y > 16 && y < height - 30) marks.push(["left", label(i * step, step), 8, y]);
@@ -111,7 +118,7 @@ function drawFloor(c, cam, step) {
   c.fillStyle = colours.panel; c.fill();
   c.lineWidth = 1; c.strokeStyle = colours.grid; c.stroke();
   const rules = (middleOf, line) => {
-    for (let i = Math.ceil((middleOf - floor.reach) / step); i * step <= middleOf + floor.reach; i++) {
+    for (const i of multiples(middleOf - floor.reach, middleOf + floor.reach, step)) {
       const half = Math.sqrt(Math.max(0, floor.reach ** 2 - (i * step - middleOf) ** 2));
       c.strokeStyle = i === 0 ? colours.line : colours.grid;
       path(c, line(i * step, half)); c.stroke();

@@ -80,8 +80,9 @@ const isReset = () => view.yaw === home.yaw && view.pitch === home.pitch && view
 // How world points get onto a canvas of this size.
 function camera(width, height) {
   const margin = Math.min(64, width / 7, height / 6);
-  const fit = Math.min((width - 2 * margin) / Math.max(box.x1 - box.x0, 1e-6 * extent),
-                       (height - 2 * margin) / Math.max(box.y1 - box.y0, 1e-6 * extent));
+  const [wide, high] = [box.x1 - box.x0, box.y1 - box.y0];
+  const least = Math.max(wide, high) > 1e-6 * extent ? 1e-6 * extent : extent;
+  const fit = Math.min((width - 2 * margin) / Math.max(wide, least), (height - 2 * margin) / Math.max(high, least));
   const scale = fit * view.zoom, frame = axes(view.yaw, view.pitch);
   const x0 = width / 2 + view.pan[0] - scale * (box.x0 + box.x1) / 2;
   const y0 = height / 2 + view.pan[1] + scale * (box.y0 + box.y1) / 2;
