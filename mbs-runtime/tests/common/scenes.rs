@@ -97,6 +97,7 @@ pub struct DampedSleigh(pub Sleigh);
 impl Scene<3, 3, 1> for DampedSleigh {
     const STRUCTURE: Structure = Structure {
         position_forces: false,
+        smooth: true,
         ..structure(true, true, 0)
     };
     const ROWS: &'static [Row] = Sleigh::ROWS;

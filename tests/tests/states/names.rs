@@ -121,7 +121,9 @@ fn states_are_set_kept_and_resumed() {
     let start = Simulation::start(Engine::default()).hold_rate("charge", 0.7);
     let error = start.begin().err().map(|error| error.to_string());
     let found = error.unwrap_or_default();
-    assert!(found.starts_with("no coordinate, velocity or output of positions is named `charge`"));
+    assert!(
+        found.starts_with("no coordinate, velocity or output of positions alone is named `charge`")
+    );
     assert!(
         !found.contains("seen") && !found.contains("integral"),
         "{found}"
