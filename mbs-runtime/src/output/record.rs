@@ -77,6 +77,24 @@ pub struct Recording {
     pub stopped: Option<SimulationError>,
 }
 
+impl Recording {
+    /// A recording that the program fills, as in a control loop, with the present instant.
+    pub fn begin(simulation: &dyn AnySimulation) -> Self {
+        let model = simulation.model();
+        Recording {
+            model,
+            title: model.name.to_owned(),
+            frames: vec![Frame::record(simulation)],
+            stopped: None,
+        }
+    }
+
+    /// Adds the present instant of the same simulation.
+    pub fn add(&mut self, simulation: &dyn AnySimulation) {
+        self.frames.push(Frame::record(simulation));
+    }
+}
+
 /// A run that ended before its end, with all instants until then.
 #[derive(Debug, Clone)]
 #[non_exhaustive]

@@ -24,7 +24,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         controller: &StepController,
         start: RankMargin,
     ) -> bool {
-        if !(left < controller.step && self.follows()) {
+        let is_known = !controller.searching && controller.estimate_factor > 0.0;
+        if !(left < controller.step && is_known && self.follows()) {
             return false;
         }
         let most = match self.pace() {
@@ -67,6 +68,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         found.error_ratio = controller.predicted_error_ratio(Some(estimate.error), allowed);
         // Of a pair of such steps, as the difficulties before are of pairs.
         let signs = self.signs(previous, Some(estimate), (2.0 * length, allowed, noise));
+        found.estimated_difficulty = signs.and_then(|signs| signs.difficulty());
         let may_jump = signs.is_some_and(|signs| signs.may_jump());
         let is_clear = found.error_ratio <= CLEARLY[usize::from(self.pace() != Pace::Steps)];
         Ok((is_clear && !may_jump).then_some(found))

@@ -158,6 +158,11 @@ impl StepController {
         }
     }
 
+    /// Takes note of the difficulty by an estimate alone, if there is one.
+    pub(super) fn see(&mut self, estimated_difficulty: Option<f64>) {
+        self.estimated_difficulty = estimated_difficulty.or(self.estimated_difficulty);
+    }
+
     /// The ratio of the error to the allowed one by an embedded estimate; NaN if its factor is not known for this length of
     /// steps.
     pub(super) fn predicted_error_ratio(&self, estimate: Option<f64>, allowed: f64) -> f64 {
@@ -236,6 +241,17 @@ impl StepController {
         let is_same = pace == Pace::Kept && (SAME[0]..SAME[1]).contains(&factor);
         self.step = if is_same { h } else { LONGEST.min(h * factor) };
         self.searching &= factor == EAGER;
+    }
+
+    /// After a pair of steps of h with this error ratio, which were shorter than the length in use because the run ended there: it
+    /// grows where steps of that length, too, would have less than the error at which it aims.
+    pub(super) fn reach_out(&mut self, order: u8, h: f64, error_ratio: f64, pace: Pace) {
+        let ratio = error_ratio.max(ROUND_OFF).log2();
+        let at_length = ratio + f64::from(order) * (self.step / h).log2();
+        if at_length < self.aim(pace) - f64::from(order) * FACTORS[1].log2() {
+            self.step = LONGEST.min(FACTORS[1] * self.step);
+        }
+        self.searching = false;
     }
 
     /// The length of the second step of a pair after a first one of h with this error ratio, and the difficulty of the first.

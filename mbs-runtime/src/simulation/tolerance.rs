@@ -91,6 +91,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             {
                 step_controller.speed = step_controller.speed.max(found.speed);
                 step_controller.note(None, found.error_ratio, None);
+                step_controller.see(found.estimated_difficulty);
                 self.integrator.state_mut().step_controller = step_controller;
                 return Ok(found.passage);
             }
@@ -135,9 +136,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                             (true, _) => 0,
                             (false, is_still) => step_controller.still_pairs + u32::from(is_still),
                         };
-                        // In the short last pair of a run an estimate is mostly round-off.
-                        if h == step_controller.step && found.estimated_difficulty.is_some() {
-                            step_controller.estimated_difficulty = found.estimated_difficulty;
+                        // In the short last pair of a long run an estimate is mostly round-off.
+                        if h == step_controller.step || h == 0.5 * left && self.follows() {
+                            step_controller.see(found.estimated_difficulty);
                         }
                         step_controller.note(
                             found.estimate_factor,
@@ -153,6 +154,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                                 found.difficulty_of_first,
                                 self.pace(),
                             );
+                        } else if h == 0.5 * left && found.is_embedded && self.follows() {
+                            step_controller.reach_out(order, h, found.error_ratio, self.pace());
                         } else if h == step_controller.step && found.as_chosen && !self.follows() {
                             step_controller.lengthen(notches(order, found.error_ratio));
                         }
