@@ -86,7 +86,7 @@ pub(crate) fn check_dense_start(velocities: usize, rows: usize) -> Result<(), Si
         false => Err(SimulationError::Large {
             velocities,
             flow: None,
-            wanted: "only starts without held values, in poses and with rows that an elimination serves, have sparse ones",
+            wanted: "declare values that are held as guesses, or make the mechanism smaller",
         }),
     }
 }

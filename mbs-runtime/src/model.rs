@@ -68,7 +68,7 @@ impl Model {
     }
 
     /// Whether the reaction of a joint is determined at generic poses. If redundant rows contribute to it, it is the
-    /// value of least norm of many; a row that is left out has no reaction.
+    /// value of least norm of many; a row that is left out has no reaction. Also true for names that no joint has.
     pub fn is_determined(&self, joint: &str) -> bool {
         self.mobility
             .is_none_or(|mobility| !mobility.undetermined.contains(&joint))
@@ -253,7 +253,7 @@ pub struct Reaction {
     pub joint: &'static str,
     /// `fx`, `fy`, `torque`, …; in world axes.
     pub component: &'static str,
-    /// `N` or `N m`.
+    /// `N` or `N m`; of a condition of one's own J over the unit of its row.
     pub unit: &'static str,
     /// Where it acts: index into [`Model::points`], if the joint holds a point of a part.
     pub at: Option<usize>,

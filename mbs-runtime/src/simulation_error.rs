@@ -320,13 +320,17 @@ impl fmt::Display for SimulationError {
                 wanted,
             } => {
                 match flow {
-                    Some(flow) => write!(out, "the {} flow", flow.name())?,
-                    None => out.write_str("this start")?,
+                    Some(flow) => write!(
+                        out,
+                        "the {} flow would need dense arrays of {velocities} × {velocities} numbers",
+                        flow.name()
+                    )?,
+                    None => write!(
+                        out,
+                        "this start would need dense arrays of {velocities} velocities and all rows"
+                    )?,
                 }
-                write!(
-                    out,
-                    " would need dense arrays of {velocities} × {velocities} numbers; {wanted}"
-                )
+                write!(out, "; {wanted}")
             }
             Method { method, because } => write!(
                 out,
@@ -379,7 +383,7 @@ impl fmt::Display for SimulationError {
                 iterations,
             } => write!(
                 out,
-                "`{row}` did not converge in the step from t = {} s (h = {} s): residual {residual:.3e} after {iterations} iterations; use a smaller step",
+                "`{row}` did not converge in the step from t = {} s (h = {} s): residual {residual:.3e} after {iterations} iterations; use a smaller step, or, where this does not help, look for a pose that the mechanism cannot pass, as where a drive goes too far",
                 clock(*time),
                 Short(*step)
             ),

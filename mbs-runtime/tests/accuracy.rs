@@ -4,7 +4,7 @@ use crate::common::planar::SliderCrank;
 use crate::common::spatial::Sprung;
 use crate::common::{Hand, Parameters, Scene, distance};
 use crate::composition::{run, settings};
-use mbs_runtime::{Method, Settings, Simulation, SimulationError, mechanism, methods};
+use mbs_runtime::{Method, Settings, Simulation, SimulationError, methods};
 
 type Run<T, const Q: usize, const N: usize, const R: usize> = Simulation<Hand<T, Q, N, R>, Q, N, R>;
 
@@ -73,46 +73,6 @@ fn the_error_is_that_which_was_asked_for() {
 }
 
 /// The choice is by counts, and the settings that it leaves are those of a run that goes on.
-/// A program that runs to each instant of its own takes one step for each where a step is longer: order 8 has 12 stages.
-#[test]
-fn short_pieces_take_a_step_each() {
-    let exact = run(SliderCrank, settings(8, 1e-3), 1.0);
-    for pieces in [200, 1000] {
-        let mut simulation = with_accuracy(SliderCrank, 1e-4);
-        for piece in 1..=pieces {
-            simulation
-                .run_until(f64::from(piece) / f64::from(pieces))
-                .unwrap();
-        }
-        let error = distance(simulation.positions(), exact.positions());
-        let each = simulation.report().steps as f64 / f64::from(pieces);
-        println!("{pieces}: {error:.1e}, {each} steps each");
-        assert!(error < 1e-8, "{pieces}: {error:e}");
-        assert!(each < 1.2, "{pieces}: {each}");
-    }
-}
-
-mechanism!(Stiff {
-    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
-    upper: Bar(mass = 1.0_kg, length = 1.0_m, angle = 40.0_deg),
-    lower: Bar(mass = 0.01_kg, length = 0.3_m, angle = -20.0_deg),
-    foot: Revolute(ground.origin, upper.a),
-    pin: Revolute(upper.b, lower.a),
-    damper: TorsionSpring(upper, lower, damping = 10.0_N_m_s),
-});
-
-#[test]
-fn short_pieces_of_collocation_take_a_step_each() {
-    let mut simulation = Simulation::with_accuracy(Stiff {}, 1e-4).unwrap();
-    assert_eq!(simulation.settings().method, Method::Radau);
-    let pieces = 1000;
-    for piece in 1..=pieces {
-        simulation.run_until(f64::from(piece) * 1e-3).unwrap();
-    }
-    let each = simulation.report().steps as f64 / f64::from(pieces);
-    assert!(each < 1.3, "{each}");
-}
-
 #[test]
 fn a_resumed_run_is_the_same_bit_for_bit() {
     let mut whole = with_accuracy(SliderCrank, 1e-7);

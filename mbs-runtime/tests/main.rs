@@ -39,6 +39,7 @@ mod refused_changes;
 mod round_off;
 mod scales;
 mod scissor_lift;
+mod short_pieces;
 mod small_implicit_steps;
 mod spatial;
 mod tolerance;

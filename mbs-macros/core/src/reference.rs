@@ -89,7 +89,8 @@ its parts everywhere else.
 Initial values are guesses, which assembly changes until the joints fit. `Exactly(…)` around one holds it, as in
 `angle = Exactly(0.4_rad)` and `rate = Exactly(9.0_rad_per_s)`: then the others follow. As many positions
 may be held as the holonomic rows leave free, as many velocities as there are degrees of freedom, and values that follow from these.
-Given to a port, `Exactly(…)` holds the initial values that are this port and nothing else; in an expression the port is its value.
+Given to a port, `Exactly(…)` holds the initial values of which the port is the whole, as in `angle = port`; in an expression the port is its
+value.
 
 Masses, inertias and lengths that follow from parameters are checked with the defaults by the compiler, and with the values
 of the program when a simulation is made.

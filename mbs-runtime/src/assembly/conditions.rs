@@ -144,6 +144,8 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             let outputs = outputs.filter(|(i, _)| startable(i) && (!wanted.rate || has_rate(i)));
             let stored = model.coordinates.iter().chain(model.velocities);
             let known = stored.map(|own| own.name).filter(|own| is_free(own));
+            // A state is among the velocities.
+            let outputs = outputs.filter(|(_, own)| !model.is_state(own.name));
             let known = known.chain(outputs.map(|(_, own)| own.name));
             Err(UnknownName::new(what, name, known.collect::<Vec<_>>()))
         }
@@ -156,9 +158,7 @@ fn depends_on_velocities<S: System<Q, N, R>, const Q: usize, const N: usize, con
     index: usize,
     q: &SVector<f64, Q>,
 ) -> bool {
-    (0..3).any(|pose| {
-        let way: SVector<f64, N> = vector(|i| f64::from(pose) * (1.0 + i as f64).sin());
-        let q = system.advance(q, &way, 0.01);
+    around(system, q).any(|q| {
         let v: SVector<f64, N> = vector(|i| (2.0 + i as f64).cos());
         let still = output(system, index, &q, &zeros());
         let moving = output(system, index, &q, &v);
@@ -166,14 +166,27 @@ fn depends_on_velocities<S: System<Q, N, R>, const Q: usize, const N: usize, con
     })
 }
 
-/// Whether an output changes with the time where nothing moves.
+/// Whether an output changes with the time where nothing moves, at a few poses around q.
 fn depends_on_time<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     system: &S,
     index: usize,
     q: &SVector<f64, Q>,
 ) -> bool {
-    let at = |t: f64| output_at(system, index, (t, q, &zeros()));
-    [1e-3, 0.7, 31.0].into_iter().any(|t| at(t) != at(0.0))
+    around(system, q).any(|q| {
+        let at = |t: f64| output_at(system, index, (t, &q, &zeros()));
+        [1e-3, 0.7, 31.0].into_iter().any(|t| at(t) != at(0.0))
+    })
+}
+
+/// A few poses around q.
+fn around<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
+    system: &S,
+    q: &SVector<f64, Q>,
+) -> impl Iterator<Item = SVector<f64, Q>> {
+    (0..3).map(move |pose| {
+        let way: SVector<f64, N> = vector(|i| f64::from(pose) * (1.0 + i as f64).sin());
+        system.advance(q, &way, 0.01)
+    })
 }
 
 /// NaN if it reads accelerations.

@@ -113,7 +113,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         open.sort_by(|a, b| b.gap.abs().total_cmp(&a.gap.abs()));
         SimulationError::Held {
             level,
-            held: self.of(level).map(|own| own.name.clone()).collect(),
+            // A state is free in any case.
+            held: (self.of(level).map(|own| own.name.clone()))
+                .filter(|name| !S::MODEL.is_state(name))
+                .collect(),
             open,
             degrees_of_freedom,
         }

@@ -130,8 +130,6 @@ fn freedoms<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     level: Level,
     rows: &Dependence,
 ) -> usize {
-    let velocities = S::MODEL.velocities.iter();
-    let moving = velocities.filter(|velocity| !S::MODEL.is_state(velocity.name));
     let holonomic = S::MODEL.holonomic_rows();
     let rank = match level {
         Level::Position => (0..holonomic)
@@ -139,7 +137,7 @@ fn freedoms<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
             .count(),
         Level::Velocity => rows.rank,
     };
-    moving.count().saturating_sub(rank)
+    N.saturating_sub(S::STATES.len() + rank)
 }
 
 /// The verdict on a state from which a simulation resumes; the state is not changed.

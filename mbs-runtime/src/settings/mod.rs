@@ -127,7 +127,8 @@ pub enum Flow {
     Leapfrog,
     /// Kick, implicit midpoint in momentum form, kick: M(q).
     Midpoint,
-    /// Kick, implicit trapezoid in momentum form, kick: constant mass, forces that are stiff in the positions.
+    /// Kick, implicit trapezoid in momentum form, kick: constant mass, forces that are stiff in the positions. (Large mechanisms take
+    /// [`Flow::Implicit`], which has sparse matrices.)
     Trapezoid,
     /// Implicit trapezoid with the multiplier inside: forces that depend on velocities.
     Implicit,

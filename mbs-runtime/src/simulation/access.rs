@@ -49,7 +49,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .unwrap_or(f64::NAN))
     }
 
-    /// Sets an `Input` from now on.
+    /// Sets an `Input` from now on, and with it those that [`Simulation::inputs_mut`] was given beside a value that was refused, if this
+    /// was the last of such values.
     ///
     /// # Errors
     /// No input has this name, or the value is NaN or infinite. A `Drive` follows the input to where no pose, or no velocities,
@@ -65,13 +66,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             let name = S::MODEL.inputs.get(index).map_or("", |input| input.name);
             return Err(SimulationError::Input { name, value });
         }
-        if let Some(refused) = self.refused.take() {
-            let inputs = with(refused.inputs, index, value);
-            match self.set_inputs(inputs) {
-                Ok(()) => return Ok(()),
-                Err(error) => self.refused = Some(Refused { error, inputs }),
-            }
+        if let Some(before) = self.refused.take() {
+            let inputs = with(before.inputs, index, value);
+            let Err(error) = self.set_inputs(inputs) else {
+                return Ok(());
+            };
+            let alone = self.set_one(index, value);
+            self.refused = Some(match alone {
+                Ok(()) => Refused { error, inputs },
+                Err(_) => before,
+            });
+            return alone;
         }
+        self.set_one(index, value)
+    }
+
+    /// Sets an input to a finite value.
+    fn set_one(&mut self, index: usize, value: f64) -> Result<(), SimulationError> {
         // Of a value that it has already the motion takes no note.
         if self.system().inputs().get(index) == Some(&value) {
             return Ok(());

@@ -11,6 +11,7 @@
 use super::Simulation;
 use super::books::Books;
 use crate::alf3f::StepMonitor;
+use crate::integrator::Integrator;
 use crate::linear::largest;
 use crate::singular::RankMargin;
 use crate::{Energy, SimulationError, System};
@@ -105,6 +106,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.books.power =
             self.system()
                 .nonconservative_power(state.time, &state.positions, &state.velocities);
+    }
+
+    /// The integrator of a method with a memory of earlier steps, which a copy of the state does not have.
+    pub(super) fn memory(&self) -> Option<Integrator<S, Q, N, R>> {
+        (self.settings.method.has_memory()).then(|| self.integrator.clone())
     }
 
     /// What [`Simulation::restore`] takes back.

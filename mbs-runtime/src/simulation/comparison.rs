@@ -68,9 +68,9 @@ pub(super) struct Found {
     pub(super) parts: Option<[f64; 2]>,
     /// Whether a force jumps or bends in the pair.
     pub(super) is_jump: bool,
-    /// Whether the way of the pair is round-off, …
-    pub(super) is_still: bool,
-    /// … and whether its steps are so long that a mechanism can be at rest with them.
+    /// Whether it differs from the other steps by about its way: it begins at rest, or is far too long.
+    pub(super) is_apart: bool,
+    /// Whether its steps are so long that a mechanism can be at rest with them.
     pub(super) is_paced: bool,
     /// The error of the energy balance after the first step, J.
     pub(super) imbalance: f64,
@@ -91,7 +91,7 @@ impl Found {
             estimated_difficulty: None,
             parts: None,
             is_jump: false,
-            is_still: false,
+            is_apart: false,
             is_paced: true,
             imbalance: balance.error,
             passage: Passage { steps, margins },
@@ -284,8 +284,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             converged = true;
             let (apart, mut worst) = self.apart(0.5 * length);
-            found.is_still = apart > UNLIKE * bounds.way;
-            let mut error_ratio = match (found.is_still, apart > still) {
+            found.is_apart = apart > UNLIKE * bounds.way;
+            let mut error_ratio = match (found.is_apart, apart > still) {
                 (true, true) => TOO_LONG,
                 (true, false) => apart / (ratio * bounds.allowed.max(still)),
                 (false, _) => apart / (ratio * bounds.allowed),

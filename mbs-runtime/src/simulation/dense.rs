@@ -106,7 +106,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         self.pair_end.copy_from(self.integrator.state());
         let kept = self.keep();
-        let with_memory = (self.settings.method.has_memory()).then(|| self.integrator.clone());
+        let with_memory = self.memory();
         let longest = self.longest_part();
         let shown = self.show(time, longest);
         if shown.is_ok() {

@@ -7,8 +7,8 @@
 //! | methods | the pair may have a jump | it has one |
 //! |---|---|---|
 //! | explicit of order 8 | the estimate of order 5 is more than a tenth of that of order 3 ([`Estimate::is_rough`]) | the same |
-//! | explicit of order 8, Radau | the difficulty by the estimate is more than 2¹⁰ times the previous one | the difficulty by the comparison is more than 2²⁰ times the previous one |
-//! | Radau | the difficulty by the estimate is more than √2 times the previous one, or less than 1/√2 of it (where a stop is left it falls) | the error is more than 8 times the estimate with its previous factor |
+//! | explicit of order 8 | the difficulty by the estimate is more than 2¹⁰ times the previous one | the difficulty by the comparison is more than 2²⁰ times the previous one |
+//! | Radau | the difficulty by the estimate is more than √2 times the previous one, or less than 1/√2 of it (it falls where a stop is left) | the same, or the error is more than 8 times the estimate with its previous factor |
 //! | two-level, orders 4 to 8 | the difficulty by the estimate is more than √2 times the previous one | it is more than 2³ times that, or the error is more than 8 times the estimate with its previous factor |
 //!
 //! The previous values are those of the last pair that was kept and had the chosen length. Methods without an estimate compare
@@ -72,17 +72,18 @@ pub(super) struct Signs {
     is_rough: bool,
     /// Whether lengths follow the motion.
     follows: bool,
-    /// Whether the estimate tells what is rough.
-    tells_roughness: bool,
+    /// Whether the estimate is one of lower order, raised to that of the step: this hides what is not smooth.
+    is_raised: bool,
     order: u8,
     /// The mean length of the steps, s.
     step: f64,
 }
 
 impl Signs {
-    /// The difficulty by the estimate.
+    /// The difficulty by the estimate, if this is more than round-off.
     pub(super) fn difficulty(&self) -> Option<f64> {
-        self.estimated.map(|[_, difficulty]| difficulty)
+        let estimated = self.estimated.filter(|_| self.is_clear);
+        estimated.map(|[_, difficulty]| difficulty)
     }
 
     /// Powers of 2 by which the difficulty has grown by the estimate, where the previous one is known.
@@ -99,7 +100,7 @@ impl Signs {
         };
         let has_changed = match (self.follows, self.growth()) {
             (true, None) => ratio > 1.0,
-            (true, Some(growth)) if self.tells_roughness => growth > GROWTH_BY_ESTIMATE,
+            (true, Some(growth)) if !self.is_raised => growth > GROWTH_BY_ESTIMATE,
             // The difficulty falls where a stop is left.
             (true, Some(growth)) => growth.abs() > SUDDEN,
             (false, growth) => growth.is_some_and(|growth| growth > SUDDEN),
@@ -115,7 +116,7 @@ impl Signs {
             let now = difficulty(self.order, self.step, error_ratio);
             let previous = self.previous.judged;
             let has_grown = previous.is_some_and(|judged| now > judged + GROWTH_BY_COMPARISON);
-            let is_unusual = !self.tells_roughness && is_unusual;
+            let is_unusual = self.is_raised && is_unusual;
             return has_grown || (self.is_clear && (self.is_rough || is_unusual));
         }
         self.is_clear && (is_unusual || self.growth().is_some_and(|growth| growth > CERTAIN))
@@ -123,7 +124,7 @@ impl Signs {
 
     /// Whether a pair that may have a jump is unlike smooth motion: by the roughness of the estimate, or by its growth.
     pub(super) fn is_sudden(&self) -> bool {
-        self.tells_roughness || (self.growth()).is_none_or(|growth| growth > GROWTH_BY_ESTIMATE)
+        !self.is_raised || (self.growth()).is_none_or(|growth| growth > GROWTH_BY_ESTIMATE)
     }
 
     /// Whether a comparison has not seen the jump that an estimate shows: the error that it found is this factor times the estimate.
@@ -159,7 +160,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             is_clear: estimate.is_some_and(|pair| pair.error > noise),
             is_rough: estimate.is_some_and(|pair| pair.is_rough),
             follows: self.follows(),
-            tells_roughness: self.settings.method != Method::Radau,
+            is_raised: self.settings.method == Method::Radau,
             order,
             step,
         })
@@ -190,7 +191,7 @@ mod tests {
             is_clear: true,
             is_rough: false,
             follows,
-            tells_roughness: follows,
+            is_raised: false,
             order: 8,
             step: 0.1,
         }
@@ -222,6 +223,22 @@ mod tests {
             ..rough
         };
         assert!(!round_off.may_jump());
+    }
+
+    /// Its estimate is raised from a lower order: only a comparison shows what is not smooth.
+    #[test]
+    fn any_change_of_the_difficulty_of_radau_is_looked_at() {
+        let radau = |growth| Signs {
+            is_raised: true,
+            ..signs(true, 0.1, Some(growth))
+        };
+        for (growth, expected) in [(0.4, false), (0.6, true), (-0.4, false), (-0.6, true)] {
+            assert_eq!(radau(growth).may_jump(), expected, "{growth}");
+        }
+        assert!(radau(-0.6).is_jump(1e-3, Some(0.9)));
+        assert!(!radau(-0.6).is_jump(1e-3, Some(0.7)));
+        assert!(!radau(0.6).is_sudden() && radau(11.0).is_sudden());
+        assert!(signs(true, 0.1, Some(0.6)).is_sudden());
     }
 
     #[test]

@@ -56,6 +56,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             return Ok(None);
         };
         let end = self.margin();
+        // Such a passage never foresees a pose; σ at its ends and the short way exclude one.
         let mut found = Found::before([length, 0.0], [start, end, end], &self.balance);
         found.speed = self.speed(length);
         let is_within = (const { Self::UNBRANCHED })

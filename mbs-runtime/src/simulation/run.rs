@@ -103,7 +103,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
 
     /// Runs until the expression of `event` changes sign, but not beyond `latest`; the time of the event, or `None`.
     ///
-    /// The state is then that just after the change: a further call finds the next one.
+    /// The state is then that just after the change: a further call finds the next one. With a method that has a memory of earlier steps
+    /// (Radau, BDF, generalized alpha) the search allocates.
     ///
     /// # Errors
     /// An unknown event; otherwise as [`Simulation::run_until`].
@@ -155,7 +156,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let mut last = None;
         let longest = self.longest_part();
         // Steps of a method with a memory depend on those before, also on the trials of this search.
-        let memory = (self.settings.method.has_memory()).then(|| self.integrator.clone());
+        let memory = self.memory();
         for iteration in 0..200 {
             if high - low <= resolution || f_high == 0.0 {
                 break;

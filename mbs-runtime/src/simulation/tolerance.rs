@@ -132,16 +132,23 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     }
                     if found.error_ratio <= 1.0 {
                         step_controller.speed = step_controller.speed.max(found.speed);
-                        step_controller.still_pairs = match (found.is_paced, found.is_still) {
+                        step_controller.still_pairs = match (found.is_paced, found.is_apart) {
                             (true, _) => 0,
-                            (false, is_still) => step_controller.still_pairs + u32::from(is_still),
+                            (false, is_apart) => step_controller.still_pairs + u32::from(is_apart),
                         };
-                        // In the short last pair of a long run an estimate is mostly round-off.
-                        if h == step_controller.step || h == 0.5 * left && self.follows() {
+                        // The last pair of a run, which is shorter than others.
+                        let is_rest = h < step_controller.step && h == 0.5 * left;
+                        if h == step_controller.step || is_rest && self.follows() {
                             step_controller.see(found.estimated_difficulty);
                         }
+                        // Its error is mostly round-off, and does not lower the factor.
+                        let least = if is_rest {
+                            step_controller.estimate_factor
+                        } else {
+                            0.0
+                        };
                         step_controller.note(
-                            found.estimate_factor,
+                            found.estimate_factor.map(|factor| factor.max(least)),
                             found.error_ratio,
                             self.follows().then(|| self.pace()),
                         );
@@ -154,7 +161,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                                 found.difficulty_of_first,
                                 self.pace(),
                             );
-                        } else if h == 0.5 * left && found.is_embedded && self.follows() {
+                        } else if is_rest && found.is_embedded && self.follows() {
                             step_controller.reach_out(order, h, found.error_ratio, self.pace());
                         } else if h == step_controller.step && found.as_chosen && !self.follows() {
                             step_controller.lengthen(notches(order, found.error_ratio));

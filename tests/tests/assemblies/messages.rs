@@ -349,3 +349,43 @@ mechanism!(Car { world: Planar(), rear: Assembly(Corner2), front: Assembly(Corne
         assert_eq!(count, 1, "{name}");
     }
 }
+
+/// What is held is an initial value by itself; what would hold nothing is refused.
+#[test]
+fn ports_that_are_held() {
+    accepted(
+        "
+assembly!(A {
+    world: Planar(),
+    angle: Port(Number, default = 0.0_deg),
+    place: Port(Number, default = 0.0_m),
+    rod: Each(0..2, |i| Bar(mass = 1.0_kg, length = 1.0_m, angle = angle)),
+    hinge: Each(0..2, |i| Revolute(ground.point(1.0_m * i, 0.0), rod[i].a)),
+    x: Each(0..2, |i| Coordinate(place)),
+    block: Each(0..2, |i| Particle(mass = 1.0_kg, position = [x[i], 0.0_m])),
+    double: Output(2.0 * angle),
+});
+mechanism!(M {
+    world: Planar(),
+    a: Assembly(A, angle = Exactly(0.3_rad), place = Exactly(0.1_m)),
+    o: Output(a.rod[0].angle),
+});
+        ",
+    );
+    refused(
+        "
+assembly!(A {
+    world: Planar(),
+    rate: Port(Number, default = 0.0_rad_per_s),
+    rod: Bar(mass = 1.0_kg, length = 1.0_m, rate = 2.0 * rate),
+    hinge: Revolute(ground.origin, rod.a),
+});
+mechanism!(M {
+    world: Planar(),
+    a: Assembly(A, rate = Exactly(0.3_rad_per_s)),
+                          ~~~~~~~~~~~~~~~~~~~~~~ no initial value of `A` is `rate` alone, and `Exactly(…)` would hold nothing: leave it out
+    o: Output(a.rod.angle),
+});
+        ",
+    );
+}

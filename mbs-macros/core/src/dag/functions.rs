@@ -260,7 +260,7 @@ fn structure(derived: &Derived) -> Structure {
         || derived.rheonomic.iter().any(|&b| !graph.is_zero(b));
     Structure {
         constant_mass: derived.constant_mass,
-        velocity_forces: derived.has_velocity_forces(),
+        velocity_forces: derived.velocity_forces,
         position_forces: system.forces.iter().any(on_positions),
         time_dependent: rheonomic || system.forces.iter().any(on_time),
         rheonomic,

@@ -65,6 +65,8 @@ pub struct Derived {
     /// M⁻¹ f, where M is constant and forces do not depend on velocities; `None`, too, where M⁻¹ has many entries: if
     /// they are needed at all, the functions that need them derive them.
     pub acceleration: Option<Vec<Expr>>,
+    /// Whether forces depend on velocities. (By `sign` or `step` they may do so where ∂f/∂v = 0.)
+    pub velocity_forces: bool,
     /// Rows that follow from others at generic poses: mobility finds them.
     pub redundant: Vec<usize>,
 }
@@ -72,12 +74,7 @@ pub struct Derived {
 impl Derived {
     /// Whether M is constant and forces do not depend on velocities.
     pub fn is_explicit(&self) -> bool {
-        self.constant_mass && !self.has_velocity_forces()
-    }
-
-    /// Whether forces depend on velocities. (By `sign` or `step` they may do so where ∂f/∂v = 0.)
-    pub fn has_velocity_forces(&self) -> bool {
-        depend_on_velocities(&self.system)
+        self.constant_mass && !self.velocity_forces
     }
 }
 
@@ -92,7 +89,7 @@ const MOST_ENTRIES: usize = 10_000;
 
 /// Derives everything, once. `redundant` are rows that follow from others.
 pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
-    let is_by_velocity = depend_on_velocities(&system);
+    let velocity_forces = depend_on_velocities(&system);
     let graph = &mut system.graph;
     let size = system.size;
     let (momentum, kinetic) = match &system.kinetic {
@@ -132,12 +129,13 @@ pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
     };
     let total = applied.with_inertial(graph, &inertial);
     let total = total.or_direct(graph, &total_forces, &curvature.momentum);
-    let explicit = system.constant_mass && !is_by_velocity;
+    let explicit = system.constant_mass && !velocity_forces;
     let inverse = explicit.then(|| InverseMass::new(size, &system.mass));
     let inverse = inverse.filter(|inverse| inverse.entries() <= MOST_ENTRIES);
     let acceleration = inverse.map(|inverse| inverse.apply(graph, &system.forces));
     Derived {
         constant_mass: system.constant_mass,
+        velocity_forces,
         momentum,
         kinetic,
         affinities,

@@ -385,8 +385,8 @@ fn write_mass(
     let (often, seldom): (BTreeMap<_, _>, BTreeMap<_, _>) =
         (places.into_iter()).partition(|(_, places)| places.len() >= OFTEN);
     for (value, places) in often {
-        let both = |place: &(usize, usize)| both(&value, place);
-        if let Some(loops) = looped(places.iter().map(both).collect()) {
+        let statements = places.iter().map(|place| both(&value, place));
+        if let Some(loops) = looped(statements.collect()) {
             out.push_str(&loops);
             continue;
         }

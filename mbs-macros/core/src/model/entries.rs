@@ -250,7 +250,9 @@ impl<'d> Resolver<'d> {
     }
 
     fn search(&self, name: &str) -> String {
-        let is_constant = name.len() > 1 && !name.contains(|c: char| c.is_lowercase());
+        let is_upper =
+            name.contains(|c: char| c.is_uppercase()) && !name.contains(|c: char| c.is_lowercase());
+        let is_constant = is_upper && !RESERVED.contains(&name);
         if is_constant
             && self
                 .names

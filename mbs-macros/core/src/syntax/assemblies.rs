@@ -13,6 +13,7 @@ use crate::diagnostics::{Errors, Place, did_you_mean};
 use crate::schema::{Kinds, World};
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
+use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 use syn::{Expr, Visibility};
@@ -227,6 +228,7 @@ fn put(
         instance: &entry.name,
         definition: &definition,
         values: HashMap::new(),
+        held: RefCell::default(),
     };
     bind(entry, &mut scope, outside, declaration, errors);
     declaration.instances.push(Instance {
@@ -241,6 +243,7 @@ fn put(
         for item in &definition.items {
             scope.put(item, kinds, &mut inside, errors);
         }
+        scope.check_held(errors);
         fits = put_all(&mut inside, kinds, errors);
         declaration.entries.append(&mut inside.entries);
         declaration.families.append(&mut inside.families);

@@ -3,6 +3,7 @@
 use super::bindings::names;
 use super::children::children_mut;
 use super::entry::ASSEMBLY;
+use super::exactly::{COORDINATE, may_be_initial};
 use syn::{Expr, Ident, Stmt};
 
 /// Where a name stands.
@@ -10,7 +11,7 @@ use syn::{Expr, Ident, Stmt};
 pub(super) enum Role {
     /// For a value, in an expression.
     Value,
-    /// For the whole value of an argument.
+    /// For an initial value as a whole, or what an assembly is given.
     Argument,
     /// For a function, which may be a table.
     Function,
@@ -26,11 +27,13 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
             let is_path =
                 |name: &str| matches!(&*call.func, Expr::Path(path) if path.path.is_ident(name));
             let is_assembly = is_path(ASSEMBLY);
+            let is_coordinate = is_path(COORDINATE);
             let skipped = usize::from(is_path("law") || is_assembly);
             for argument in call.args.iter_mut().skip(skipped) {
                 match argument {
                     // Its ports may have any names.
                     Expr::Assign(assign) if is_assembly => rewrite_argument(&mut assign.right, of),
+                    other if is_coordinate => rewrite_argument(other, of),
                     other => rewrite(other, of),
                 }
             }
@@ -41,7 +44,8 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
         Expr::Assign(assign) => match argument(&assign.left) {
             Some(Word::Law) => rewrite_function(&mut assign.right, of),
             Some(Word::OfLanguage) => {}
-            None => rewrite_argument(&mut assign.right, of),
+            None if is_initial(&assign.left) => rewrite_argument(&mut assign.right, of),
+            None => rewrite(&mut assign.right, of),
         },
         Expr::Range(range) => {
             let ends = [&mut range.start, &mut range.end];
@@ -71,10 +75,11 @@ pub(super) fn rewrite(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>
     }
 }
 
-/// The same of the value of an argument.
+/// The same of an initial value, or of what an assembly is given.
 pub(super) fn rewrite_argument(expr: &mut Expr, of: &dyn Fn(&Ident, Role) -> Option<Expr>) {
     match expr {
         Expr::Path(_) => replace(expr, Role::Argument, of),
+        Expr::Group(group) => rewrite_argument(&mut group.expr, of),
         other => rewrite(other, of),
     }
 }
@@ -120,6 +125,13 @@ pub(super) fn word(argument: &Ident) -> Option<Word> {
         "law" => Some(Word::Law),
         "unit" | "coordinates" | "interpolation" | "beyond" => Some(Word::OfLanguage),
         _ => None,
+    }
+}
+
+fn is_initial(left: &Expr) -> bool {
+    match left {
+        Expr::Path(path) => path.path.get_ident().is_some_and(may_be_initial),
+        _ => false,
     }
 }
 

@@ -2,17 +2,18 @@
 
 use super::assemblies::{Definition, TABLE, any_token};
 use super::entry::{ASSEMBLY, place};
-use super::exactly::exactly;
+use super::exactly::{COORDINATE, exactly, may_be_initial};
 use super::item::Item;
 use super::members::{FamilyItem, place_family};
 use super::name::Name;
 use super::reference::{from_root, path_to};
 use super::rewrite::{Role, Word, rewrite, rewrite_argument, rewrite_function, word};
 use super::{Declaration, Entry, Takes};
-use crate::diagnostics::Errors;
+use crate::diagnostics::{Errors, Place};
 use crate::schema::{Kinds, RESERVED};
 use proc_macro2::{Ident, TokenTree};
 use quote::ToTokens;
+use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};
 use syn::Expr;
 
@@ -56,6 +57,8 @@ pub(super) struct Scope<'a> {
     pub(super) definition: &'a Definition,
     /// Of ports and parameters.
     pub(super) values: HashMap<String, Expr>,
+    /// Ports that are given `Exactly(…)`, and are initial values.
+    pub(super) held: RefCell<HashSet<String>>,
 }
 
 impl Scope<'_> {
@@ -85,18 +88,43 @@ impl Scope<'_> {
         }
     }
 
+    /// After all entries are put: what is given `Exactly(…)`, and is no initial value.
+    pub(super) fn check_held(&self, errors: &mut Errors) {
+        let held = self.held.borrow();
+        for port in &self.definition.ports {
+            let name = port.name.to_string();
+            let value = self.values.get(&name).filter(|_| !held.contains(&name));
+            if let Some(value) = value.filter(|value| exactly(value).is_some()) {
+                let assembly = &self.definition.name;
+                errors.at(
+                    Place::of(value),
+                    format!("no initial value of `{assembly}` is `{name}` alone, and `Exactly(…)` would hold nothing: leave it out"),
+                );
+            }
+        }
+    }
+
     fn entry(&self, entry: &Entry) -> Entry {
         let mut entry = entry.clone();
         let is_assembly = entry.kind == ASSEMBLY;
         // A path stays what it is.
         for argument in entry.positional.iter_mut().skip(usize::from(is_assembly)) {
-            self.write_argument(argument);
+            match entry.kind == COORDINATE {
+                true => self.write_argument(argument),
+                false => self.write(argument),
+            }
         }
         for argument in &mut entry.named {
             match word(&argument.name).filter(|_| !is_assembly) {
                 Some(Word::Law) => rewrite_function(&mut argument.value, &self.meaning()),
                 Some(Word::OfLanguage) => {}
-                None => self.write_argument(&mut argument.value),
+                None if is_assembly
+                    || entry.kind == COORDINATE
+                    || may_be_initial(&argument.name) =>
+                {
+                    self.write_argument(&mut argument.value);
+                }
+                None => self.write(&mut argument.value),
             }
         }
         if entry.kind == "Param"
@@ -136,7 +164,11 @@ impl Scope<'_> {
                 Some(held) => held.clone(),
                 None => value,
             }),
-            Role::Argument => self.value(name),
+            Role::Argument => self.value(name).inspect(|value| {
+                if exactly(value).is_some() {
+                    self.held.borrow_mut().insert(name.to_string());
+                }
+            }),
             Role::Function => self.table(name),
         }
     }

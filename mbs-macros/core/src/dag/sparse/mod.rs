@@ -132,7 +132,7 @@ impl Kicks {
     fn of(derived: &Derived, sparse: &Sparse) -> Option<Kicks> {
         let (system, n, r) = (&derived.system, sparse.size, sparse.row_count);
         let exist = derived.constant_mass
-            && !derived.has_velocity_forces()
+            && !derived.velocity_forces
             && system.layout.rotations.is_empty()
             && system.holonomic_rows() == r;
         if !exist {

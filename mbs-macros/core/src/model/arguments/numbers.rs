@@ -179,6 +179,10 @@ impl Arguments<'_, '_> {
         };
         match name.as_deref().and_then(crate::dimension::unit) {
             Some((1.0, dimension)) => Some(Some(dimension)),
+            Some((_, Dimension::NONE)) => self.resolver.fail(
+                Place::of(syntax),
+                "state an SI unit here, `rad` for an angle: values are SI",
+            ),
             Some(_) => self.resolver.fail(
                 Place::of(syntax),
                 "state an SI unit here, such as `N` or `m_per_s`: values are SI",
