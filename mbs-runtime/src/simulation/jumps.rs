@@ -80,10 +80,11 @@ pub(super) struct Signs {
 }
 
 impl Signs {
-    /// The difficulty by the estimate, if this is more than round-off.
+    /// The difficulty by the estimate. That of round-off is a bound, and high where steps are short.
     pub(super) fn difficulty(&self) -> Option<f64> {
-        let estimated = self.estimated.filter(|_| self.is_clear);
-        estimated.map(|[_, difficulty]| difficulty)
+        let [_, now] = self.estimated?;
+        let most = self.previous.estimated.filter(|_| !self.is_clear);
+        Some(most.map_or(now, |most| now.min(most)))
     }
 
     /// Powers of 2 by which the difficulty has grown by the estimate, where the previous one is known.
@@ -239,6 +240,17 @@ mod tests {
         assert!(!radau(-0.6).is_jump(1e-3, Some(0.7)));
         assert!(!radau(0.6).is_sudden() && radau(11.0).is_sudden());
         assert!(signs(true, 0.1, Some(0.6)).is_sudden());
+    }
+
+    #[test]
+    fn the_difficulty_of_round_off_is_a_bound() {
+        let round_off = |growth| Signs {
+            is_clear: false,
+            ..signs(true, 0.1, Some(growth))
+        };
+        assert_eq!(round_off(2.0).difficulty(), Some(5.0));
+        assert_eq!(round_off(-2.0).difficulty(), Some(7.0));
+        assert_eq!(signs(true, 0.1, Some(2.0)).difficulty(), Some(7.0));
     }
 
     #[test]
