@@ -73,3 +73,33 @@ fn a_first_step_at_rest_is_short() {
     balance.step().unwrap();
     assert!(balance.time() < 0.1, "{}", balance.time());
 }
+
+mechanism!(Kicked {
+    world: Planar(),
+    on: Param(1.0_s),
+    x: Coordinate(0.0_m),
+    block: Particle(mass = 1.0_kg, position = [x, 0.0_m]),
+    all: Force(
+        on = block.origin,
+        value = [500.0_N * step(t - on) - 1000.0_N_per_m * x, 0.0_N]
+    ),
+    place: Output(x),
+});
+
+/// All of the way of a pair that begins at rest is due to the jump, and other steps differ from it by as much, however short they are.
+#[test]
+fn a_force_that_jumps_sets_a_body_in_motion() {
+    for (k, scale) in [1.0, 1e3, 1e5].into_iter().enumerate() {
+        for draw in 0..8 {
+            let on = scale * (0.5 + (0.618 * f64::from(draw) + 0.1 * k as f64).fract());
+            for accuracy in [1e-3, 1e-5, 1e-7] {
+                let mut simulation = Simulation::with_accuracy(Kicked { on }, accuracy).unwrap();
+                simulation.run_until(on + 2.0).unwrap();
+                let since = simulation.time() - on;
+                let exact = 0.5 * (1.0 - (1000.0_f64.sqrt() * since).cos());
+                let error = (simulation.outputs().place - exact).abs();
+                assert!(error < 10.0 * accuracy, "{on}, {accuracy:e}: {error:e}");
+            }
+        }
+    }
+}

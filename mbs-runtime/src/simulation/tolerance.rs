@@ -198,7 +198,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             }
             attempts += 1;
             if !(step_controller.step > shortest) {
-                return Err(error);
+                // The shortest one may do where the next one would not be tried.
+                if !(h > 2.0 * shortest) {
+                    return Err(error);
+                }
+                step_controller.step = 1.5 * shortest;
             }
         }
     }
