@@ -10,7 +10,7 @@ use super::step_context::{Counters, Dense, StepContext};
 use super::{CLEAR, StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
 use crate::flow::{Leapfrog, Midpoint, Trapezoid};
-use crate::large::{check_dense, is_large, is_sparse, may_be_sparse};
+use crate::large::{check_dense, is_large, may_be_sparse};
 use crate::linear::{add, added, vector};
 use crate::memory::{Box, MOST_STAGES};
 use crate::singular::RankMargin;
@@ -164,8 +164,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         };
         let mut state = state;
         state.make_room(count);
-        let is_stiff = flow == Flow::Implicit && may_be_sparse::<N, R>(settings);
-        let large = match is_sparse::<S, Q, N, R>(settings) || is_stiff {
+        let large = match flow == Flow::Implicit && may_be_sparse::<N, R>(settings) {
             true => SparseStep::new(&system, &state),
             false => None,
         };

@@ -140,12 +140,13 @@ fn find<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
                 (false, None) => "coordinate, velocity or output",
             };
             let outputs = model.outputs.iter().enumerate();
-            let has_rate = |i: &usize| !moving(i) && !timed(i);
-            let outputs = outputs.filter(|(i, _)| startable(i) && (!wanted.rate || has_rate(i)));
+            // A state is among the velocities.
+            let outputs = outputs.filter(|(i, own)| {
+                let has_rate = || !moving(i) && !timed(i);
+                startable(i) && (!wanted.rate || has_rate()) && !model.is_state(own.name)
+            });
             let stored = model.coordinates.iter().chain(model.velocities);
             let known = stored.map(|own| own.name).filter(|own| is_free(own));
-            // A state is among the velocities.
-            let outputs = outputs.filter(|(_, own)| !model.is_state(own.name));
             let known = known.chain(outputs.map(|(_, own)| own.name));
             Err(UnknownName::new(what, name, known.collect::<Vec<_>>()))
         }

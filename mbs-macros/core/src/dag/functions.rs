@@ -242,15 +242,13 @@ fn structure(derived: &Derived) -> Structure {
     let system = &derived.system;
     let graph = &system.graph;
     let on_time = |expr: &Expr| graph.depends_on(*expr, |symbol| symbol == Symbol::Time);
-    let on_positions = |force: &Expr| {
-        let is_position = |symbol| {
-            matches!(
-                symbol,
-                Symbol::Coordinate(_) | Symbol::Rotation(..) | Symbol::UnwrappedAngle(_)
-            )
-        };
-        graph.depends_on(*force, is_position)
+    let is_position = |symbol| {
+        matches!(
+            symbol,
+            Symbol::Coordinate(_) | Symbol::Rotation(..) | Symbol::UnwrappedAngle(_)
+        )
     };
+    let forces = || system.forces.iter().copied();
     let on_inputs =
         |expr: &Expr| graph.depends_on(*expr, |symbol| matches!(symbol, Symbol::Input(_)));
     let rheonomic = system
@@ -261,8 +259,9 @@ fn structure(derived: &Derived) -> Structure {
     Structure {
         constant_mass: derived.constant_mass,
         velocity_forces: derived.velocity_forces,
-        position_forces: system.forces.iter().any(on_positions),
-        time_dependent: rheonomic || system.forces.iter().any(on_time),
+        position_forces: graph.any_depends_on(forces(), is_position),
+        time_dependent: rheonomic
+            || graph.any_depends_on(forces(), |symbol| symbol == Symbol::Time),
         rheonomic,
         // The value of a row is zero, and atan2 is smooth there.
         smooth: graph.is_smooth(

@@ -78,19 +78,14 @@ impl Derived {
     }
 }
 
-fn depend_on_velocities(system: &System) -> bool {
-    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
-    let mut forces = system.forces.iter();
-    forces.any(|&force| system.graph.depends_on(force, is_velocity))
-}
-
 /// With more entries of M⁻¹, M⁻¹ f is not derived: a chain of a thousand bars has a million, and is solved without M⁻¹.
 const MOST_ENTRIES: usize = 10_000;
 
 /// Derives everything, once. `redundant` are rows that follow from others.
 pub fn derive(mut system: System, redundant: Vec<usize>) -> Derived {
-    let velocity_forces = depend_on_velocities(&system);
     let graph = &mut system.graph;
+    let is_velocity = |symbol| matches!(symbol, Symbol::Velocity(_));
+    let velocity_forces = graph.any_depends_on(system.forces.iter().copied(), is_velocity);
     let size = system.size;
     let (momentum, kinetic) = match &system.kinetic {
         Some(kinetic) => (kinetic.momentum.clone(), kinetic.energy),

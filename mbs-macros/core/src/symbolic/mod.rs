@@ -410,6 +410,15 @@ impl Graph {
         self.any_inside([expr], |node| node.symbols().any(&predicate))
     }
 
+    /// The same of any of some expressions; what they share is walked once.
+    pub fn any_depends_on(
+        &self,
+        exprs: impl IntoIterator<Item = Expr>,
+        predicate: impl Fn(Symbol) -> bool,
+    ) -> bool {
+        self.any_inside(exprs, |node| node.symbols().any(&predicate))
+    }
+
     /// Whether the expression may depend on a symbol: `false` is certain, and known at once.
     fn may_depend_on(&self, expr: Expr, symbol: Symbol) -> bool {
         self.reach[expr.0 as usize] & reach_of(symbol) != 0
