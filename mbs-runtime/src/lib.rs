@@ -174,7 +174,7 @@ pub use {
     any::AnySimulation,
     baselines::BaselineStepper,
     ensemble::{simulate_ensemble, simulate_ensemble_with_any_method},
-    report::{AssemblyVerdict, Change, HeldGap, Reactions, Sample},
+    report::{AssemblyVerdict, Change, HeldGap, OpenRow, Reactions, Sample},
     samples::Samples,
     simulation::{InputsMut, Simulation, Start},
 };

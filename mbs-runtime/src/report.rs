@@ -6,7 +6,7 @@ mod lists;
 use crate::Method;
 
 #[cfg(feature = "std")]
-pub use lists::{AssemblyVerdict, Change, HeldGap, Reactions, Sample};
+pub use lists::{AssemblyVerdict, Change, HeldGap, OpenRow, Reactions, Sample};
 
 /// The energy balance, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

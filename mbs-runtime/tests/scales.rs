@@ -360,7 +360,7 @@ fn assembly_has_the_same_verdict() {
     let refusal = |length: f64, part: f64| {
         let outcome = Simulation::with_settings(four_bar(length, part), settings);
         match outcome.map(|_| ()) {
-            Err(SimulationError::Assembly(verdict)) => verdict.worst_rows[0].0,
+            Err(SimulationError::Assembly(verdict)) => verdict.worst_rows[0].name,
             other => panic!("{length} m: {other:?}"),
         }
     };

@@ -15,7 +15,9 @@ use crate::row_scale::RowScale;
 use crate::singular::NOTHING;
 use crate::sink::Diagonal;
 use crate::yardstick::Yardstick;
-use crate::{AssemblyVerdict, Change, Level, Model, Settings, SimulationError, State, System};
+use crate::{
+    AssemblyVerdict, Change, Level, Model, OpenRow, Row, Settings, SimulationError, State, System,
+};
 use nalgebra::SVector;
 
 /// Assembles the declared guess: minimises its mass-weighted change subject to φ(q, 0) = 0, then projects v onto
@@ -214,13 +216,24 @@ pub(super) fn judge<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
         },
         rank: rows.rank,
         redundant_rows: names(S::MODEL, &rows.dependent),
-        worst_rows: worst.iter().map(|&(i, name)| (name, phi[i])).collect(),
+        worst_rows: worst
+            .iter()
+            .map(|&(i, row)| OpenRow {
+                name: row.name,
+                unit: row.unit,
+                residual: phi[i],
+            })
+            .collect(),
         changes: Vec::new(),
     }
 }
 
 /// The holonomic rows that are farthest from satisfied, the worst first. (Not generic: compiled once.)
-fn worst_rows(model: &Model, displacements: &[f64], tolerance: f64) -> Vec<(usize, &'static str)> {
+fn worst_rows<'a>(
+    model: &'a Model,
+    displacements: &[f64],
+    tolerance: f64,
+) -> Vec<(usize, &'a Row)> {
     let displacements = displacements.iter().copied().zip(model.rows);
     let mut worst: Vec<_> = displacements
         .enumerate()
@@ -230,7 +243,7 @@ fn worst_rows(model: &Model, displacements: &[f64], tolerance: f64) -> Vec<(usiz
     // One that is not a number counts, too.
     worst.retain(|(_, (displacement, _))| !(*displacement <= tolerance));
     worst.truncate(8);
-    worst.iter().map(|(i, (_, row))| (*i, row.name)).collect()
+    worst.iter().map(|(i, (_, row))| (*i, *row)).collect()
 }
 
 /// The names of these rows.

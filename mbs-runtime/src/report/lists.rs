@@ -48,10 +48,23 @@ pub struct AssemblyVerdict {
     pub rank: usize,
     /// Rows that depend on those above them in that pose.
     pub redundant_rows: Vec<&'static str>,
-    /// The holonomic rows with the largest |φ| after assembly, worst first.
-    pub worst_rows: Vec<(&'static str, f64)>,
+    /// The holonomic rows that are farthest from satisfied after assembly, worst first.
+    pub worst_rows: Vec<OpenRow>,
     /// The coordinates that assembly has moved, the farthest first, and then the velocities that it has changed.
     pub changes: Vec<Change>,
+}
+
+/// A holonomic row that assembly could not close.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct OpenRow {
+    /// As [`Model::rows`](crate::Model::rows) names it.
+    pub name: &'static str,
+    /// SI unit.
+    pub unit: &'static str,
+    /// φ.
+    pub residual: f64,
 }
 
 /// A coordinate or velocity whose initial value is not the declared one.

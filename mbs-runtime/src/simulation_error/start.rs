@@ -1,6 +1,6 @@
 //! The messages about a start that cannot be had.
 
-use crate::{AssemblyVerdict, HeldGap, Level};
+use crate::{AssemblyVerdict, HeldGap, Level, OpenRow};
 use core::fmt;
 
 /// The message of [`SimulationError::Assembly`](super::SimulationError::Assembly).
@@ -16,9 +16,18 @@ pub(super) fn write_assembly(
         true => "its rows have no finite values there",
         false => "these rows pull apart: ",
     })?;
-    for (i, (row, residual)) in verdict.worst_rows.iter().enumerate() {
+    for (i, row) in verdict.worst_rows.iter().enumerate() {
+        let OpenRow {
+            name,
+            unit,
+            residual,
+        } = row;
         let comma = if i > 0 { ", " } else { "" };
-        write!(out, "{comma}`{row}` (residual {residual:.3e})")?;
+        let (space, unit) = in_unit(unit);
+        write!(
+            out,
+            "{comma}`{name}` (residual {residual:.3e}{space}{unit})"
+        )?;
     }
     write!(
         out,
@@ -45,7 +54,8 @@ pub(super) fn write_held(
     }
     for (i, HeldGap { name, unit, gap }) in open.iter().enumerate() {
         let comma = if i > 0 { ", " } else { "" };
-        write!(out, "{comma}`{name}` is off by {gap:.3e} {unit}")?;
+        let (space, unit) = in_unit(unit);
+        write!(out, "{comma}`{name}` is off by {gap:.3e}{space}{unit}")?;
     }
     match (degrees_of_freedom, held.len()) {
         (0, _) => out.write_str(
@@ -58,5 +68,13 @@ pub(super) fn write_held(
         _ => out.write_str(
             "; the joints do not allow these values together: change one, or declare it as a guess",
         ),
+    }
+}
+
+/// What follows a value with this unit: a space and the unit, or nothing for numbers.
+fn in_unit(unit: &str) -> (&str, &str) {
+    match unit {
+        "1" => ("", ""),
+        unit => (" ", unit),
     }
 }
