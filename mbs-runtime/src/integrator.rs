@@ -77,6 +77,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
         }
     }
 
+    /// A singular pose, or one that is nearly singular, that the stages of the last explicit step have seen within it, as a
+    /// fraction of the step.
+    pub(crate) fn pose_within(&self) -> Option<f64> {
+        match self {
+            Integrator::TwoLevel(_) => None,
+            Integrator::Other(stepper) => stepper.pose_within(),
+        }
+    }
+
     /// The error of the last step by an embedded method; `None` without one.
     pub(crate) fn estimate(&self) -> Option<Estimate> {
         match self {

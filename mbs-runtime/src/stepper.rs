@@ -29,6 +29,7 @@ pub(crate) trait Stepper<S: System<Q, N, R>, const Q: usize, const N: usize, con
     fn is_sparse(&self) -> bool;
     fn estimate(&self) -> Option<Estimate>;
     fn expected_clearance(&self, length: f64) -> f64;
+    fn pose_within(&self) -> Option<f64>;
 }
 
 /// A copy of a method behind a box; every method that can be cloned has it.
@@ -152,6 +153,10 @@ where
     fn expected_clearance(&self, _length: f64) -> f64 {
         f64::NAN
     }
+
+    fn pose_within(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl<S, const Q: usize, const N: usize, const R: usize> Stepper<S, Q, N, R>
@@ -230,5 +235,9 @@ where
 
     fn expected_clearance(&self, length: f64) -> f64 {
         BaselineStepper::expected_clearance(self, length)
+    }
+
+    fn pose_within(&self) -> Option<f64> {
+        BaselineStepper::pose_within(self)
     }
 }

@@ -127,6 +127,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.stages.poses.expected_clearance(length)
     }
 
+    fn pose_within(&self) -> Option<f64> {
+        self.stages.poses.within()
+    }
+
     /// After the state or an input was changed.
     fn refresh(&mut self) {
         self.placed = false;

@@ -48,6 +48,12 @@ pub(crate) trait Rule<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     fn expected_clearance(&self, _length: f64) -> f64 {
         f64::NAN
     }
+
+    /// The singular pose, or one that is nearly singular, that the stages of the last step have seen within it, as a fraction of
+    /// the step.
+    fn pose_within(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// A copy of a rule behind a box; every rule that can be cloned has it.

@@ -13,6 +13,8 @@ use crate::alf3f::{LACK, ROOM};
 
 /// Stages that are nearer to each other give no slope.
 const APART: f64 = 0.04;
+/// A stage whose σ² is below this part of those at both ends of the step has a pose beside it.
+const DIP: f64 = 0.5;
 
 /// σ at the stages of a step.
 #[derive(Debug, Clone)]
@@ -77,6 +79,17 @@ impl StagePoses {
             false => (-1.0, earlier),
         };
         place + sign * least / (left * right).sqrt()
+    }
+
+    /// The pose, as a fraction of the step, if σ is less within the step than at both ends.
+    pub(crate) fn within(&self) -> Option<f64> {
+        let ends = [self.order.first()?, self.order.last()?].map(|&end| self.inverse_squares[end]);
+        let least = ends[0].max(ends[1]) / DIP;
+        if !self.inverse_squares.iter().any(|&square| square > least) {
+            return None;
+        }
+        let pose = self.pose();
+        (pose > 0.0 && pose < 1.0).then_some(pose)
     }
 
     /// The pose on the line through the two stages next to one at the end of the step.
@@ -146,6 +159,20 @@ mod tests {
             let allowed = if pose < 1.0 { 0.02 } else { 0.03 };
             assert!((bent - pose).abs() < allowed, "{bent} for {pose}");
         }
+    }
+
+    #[test]
+    fn a_pose_within_the_step_is_seen() {
+        for hundredth in 5..90 {
+            let pose = 0.01 * f64::from(hundredth);
+            let within = seen(pose, f64::abs).within().expect("a pose");
+            assert!((within - pose).abs() < 1e-9, "{within} for {pose}");
+        }
+        for pose in [-0.5, -0.1, 1.1, 1.5] {
+            assert!(seen(pose, f64::abs).within().is_none(), "{pose}");
+        }
+        // Far from every pose.
+        assert!(seen(0.5, |way| 1.0 + way * way).within().is_none());
     }
 
     #[test]

@@ -152,6 +152,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         self.rule.expected_clearance(length)
     }
 
+    /// See [`Rule::pose_within`](super::rule::Rule::pose_within).
+    pub(crate) fn pose_within(&self) -> Option<f64> {
+        self.rule.pose_within()
+    }
+
     /// Results of the last step: its works, and the rows at its end.
     pub(crate) fn take_stock(&mut self) -> Result<Works, SimulationError> {
         let time = self.bench.state.time;

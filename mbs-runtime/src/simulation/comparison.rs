@@ -94,7 +94,11 @@ impl Found {
             is_apart: false,
             is_paced: true,
             imbalance: balance.error,
-            passage: Passage { steps, margins },
+            passage: Passage {
+                steps,
+                margins,
+                seen: None,
+            },
         }
     }
 }
@@ -128,6 +132,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let rejected_before = self.rejected;
         let first = self.guarded_step(h, left)?;
         let of_first = self.integrator.estimate();
+        let seen_by_first = self.seen_pose().map(|pose| pose * first);
         let middle = self.margin();
         let mut found = Found::before([first, first], [start, middle, middle], &self.balance);
         found.as_chosen = first == h;
@@ -152,6 +157,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
         let second = self.guarded_step(next.min(rest), rest)?;
         let of_second = self.integrator.estimate();
+        let seen_by_second = self.seen_pose().map(|pose| first + pose * second);
         // The estimate of a step that was halved is that of its last part alone.
         let both = of_first
             .zip(of_second)
@@ -168,6 +174,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         found.passage = Passage {
             steps: [first, second],
             margins: [start, middle, end],
+            seen: seen_by_first.or(seen_by_second),
         };
         let way = length.max(reach) * found.speed.max(controller.speed);
         let allowed = self.allowed(tolerance, way, noise);
@@ -340,6 +347,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 let is_known = |pose: f64| self.is_known(&self.pair_start, pose / length, SAME);
                 passage.margins.iter().all(|margin| margin.least > FAR) && pose.is_none_or(is_known)
             }
+        }
+    }
+
+    /// The pose that the stages of the last step have seen, as a fraction of the step.
+    fn seen_pose(&self) -> Option<f64> {
+        match const { Self::UNBRANCHED } {
+            true => None,
+            false => self.integrator.pose_within(),
         }
     }
 

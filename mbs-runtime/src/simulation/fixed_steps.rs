@@ -66,6 +66,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let passage = Passage {
             steps: [last.length, length],
             margins: [last.margin(), step.margin(), self.margin()],
+            seen: None,
         };
         if !follows || !self.leapt(&passage)? {
             return Ok(false);

@@ -17,11 +17,12 @@ const AHEAD: f64 = 1.5;
 pub(super) const NEAR_AHEAD: f64 = 6.0;
 const NEAR: f64 = 0.02;
 
-/// The lengths of the two steps of a pair, and the rank margins at their ends.
+/// The lengths of the two steps of a pair, the rank margins at their ends, and a pose that stages have seen, s after the beginning.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Passage {
     pub(super) steps: [f64; 2],
     pub(super) margins: [RankMargin; 3],
+    pub(super) seen: Option<f64>,
 }
 
 impl LastStep {
@@ -43,7 +44,8 @@ impl LastStep {
 }
 
 impl Passage {
-    /// The time, s after the beginning of the pair, at which a straight σ comes to zero within the pair, or may do so.
+    /// The time, s after the beginning of the pair, at which a straight σ comes to zero within the pair, or may do so, or stages
+    /// have seen a pose. (In long steps σ is not straight.)
     #[inline]
     pub(super) fn pose(&self) -> Option<f64> {
         let ([first, second], [start, middle, end]) = (self.steps, self.margins);
@@ -52,7 +54,11 @@ impl Passage {
         };
         let early = falls(end.least, second, first);
         let late = falls(start.least, first, second);
-        (self.has_same_rows() && (early || late)).then(|| self.crossing(early, late))
+        match (self.has_same_rows(), early || late) {
+            (false, _) => None,
+            (true, true) => Some(self.crossing(early, late)),
+            (true, false) => self.seen,
+        }
     }
 
     /// Whether no singular pose is in or near the pair.
@@ -162,6 +168,7 @@ mod tests {
         Passage {
             steps: [1.0, 1.0],
             margins: sigma.map(RankMargin::of),
+            seen: None,
         }
     }
 
