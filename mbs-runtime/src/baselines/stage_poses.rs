@@ -13,8 +13,8 @@ use crate::alf3f::{LACK, ROOM};
 
 /// Stages that are nearer to each other give no slope.
 const APART: f64 = 0.04;
-/// A stage whose σ² is below this part of those at both ends of the step has a pose beside it.
-const DIP: f64 = 0.5;
+/// A pose is looked for in a step in which σ² falls below this part of its largest value.
+const FALLEN: f64 = 0.1;
 
 /// σ at the stages of a step.
 #[derive(Debug, Clone)]
@@ -81,11 +81,13 @@ impl StagePoses {
         place + sign * least / (left * right).sqrt()
     }
 
-    /// The pose, as a fraction of the step, if σ is less within the step than at both ends.
+    /// The pose, as a fraction of the step, if it lies within the step.
     pub(crate) fn within(&self) -> Option<f64> {
-        let ends = [self.order.first()?, self.order.last()?].map(|&end| self.inverse_squares[end]);
-        let least = ends[0].max(ends[1]) / DIP;
-        if !self.inverse_squares.iter().any(|&square| square > least) {
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for &square in &self.inverse_squares {
+            (least, most) = (least.min(square), most.max(square));
+        }
+        if !(least < FALLEN * most) {
             return None;
         }
         let pose = self.pose();
@@ -163,7 +165,7 @@ mod tests {
 
     #[test]
     fn a_pose_within_the_step_is_seen() {
-        for hundredth in 5..90 {
+        for hundredth in 1..100 {
             let pose = 0.01 * f64::from(hundredth);
             let within = seen(pose, f64::abs).within().expect("a pose");
             assert!((within - pose).abs() < 1e-9, "{within} for {pose}");
