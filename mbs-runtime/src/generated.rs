@@ -68,6 +68,12 @@ pub fn step(x: f64) -> f64 {
     if x > 0.0 { 1.0 } else { 0.0 }
 }
 
+/// x ≥ 0, or a tiny number where it vanishes. The slope of a root is divided by it: what is divided vanishes there, too.
+#[inline]
+pub fn nonzero(x: f64) -> f64 {
+    x.max(1e-100)
+}
+
 /// Refuses a parameter that is not finite.
 ///
 /// # Errors

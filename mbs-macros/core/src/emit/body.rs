@@ -308,6 +308,7 @@ impl<'a> Body<'a> {
         match function {
             Elementary::Sign => format!("::mbs_runtime::generated::sign({plain})"),
             Elementary::Step => format!("::mbs_runtime::generated::step({plain})"),
+            Elementary::Nonzero => format!("::mbs_runtime::generated::nonzero({plain})"),
             _ => format!("{}.{}()", self.receiver(argument), function.name()),
         }
     }

@@ -297,6 +297,7 @@ impl Graph {
             let product = self.product(&merged);
             return self.scale(coefficient, product);
         }
+        self.cancel_roots(&mut merged);
         if coefficient == 0.0 {
             return self.zero();
         }
@@ -349,6 +350,23 @@ impl Graph {
                 _ => put_factor(flat, factor, power),
             }
         }
+    }
+
+    /// √x / √x = 1, where the divisor is one of a derivative ([`Function::Nonzero`]).
+    fn cancel_roots(&self, factors: &mut Vec<(Expr, i32)>) {
+        for slot in 0..factors.len() {
+            let (divisor, power) = factors[slot];
+            let Node::Function(Function::Nonzero, root) = *self.node(divisor) else {
+                continue;
+            };
+            let Some(other) = factors.iter().position(|&(factor, _)| factor == root) else {
+                continue;
+            };
+            let common = factors[other].1.min(-power).max(0);
+            factors[slot].1 += common;
+            factors[other].1 -= common;
+        }
+        factors.retain(|&(_, power)| power != 0);
     }
 
     /// Where a square root has a power that is one of what is inside.

@@ -185,6 +185,7 @@ impl Graph {
             Function::Sqrt => {
                 // ½ of a sum of squares' slope loses all its twos.
                 let half = self.halved(inner);
+                let value = self.function(Function::Nonzero, value);
                 return self.div(half, value);
             }
             Function::Exp => value,
@@ -197,7 +198,7 @@ impl Graph {
             }
             Function::Abs => self.function(Function::Sign, x),
             Function::Sign | Function::Step | Function::Round => self.zero(),
-            Function::Same => self.one(),
+            Function::Same | Function::Nonzero => self.one(),
             Function::Apart => return self.function(function, inner),
         };
         self.mul(outer, inner)

@@ -20,6 +20,7 @@ impl Function {
             Function::Tanh => x.tanh(),
             Function::Abs => x.abs(),
             Function::Round => x.round(),
+            Function::Nonzero => x.max(1e-100),
             Function::Same | Function::Apart => x,
             Function::Sign => {
                 if x == 0.0 {

@@ -10,7 +10,7 @@ impl Graph {
             Node::Symbol(symbol) => latex_identifier(&self.name(*symbol)),
             Node::Sum { constant, terms } => self.latex_sum(constant.value(), terms),
             Node::Product(factors) => self.latex_product(factors),
-            Node::Function(Function::Apart, x) => self.latex(*x),
+            Node::Function(Function::Apart | Function::Nonzero, x) => self.latex(*x),
             Node::Function(Function::Sqrt, x) => format!("\\sqrt{{{}}}", self.latex(*x)),
             Node::Function(Function::Abs, x) => format!("\\left|{}\\right|", self.latex(*x)),
             Node::Function(function, x) => {

@@ -23,6 +23,7 @@ impl Function {
             Function::Sign => "sign",
             Function::Step => "step",
             Function::Round => "round",
+            Function::Nonzero => "nonzero",
             Function::Same | Function::Apart => "",
         }
     }
