@@ -164,7 +164,7 @@ impl Interpreted {
         };
         // Counted angles are no method of their own: `advance` writes them, and outputs show them. The factor of M shows
         // in what is solved with it.
-        let inner = ["unwrapped_angles", "factor_mass"];
+        let inner = ["unwrapped_angles", "unwrapped_rates", "factor_mass"];
         let methods = self.program.functions.iter();
         for function in methods.filter(|function| !inner.contains(&function.name)) {
             for (output, value) in run.function(function) {

@@ -388,6 +388,7 @@ mod program {
             kinetic: None,
             layout: Default::default(),
             unwrapped_angles: Vec::new(),
+            unwrapped_rates: Vec::new(),
         };
         let derived = derivatives::derive(system, Vec::new());
         let program = dag::lower(&derived);

@@ -109,6 +109,10 @@ fn lower_with(derived: &Derived, likeness: Option<&Likeness>) -> Program {
             make("unwrapped_angles", &mut |f| {
                 vector(f, "angles", &system.unwrapped_angles)
             });
+            let rates = &system.unwrapped_rates;
+            if rates.iter().any(|&rate| !system.graph.is_zero(rate)) {
+                make("unwrapped_rates", &mut |f| vector(f, "rates", rates));
+            }
         }
         make("kinetic_energy", &mut |f| {
             f.output("", Place::Value, derived.kinetic)

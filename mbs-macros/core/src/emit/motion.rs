@@ -21,7 +21,8 @@ pub(super) fn body(graph: &Graph, program: &Program, name: &str) -> String {
 
 fn advance(graph: &Graph, program: &Program) -> String {
     format!(
-        "let mut next = *q;\n{}{}{}next.into()",
+        "{}let mut next = *q;\n{}{}{}next.into()",
+        predicted(graph, program),
         translations(program, |slot, i| format!(
             "next[{slot}] = q[{slot}] + h * v[{i}];"
         )),
@@ -53,7 +54,8 @@ fn difference(program: &Program) -> String {
 
 fn free_flight(graph: &Graph, program: &Program) -> String {
     format!(
-        "{}{}{}",
+        "{}{}{}{}",
+        predicted(graph, program),
         translations(program, |slot, i| format!("q[{slot}] += h * v[{i}];")),
         rotations(program, |index, q, v| format!(
             "([{}], [{}]) = self.spins[{index}].flight([{}], [{}], h);",
@@ -89,13 +91,25 @@ fn rotations(program: &Program, line: impl Fn(usize, usize, usize) -> String) ->
     })
 }
 
-/// Joint angles are counted from their last values.
+/// The angles where the rotations lead them, from which they are counted: a free body may turn many times in a step. Empty if no
+/// rotation changes them.
+fn predicted(graph: &Graph, program: &Program) -> String {
+    let Some([statements, rates]) = array(graph, program, "unwrapped_rates", "rates") else {
+        return String::new();
+    };
+    let slots = program.unwrapped_angles.iter();
+    let angles: Vec<String> = slots.map(|slot| format!("q[{slot}]")).collect();
+    format!(
+        "let turned = {{ {statements} let (angles, rates) = ([{}], [{rates}]); \
+         ::core::array::from_fn::<f64, {}, _>(|i| angles[i] + h * rates[i]) }};\n",
+        angles.join(", "),
+        angles.len()
+    )
+}
+
+/// Joint angles are counted from their last values, or from where the rotations lead these.
 fn count(graph: &Graph, program: &Program, q: &str) -> String {
-    let function = program
-        .functions
-        .iter()
-        .find(|function| function.name == "unwrapped_angles");
-    let (Some(function), false) = (function, program.unwrapped_angles.is_empty()) else {
+    let Some([statements, angles]) = array(graph, program, "unwrapped_angles", "angles") else {
         return String::new();
     };
     let targets: Vec<String> = program
@@ -103,18 +117,32 @@ fn count(graph: &Graph, program: &Program, q: &str) -> String {
         .iter()
         .map(|slot| format!("{q}[{slot}]"))
         .collect();
+    let targets = targets.join(", ");
+    let predicted = match function(program, "unwrapped_rates") {
+        Some(_) => format!("[{targets}] = turned;\n"),
+        None => String::new(),
+    };
+    format!("{predicted}[{targets}] = {{ let q = &{q}; {statements} [{angles}] }};\n")
+}
+
+/// Statements and values of a function that gives an array; `None` if the mechanism does not have it.
+fn array(
+    graph: &Graph,
+    program: &Program,
+    name: &str,
+    values: &'static str,
+) -> Option<[String; 2]> {
     let renamed = Function {
-        name: "angles",
-        ..function.clone()
+        name: values,
+        ..function(program, name)?.clone()
     };
     let body = Body::of_method(graph, &renamed);
-    let values = body.values();
-    format!(
-        "[{}] = {{ let q = &{q}; {} [{}] }};\n",
-        targets.join(", "),
-        body.statements(),
-        values.join(", ")
-    )
+    Some([body.statements(), body.values().join(", ")])
+}
+
+fn function<'a>(program: &'a Program, name: &str) -> Option<&'a Function> {
+    let mut functions = program.functions.iter();
+    functions.find(|function| function.name == name)
 }
 
 /// `q[3], q[4], …`.

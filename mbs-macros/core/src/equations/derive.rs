@@ -9,8 +9,8 @@ use super::states::States;
 use super::system::System;
 use super::{forces, generalized_forces, inertia, reactions, readings, rows, start, vacuous};
 use crate::model::elements::force::Load;
-use crate::model::{Held, Model, Outline};
-use crate::symbolic::{Expr, Graph};
+use crate::model::{Held, Layout, Model, Outline};
+use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Builds the equations; beside them stays what later stages need to name things.
 pub fn derive(mut model: Model) -> (Outline, System) {
@@ -93,12 +93,13 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         .iter()
         .map(|(_, position)| position.map(|x| global(&mut graph, x)))
         .collect();
-    let unwrapped_angles = model
+    let unwrapped_angles: Vec<Expr> = model
         .layout
         .unwrapped_angles
         .iter()
         .map(|(_, angle)| global(&mut graph, *angle))
         .collect();
+    let unwrapped_rates = turning_rates(&mut graph, &model.layout, &unwrapped_angles);
     let pull = start::pull(&mut graph, &mut reduction, &model, &inertia);
     let mut kinetic = kinetic::energy(&mut graph, &mut reduction, &model)
         .map(|energy| Kinetic::new(&mut graph, size, energy));
@@ -141,6 +142,29 @@ pub fn derive(mut model: Model) -> (Outline, System) {
         constant_mass,
         reduction,
         unwrapped_angles,
+        unwrapped_rates,
     };
     (model.outline, system)
+}
+
+/// The part of the rate of each counted angle that the rotations of bodies have: a body may turn by more than half a turn at once.
+/// (A coordinate that is no angle moves on a line, along which no angle changes by more than a quarter turn.)
+fn turning_rates(graph: &mut Graph, layout: &Layout, angles: &[Expr]) -> Vec<Expr> {
+    let first = layout.rotations.iter().map(|rotation| rotation.velocity);
+    let turning: Vec<u32> = first
+        .flat_map(|first| first..first + 3)
+        .map(|velocity| velocity as u32)
+        .collect();
+    let rate = |angle: &Expr| {
+        let mut terms = Vec::new();
+        for &i in &turning {
+            let slope = graph.derivative(*angle, Symbol::Coordinate(i));
+            if !graph.is_zero(slope) {
+                let speed = graph.symbol(Symbol::Velocity(i));
+                terms.push(graph.mul(slope, speed));
+            }
+        }
+        graph.sum(terms)
+    };
+    angles.iter().map(rate).collect()
 }

@@ -52,6 +52,8 @@ pub struct System {
     pub reduction: Substitution,
     /// Counted joint angles, in the order of their memories.
     pub unwrapped_angles: Vec<Expr>,
+    /// Their rates by the rotations of bodies.
+    pub unwrapped_rates: Vec<Expr>,
 }
 
 /// A constraint row.
