@@ -268,7 +268,7 @@ pub const KINDS: &[Kind] = &[
                 "force against turning and torque against displacement: the block of a 6 × 6 stiffness beside its diagonal blocks",
             ),
         ],
-        doc: "An elastic joint: springs and dampers in all six directions, relaxed in the home pose. Turning is measured by 2 sin(ψ/2) about its axis, which is the angle where it is small.",
+        doc: "An elastic joint: springs and dampers in all six directions, relaxed in the home pose. Turning is measured by 2 sin(ψ/2) about its axis, beside displacements by sin ψ: both are the angle where it is small.",
         joint: None,
     },
     Kind {

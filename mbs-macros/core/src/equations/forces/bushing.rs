@@ -6,7 +6,8 @@ use crate::model::elements::force::{Bushing, Load};
 use crate::model::{Axes, Model, Tensor, Vector};
 use crate::symbolic::{Expr, Function, Graph};
 
-/// V = ½ u·K u + ½ e·K_r e + u·C e with the displacement u and the turning e = 2 n sin(ψ/2), both in the parent's axes.
+/// V = ½ u·K u + ½ e·K_r e + u·C s with the displacement u, the turning e = 2 n sin(ψ/2) and the axial vector s = n sin ψ, in the
+/// parent's axes. (At half a turn e changes its sign, which V does not see, but u·C e would.)
 pub(super) fn action(graph: &mut Graph, model: &Model, bushing: &Bushing) -> Action {
     let Bushing { parent, child, .. } = bushing;
     let observer = Observer::new(model, parent.point.owner);
@@ -17,10 +18,10 @@ pub(super) fn action(graph: &mut Graph, model: &Model, bushing: &Bushing) -> Act
     let mut potential = Potential::from(translation);
     if needed(graph, &bushing.torsion_stiffness) || needed(graph, &bushing.cross_stiffness) {
         let relative = relative_rotation(graph, &parent.axes, &child.axes);
-        let turning = turning(graph, &relative);
-        let torsion = quadratic(graph, &bushing.torsion_stiffness, turning, turning, 0.5);
+        let twice = twice_axial(graph, &relative);
         let linear = torsion_generator(graph, &bushing.torsion_stiffness, &relative);
-        let cross = quadratic(graph, &bushing.cross_stiffness, displacement, turning, 1.0);
+        let torsion = torsion_energy(graph, bushing, &relative, (twice, linear));
+        let cross = quadratic(graph, &bushing.cross_stiffness, displacement, twice, 0.5);
         potential = Potential {
             energy: graph.sum([translation, torsion, cross]),
             generator: graph.sum([translation, linear, cross]),
@@ -71,17 +72,32 @@ fn trace(graph: &mut Graph, tensor: &Tensor, constant: f64, factor: f64) -> Expr
     graph.linear(constant, &terms)
 }
 
-/// e = 2 n sin(ψ/2) in the parent's axes: the axial vector n sin ψ of the relative rotation over cos(ψ/2) = ½ √(1 + trace).
-fn turning(graph: &mut Graph, relative: &Tensor) -> Vector {
-    let trace = trace(graph, relative, 1.0, 1.0);
-    let root = graph.function(Function::Sqrt, trace);
-    let one = graph.one();
-    let inverse = graph.div(one, root);
+/// 2 n sin ψ, twice the axial vector of the relative rotation, in the parent's axes.
+fn twice_axial(graph: &mut Graph, relative: &Tensor) -> Vector {
     std::array::from_fn(|k| {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        let twice = graph.sub(relative[j][i], relative[i][j]);
-        graph.mul(inverse, twice)
+        graph.sub(relative[j][i], relative[i][j])
     })
+}
+
+/// ½ e·K e. Up to a turn of 120° e = 2 n sin(ψ/2) is the axial vector n sin ψ over cos(ψ/2) = ½ √(1 + trace), which vanishes at
+/// half a turn; beyond, the value is `linear`, that of [`torsion_generator`], which has no digits to lose there.
+fn torsion_energy(
+    graph: &mut Graph,
+    bushing: &Bushing,
+    relative: &Tensor,
+    (twice, linear): (Vector, Expr),
+) -> Expr {
+    let one = graph.one();
+    let trace = trace(graph, relative, 0.0, 1.0);
+    let square = graph.add(one, trace);
+    let square = graph.larger(square, one);
+    let energy = quadratic(graph, &bushing.torsion_stiffness, twice, twice, 0.5);
+    let energy = graph.div(energy, square);
+    let is_near = graph.function(Function::Step, trace);
+    let is_far = graph.sub(one, is_near);
+    let parts = [graph.mul(is_near, energy), graph.mul(is_far, linear)];
+    graph.sum(parts)
 }
 
 /// ½ e·K e, which is linear in the relative rotation R, because e eᵀ = R + Rᵀ + (1 − trace R) 1. Near zero it is a small

@@ -104,7 +104,10 @@ impl Arguments<'_, '_> {
     pub fn quantity(&mut self, field: &str) -> Option<(Expr, Option<Dimension>)> {
         let syntax = self.syntax(field)?;
         let (expr, dimension) = self.resolver.scalar(syntax)?;
-        if self.expects(field) == Some(Expects::KnownAny) {
+        if matches!(
+            self.expects(field),
+            Some(Expects::KnownAny | Expects::Known(_))
+        ) {
             self.check_known(field, syntax, &[expr])?;
         }
         Some((expr, dimension))

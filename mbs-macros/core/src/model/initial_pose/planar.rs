@@ -289,7 +289,10 @@ fn two_points(graph: &mut Graph, known: &[(Vector, Known)]) -> Option<(Expr, Exp
     );
     let angle = graph.sub(to, from);
     let cross = graph.planar_cross(outside, spread);
-    let square = graph.dot(outside, outside);
+    let (square, usual) = (graph.dot(outside, outside), graph.dot(inside, inside));
+    // Guesses may put both points at one place. Any angle and rate do there: assembly changes them.
+    let least = graph.scale(1e-20, usual);
+    let square = graph.larger(square, least);
     let rate = graph.div(cross, square);
     Some((angle, rate))
 }
