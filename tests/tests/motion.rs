@@ -9,6 +9,7 @@ mod sizes;
 mod acceleration_outputs;
 mod allocations;
 mod baselines;
+mod bushings;
 mod damped_poses;
 mod driven_poses;
 mod drives;
@@ -35,11 +36,13 @@ mod scopes;
 mod slopes;
 mod solved_rows;
 mod spatial_scenes;
+mod special_values;
 mod starts_in_poses;
 mod states;
 mod stops;
 mod tolerances;
 mod tree_joints;
+mod turning;
 mod undetermined;
 
 #[global_allocator]

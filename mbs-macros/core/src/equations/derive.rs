@@ -147,20 +147,22 @@ pub fn derive(mut model: Model) -> (Outline, System) {
     (model.outline, system)
 }
 
-/// The part of the rate of each counted angle that the rotations of bodies have: a body may turn by more than half a turn at once.
-/// (A coordinate that is no angle moves on a line, along which no angle changes by more than a quarter turn.)
+/// The part of the rate of each counted angle by rotations of bodies and by coordinates that are angles: these may turn by more
+/// than half a turn at once. (Other coordinates move on a line, along which no angle changes by more than half a turn.)
 fn turning_rates(graph: &mut Graph, layout: &Layout, angles: &[Expr]) -> Vec<Expr> {
-    let first = layout.rotations.iter().map(|rotation| rotation.velocity);
-    let turning: Vec<u32> = first
-        .flat_map(|first| first..first + 3)
-        .map(|velocity| velocity as u32)
-        .collect();
+    let mut turning: Vec<usize> = Vec::new();
+    for rotation in &layout.rotations {
+        turning.extend(rotation.velocity..rotation.velocity + 3);
+    }
+    let is_angle = |slot: usize| layout.coordinates[slot].unit == "rad";
+    let slots = layout.slots.iter().enumerate();
+    turning.extend(slots.filter_map(|(i, &slot)| is_angle(slot).then_some(i)));
     let rate = |angle: &Expr| {
         let mut terms = Vec::new();
         for &i in &turning {
-            let slope = graph.derivative(*angle, Symbol::Coordinate(i));
+            let slope = graph.derivative(*angle, Symbol::Coordinate(i as u32));
             if !graph.is_zero(slope) {
-                let speed = graph.symbol(Symbol::Velocity(i));
+                let speed = graph.symbol(Symbol::Velocity(i as u32));
                 terms.push(graph.mul(slope, speed));
             }
         }

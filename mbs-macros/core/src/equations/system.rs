@@ -52,7 +52,7 @@ pub struct System {
     pub reduction: Substitution,
     /// Counted joint angles, in the order of their memories.
     pub unwrapped_angles: Vec<Expr>,
-    /// Their rates by the rotations of bodies.
+    /// Their rates by rotations of bodies and by coordinates that are angles.
     pub unwrapped_rates: Vec<Expr>,
 }
 
