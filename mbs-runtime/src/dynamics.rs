@@ -40,6 +40,8 @@ use nalgebra::{SMatrix, SVector};
 #[derive(Clone)]
 pub struct Dynamics<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
+    /// Of the parameters of the simulation that has made it.
+    pub(crate) revision: u32,
     pub(crate) geometry: Box<ConstraintGeometry<S, Q, N, R>>,
     pub(crate) solver: Box<DelassusFactor<R>>,
     time: f64,
@@ -80,6 +82,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Dynamic
         let mut dynamics = Dynamics {
             geometry: ConstraintGeometry::new(&system, q)?,
             system,
+            revision: 0,
             solver: Box::new(solver_for(S::MODEL)),
             time: t,
             positions: *q,

@@ -105,6 +105,8 @@ pub struct Simulation<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     yardstick: Box<Yardstick<Q, N>>,
     /// Whether the method estimates the errors of its steps. No embedded method sees states.
     is_estimated: bool,
+    /// How often parameters were changed: equations that were made before have the old ones.
+    revision: u32,
     /// The last inputs, if they were refused, until a step has returned the error.
     refused: Option<Refused<S::Inputs>>,
     /// Values of the `Event`s; stored, so that the search for an event does not allocate.
@@ -287,11 +289,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A mass matrix that is not positive definite, or rows that admit no finite multiplier.
     pub fn dynamics(&self) -> Result<Dynamics<S, Q, N, R>, SimulationError> {
         let system = self.system().clone();
-        Dynamics::new(system, self.time(), self.positions(), self.velocities())
+        let mut dynamics = Dynamics::new(system, self.time(), self.positions(), self.velocities())?;
+        dynamics.revision = self.revision;
+        Ok(dynamics)
     }
 
-    /// Moves equations that [`Simulation::dynamics`] has made to the current instant, with the current inputs. Allocates
-    /// nothing:
+    /// Moves equations that [`Simulation::dynamics`] of this simulation has made to the current instant, with the current inputs
+    /// and parameters. Allocates nothing, except after parameters were changed:
     ///
     /// ```
     /// # use mbs_runtime::{Simulation, mechanism};
@@ -318,6 +322,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// # Errors
     /// As [`Dynamics::evaluate`].
     pub fn update(&self, dynamics: &mut Dynamics<S, Q, N, R>) -> Result<(), SimulationError> {
+        if dynamics.revision != self.revision {
+            *dynamics = self.dynamics()?;
+            return Ok(());
+        }
         let state = self.state();
         let (q, v) = (&state.positions, &state.velocities);
         dynamics.follow(self.system().inputs(), state.time, q, v)

@@ -380,6 +380,18 @@ impl fmt::Display for SimulationError {
                 step,
                 row,
                 residual,
+                ..
+            } if residual.is_infinite() => write!(
+                out,
+                "`{row}` cannot be solved in the step from t = {} s (h = {} s): a matrix is singular or not finite; use a smaller step, or look for a force that is infinite or NaN there, or has no slope, as sqrt(x) at 0",
+                clock(*time),
+                Short(*step)
+            ),
+            NotConverged {
+                time,
+                step,
+                row,
+                residual,
                 iterations,
             } => write!(
                 out,

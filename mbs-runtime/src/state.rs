@@ -317,6 +317,8 @@ pub struct EnergyRange {
     /// power oscillates, and are few where a brake stops a part. Their sum would grow with the length of any run until
     /// nothing is refused.
     pub doubts: f64,
+    /// The sum of the works of all steps without their signs: what forces and drives have given and taken back.
+    pub exchanged: f64,
 }
 
 /// Data of the step controller, kept from step to step.

@@ -127,3 +127,29 @@ fn a_short_step_follows_the_accelerations() {
         "{mean} {acceleration}"
     );
 }
+
+mechanism!(Carrier {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    load: Param(1.0_kg),
+    arm: Bar(mass = 1.0_kg + load, length = 0.5_m, angle = 0.0_deg),
+    shoulder: Revolute(ground.origin, arm.a),
+});
+
+#[test]
+fn equations_that_are_kept_have_the_parameters_of_now() {
+    let mut simulation = Simulation::new(Carrier::default()).unwrap();
+    let mut kept = simulation.dynamics().unwrap();
+    simulation.set_parameters(Carrier { load: 4.0 }).unwrap();
+    simulation.run_until(0.1).unwrap();
+    simulation.update(&mut kept).unwrap();
+    let expected = simulation.reaction("shoulder", "fy").unwrap();
+    let reaction = kept.reaction("shoulder", "fy").unwrap();
+    assert!(
+        (reaction - expected).abs() < 1e-9,
+        "{reaction} for {expected}"
+    );
+    assert_eq!(
+        kept.mass_matrix(),
+        simulation.dynamics().unwrap().mass_matrix()
+    );
+}

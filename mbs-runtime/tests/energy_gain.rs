@@ -333,3 +333,71 @@ fn a_resumed_motion_is_judged_by_all_that_it_had() {
         }
     }
 }
+
+mechanism!(Relay {
+    world: Planar(),
+    push: Input(unit = N),
+    cart: Particle(mass = 2.0_kg, at = [1.0_m, 0.0]),
+    rail: PointOnLine(cart.origin, ground.origin, axis = X),
+    motor: Force(
+        on = cart.origin,
+        value = [push - 4.0_N_s_per_m * cart.velocity.x, 0.0_N]
+    ),
+    place: Output(cart.origin.x),
+    speed: Output(cart.velocity.x),
+});
+
+/// A relay that switches for ever: its works cancel, the errors of their sum do not.
+#[test]
+fn a_controller_may_switch_for_ever() {
+    let settings = Settings {
+        step: 0.01,
+        placement: false,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::with_settings(Relay::default(), settings).unwrap();
+    let mut farthest: f64 = 0.0;
+    for _ in 0..90_000 {
+        let values = simulation.outputs();
+        let (place, speed) = (values.place, values.speed);
+        farthest = farthest.max(place.abs());
+        let wanted = if place + 0.05 * speed > 0.0 {
+            -10.0
+        } else {
+            10.0
+        };
+        simulation.inputs_mut().push = wanted;
+        simulation.step().unwrap();
+    }
+    assert!(farthest < 1.1, "{farthest} m");
+}
+
+mechanism!(Pulled {
+    world: Planar(),
+    hand: Input(0.0_m),
+    block: Particle(mass = 1.0_kg, at = [0.0_m, 0.0]),
+    guide: PointOnLine(block, ground.origin, axis = X),
+    pull: Force(
+        on = block,
+        value = [
+            200.0_N_per_m * (hand - block.origin.x) - 5.0_N_s_per_m * block.velocity.x,
+            0.0_N
+        ]
+    ),
+    x: Output(block.origin.x),
+});
+
+/// Each jump gives a work with an error of the same sign.
+#[test]
+fn an_input_may_jump_for_ever() {
+    let settings = Settings {
+        step: 1.0 / 60.0,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::with_settings(Pulled::default(), settings).unwrap();
+    for jump in 1..=1000 {
+        simulation.inputs_mut().hand = if jump % 2 == 0 { 1.0 } else { -1.0 };
+        simulation.run_until(0.5 * f64::from(jump)).unwrap();
+        assert!(simulation.outputs().x.abs() < 2.1);
+    }
+}

@@ -35,7 +35,13 @@ pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, co
     check_finite("a work", &works)?;
     check_finite("the energy at the start", ledger.initial.as_slice())?;
     if let Some(range) = ledger.range {
-        let energies = [range.depth, range.least, range.works, range.doubts];
+        let energies = [
+            range.depth,
+            range.least,
+            range.works,
+            range.doubts,
+            range.exchanged,
+        ];
         check_finite("an energy of the motion", &energies)?;
     }
     check_controller(&state.step_controller)?;

@@ -89,11 +89,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.books.velocity_error = self.books.velocity_error.max(velocity);
         self.books.power = monitor.power;
         let ledger = &mut self.integrator.state_mut().ledger;
-        ledger.nonconservative_work += std::mem::take(&mut monitor.nonconservative_work);
-        ledger.drive_work += std::mem::take(&mut monitor.drive_work);
+        let work = std::mem::take(&mut monitor.nonconservative_work);
+        let drive_work = std::mem::take(&mut monitor.drive_work);
+        ledger.nonconservative_work += work;
+        ledger.drive_work += drive_work;
         let doubt = std::mem::take(&mut monitor.work_doubt);
         if let Some(range) = &mut ledger.range {
             range.doubt(doubt);
+            range.exchange(work.abs() + drive_work.abs());
         }
         self.balance = self.energy();
         self.books.energy_error = self.books.energy_error.max(self.balance.error.abs());

@@ -116,6 +116,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             poses_at_step_start: PosesAhead::default(),
             is_estimated,
             singularities: SingularityDetector::new(rest),
+            revision: 0,
             refused: None,
             events: vec![0.0; S::MODEL.events.len()],
         };

@@ -89,10 +89,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         match Self::from_state(system, self.settings, state.clone(), verdict, self.other) {
             Ok(mut renewed) => {
                 renewed.take_over(self);
+                renewed.revision = self.revision.wrapping_add(1);
                 // The works so far stay in the balance.
                 let range = &mut renewed.integrator.state_mut().ledger.range;
                 if let (Some(range), Some(before)) = (range, &self.state().ledger.range) {
-                    range.doubts = before.doubts;
+                    (range.doubts, range.exchanged) = (before.doubts, before.exchanged);
                 }
                 *self = renewed;
                 Ok(())
@@ -121,5 +122,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.singularities.take_over(&before.singularities);
         self.refused = before.refused.take();
         self.choice = before.choice.take();
+        self.revision = before.revision;
     }
 }
