@@ -245,8 +245,8 @@ fn contradicting_rows_are_named() {
     assert_eq!(verdict.rank, 1);
     assert_eq!(verdict.redundant_rows, ["far"]);
     let text = error.to_string();
-    assert!(text.contains("`near` (residual 5.000e-1)"), "{text}");
-    assert!(text.contains("`far` (residual -5.000e-1)"), "{text}");
+    assert!(text.contains("`near` (residual 5.000e-1 m)"), "{text}");
+    assert!(text.contains("`far` (residual -5.000e-1 m)"), "{text}");
 }
 
 #[test]

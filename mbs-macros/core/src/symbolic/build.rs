@@ -286,6 +286,7 @@ impl Graph {
         let mut coefficient = 1.0;
         let mut merged: Vec<(Expr, i32)> = Vec::with_capacity(factors.len() + 2);
         self.flatten_factors(factors, 1, &mut coefficient, &mut merged);
+        self.cancel_roots(&mut merged);
         // √x · √x = x
         if let Some(slot) = self.double_root(&merged) {
             let (root, power) = merged[slot];
@@ -297,7 +298,6 @@ impl Graph {
             let product = self.product(&merged);
             return self.scale(coefficient, product);
         }
-        self.cancel_roots(&mut merged);
         if coefficient == 0.0 {
             return self.zero();
         }
@@ -352,21 +352,32 @@ impl Graph {
         }
     }
 
-    /// √x / √x = 1, where the divisor is one of a derivative ([`Function::Nonzero`]).
+    /// √x / √x = 1, where the divisor is one of a derivative ([`Function::Nonzero`]). Beside other divisors √x or x this is √x.
     fn cancel_roots(&self, factors: &mut Vec<(Expr, i32)>) {
-        for slot in 0..factors.len() {
+        let mut slot = 0;
+        while slot < factors.len() {
             let (divisor, power) = factors[slot];
+            slot += 1;
             let Node::Function(Function::Nonzero, root) = *self.node(divisor) else {
                 continue;
             };
-            let Some(other) = factors.iter().position(|&(factor, _)| factor == root) else {
+            let Node::Function(Function::Sqrt, inside) = *self.node(root) else {
                 continue;
             };
-            let common = factors[other].1.min(-power).max(0);
-            factors[slot].1 += common;
-            factors[other].1 -= common;
+            let mut others = factors.iter();
+            let is_divided = others.any(|&(x, power)| power < 0 && (x == root || x == inside));
+            let mut others = factors.iter();
+            let common = match others.find(|(factor, _)| *factor == root) {
+                _ if is_divided => -power,
+                Some(&(_, multiplied)) => multiplied.min(-power).max(0),
+                None => 0,
+            };
+            if common != 0 {
+                put_factor(factors, divisor, common);
+                put_factor(factors, root, -common);
+                slot = 0;
+            }
         }
-        factors.retain(|&(_, power)| power != 0);
     }
 
     /// Where a square root has a power that is one of what is inside.
