@@ -179,10 +179,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let way = length.max(reach) * found.speed.max(controller.speed);
         let allowed = self.allowed(tolerance, way, noise);
         // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
-        found.is_embedded = self.is_estimated && self.keeps_its_branch(&found);
-        let of_pair = of_pair.filter(|_| found.is_embedded);
+        let keeps_its_branch = self.keeps_its_branch(&found);
+        let of_pair = of_pair.filter(|_| keeps_its_branch);
         let estimate = of_pair.map(|pair| pair.error);
-        found.error_ratio = controller.predicted_error_ratio(estimate, allowed);
+        // The estimate of the motion does not show the errors of states, but the jumps of forces.
+        found.is_embedded = self.is_estimated && keeps_its_branch;
+        let of_error = estimate.filter(|_| found.is_embedded);
+        found.error_ratio = controller.predicted_error_ratio(of_error, allowed);
         if found.is_embedded && self.follows() && self.is_determined() {
             found.error_ratio = 0.0;
             return Ok(found);
@@ -212,7 +215,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             signs,
         };
         let outcome = self.measure(&mut found, controller, &bounds, (estimate, last));
-        if may_jump {
+        // Where the estimate tells no error, pairs without signs of a jump are compared, too.
+        if may_jump || found.is_jump && !self.is_estimated {
             if signs.is_some_and(|signs| signs.is_blind(found.estimate_factor)) {
                 found.error_ratio = found.error_ratio.max(TOO_LONG);
             }
@@ -292,11 +296,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             converged = true;
             let (apart, mut worst) = self.apart(0.5 * length);
             found.is_apart = apart > UNLIKE * bounds.way;
-            let mut error_ratio = match (found.is_apart, apart > still) {
+            let mut of_motion = match (found.is_apart, apart > still) {
                 (true, true) => TOO_LONG,
                 (true, false) => apart / (ratio * bounds.allowed.max(still)),
                 (false, _) => apart / (ratio * bounds.allowed),
             };
+            let mut error_ratio = of_motion;
             if let Some((own, state)) =
                 self.state_error_ratio((bounds.share, bounds.way), bounds.noise)
                 && own / ratio > error_ratio
@@ -309,7 +314,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 .is_some_and(|signs| signs.is_jump(error_ratio, factor));
             found.is_jump = is_jump;
             if is_jump {
-                error_ratio = over_a_jump(error_ratio, ratio);
+                [error_ratio, of_motion] =
+                    [error_ratio, of_motion].map(|of| over_a_jump(of, ratio));
             }
             if error_ratio <= 1.0 || last || !(clearance < self.clear()) {
                 found.error_ratio = error_ratio;
@@ -317,7 +323,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 found.of = worst.map_or(ErrorOf::Motion, |worst| ErrorOf::Velocity(worst.name));
                 let error = match self.follows() {
                     true => apart / ratio,
-                    false => error_ratio.max(TOO_SMALL) * bounds.allowed,
+                    false => of_motion.max(TOO_SMALL) * bounds.allowed,
                 };
                 let factor = estimate.map(|estimate| error / estimate);
                 found.estimate_factor = factor.filter(|factor| factor.is_finite());

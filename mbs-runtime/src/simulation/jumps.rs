@@ -12,7 +12,9 @@
 //! | two-level, orders 4 to 8 | the difficulty by the estimate is more than √2 times the previous one | it is more than 2³ times that, or the error is more than 8 times the estimate with its previous factor |
 //!
 //! The previous values are those of the last pair that was kept and had the chosen length. Methods without an estimate compare
-//! every pair. Mechanisms with [`Structure::smooth`](crate::Structure::smooth) have no jumps.
+//! every pair. So do all methods for mechanisms with states, whose errors no estimate shows: lengths are then constant, and a pair has
+//! a jump where the estimate is rough, or by the rule of two-level steps. Mechanisms with
+//! [`Structure::smooth`](crate::Structure::smooth) have no jumps.
 
 use super::Simulation;
 use super::step_controller::difficulty;
@@ -120,7 +122,8 @@ impl Signs {
             let is_unusual = self.is_raised && is_unusual;
             return has_grown || (self.is_clear && (self.is_rough || is_unusual));
         }
-        self.is_clear && (is_unusual || self.growth().is_some_and(|growth| growth > CERTAIN))
+        let has_grown = self.growth().is_some_and(|growth| growth > CERTAIN);
+        self.is_clear && (self.is_rough || is_unusual || has_grown)
     }
 
     /// Whether a pair that may have a jump is unlike smooth motion: by the roughness of the estimate, or by its growth.
@@ -171,7 +174,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// forces depend on velocities, it is less than that of the error (`alf3f/embedded.rs`, `alf3f/extrapolation.rs`).
     fn order_of_estimate(&self) -> u8 {
         let order = self.settings.true_order();
-        let is_lower = !self.follows() && (order == 8 || S::STRUCTURE.velocity_forces);
+        let is_two_level = self.settings.method == Method::TwoLevel;
+        let is_lower = is_two_level && (order == 8 || S::STRUCTURE.velocity_forces);
         order - u8::from(is_lower)
     }
 }
