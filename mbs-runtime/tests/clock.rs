@@ -1,6 +1,6 @@
 //! Time: steps are counted exactly, the clock never runs back, and what is not a number is refused by name.
 
-use mbs_runtime::{Method, Settings, Simulation, SimulationError, mechanism};
+use mbs_runtime::{Method, Settings, Simulation, SimulationError, mechanism, methods};
 
 mechanism!(Pendulum {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -140,4 +140,61 @@ fn the_last_sample_is_at_its_instant() {
             assert!((time - 0.01 * number as f64).abs() < 1e-12, "{time}");
         }
     }
+}
+
+/// A cart on a rail that follows a program of the time since `start`, with a rod that hangs from it.
+macro_rules! cart {
+    ($name:ident, $place:expr) => {
+        mechanism!($name {
+            world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+            start: Param(0.0_s),
+            cart: Body(mass = 5.0_kg, inertia = 1.0_kg_m2),
+            rail: Prismatic(ground.origin, cart.origin, axis = X),
+            later: Let(max(0.0_s, t - start - 1.0_s)),
+            motor: Drive(rail.stroke, value = $place),
+            rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = -90.0_deg),
+            hang: Revolute(cart.origin, rod.a),
+            swing: Output(rod.angle),
+            allow: Unused(),
+        });
+    };
+}
+
+cart!(Shaken, 0.5_m * sin(2.0_rad_per_s * (t - start)));
+cart!(Pushed, 2.5_m_per_s2 * later * later);
+
+/// The program of a drive is followed at the instants that the clock shows. Runs ended with `Tolerance`, or took fifty times as many
+/// stages.
+macro_rules! later {
+    ($cart:ident) => {
+        for accuracy in [1e-5, 1e-6, 1e-7] {
+            for settings in [
+                Settings::accuracy(accuracy),
+                Settings::for_tolerance(0.2 * accuracy),
+            ] {
+                let [early, million, ten_millions] = [0.0, 1e6, 1e7].map(|start| {
+                    let cart = Simulation::new($cart { start: 0.0 }).unwrap();
+                    let mut state = cart.state().clone();
+                    state.time = start;
+                    let cart = $cart { start };
+                    let mut cart =
+                        Simulation::resume_with_methods(cart, settings, state, methods::Accuracy)
+                            .unwrap();
+                    cart.run_until(start + 3.0).unwrap();
+                    (cart.outputs().swing, cart.report().stages)
+                });
+                for (swing, stages) in [million, ten_millions] {
+                    let error = (swing - early.0).abs();
+                    assert!(error < accuracy, "{accuracy}: {error:e}");
+                    assert!(stages < 2 * early.1, "{accuracy}: {stages}, {early:?}");
+                }
+            }
+        }
+    };
+}
+
+#[test]
+fn drives_are_followed_at_large_times() {
+    later!(Shaken);
+    later!(Pushed);
 }

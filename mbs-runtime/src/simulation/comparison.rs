@@ -8,6 +8,7 @@ use super::step_controller::{Pace, TOO_LONG};
 use super::tolerance::CLOCK;
 use crate::linear::vector;
 use crate::singular::RankMargin;
+use crate::state::rounding;
 use crate::{Energy, ErrorOf, SimulationError, StepController, System};
 use nalgebra::SVector;
 
@@ -66,6 +67,8 @@ pub(super) struct Found {
     pub(super) estimated_difficulty: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
+    /// Whether the comparison of a driven mechanism shows round-off alone: its ratio to the estimate tells nothing.
+    pub(super) is_round_off: bool,
     /// Whether a force jumps or bends in the pair.
     pub(super) is_jump: bool,
     /// Whether it differs from the other steps by about its way: it begins at rest, or is far too long.
@@ -90,6 +93,7 @@ impl Found {
             difficulty_of_first: None,
             estimated_difficulty: None,
             parts: None,
+            is_round_off: false,
             is_jump: false,
             is_apart: false,
             is_paced: true,
@@ -296,6 +300,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             converged = true;
             let (apart, mut worst) = self.apart(0.5 * length);
             found.is_apart = apart > UNLIKE * bounds.way;
+            found.is_round_off = (const { Self::DRIVEN }) && apart <= bounds.noise;
             let mut of_motion = match (found.is_apart, apart > still) {
                 (true, true) => TOO_LONG,
                 (true, false) => apart / (ratio * bounds.allowed.max(still)),
@@ -372,15 +377,27 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Round-off between instants with these rank margins, in sizes and radians.
     pub(super) fn noise(&self, start: RankMargin, end: RankMargin) -> f64 {
         let exact = (self.yardstick).round_off_of_positions(self.positions());
+        let clock = match const { Self::DRIVEN } {
+            true => self.way_of_clock(),
+            false => 0.0,
+        };
         if const { Self::UNBRANCHED } {
-            return exact;
+            return exact + clock;
         }
         let least = end.least.min(start.least).max(WEAKEST);
         let left = match self.follows() && least > PROJECTED[1] {
             true => PROJECTED[0] * self.settings.constraint_tolerance,
             false => self.settings.constraint_tolerance,
         };
-        left.max(exact) / least
+        left.max(exact) / least + clock
+    }
+
+    /// The way v · 4 ε |t| within the round-off of the clock, in sizes and radians: rows of time are satisfied at the instant that it
+    /// shows.
+    fn way_of_clock(&self) -> f64 {
+        let [before, now] = [&self.pair_start.velocities, self.velocities()]
+            .map(|velocities| self.yardstick.measure(velocities));
+        rounding(self.time()) * before.max(now)
     }
 
     /// How far the rows are from losing their independence, 1 at most.

@@ -4,6 +4,7 @@ use super::Simulation;
 use super::comparison::Found;
 use super::step_controller::TOO_LONG;
 use crate::singular::ROUND_OFF;
+use crate::state::rounding;
 use crate::{Energy, System};
 use nalgebra::SVector;
 
@@ -32,13 +33,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let turnover = before.kinetic.max(now.kinetic).max(work);
         let of = |error: f64| (error - before.error).abs();
         let error = of(now.error).max(of(found.imbalance));
-        let error_ratio = error / (BALANCED * turnover);
+        // The clock shows the time of the pair, and with it the work of drives, with this relative error.
+        let clock = match const { Self::DRIVEN } {
+            true => rounding(self.time()) / (first + second),
+            false => 0.0,
+        };
+        let error_ratio = error / ((BALANCED + clock) * turnover);
         let error_ratio = match (const { Self::DRIVEN }, found.passage.pose().is_some()) {
             (true, true) if self.turns() => TOO_LONG,
             (true, false) => {
                 let turnover = turnover.max((now.drive_work - before.drive_work).abs());
                 let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
-                error_ratio.max(error / (tolerance * turnover + ROUND_OFF * whole))
+                error_ratio.max(error / ((tolerance + clock) * turnover + ROUND_OFF * whole))
             }
             _ => error_ratio,
         };

@@ -149,7 +149,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         };
                         step_controller.note(
                             found.estimate_factor.map(|factor| factor.max(least)),
-                            found.error_ratio,
+                            match found.is_round_off {
+                                true => 0.0,
+                                false => found.error_ratio,
+                            },
                             self.follows().then(|| self.pace()),
                         );
                         if h == step_controller.step && found.is_embedded && self.follows() {
