@@ -1,5 +1,6 @@
 //! For every input the compiler either accepts, or rejects with a message. It never panics. (Inputs by chance: `fuzz.rs`.)
 
+use crate::alloc;
 use mbs_macros_core::{analyse, dag, emit};
 use proc_macro2::TokenStream;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -231,6 +232,33 @@ fn sums_that_grow_name_by_name_are_answered_soon() {
         // 1.5 s; with a copy of the sum for each name 16 s.
         assert!(start.elapsed().as_secs() < 8, "{:?}", start.elapsed());
     });
+}
+
+/// Bars on the ground, coupled each with the one before it, or with the first. What a compilation does is counted by its
+/// allocations.
+#[test]
+fn work_for_couplings_of_many_bars_is_not_cubic() {
+    let work = |count: usize, rows: &str| {
+        let text = format!(
+            "Train {{ world: Planar(), b: Each(0..{count}, |i| Bar(mass = 1.0_kg, length = 1.0_m)), \
+             pin: Each(0..{count}, |i| Revolute(ground.point(1.0_m * i, 0.0), b[i].a)), \
+             row: Each(1..{count}, |i| {rows}) }}"
+        );
+        let tokens = text.parse().expect("these are tokens");
+        let before = alloc::count();
+        assert!(matches!(answer(tokens), Answer::Accepted));
+        (alloc::count() - before) as f64
+    };
+    let growth = |counts: [usize; 2], rows: &str| {
+        let [small, large] = counts.map(|count| work(count, rows));
+        large / small
+    };
+    // 2.3; with a search over all pairs of rows for each block 4.1.
+    let star = growth([50, 100], "Coupling(b[0].angle, b[i].angle, ratio = 0.9)");
+    assert!(star < 3.0, "{star}");
+    // 3.4, with products of all ratios before; 4.5.
+    let train = growth([100, 200], "Gear(b[i - 1], b[i], ratio = 0.9)");
+    assert!(train < 4.0, "{train}");
 }
 
 #[test]

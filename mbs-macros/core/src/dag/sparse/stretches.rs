@@ -2,6 +2,7 @@
 //! ends, a turn of the loop takes a link of each: the processor computes one while the other waits.
 
 use super::Elimination;
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// Longest group of columns that is looked for.
@@ -22,20 +23,13 @@ pub struct Stretch {
     pub joined: bool,
 }
 
-/// What the code of a column depends on, seen from the column itself.
-#[derive(PartialEq)]
-struct Shape {
-    is_row: bool,
-    below: Vec<(usize, bool)>,
-    targets: Vec<usize>,
-}
+/// Whether a column belongs to a row, and what is below its pivot, seen from the column itself.
+type Outline = (bool, Vec<(usize, bool)>);
 
 /// Splits the columns into stretches, in an order in which each column comes after those that it depends on.
 pub(super) fn find(elimination: &Elimination) -> Vec<Stretch> {
     let count = elimination.columns.len();
-    let shapes: Vec<Shape> = (0..count)
-        .map(|position| shape(elimination, position))
-        .collect();
+    let shapes = shapes(elimination);
     let Some([a, b]) = halves(elimination) else {
         return of(&shapes, 0..count);
     };
@@ -47,7 +41,7 @@ pub(super) fn find(elimination: &Elimination) -> Vec<Stretch> {
 }
 
 /// The stretches of a range of columns: at each column the longest loop that begins there.
-fn of(shapes: &[Shape], range: Range<usize>) -> Vec<Stretch> {
+fn of(shapes: &[usize], range: Range<usize>) -> Vec<Stretch> {
     let mut stretches: Vec<Stretch> = Vec::new();
     let mut first = range.start;
     while first < range.end {
@@ -158,21 +152,51 @@ fn reach(elimination: &Elimination, stretch: &Stretch) -> usize {
         .max(stretch.first + stretch.period - 1)
 }
 
-fn shape(elimination: &Elimination, position: usize) -> Shape {
+/// A number for each column, the same for columns with the same code.
+fn shapes(elimination: &Elimination) -> Vec<usize> {
+    let count = elimination.columns.len();
+    let outlines: Vec<Outline> = (0..count)
+        .map(|position| outline(elimination, position))
+        .collect();
+    let mut alike: HashMap<&Outline, Vec<usize>> = HashMap::new();
+    for (position, outline) in outlines.iter().enumerate() {
+        alike.entry(outline).or_default().push(position);
+    }
+    let mut shapes = vec![0; count];
+    let mut next = 0;
+    for positions in alike.into_values() {
+        // A full column has as many targets as the square of its length, and no other column has its outline.
+        if let [position] = positions[..] {
+            shapes[position] = next;
+            next += 1;
+            continue;
+        }
+        let mut known: HashMap<Vec<usize>, usize> = HashMap::new();
+        for position in positions {
+            let shape = *known.entry(targets(elimination, position)).or_insert(next);
+            next = next.max(shape + 1);
+            shapes[position] = shape;
+        }
+    }
+    shapes
+}
+
+fn outline(elimination: &Elimination, position: usize) -> Outline {
+    let column = &elimination.columns[position];
+    let below = column.below.iter();
+    let below = below.map(|&(i, is_row)| (i - position, is_row));
+    (column.is_row, below.collect())
+}
+
+/// Where the products of two entries of a column go, seen from its pivot.
+fn targets(elimination: &Elimination, position: usize) -> Vec<usize> {
     let column = &elimination.columns[position];
     let below = &column.below;
     let pairs = below
         .iter()
         .enumerate()
         .flat_map(|(place, &(i, _))| below[..=place].iter().map(move |&(j, _)| (i, j)));
-    Shape {
-        is_row: column.is_row,
-        below: below
-            .iter()
-            .map(|&(i, is_row)| (i - position, is_row))
-            .collect(),
-        targets: pairs
-            .map(|(i, j)| elimination.slot(i, j) - column.pivot)
-            .collect(),
-    }
+    pairs
+        .map(|(i, j)| elimination.slot(i, j) - column.pivot)
+        .collect()
 }
