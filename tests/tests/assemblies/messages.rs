@@ -389,3 +389,39 @@ mechanism!(M {
         ",
     );
 }
+
+/// What was given to it had no effect.
+#[test]
+fn a_port_that_nothing_names() {
+    refused(
+        "
+assembly!(A {
+    world: Planar(),
+    p: Port(Point),
+    n: Port(Number),
+    ~ nothing in the assembly `A` names its port `n`, so that what it is given would be ignored; use it or remove it
+    b: Bar(mass = 1.0_kg, length = 1.0_m),
+    j: Revolute(p, b.a),
+});
+        ",
+    );
+    // By another port, for an assembly inside, as a table, in a range.
+    accepted(
+        "
+assembly!(Inner { world: Planar(), place: Port(Vector), free: Particle(mass = 1.0_kg, position = place, free = true) });
+assembly!(A {
+    world: Planar(),
+    n: Port(Number),
+    double: Port(Number, default = 2.0 * n),
+    p: Port(Vector),
+    curve: Port(Table),
+    law: Port(Table),
+    count: Port(Number),
+    inner: Assembly(Inner, place = p),
+    out: Output(curve(double)),
+    pull: SpringDamper(ground.origin, inner.free.origin, law = law, length = 1.0_m),
+    outs: Each(0..count, |i| Output(1.0 * i)),
+});
+        ",
+    );
+}

@@ -1,4 +1,4 @@
-//! The names in the entries of an assembly are those of its entries and ports.
+//! The names in the entries of an assembly are those of its entries and ports, and each port is named.
 
 use super::assemblies::Definition;
 use super::entry::ASSEMBLY;
@@ -11,7 +11,8 @@ use std::cell::RefCell;
 use syn::Expr;
 
 impl Definition {
-    /// Refuses names of nothing, and defaults of ports that need the value of a later one: none depends on itself.
+    /// Refuses names of nothing, ports that nothing names, and defaults of ports that need the value of a later one: none
+    /// depends on itself.
     pub fn check_names(&self, errors: &mut Errors) {
         let ports = || self.ports.iter().map(|port| port.name.to_string());
         let items = self.items.iter().filter_map(|item| match item {
@@ -20,7 +21,21 @@ impl Definition {
             Item::Doc(_) => None,
         });
         let known: Vec<String> = ports().chain(items).collect();
-        for name in named(self) {
+        let names = named(self);
+        for port in &self.ports {
+            if names.iter().all(|(name, _)| *name != port.name) {
+                errors.at(
+                    port.name.span(),
+                    format!(
+                        "nothing in the assembly `{}` names its port `{}`, so that what it is given would be ignored; use it or remove it",
+                        self.name, port.name
+                    ),
+                );
+            }
+        }
+        // A function that has no name here may be one of Rust.
+        let values = names.iter().filter(|(_, role)| *role != Role::Function);
+        for (name, _) in values {
             let text = name.to_string();
             if !known.contains(&text) && !RESERVED.contains(&text.as_str()) {
                 let hint = did_you_mean(&text, known.iter().map(String::as_str));
@@ -38,8 +53,8 @@ impl Definition {
             let names = port.default.iter().flat_map(names_in);
             let found = names
                 .into_iter()
-                .find(|name| later.contains(&name.to_string()));
-            if let Some(name) = found {
+                .find(|(name, role)| *role != Role::Function && later.contains(&name.to_string()));
+            if let Some((name, _)) = found {
                 errors.at(
                 name.span(),
                 format!("the default of `{}` needs the value of `{name}`, which is not known before; name ports that are declared before it", port.name),
@@ -49,8 +64,8 @@ impl Definition {
     }
 }
 
-/// All names that stand for values.
-fn named(definition: &Definition) -> Vec<Ident> {
+/// All names that stand for values or functions.
+fn named(definition: &Definition) -> Vec<(Ident, Role)> {
     let mut list = Vec::new();
     for item in &definition.items {
         match item {
@@ -80,11 +95,11 @@ fn named(definition: &Definition) -> Vec<Ident> {
     list
 }
 
-fn names_in(expr: &Expr) -> Vec<Ident> {
+fn names_in(expr: &Expr) -> Vec<(Ident, Role)> {
     collected(expr, |expr, note| rewrite(expr, note))
 }
 
-fn names_of_law(expr: &Expr) -> Vec<Ident> {
+fn names_of_law(expr: &Expr) -> Vec<(Ident, Role)> {
     collected(expr, |expr, note| rewrite_function(expr, note))
 }
 
@@ -92,12 +107,10 @@ fn names_of_law(expr: &Expr) -> Vec<Ident> {
 fn collected(
     expr: &Expr,
     visit: impl Fn(&mut Expr, &dyn Fn(&Ident, Role) -> Option<Expr>),
-) -> Vec<Ident> {
+) -> Vec<(Ident, Role)> {
     let names = RefCell::new(Vec::new());
     visit(&mut expr.clone(), &|name, role| {
-        if role != Role::Function {
-            names.borrow_mut().push(name.clone());
-        }
+        names.borrow_mut().push((name.clone(), role));
         None
     });
     names.into_inner()
