@@ -425,3 +425,39 @@ assembly!(A {
         ",
     );
 }
+
+#[test]
+fn a_member_of_a_family_of_assemblies_alone() {
+    let inner = "assembly!(B { world: Planar(), p: Port(Point), b: Bar(mass = 1.0_kg, length = 1.0_m), j: Revolute(p, b.a) });";
+    refused(&format!(
+        "
+{inner}
+mechanism!(M {{
+    world: Planar(),
+    a: Each(0..2, |i| Assembly(B, p = ground.origin)),
+    c: Bar(mass = 1.0_kg, length = 1.0_m),
+    k: Revolute(a[1], c.a),
+                ~~~~ `a[1]` is an assembly; name one of its entries, as in `a[1].b`
+    l: Output(a[0]),
+              ~~~~ `a[0]` is an assembly; name one of its entries, as in `a[0].b`
+    m: Output(a[2]),
+              ~~~~ there is no `a[2]`; the members of `a` go from `a[0]` to `a[1]`
+}});
+        "
+    ));
+    refused(&format!(
+        "
+{inner}
+assembly!(C {{
+    world: Planar(),
+    b: Each(0..2, |i| Assembly(B, p = ground.origin)),
+    o: Output(b[0]),
+              ~~~~ in `c.o`: `c.b[0]` is an assembly; name one of its entries, as in `c.b[0].b`
+}});
+mechanism!(M {{
+    world: Planar(),
+    c: Assembly(C),
+}});
+        "
+    ));
+}

@@ -80,6 +80,9 @@ impl<'d> Resolver<'d> {
         if self.names.contains_key(&text) {
             return Some(());
         }
+        if declaration.instance(&text).is_some() {
+            return self.unknown(&text, place);
+        }
         let ([first, last], example) = (family.ends(), family.example());
         if reference.indices.len() != family.ranges.len() {
             return self.fail(
