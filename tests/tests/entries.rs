@@ -162,6 +162,36 @@ mechanism!(M {
     );
 }
 
+/// `powi(2.5)` was `powf(2.5)`.
+#[test]
+fn a_fraction_as_a_whole_exponent() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    p: Particle(mass = 1.0_kg, free = true),
+    o: Output((p.origin.x / 1.0_m).powi(2.5)),
+                                        ~~~ `powi` takes a whole number; write `powf(2.5)`
+    w: Output((p.origin.x / 1.0_m).powi(4.0 / 2.0) + (p.origin.x / 1.0_m).powf(2.5)),
+});
+        ",
+    );
+}
+
+#[test]
+fn a_constant_of_rust_alone() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    m: Param(crate::MASS),
+             ~~~~~~~~~~~ the compiler does not know the value of this constant: give about its value, with its unit, as in `Param(crate::MASS, nominal = 1.0_kg)`
+    p: Particle(mass = m, free = true),
+});
+        ",
+    );
+}
+
 /// Its text was left out.
 #[test]
 fn documentation_that_is_no_text() {

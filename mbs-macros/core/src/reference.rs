@@ -154,6 +154,7 @@ fn takes(expects: Expects) -> String {
             format!("vector of {dimension}; an expression of coordinates and parameters")
         }
         Expects::Anything => "an expression or a list".to_owned(),
+        Expects::Sampled => "a number, a vector or a point".to_owned(),
         Expects::Point => "a point".to_owned(),
         Expects::Part | Expects::PartAngle => "a part or `ground`".to_owned(),
         Expects::Axis => "`X`, `Y`, `Z` or components".to_owned(),

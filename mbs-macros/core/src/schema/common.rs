@@ -3,7 +3,7 @@
 use super::kind::Absent::{Assumed, Required};
 use super::kind::Expects::{
     Anything, Count, Flag, Formulation, Known, KnownAny, KnownVector, Law, MovingAny, MovingVector,
-    Numbers, Part, Point, Unit, Word,
+    Numbers, Part, Point, Sampled, Unit, Word,
 };
 use super::kind::{Field, Group, Initial, Kind, field, initial, positional};
 use crate::dimension::Dimension;
@@ -134,7 +134,7 @@ pub const KINDS: &[Kind] = &[
         group: Group::Value,
         fields: &[positional(
             "value",
-            Anything,
+            Sampled,
             Required,
             "the expression; a point or vector gives `name.x` and `name.y`",
         )],

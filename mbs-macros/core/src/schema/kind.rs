@@ -163,6 +163,8 @@ pub enum Expects {
     FollowingVector(Dimension),
     /// A scalar, a vector, a point, or a list of scalars.
     Anything,
+    /// A scalar, a vector or a point.
+    Sampled,
     /// A point.
     Point,
     /// A bar, body, or the ground.

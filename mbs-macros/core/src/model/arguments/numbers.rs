@@ -6,6 +6,7 @@ use crate::dimension::Dimension;
 use crate::model::requirements::Wanted;
 use crate::schema::Expects;
 use crate::symbolic::Expr;
+use crate::syntax::path_text;
 use syn::Expr as Syntax;
 
 /// Refuses a constant of Rust in an assembly.
@@ -140,7 +141,12 @@ impl Arguments<'_, '_> {
     /// an error.
     pub(in crate::model) fn constant(&mut self) -> Option<Option<syn::ExprPath>> {
         if !self.has("nominal") {
-            return Some(None);
+            return match self.syntax("value") {
+                Some(Syntax::Path(path)) if path.path.get_ident().is_none() => {
+                    self.fail("value", self.without_nominal(path))
+                }
+                _ => Some(None),
+            };
         }
         if self.entry.name.is_nested() {
             return self.fail("value", CONSTANT_IN_ASSEMBLY);
@@ -152,6 +158,18 @@ impl Arguments<'_, '_> {
                 "a parameter with `nominal =` takes the path of a constant, such as `LENGTH`; leave `nominal =` out for a number",
             ),
         }
+    }
+
+    /// The message at the path of a constant alone.
+    fn without_nominal(&self, path: &syn::ExprPath) -> String {
+        // An assembly alone has no world.
+        if self.entry.name.is_nested() || self.resolver.declaration.world.is_none() {
+            return CONSTANT_IN_ASSEMBLY.to_owned();
+        }
+        let path = path_text(path);
+        format!(
+            "the compiler does not know the value of this constant: give about its value, with its unit, as in `Param({path}, nominal = 1.0_kg)`"
+        )
     }
 
     /// A stated unit fits the value beside it.

@@ -125,7 +125,7 @@ impl Resolver<'_> {
             }
             "powi" | "powf" => {
                 let [base, exponent] = self.take(arguments, name, span)?;
-                self.power(base, exponent)
+                self.power(base, exponent, name == "powi")
             }
             "law" => self.law_call(arguments, span),
             _ => {
@@ -247,7 +247,7 @@ impl Resolver<'_> {
         self.graph.norm([a, b, zero])
     }
 
-    fn power(&mut self, base: &Syntax, exponent: &Syntax) -> Option<Value> {
+    fn power(&mut self, base: &Syntax, exponent: &Syntax, is_whole: bool) -> Option<Value> {
         let (x, dimension) = self.scalar(base)?;
         let (exponent_expr, of_exponent) = self.scalar(exponent)?;
         if let Some(found) = of_exponent.filter(|found| *found != Dimension::NONE) {
@@ -259,6 +259,12 @@ impl Resolver<'_> {
         let Some(exponent_value) = self.graph.as_constant(exponent_expr) else {
             return self.fail(Place::of(exponent), "the exponent must be a number");
         };
+        if is_whole && exponent_value.fract() != 0.0 {
+            return self.fail(
+                Place::of(exponent),
+                format!("`powi` takes a whole number; write `powf({exponent_value})`"),
+            );
+        }
         if exponent_value.abs() > 1000.0 {
             return self.fail(
                 Place::of(exponent),
