@@ -6,8 +6,20 @@ use crate::common::scenes::{DampedSleigh, Shaken, Sleigh};
 use crate::common::{Hand, Parameters, Scene, distance};
 use mbs_runtime::nalgebra::SVector;
 use mbs_runtime::{
-    Constraints, Method, MultiplierStart, PaperSettings, RowDirection, Settings, Simulation,
+    Constraints, Method, MultiplierStart, PaperSettings, PaperStepper, RowDirection, Settings,
+    Simulation, mechanism,
 };
+
+mechanism!(Spring {
+    world: Planar(),
+    stiffness: Param(1e13_N_per_m),
+    bob: Particle(
+        mass = 1.0_kg,
+        at = [0.1_m, 0.0],
+        velocity = [0.0_m_per_s, 0.3]
+    ),
+    spring: SpringDamper(ground.origin, bob.origin, stiffness = stiffness),
+});
 
 fn start<T: Scene<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
     scene: T,
@@ -227,4 +239,20 @@ fn carried_fields_change_nothing_for_quadratic_rows() {
     let difference = distance(&a, &b);
     println!("difference {difference:e}");
     assert!(difference < 1e-9, "{difference:e}");
+}
+
+/// A residual that overflows is none that has settled: the step is halved until its loop converges, or fails.
+#[test]
+fn a_loop_that_diverges_is_not_accepted() {
+    let simulation = Simulation::new(Spring::default()).unwrap();
+    let settings = Settings {
+        method: Method::Paper(PaperSettings::default()),
+        ..Settings::default()
+    };
+    let (system, state) = (simulation.system().clone(), simulation.state().clone());
+    let mut paper = PaperStepper::new(system, state, &settings).unwrap();
+    let outcome = paper.step(1e-3);
+    let farthest = paper.state().positions.amax();
+    // The bob is on a circle of less than 0.11 m about the origin, give or take the error of the step.
+    assert!(farthest < 1.0, "{outcome:?}: {farthest:e} m");
 }

@@ -34,7 +34,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
         let scale = dot(self.end.mechanical_momentum(), &x.v).sqrt() + h * size(self.end.force());
         // Newton's method leaves a residual ψ̇, which is multiplied by the penalty: a smaller ℜ cannot be reached.
         let floor = NEWTON_NOISE * self.settings.newton_tolerance * self.heaviest_penalty(h, x);
-        size(&residual) <= self.settings.residual_tolerance.max(floor) * scale
+        let bound = self.settings.residual_tolerance.max(floor) * scale;
+        // A loop that diverges ends with ∞ on both sides.
+        bound.is_finite() && size(&residual) <= bound
     }
 
     /// The largest penalty, in rows of unit effective mass.
