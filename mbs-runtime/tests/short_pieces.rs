@@ -1,5 +1,6 @@
 //! Runs to each instant of a program, which take one step where a longer one would do.
 
+use mbs_runtime::methods::Methods;
 use mbs_runtime::{Mechanism, Method, Settings, Simulation, System, mechanism, methods};
 
 mechanism!(SliderCrank {
@@ -57,6 +58,20 @@ mechanism!(Driven {
     pin: Revolute(crank.b, bob.a),
     motor: Drive(crank.angle, value = 0.5 + 0.4 * sin(3.0_rad_per_s * t)),
     angle: Output(bob.angle),
+});
+
+mechanism!(Engine {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
+    crank: Bar(
+        mass = 0.36_kg,
+        length = 0.15_m,
+        angle = 40.0_deg,
+        rate = 20.0_rad_per_s
+    ),
+    rod: Bar(mass = 0.15_kg, length = 0.4_m, angle = -14.0_deg),
+    bearing: Revolute(ground.origin, crank.a),
+    pin: Revolute(crank.b, rod.a),
+    guide: PointOnLine(rod.b, ground.origin, axis = X),
 });
 
 fn input(piece: u32) -> f64 {
@@ -130,5 +145,51 @@ fn stops_and_inputs_are_seen_in_pieces() {
             let (error, ..) = seen(Buffered {}, accuracy, (3.0, pieces));
             assert!(error < 10.0, "{pieces}, {accuracy:e}: {error}");
         }
+    }
+}
+
+/// The largest difference of a coordinate of the engine to a fine run, after so many pieces: one of 16 ms, and then some that are
+/// much shorter than a step.
+fn off_after<C: Methods>(methods: C, method: Method, count: u32, (short, more): (f64, u32)) -> f64 {
+    let settings = Settings {
+        method,
+        ..Settings::default()
+    };
+    let mut simulation = Simulation::with_methods(Engine {}, settings, methods).unwrap();
+    let mut time = 0.0;
+    for _ in 0..count {
+        time += 0.016;
+        simulation.run_until(time).unwrap();
+        for _ in 0..more {
+            time += short;
+            simulation.run_until(time).unwrap();
+        }
+    }
+    let mut exact = Simulation::with_accuracy(Engine {}, 1e-10).unwrap();
+    exact.run_until(time).unwrap();
+    let apart = simulation.positions() - exact.positions();
+    println!("{} {short:e}: {:e}", method.name(), apart.amax());
+    apart.amax()
+}
+
+/// A step that is much shorter than those before closes what they leave of the rates of rows. The accelerations of that are not those
+/// of the motion.
+#[test]
+fn short_ends_of_pieces_leave_no_accelerations() {
+    let method = Method::by_name("generalized-alpha").unwrap();
+    for short in [1e-5, 1e-6, 1e-8] {
+        let off = off_after(methods::GeneralizedAlpha, method, 60, (short, 1));
+        // Pieces of 16 ms alone leave 4.6e-4 m.
+        assert!(off < 1e-3, "{short:e}: {off:e} m");
+    }
+}
+
+/// The history has instants at the distances of steps.
+#[test]
+fn short_pieces_do_not_fill_the_history() {
+    let method = Method::by_name("bdf").unwrap();
+    for pieces in [(1e-9, 200), (1e-7, 50), (1e-5, 50)] {
+        let off = off_after(methods::Bdf, method, 10, pieces);
+        assert!(off < 2e-5, "{pieces:?}: {off:e} m");
     }
 }

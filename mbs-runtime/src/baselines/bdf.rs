@@ -35,6 +35,9 @@ const NEWTON: f64 = 1e-2;
 const NEWTON_ITERATIONS: usize = 8;
 /// A step below this fraction of the given one is an error.
 const SMALLEST: f64 = 1e-9;
+/// An instant that follows the newest one of the history by less than this part of a step is not kept: a polynomial through both would
+/// multiply the residuals of the rates of rows, which a step of index 3 leaves, by the length of a step over their distance.
+const SHORT: f64 = 0.1;
 /// Growth below which a step is left as it is, and most growth.
 const GROWTH: [f64; 2] = [1.2, 2.0];
 /// Pivots of rows that follow from others, below this fraction of the largest, in poses that violate the rows:
@@ -60,6 +63,8 @@ pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
     since: usize,
     /// The step in use, s; zero before the first.
     size: f64,
+    /// How far the state is ahead of the newest instant of the history, s; zero unless the last steps were [`SHORT`].
+    ahead: f64,
     lambda: SVector<f64, R>,
     motion: Motion<N>,
     saddle: Saddle<N, R>,
@@ -95,6 +100,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             order: 1,
             since: 0,
             size: 0.0,
+            ahead: 0.0,
             lambda: SVector::zeros(),
             motion: Motion::new(),
             saddle: Saddle::with_threshold(DEPENDENT),
@@ -105,7 +111,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
     fn refresh(&mut self) {
         self.history.keep(0);
         self.lambda = SVector::zeros();
-        self.size = 0.0;
+        (self.size, self.ahead) = (0.0, 0.0);
     }
 
     /// Advances by h, in steps of its own of which none is longer.
@@ -124,14 +130,19 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
             // The remaining time is divided into equal steps, so that no very short step is in the history.
             let parts = (left / self.size.min(h) - 1e-3).ceil().max(1.0);
             let trial = left / parts;
+            let reach = self.ahead + trial;
             let outcome = self.try_step(bench, trial);
             if let Ok((error, next)) = &outcome
                 && *error <= 1.0
             {
                 failures = 0;
                 left -= trial;
-                self.choose(&bench.yardstick, trial, *error, next, h / trial);
-                self.accept(bench, trial, next)?;
+                if reach < SHORT * self.size {
+                    self.pass(bench, trial, next)?;
+                } else {
+                    self.choose(&bench.yardstick, reach, *error, next, h / reach);
+                    self.accept(bench, trial, next)?;
+                }
                 continue;
             }
             bench.counters.rejected += 1;
@@ -141,12 +152,18 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 Ok((error, _)) if error.is_finite() => 0.9 * error.powf(-root),
                 _ => 0.25,
             };
-            self.size = trial * factor.clamp(0.25, 0.9);
+            self.size = reach * factor.clamp(0.25, 0.9);
             self.since = 0;
             if failures >= 3 {
                 // The extrapolation from the history failed.
                 self.order = 1;
                 self.history.keep(1);
+                if self.ahead > 0.0 {
+                    // No step from the newest instant to beyond the state is short enough.
+                    let size = self.size;
+                    self.refresh();
+                    self.start(bench, size)?;
+                }
             }
             if self.size < SMALLEST * h {
                 return Err(Fault::Underflow {
@@ -190,7 +207,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         h: f64,
     ) -> Result<(f64, Trial<Q, N, R>), Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
-        let (t1, q0) = (bench.state.time + h, bench.state.positions);
+        let (t1, q0) = (bench.state.time + h, *self.history.newest());
         self.history.seek(&bench.system, t1);
         let (alpha, past, past_p) = self.history.past(self.order);
         let [mut turn, mut v] = self.history.predict(self.order);
@@ -325,6 +342,38 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         }
     }
 
+    /// The state moves to the new instant, which becomes no part of the past. The multipliers of so short a step are not those of the
+    /// motion: they make up for the rates that the step before has left.
+    fn pass<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+        next: &Trial<Q, N, R>,
+    ) -> Result<(), Fault> {
+        self.ahead += h;
+        let lambda = self.lambda;
+        self.go_to(bench, h, next, lambda)
+    }
+
+    /// The state moves to the new instant, with these multipliers there.
+    fn go_to<S: System<Q, N, R>>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+        next: &Trial<Q, N, R>,
+        lambda: SVector<f64, R>,
+    ) -> Result<(), Fault> {
+        let (t0, q0, v0) = (
+            bench.state.time,
+            bench.state.positions,
+            bench.state.velocities,
+        );
+        bench.multipliers = Some(lambda);
+        let ends = [&self.lambda, &lambda];
+        bench.trapezoid_works(t0, h, (&q0, &v0), (&next.q, &next.v), ends);
+        bench.commit(t0 + h, next.q, next.v, false)
+    }
+
     /// The new instant becomes part of the past.
     fn accept<S: System<Q, N, R>>(
         &mut self,
@@ -332,18 +381,11 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         h: f64,
         next: &Trial<Q, N, R>,
     ) -> Result<(), Fault> {
-        let (t0, q0, v0) = (
-            bench.state.time,
-            bench.state.positions,
-            bench.state.velocities,
-        );
-        let lambda = [&self.lambda, &next.lambda];
-        bench.multipliers = Some(next.lambda);
-        bench.trapezoid_works(t0, h, (&q0, &v0), (&next.q, &next.v), lambda);
-        bench.commit(t0 + h, next.q, next.v, false)?;
+        self.go_to(bench, h, next, next.lambda)?;
         bench.system.momentum(&next.q, &next.v, &mut self.motion.p);
-        self.history.push(t0 + h, &next.q, &next.v, &self.motion.p);
-        self.lambda = next.lambda;
+        let time = bench.state.time;
+        self.history.push(time, &next.q, &next.v, &self.motion.p);
+        (self.lambda, self.ahead) = (next.lambda, 0.0);
         Ok(())
     }
 }

@@ -41,6 +41,11 @@ impl<const Q: usize, const N: usize> History<Q, N> {
         self.len
     }
 
+    /// The positions of the newest instant, about which increments are.
+    pub(super) fn newest(&self) -> &SVector<f64, Q> {
+        &self.q[0]
+    }
+
     /// Forgets all but the newest `count`.
     pub(super) fn keep(&mut self, count: usize) {
         self.len = self.len.min(count);

@@ -24,7 +24,7 @@ use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
-/// A step may be longer than the last one by this factor, so that it goes on with its a.
+/// A step may be longer than the last one by this factor, so that it goes on with its accelerations.
 const LONGER: f64 = 10.0;
 
 #[derive(Clone)]
@@ -90,12 +90,18 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
 
     /// What a step begins with. a is an acceleration (α_m − α_f) h after the one of the state: with another length it is nearer or
     /// farther in proportion, and where v̇ jumps a jumps with it.
+    ///
+    /// Rates A v + b of the position rows are left open by a multiple of h². A much shorter step of length s closes them with
+    /// accelerations (A v + b)/(β s), which are none of the motion: after it accelerations are those of the equations.
     fn beginning<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
         h: f64,
     ) -> Result<History<N, R>, Fault> {
-        let mut begins = match self.history {
+        let usable = self
+            .history
+            .filter(|history| h.abs() < LONGER * history.length.abs());
+        let mut begins = match usable {
             Some(history) if !self.jumped => history,
             before => {
                 let (acceleration, lambda) = consistent(&mut self.equations, bench)?;
@@ -113,8 +119,6 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         };
         let ratio = h / begins.length;
         if ratio != 1.0 {
-            // After a much shorter step the difference is round-off.
-            let ratio = if ratio.abs() < LONGER { ratio } else { 0.0 };
             let ahead = begins.algorithmic - begins.acceleration;
             begins.algorithmic = begins.acceleration + ahead * ratio;
         }
