@@ -345,10 +345,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// The multipliers λ that the method applied in its last step: its constraint force was f_c = Aᵀλ; N or N m for
-    /// rows in m or rad, in the order of [`Model::rows`]. Of the two-level method (κ₁ + κ₂)/h and of Algorithm 1 and
-    /// M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of index-3
-    /// projections, generalized α, backward differentiation and penalties the λ at its end. `None` for methods without
-    /// such an unknown, before the first step, and after one that has failed.
+    /// rows in m or rad, in the order of [`Model::rows`]. Of the two-level method and RATTLE (κ₁ + κ₂)/h and of Algorithm 1
+    /// and M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of generalized α, backward
+    /// differentiation, Radau and penalties the λ at its end, and of index-3 projections that of the projected accelerations
+    /// there. `None` for methods without such an unknown, before the first step, and after one that has failed.
     ///
     /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
     /// [`Simulation::reactions`].

@@ -23,7 +23,7 @@ pub(crate) struct Bench<S: System<Q, N, R>, const Q: usize, const N: usize, cons
     pub(crate) rows_alone: bool,
     pub(crate) counters: Counters,
     pub(crate) works: Works,
-    /// λ at the end of the last step, of methods that have it as an unknown.
+    /// λ of the last step, of methods that have such an unknown: at its end, of RATTLE the mean.
     pub(crate) multipliers: Option<SVector<f64, R>>,
     pub(crate) max_iterations: usize,
     pub(crate) yardstick: Box<Yardstick<Q, N>>,

@@ -10,7 +10,8 @@
 //! rows alone; the projections then remove from v* and v̇* what violates the rows of velocity and acceleration (Bayo &
 //! Ledesma, Nonlinear Dyn. 9, 1996, 113–130; Cuadrado, Cardenal, Bayo, Multibody Syst. Dyn. 1, 1997, 259–280; Cuadrado,
 //! Cardenal, Morer, Bayo, Multibody Syst. Dyn. 4, 2000, 55–73). In the literature α is a number that depends on the
-//! step; here it is ξ m̄ · 4/h², so that ξ is the ratio of the rows to the masses in the matrix.
+//! step; here it is ξ m̄ · 4/h², so that ξ is the ratio of the rows to the masses in the matrix. The multipliers that are
+//! reported are those of the projected v̇.
 
 use super::bench::Bench;
 use super::index1::Index1;
@@ -101,7 +102,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
 
         let (mut after, mut lambda) = (before, old.lambda);
         let mut progress = Progress::new();
-        let (q, mut v) = loop {
+        let (q, mut v, applied) = loop {
             let v: SVector<f64, N> = vector(|i| v0[i] + 0.5 * h * (before[i] + after[i]));
             let turn: SVector<f64, N> = vector(|i| 0.5 * h * (v0[i] + v[i]));
             let q = bench.system.advance(&q0, &turn, 1.0);
@@ -121,7 +122,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
                     lambda[i] += penalties[i];
                 }
             }
-            let force = vector(|i| lambda[i] + penalties[i]);
+            let force: SVector<f64, R> = vector(|i| lambda[i] + penalties[i]);
             accumulate(&mut change, &geometry.a, &force);
             if !S::ROTATIONS.is_empty() {
                 pull_back::<S, Q, N, R>(&turn, &mut self.motion.f_q);
@@ -149,7 +150,10 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             let step = scaled(0.5 * h, &change);
             let (sizes, floor) = Progress::sizes(bench, &step, (&q, &v), h);
             if progress.settles(sizes, floor, bench.max_iterations)? {
-                break (q, v);
+                // With these multipliers `after` balances the forces.
+                let applied: SVector<f64, R> =
+                    vector(|i| force[i] - weights[i] * dot(&self.moved[i], &change));
+                break (q, v, applied);
             }
         };
         bench.counters.iterations += progress.count();
@@ -160,12 +164,17 @@ impl<const N: usize, const R: usize> Index3<N, R> {
         } = &mut *bench;
         let rates: SVector<f64, R> = geometry.velocity_rows(system, &v);
         self.project(&geometry.a, &weights, &rates, &mut v);
-        let mut gamma = SVector::zeros();
+        let mut gamma: SVector<f64, R> = SVector::zeros();
         system.constraint_rates(t1, &q, &v, &mut Discard, &mut gamma);
         for i in 0..R {
             gamma[i] += dot(&geometry.a[i], &after);
         }
+        let unprojected = after;
         self.project(&geometry.a, &weights, &gamma, &mut after);
+        // The round-off of φ is in λ, 4ξm̄/h² times. The projection removes it from v̇, with these multipliers in W v̇ = W v̇* + Aᵀκ.
+        let moved: SVector<f64, N> = vector(|i| after[i] - unprojected[i]);
+        let multipliers =
+            vector(|i| applied[i] - weights[i] * (gamma[i] + dot(&self.moved[i], &moved)));
 
         bench.commit(t1, q, v, false)?;
         let consistent = if S::STRUCTURE.rheonomic {
@@ -174,7 +183,7 @@ impl<const N: usize, const R: usize> Index3<N, R> {
             lambda
         };
         let forces = [&old.consistent, &consistent];
-        bench.multipliers = Some(lambda);
+        bench.multipliers = Some(multipliers);
         bench.trapezoid_works(t0, h, (&q0, &v0), (&q, &v), forces);
         self.history = Some(History {
             acceleration: after,

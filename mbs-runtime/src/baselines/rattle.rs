@@ -161,6 +161,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rows<S,
             .map(|i| -kappa[i] * start.b[i] - multiplier[i] * end.b[i])
             .sum();
         self.force = vector(|i| kappa[i] / h);
+        bench.multipliers = Some(vector(|i| (kappa[i] + multiplier[i]) / h));
         std::mem::swap(start, end);
         let power = power + bench.system.nonconservative_power(t1, &q, &v);
         bench.add_works(0.5 * h, [power, 0.0]);

@@ -112,7 +112,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         &self.bench.state
     }
 
-    /// λ at the end of the last step; `None` for methods that have no such unknown.
+    /// λ of the last step; `None` for methods that have no such unknown.
     pub(crate) fn multipliers(&self) -> Option<SVector<f64, R>> {
         self.bench.multipliers
     }
