@@ -5,7 +5,7 @@ mod error_of;
 #[cfg(feature = "std")]
 mod start;
 
-use self::clock::{Short, clock};
+use self::clock::{Short, Whole, clock};
 pub use self::error_of::ErrorOf;
 use core::fmt;
 
@@ -302,7 +302,11 @@ impl fmt::Display for SimulationError {
                 value,
                 wanted,
             } => {
-                write!(out, "setting `{name}` is {value}; give it {wanted}")
+                write!(
+                    out,
+                    "setting `{name}` is {}; give it {wanted}",
+                    Whole(*value)
+                )
             }
             Flow {
                 flow,

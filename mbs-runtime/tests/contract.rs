@@ -185,6 +185,20 @@ fn wrong_settings_are_refused() {
             "{error}"
         );
     }
+    let step = 1e-300;
+    let error = new(
+        FourBar,
+        Settings {
+            step,
+            ..Settings::default()
+        },
+    )
+    .err()
+    .unwrap();
+    assert_eq!(
+        error.to_string(),
+        "setting `step` is 1e-300; give it a value from 1e-100 to 1e100"
+    );
     let paper = PaperSettings {
         penalty_growth: 1.0,
         ..PaperSettings::default()

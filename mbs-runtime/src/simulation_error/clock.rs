@@ -18,11 +18,27 @@ pub(super) struct Short(pub(super) f64);
 
 impl fmt::Display for Short {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 == 0.0 || (1e-4..1e5).contains(&self.0.abs()) {
+        match has_few_zeros(self.0) {
             true => fmt::Display::fmt(&clock(self.0), out),
             false => write!(out, "{:.1e}", self.0),
         }
     }
+}
+
+/// A given number with all of its digits: with an exponent where it has many zeros.
+pub(super) struct Whole(pub(super) f64);
+
+impl fmt::Display for Whole {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match has_few_zeros(self.0) {
+            true => fmt::Display::fmt(&self.0, out),
+            false => fmt::LowerExp::fmt(&self.0, out),
+        }
+    }
+}
+
+fn has_few_zeros(value: f64) -> bool {
+    value == 0.0 || (1e-4..1e5).contains(&value.abs())
 }
 
 /// Room for a number of twelve digits with its exponent.
