@@ -176,7 +176,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// A simulation that continues from a state, with its inputs: bit for bit if mechanism and settings are the same.
     ///
     /// # Errors
-    /// As [`Simulation::with_settings`], and a state that is not finite, violates the constraints, or has inputs of another mechanism.
+    /// As [`Simulation::with_settings`], and a state that is not finite, has inputs of another mechanism, or violates a row by more than
+    /// a millionth of the size of the mechanism or the constraint tolerance. Methods that leave residuals of their own
+    /// (Algorithm 1, M-ALF, penalties, Baumgarte's terms, BDF, and generalized α in the rates) take up to a hundredth.
     pub fn resume<M: Mechanism<System = S>>(
         mechanism: M,
         settings: Settings,

@@ -219,10 +219,17 @@ pub enum SimulationError {
     },
     /// A state that a simulation cannot resume from.
     State {
-        /// What is wrong: a coordinate, a row, the time.
+        /// What is wrong: a coordinate, the time.
         what: &'static str,
-        /// Its value or residual.
+        /// Its value.
         value: f64,
+    },
+    /// A state that violates a row by more than the method leaves.
+    StateRow {
+        /// The row.
+        row: &'static str,
+        /// Its residual, or the rate of it.
+        residual: f64,
     },
 }
 
@@ -489,6 +496,10 @@ impl fmt::Display for SimulationError {
             State { what, value } => write!(
                 out,
                 "cannot resume from this state: {what} is {value:.3e}; pass a state taken from a simulation of the same mechanism and parameters"
+            ),
+            StateRow { row, residual } => write!(
+                out,
+                "cannot resume from this state: the row `{row}`, or its rate, is {residual:.3e}; pass a state taken from a simulation of the same mechanism and parameters by a method that satisfies rows as closely, or raise `constraint_tolerance`"
             ),
         }
     }

@@ -274,7 +274,7 @@ fn states_that_cannot_be_resumed_are_refused() {
         .unwrap()
         .to_string();
     assert!(
-        error.starts_with("cannot resume from this state: crank"),
+        error.starts_with("cannot resume from this state: the row `crank"),
         "{error}"
     );
     let error = resume(State::new(0.0, q, v.add_scalar(1.0)))
@@ -282,7 +282,7 @@ fn states_that_cannot_be_resumed_are_refused() {
         .unwrap()
         .to_string();
     assert!(
-        error.starts_with("cannot resume from this state: crank"),
+        error.starts_with("cannot resume from this state: the row `crank"),
         "{error}"
     );
     let error = resume(State::new(f64::NAN, q, v))

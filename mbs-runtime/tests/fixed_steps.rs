@@ -93,7 +93,7 @@ fn it_continues_from_a_state() {
     slipped.velocities[0] += 0.01;
     for state in [torn, slipped] {
         let resumed = PlantFixedStepSimulation::resume(Plant::default(), SETTINGS, state);
-        assert!(matches!(resumed, Err(SimulationError::State { .. })));
+        assert!(matches!(resumed, Err(SimulationError::StateRow { .. })));
     }
 }
 

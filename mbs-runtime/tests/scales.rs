@@ -385,7 +385,7 @@ fn resumption_has_the_same_verdict() {
         assert!(resumed(length).is_ok(), "{length} m");
         for other in [1.2, 1.0 + 1e-4] {
             let outcome = resumed(other * length).map(|_| ());
-            let refused = matches!(outcome, Err(SimulationError::State { .. }));
+            let refused = matches!(outcome, Err(SimulationError::StateRow { .. }));
             assert!(refused, "{length} m: {outcome:?}");
         }
     }

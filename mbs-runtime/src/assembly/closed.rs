@@ -65,7 +65,7 @@ pub(crate) fn check<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     let mut phi = SVector::zeros();
     let at = geometry.evaluate(system, t, q, &mut phi);
     at.map_err(fault)?;
-    check_rows(S::MODEL, &phi, &scale)?;
+    check_rows(S::MODEL, &phi, &scale, &settings.method)?;
     let rates = geometry.velocity_rows(system, &state.velocities);
     let speed = yardstick.measure(&state.velocities);
     check_rates(S::MODEL, &rates, &scale, (settings, speed))

@@ -6,13 +6,27 @@ use crate::linear::{largest, zeros};
 use crate::row_scale::RowScale;
 use crate::yardstick::Yardstick;
 use crate::{
-    Coordinate, Foreseen, Model, PosesAhead, Settings, SimulationError, State, StepController,
-    System, ThreeFields,
+    Coordinate, Foreseen, Method, Model, PosesAhead, Settings, SimulationError, State,
+    StepController, System, ThreeFields,
 };
 use nalgebra::SVector;
 
 /// Violation of a row, as a displacement relative to the size of the mechanism, with which a state can be resumed.
 const RESUMABLE: f64 = 1e-6;
+/// The same for methods that leave residuals, whose size depends on the step, on the forces and on their own settings. A motion with
+/// larger ones is of no use.
+const RESUMABLE_OPEN: f64 = 1e-2;
+
+/// Violations of the positions of rows, and of their rates, with which this method can resume.
+fn resumable(method: &Method) -> [f64; 2] {
+    use Method::{Baumgarte, Bdf, GeneralizedAlpha, MAlf, Paper, Penalty};
+    match method {
+        Paper(_) | MAlf(_) | Penalty(_) | Baumgarte(_) | Bdf(_) => [RESUMABLE_OPEN; 2],
+        // Of index 3: it solves positions.
+        GeneralizedAlpha(_) => [RESUMABLE, RESUMABLE_OPEN],
+        _ => [RESUMABLE; 2],
+    }
+}
 
 /// Refuses a state that is not finite, or whose quaternions have not unit length.
 pub(super) fn check_state<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -150,13 +164,16 @@ pub(super) fn check_rows<const R: usize>(
     model: &Model,
     phi: &SVector<f64, R>,
     scale: &RowScale<R>,
+    method: &Method,
 ) -> Result<(), SimulationError> {
+    let [allowed, _] = resumable(method);
+    let allowed = allowed.max(scale.tolerance);
     for (i, row) in model.rows.iter().enumerate() {
         // Rows that are not numbers are refused, too.
-        if !(scale.displacement_of(i, phi[i]) <= RESUMABLE.max(scale.tolerance)) {
-            return Err(SimulationError::State {
-                what: row.name,
-                value: phi[i],
+        if !(scale.displacement_of(i, phi[i]) <= allowed) {
+            return Err(SimulationError::StateRow {
+                row: row.name,
+                residual: phi[i],
             });
         }
     }
@@ -171,24 +188,26 @@ pub(crate) fn check_rates<const R: usize>(
     scale: &RowScale<R>,
     (settings, speed): (&Settings, f64),
 ) -> Result<(), SimulationError> {
-    let allowed = allowed_rate(settings, speed);
-    for (i, (row, value)) in model.rows.iter().zip(rates.iter().copied()).enumerate() {
-        if !(scale.displacement_of(i, value) <= allowed) {
-            return Err(SimulationError::State {
-                what: row.name,
-                value,
+    let [_, part] = resumable(&settings.method);
+    let allowed = allowed_rate(settings, speed, part);
+    for (i, (row, rate)) in model.rows.iter().zip(rates.iter().copied()).enumerate() {
+        if !(scale.displacement_of(i, rate) <= allowed) {
+            return Err(SimulationError::StateRow {
+                row: row.name,
+                residual: rate,
             });
         }
     }
     Ok(())
 }
 
-/// The rate of a row, as a displacement a second, that a motion of this speed may have.
-fn allowed_rate(settings: &Settings, speed: f64) -> f64 {
+/// The rate of a row, as a displacement a second, that a motion of this speed may have, where rows may be violated by a `part` of the
+/// size of the mechanism.
+fn allowed_rate(settings: &Settings, speed: f64, part: f64) -> f64 {
     // What moves a row by less than its tolerance in a step is allowed at rest, too.
     let least = settings.constraint_tolerance / settings.step;
     // Where rows touch each other, as in a flat parallelogram, one that is open by e has rates of √e.
-    let part = RESUMABLE.max(settings.constraint_tolerance.sqrt());
+    let part = part.max(settings.constraint_tolerance.sqrt());
     (part * speed).max(least)
 }
 
@@ -202,7 +221,7 @@ pub(super) fn check_start<S: System<Q, N, R>, const Q: usize, const N: usize, co
 ) -> Result<(), SimulationError> {
     check_loads(system, (t, q, v))?;
     let speed = yardstick.measure(v).max(scale.displacement(prescribed));
-    let allowed = allowed_rate(settings, speed);
+    let allowed = allowed_rate(settings, speed, RESUMABLE);
     let off = |i: &usize| scale.displacement_of(*i, rates[*i]);
     let worst = (0..R).max_by(|i, j| off(i).total_cmp(&off(j)));
     match worst.filter(|i| !(off(i) <= allowed)) {

@@ -155,7 +155,7 @@ pub(crate) fn inspect<S: System<Q, N, R>, const Q: usize, const N: usize, const 
     let scale = RowScale::new(system, &yardstick, settings).map_err(fault)?;
     let mut phi = SVector::zeros();
     system.holonomic(state.time, q, &mut phi);
-    check_rows(S::MODEL, &phi, &scale)?;
+    check_rows(S::MODEL, &phi, &scale, &settings.method)?;
     let residual = largest(&phi);
     if const { large::is_possible::<S, Q, N, R>() }
         && large::applies::<S, Q, N, R>(settings)

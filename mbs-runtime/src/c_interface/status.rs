@@ -84,7 +84,8 @@ impl From<SimulationError> for Failure {
             | E::Time { .. }
             | E::Input { .. }
             | E::Guess { .. }
-            | E::State { .. } => Status::Value,
+            | E::State { .. }
+            | E::StateRow { .. } => Status::Value,
             E::NotConverged { .. }
             | E::Astray { .. }
             | E::NonFinite { .. }
