@@ -7,7 +7,8 @@ use mbs_runtime::{
 };
 
 mechanism!(SliderCrank {
-    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    // With rows that several methods leave open by more than 1e-6.
+    world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
     length: Param(0.15_m),
     push: Input(unit = N),
     crank: Bar(mass = 1.0_kg, length = length, angle = 60.0_deg),
