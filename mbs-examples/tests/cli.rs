@@ -376,8 +376,19 @@ fn wrong_numbers_are_refused() {
             }
         }
         refused(
-            &["simulate", &name, "--time", "1", "--step", "1e-300"],
+            &["simulate", &name, "--time", "1", "--step", "1e-50"],
             &["--step", "longer"],
+        );
+        // Neither would end.
+        for value in ["1e-322", "1e300"] {
+            refused(
+                &["simulate", &name, "--time", value],
+                &["--time", "1e-100 to 1e100"],
+            );
+        }
+        refused(
+            &["simulate", &name, "--time", "1e20"],
+            &["--time 1e20 is too long"],
         );
     }
 }
@@ -388,6 +399,10 @@ fn what_is_not_built_is_refused_with_what_is() {
         refused(
             &["simulate", &name, "--order", "3"],
             &["order 3", "--order 2, 4, 6 and 8"],
+        );
+        refused(
+            &["simulate", &name, "--order", "-2"],
+            &["order -2", "--order 2, 4, 6 and 8"],
         );
         for tolerance in ["0", "-1", "nan", "1", "1e-20", "abc", ""] {
             refused(

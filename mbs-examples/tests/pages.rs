@@ -108,6 +108,13 @@ fn blocks_and_renderers_belong_together() {
         wrong.starts_with("book/src/results/x.txt: book/src/results/no.csv: "),
         "{wrong}"
     );
+    let nowhere = root().join("no such folder");
+    let wrong = updates(&nowhere, ANSWER).expect_err("it is wrong");
+    let folder = nowhere.join("book/src");
+    assert!(
+        wrong.starts_with(&format!("{}: ", folder.display())),
+        "{wrong}"
+    );
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! The request of a user to `mbs simulate`, checked before the run.
 
+use std::ops::RangeInclusive;
+
 use mbs_examples::scene::Scene;
 use mbs_runtime::{AnySimulation, Method, Settings};
 
@@ -9,6 +11,11 @@ use super::simulate::Simulate;
 
 /// The accuracy of runs for which no method, order, step or tolerance is given.
 const ACCURACY: f64 = 1e-6;
+
+/// The range of times, s, which is that of steps in the library.
+const TIMES: RangeInclusive<f64> = 1e-100..=1e100;
+/// The most steps of a run: with more of them each is below the round-off of the time.
+const MOST_STEPS: f64 = 1e15;
 
 /// A run whose arguments were checked.
 pub struct Request {
@@ -38,10 +45,16 @@ impl Request {
         }
         let duration = positive("--time", arguments.time.as_deref(), scene.duration)?;
         let step = positive("--step", arguments.step.as_deref(), scene.step)?;
-        if duration / step > 1e15 {
-            return Err(Failure(format!(
-                "--step {step:e} is too small for --time {duration:e}: time would not advance; take a longer step"
-            )));
+        if duration / step > MOST_STEPS {
+            let is_constant = settings.tolerance.is_none() && settings.accuracy.is_none();
+            return Err(Failure(match arguments.step {
+                Some(_) if is_constant => format!(
+                    "--step {step:e} is too small for --time {duration:e}: time would not advance; take a longer step"
+                ),
+                _ => format!(
+                    "--time {duration:e} is too long for steps of about {step:e} s: time would not advance; take a shorter time"
+                ),
+            }));
         }
         if let Some(name) = &arguments.method {
             settings.method = method(name)?;
@@ -140,7 +153,12 @@ fn method(name: &str) -> Result<Method, Failure> {
 fn positive(option: &str, text: Option<&str>, default: f64) -> Result<f64, Failure> {
     let Some(text) = text else { return Ok(default) };
     match finite(option, text)? {
-        value if value > 0.0 => Ok(value),
+        value if TIMES.contains(&value) => Ok(value),
+        value if value > 0.0 => Err(Failure(format!(
+            "{option} {text}: give a time from {:e} to {:e}, in seconds",
+            TIMES.start(),
+            TIMES.end()
+        ))),
         _ => Err(Failure(format!(
             "{option} {text}: give a time above zero, in seconds"
         ))),

@@ -45,7 +45,7 @@ pub struct Simulate {
     #[arg(long, value_name = "M")]
     pub method: Option<String>,
     /// Order of the method: 2, 4, 6 or 8 [default: 2 with --step, otherwise the one that fits --tolerance or --accuracy].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub order: Option<String>,
     /// Value of a parameter or an input; may be repeated.
     #[arg(long, value_name = "NAME=VALUE")]

@@ -117,7 +117,7 @@ fn whole(root: &Path, path: &str, new: String) -> Update {
 
 /// The README and all pages of the book, by their paths.
 fn pages(root: &Path) -> Result<BTreeMap<String, String>, String> {
-    let complain = |path: &Path, error| format!("{}: {error}", path.display());
+    let complain = |path: &Path, error| format!("{}: {error}", root.join(path).display());
     let mut files = vec![PathBuf::from("README.md")];
     let mut folders = vec![PathBuf::from("book/src")];
     while let Some(folder) = folders.pop() {
