@@ -81,7 +81,7 @@ pub struct MethodChange {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RankLoss {
-    /// When, s; from the steps around it.
+    /// When, s; from the steps around it, to about a hundredth of their length (and not better than the motion itself).
     pub time: f64,
     /// The smallest singular value of the rows there, each of unit length in the metric of M; estimated like the time.
     pub sigma_min: f64,

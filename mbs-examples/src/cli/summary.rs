@@ -199,7 +199,12 @@ fn write_text(out: &mut String, run: &Run) -> std::fmt::Result {
             report.holonomic_error, report.velocity_error
         )?;
     }
-    write_events(out, run.simulation.rank_losses(), report.rank_losses)?;
+    write_events(
+        out,
+        run.simulation.rank_losses(),
+        report.rank_losses,
+        step(run),
+    )?;
     for (index, (output, value)) in model
         .outputs
         .iter()
@@ -246,12 +251,19 @@ fn write_method_changes(out: &mut String, changes: &[MethodChange]) -> std::fmt:
     }
 }
 
-/// The first singular poses of the list, which has the last ones of `count` in all.
-fn write_events(out: &mut String, losses: &[RankLoss], count: usize) -> std::fmt::Result {
+/// The first singular poses of the list, which has the last ones of `count` in all. Their times are good to about a hundredth of a
+/// step of this length, s.
+fn write_events(
+    out: &mut String,
+    losses: &[RankLoss],
+    count: usize,
+    step: f64,
+) -> std::fmt::Result {
+    let decimals = decimals(0.01 * step);
     for (index, loss) in losses.iter().take(SHOWN).enumerate() {
         writeln!(
             out,
-            "  {:<11}  t = {:.6} s, σ_min {:.1e}: {}{}",
+            "  {:<11}  t = {:.decimals$} s, σ_min {:.1e}: {}{}",
             if index == 0 { "singular" } else { "" },
             loss.time,
             loss.sigma_min,
@@ -273,6 +285,12 @@ fn write_events(out: &mut String, losses: &[RankLoss], count: usize) -> std::fmt
         }
         more => writeln!(out, "               and {more} more"),
     }
+}
+
+/// How many decimals are not below an error.
+fn decimals(error: f64) -> usize {
+    // The logarithm of a power of ten is a little off.
+    (1e-9 - error.log10()).floor().clamp(0.0, 9.0) as usize
 }
 
 fn write_reference(out: &mut String, run: &Run) -> std::fmt::Result {
