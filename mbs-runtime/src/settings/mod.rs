@@ -165,7 +165,7 @@ pub struct Settings {
     pub step: f64,
     /// The runtime chooses the steps of the two-level method, the projected one, or Radau: the error of two steps, of positions
     /// and of velocities times h, stays below a fiftieth of the tolerance times the motion in these steps. Motion is measured in sizes of
-    /// the mechanism (the extent of its points at the start) and in radians; it counts as at least the duration times
+    /// the mechanism (the extent of its points at the declared guess) and in radians; it counts as at least the duration times
     /// the greatest speed so far.
     ///
     /// Errors add up over a run and grow with the motion's own instability; the factor 1/50 allows for both. In the

@@ -69,8 +69,8 @@ pub struct PaperSettings {
     /// The direction c_R of each row.
     pub direction: RowDirection,
     /// Whether μ, λ and π are carried from step to step. Being time integrals of reactions they grow without bound then;
-    /// without it each step begins with μ = 0, λ = 0, π = Mv. For rows quadratic in q the motion is the same; for others
-    /// the latter is more accurate.
+    /// without it each step begins with μ = 0, λ = 0, π = Mv. For rows quadratic in q the motion is the same if ψ̇ = 0 is
+    /// solved to round-off; with the default tolerances, and for other rows, it is more accurate without.
     pub carried_fields: bool,
 }
 

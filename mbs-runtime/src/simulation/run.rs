@@ -104,7 +104,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Runs until the expression of `event` changes sign, but not beyond `latest`; the time of the event, or `None`.
     ///
     /// The state is then that just after the change: a further call finds the next one. With a method that has a memory of earlier steps
-    /// (Radau, BDF, generalized alpha) the search allocates.
+    /// ([`Method`](crate::Method) lists them) the search allocates.
     ///
     /// # Errors
     /// An unknown event; otherwise as [`Simulation::run_until`].
