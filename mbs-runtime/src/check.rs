@@ -57,29 +57,13 @@ impl Settings {
         let fits = self.flow.is_none() || self.method == Method::TwoLevel;
         let wanted = "`Method::TwoLevel`, which alone has a flow, or no `flow`";
         self.require_method(fits, wanted)?;
+        let (order, (orders, because)) = (self.order, self.method.orders());
+        if !orders.contains(&order) {
+            return Err(SimulationError::Order { order, because });
+        }
         match &self.method {
-            Method::TwoLevel | Method::Projected => Ok(()),
-            Method::Baumgarte(BaumgarteSettings {
-                adaptive: Some(_), ..
-            }) if self.order > 4 => Err(SimulationError::Order {
-                order: self.order,
-                because: "with error control the method has the pair of orders 5 and 4",
-            }),
+            Method::TwoLevel | Method::Projected | Method::Rattle | Method::Radau => Ok(()),
             Method::Baumgarte(baumgarte) => baumgarte.check(),
-            Method::Rattle
-            | Method::Penalty(_)
-            | Method::Index3Projections(_)
-            | Method::GeneralizedAlpha(_)
-            | Method::Bdf(_)
-            | Method::Radau
-                if self.order > 2 =>
-            {
-                Err(SimulationError::Order {
-                    order: self.order,
-                    because: "the method has an order of its own",
-                })
-            }
-            Method::Rattle | Method::Radau => Ok(()),
             Method::Penalty(penalty) => penalty.check(),
             Method::Index3Projections(projections) => positive("penalty", projections.penalty),
             Method::GeneralizedAlpha(alpha) => require(
@@ -89,10 +73,6 @@ impl Settings {
                 "from 0 to 1",
             ),
             Method::Bdf(bdf) => bdf.check(),
-            Method::Paper(_) | Method::MAlf(_) if self.order > 2 => Err(SimulationError::Order {
-                order: self.order,
-                because: "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
-            }),
             Method::Paper(paper) | Method::MAlf(paper) => paper.check(),
         }
     }

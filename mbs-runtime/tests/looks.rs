@@ -1,6 +1,6 @@
 //! Looks at instants of the last step change nothing of the motion.
 
-use mbs_runtime::{Method, Settings, Simulation, SimulationError, mechanism};
+use mbs_runtime::{BaumgarteSettings, Method, Settings, Simulation, SimulationError, mechanism};
 
 mechanism!(SliderCrank {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
@@ -20,20 +20,26 @@ mechanism!(SliderCrank {
 /// Multistep methods began anew after each look, and Radau forgot its factors: 618 steps instead of 612.
 #[test]
 fn the_motion_of_every_method_is_the_same() {
-    for (name, tolerance, order) in [
-        ("two-level", None, 4),
-        ("two-level", Some(1e-6), 8),
-        ("projected", Some(1e-6), 8),
-        ("radau", Some(1e-6), 2),
-        ("bdf", None, 2),
-        ("generalized-alpha", None, 2),
-        ("index3-projections", None, 2),
-        ("rattle", None, 2),
-        ("baumgarte", None, 4),
-    ] {
-        let Some(method) = Method::by_name(name) else {
-            panic!("{name}");
-        };
+    let named = Method::NAMES
+        .iter()
+        .filter_map(|name| Method::by_name(name));
+    let mut runs: Vec<(Method, Option<f64>, u8)> = named
+        .map(|method| match method {
+            Method::TwoLevel | Method::Baumgarte(_) => (method, None, 4),
+            Method::Projected => (method, Some(1e-6), 8),
+            Method::Radau => (method, Some(1e-6), 2),
+            _ => (method, None, 2),
+        })
+        .collect();
+    let adaptive = BaumgarteSettings {
+        adaptive: Some(1e-6),
+        ..BaumgarteSettings::default()
+    };
+    runs.push((Method::TwoLevel, Some(1e-6), 8));
+    runs.push((Method::Baumgarte(adaptive), None, 4));
+    assert_eq!(runs.len(), Method::NAMES.len() + 2);
+    for (method, tolerance, order) in runs {
+        let name = method.name();
         let settings = Settings {
             method,
             tolerance,

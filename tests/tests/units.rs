@@ -74,6 +74,7 @@ where
             ..of_order(order)
         }));
     }
+    let mut compared = 0;
     for settings in all {
         let accepted = Simulation::<S, Q, N, R>::with_settings(M::default(), settings).is_ok();
         if !accepted {
@@ -91,7 +92,9 @@ where
             let found = run::<M, S, Q, N, R>(units, settings);
             assert_eq!(found, expected, "{units:?}, order {}", settings.order);
         }
+        compared += 1;
     }
+    assert!(compared > 0, "{name}: all settings were refused");
 }
 
 macro_rules! scenes {

@@ -90,13 +90,36 @@ impl Method {
         })
     }
 
+    /// Those of [`ORDERS`] that [`Settings::order`] may have, and why it may have no others.
+    pub(crate) fn orders(&self) -> (&'static [u8], &'static str) {
+        match self {
+            Method::TwoLevel | Method::Projected => (&ORDERS, ""),
+            Method::Baumgarte(settings) if settings.adaptive.is_some() => (
+                &ORDERS[..2],
+                "with error control the method has the pair of orders 5 and 4",
+            ),
+            Method::Baumgarte(_) => (&ORDERS, ""),
+            Method::Paper(_) | Method::MAlf(_) => (
+                &ORDERS[..1],
+                "Algorithm 1 is dissipative and not symmetric, and stages that run back in time would undo that",
+            ),
+            Method::Rattle
+            | Method::Penalty(_)
+            | Method::Index3Projections(_)
+            | Method::GeneralizedAlpha(_)
+            | Method::Bdf(_)
+            | Method::Radau => (&ORDERS[..1], "the method has an order of its own"),
+        }
+    }
+
     /// Whether steps depend on more of the earlier ones than the state has.
     pub(crate) fn has_memory(&self) -> bool {
         match self {
             Method::Index3Projections(_) | Method::GeneralizedAlpha(_) => true,
             Method::Bdf(_) | Method::Radau | Method::Rattle => true,
             Method::Baumgarte(settings) => settings.adaptive.is_some(),
-            _ => false,
+            Method::TwoLevel | Method::Paper(_) | Method::MAlf(_) => false,
+            Method::Projected | Method::Penalty(_) => false,
         }
     }
 
