@@ -2,7 +2,7 @@
 
 use crate::System;
 use crate::fault::Fault;
-use crate::linear::{RowMatrix, add, vector};
+use crate::linear::{RowMatrix, add, dot, vector};
 use crate::memory::Box;
 use nalgebra::SVector;
 
@@ -92,6 +92,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
         add(&mut rates, &self.b);
         rates
     }
+
+    /// Row i of A v + b.
+    #[inline(always)]
+    pub(crate) fn velocity_row(&self, i: usize, v: &SVector<f64, N>) -> f64 {
+        dot(&self.a[i], v) + self.b[i]
+    }
+
     /// S of the holonomic rows, with unit rows in place of the others.
     pub(crate) fn holonomic_delassus(&self) -> RowMatrix<R, R> {
         let mut delassus = self.delassus.clone();

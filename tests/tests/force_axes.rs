@@ -2,7 +2,8 @@
 //! coordinates and in those of free bodies, with few operations.
 
 use mbs_macros_core::{Analysis, analyse};
-use mbs_runtime::{Simulation, mechanism};
+use mbs_runtime::nalgebra::SVector;
+use mbs_runtime::{Settings, Simulation, State, mechanism};
 use mbs_tests::instant::Instant;
 
 /// An arm on a universal joint with a slide, each with forces and torques in all axes; `COORDINATES` is replaced.
@@ -147,5 +148,45 @@ fn gains_of_a_bushing_are_in_the_axes_of_its_parent() {
     for pull in pulls {
         let pull = pull.expect("it assembles");
         assert!((pull + 20.0).abs() < 1e-12, "{pull}");
+    }
+}
+
+mechanism!(Coupled {
+    world: Spatial(),
+    load: Body(mass = 2.0_kg, inertia = 0.25_kg_m2),
+    mount: Bushing(
+        ground,
+        load,
+        at = [0.0_m, 0.0, 0.0],
+        cross_stiffness = [[0.0_N, 0.0, 5.0], [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]],
+        torsion_damping = [0.1_N_m_s, 0.2, 0.5]
+    ),
+    along: Output(load.origin.acceleration.x),
+    about: Output(load.angular_acceleration.z),
+});
+
+/// V = u · C e: with C_xz = 5 N alone the force along x is −C_xz e_z, and the torque about z is −C_xz u_x de_z/dψ.
+#[test]
+fn a_bushing_opposes_what_its_gains_couple() {
+    let outputs = |x: f64, angle: f64, spin: f64| {
+        let (sin, cos) = (0.5 * angle).sin_cos();
+        let positions = SVector::from([x, 0.0, 0.0, cos, 0.0, 0.0, sin]);
+        let velocities = SVector::from([0.0, 0.0, 0.0, 0.0, 0.0, spin]);
+        let state = State::new(0.0, positions, velocities);
+        let run = Simulation::resume(Coupled::default(), Settings::default(), state);
+        let outputs = run.expect("it has no rows").outputs();
+        [outputs.along, outputs.about]
+    };
+    // e_z = 2 sin(ψ/2) = 1 and de_z/dψ = cos(ψ/2) at 60°: −5 N on 2 kg, and −5 N · 0.2 m · cos 30° on 0.25 kg m².
+    let turned = outputs(0.2, 60f64.to_radians(), 0.0);
+    // −0.5 N m s · 3 rad/s on 0.25 kg m².
+    let spinning = outputs(0.0, 0.0, 3.0);
+    for (found, wanted) in [
+        (turned, [-2.5, -4.0 * 0.75f64.sqrt()]),
+        (spinning, [0.0, -6.0]),
+    ] {
+        for (found, wanted) in found.iter().zip(wanted) {
+            assert!((found - wanted).abs() < 1e-12, "{found} for {wanted}");
+        }
     }
 }

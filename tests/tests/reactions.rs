@@ -1,7 +1,8 @@
 //! Joint reactions compared with formulas and with reference tables.
 
 use mbs_examples::scenes;
-use mbs_runtime::{Mechanism, Settings, Simulation, System, mechanism};
+use mbs_runtime::nalgebra::SVector;
+use mbs_runtime::{Mechanism, Settings, Simulation, State, System, mechanism};
 use mbs_tests::reference;
 
 fn reaction<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
@@ -346,4 +347,89 @@ fn a_light_link_bears_its_load() {
             );
         }
     }
+}
+
+/// A body on each joint of space that holds it off its axes, with its centre of mass at the origin.
+macro_rules! held {
+    ($name:ident, $($joint:tt)*) => {
+        mechanism!($name {
+            world: Spatial(coordinates = Reference),
+            body: Body(mass = 2.0_kg, inertia = 0.5_kg_m2),
+            joint: $($joint)*,
+            load: Wrench(
+                body.origin,
+                force = [10.0_N, 2.0, -8.0],
+                torque = [1.0_Nm, 0.0, 3.0]
+            ),
+        });
+    };
+}
+
+held!(
+    OnShaft,
+    ConstantVelocity(ground, body, at = [0.0_m, 0.0, 0.0], axis = Z)
+);
+held!(
+    OnWire,
+    PointOnLine(body.origin, ground.origin, axis = [3.0, 4.0, 0.0])
+);
+held!(
+    OnTable,
+    PointOnPlane(body.point(0.5_m, 0.0, 0.0), ground.point(0.5_m, 0.0, 0.0))
+);
+
+/// The reaction on the body, which starts at rest at the origin, turned by `angle` about X.
+fn held_at<M, S, const Q: usize, const N: usize, const R: usize>(
+    mechanism: M,
+    angle: f64,
+    wanted: &[(&str, f64)],
+) where
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+{
+    let (sin, cos) = (0.5 * angle).sin_cos();
+    let mut positions = SVector::<f64, Q>::zeros();
+    positions.as_mut_slice()[Q - 4..].copy_from_slice(&[cos, sin, 0.0, 0.0]);
+    let state = State::new(0.0, positions, SVector::zeros());
+    let simulation = Simulation::resume(mechanism, Settings::default(), state);
+    let simulation = simulation.expect("the rows hold");
+    for (component, wanted) in wanted {
+        let found = reaction(&simulation, "joint", component);
+        assert!(
+            (found - wanted).abs() < 1e-12,
+            "{component}: {found} for {wanted}"
+        );
+    }
+}
+
+/// The joint transmits the torque along the bisector of the shafts, and leaves the turning about both other axes.
+#[test]
+fn the_torque_of_a_constant_velocity_joint_is_along_the_bisector() {
+    // n = (0, −sin 30°, cos 30°) halves the angle between (0, 0, 1) and (0, −sin 60°, cos 60°): −(M · n) n, M = (1, 0, 3) N m.
+    let (sin, cos) = (0.5, 0.75f64.sqrt());
+    let torque = -3.0 * cos;
+    let wanted = [
+        ("fx", -10.0),
+        ("fy", -2.0),
+        ("fz", 8.0),
+        ("tx", 0.0),
+        ("ty", -sin * torque),
+        ("tz", cos * torque),
+    ];
+    held_at(OnShaft::default(), 60f64.to_radians(), &wanted);
+}
+
+/// What of the load is not along the line: F − (F · d) d, d = (0.6, 0.8, 0), F · d = 7.6 N.
+#[test]
+fn a_line_in_space_bears_the_force_across_it() {
+    let wanted = [("fx", -5.44), ("fy", 4.08), ("fz", 8.0)];
+    held_at(OnWire::default(), 0.0, &wanted);
+}
+
+/// With the point at r = (0.5, 0, 0) m from the centre of mass the body turns: n · (a + α × r) = 0, a = (F + λ n) / m and
+/// α = (M + r × λ n) / J, so that −4 + λ/2 + λ/2 = 0.
+#[test]
+fn a_plane_bears_the_force_along_its_normal() {
+    let wanted = [("fx", 0.0), ("fy", 0.0), ("fz", 4.0)];
+    held_at(OnTable::default(), 0.0, &wanted);
 }

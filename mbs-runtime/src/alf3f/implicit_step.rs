@@ -301,7 +301,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Closing
         );
         self.defect = work.phi;
         for i in S::STRUCTURE.holonomic_rows..R {
-            self.defect[i] = dot(&end.a[i], &self.vb) + end.b[i];
+            self.defect[i] = end.velocity_row(i, &self.vb);
         }
         let ImplicitStep { solver, mean, .. } = &mut *self.step;
         let (before, after) = (&start.a.data.0, &end.a.data.0);

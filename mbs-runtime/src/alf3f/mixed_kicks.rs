@@ -129,7 +129,7 @@ where
         project(end, work, &mut v, &scale.weights);
         self.defect = work.phi;
         for i in holonomic..R {
-            self.defect[i] = dot(&end.a[i], &v) + end.b[i];
+            self.defect[i] = end.velocity_row(i, &v);
         }
         if core::mem::take(&mut self.is_first) {
             // Kicks that cancel leave their round-off. A rate that moves no position is none.
@@ -252,7 +252,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Refinin
     #[inline(always)]
     fn residual(&mut self) -> f64 {
         for i in 0..S::STRUCTURE.holonomic_rows {
-            self.rates[i] = dot(&self.end.a[i], self.v) + self.end.b[i];
+            self.rates[i] = self.end.velocity_row(i, self.v);
         }
         residual_of(&self.rates, self.weights)
     }

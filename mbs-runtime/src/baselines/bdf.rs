@@ -25,7 +25,7 @@ use super::saddle::Saddle;
 use crate::BdfSettings;
 use crate::fault::Fault;
 use crate::flow::unroll;
-use crate::linear::{add, dot, finite, scaled, vector};
+use crate::linear::{add, finite, scaled, vector};
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
@@ -250,7 +250,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
                 if i < holonomic {
                     -alpha * phi[i]
                 } else {
-                    -(dot(&geometry.a[i], &v) + geometry.b[i])
+                    -geometry.velocity_row(i, &v)
                 }
             });
             if !self

@@ -179,7 +179,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                     rows[i] = if i < holonomic {
                         -phi[i] / to_q
                     } else {
-                        -(dot(&geometry.a[i], &v) + geometry.b[i]) / to_v
+                        -geometry.velocity_row(i, &v) / to_v
                     };
                 }
             }

@@ -351,7 +351,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             system.balance(t, &stage.q, &stage.v, &mut stage.p, &mut stage.force);
             system.constraints(t, &stage.q, phi, geometry.a.entries_mut(), &mut geometry.b);
             accumulate(&mut stage.force, &geometry.a, &stage.lambda);
-            stage.rates = vector(|i| dot(&geometry.a[i], &stage.v) + geometry.b[i]);
+            stage.rates = vector(|i| geometry.velocity_row(i, &stage.v));
         }
     }
 

@@ -161,6 +161,68 @@ impl Scene<5, 5, 2> for Towing {
     }
 }
 
+/// A body on a knife edge below its centre of mass, where the ground below the edge moves across it with the speed k t.
+#[derive(Clone, Default)]
+pub struct Pushed;
+
+impl Pushed {
+    const MASS: f64 = 2.0;
+    /// k, m/s².
+    const PUSH: f64 = 0.7;
+    /// Speed along the edge at the start, m/s.
+    const SPEED: f64 = 0.4;
+    /// ω, rad/s.
+    const SPIN: f64 = 1.5;
+
+    /// (x, y, θ): as complex numbers ż = (w + i k t) e^{iωt} with the speed along the edge w = w₀ + ω k t²/2, so that
+    /// z = e^{iωt} (α + β t − i k t²/2) − α.
+    pub fn positions(t: f64) -> [f64; 3] {
+        let (k, w) = (Self::PUSH, Self::SPIN);
+        let (sin, cos) = (w * t).sin_cos();
+        let beta = 2.0 * k / w;
+        let alpha = -(Self::SPEED - beta) / w;
+        let [real, imaginary] = [beta * t, alpha - 0.5 * k * t * t];
+        [
+            cos * real - sin * imaginary,
+            sin * real + cos * imaginary - alpha,
+            w * t,
+        ]
+    }
+
+    /// The force across the edge m (u̇ + ω w), u = k t, N.
+    pub fn lateral_force(t: f64) -> f64 {
+        let (k, w) = (Self::PUSH, Self::SPIN);
+        Self::MASS * (k + w * (Self::SPEED + 0.5 * w * k * t * t))
+    }
+}
+
+impl Scene<3, 3, 1> for Pushed {
+    const STRUCTURE: Structure = Structure {
+        position_forces: false,
+        ..structure(true, false, 0)
+    };
+    const ROWS: &'static [Row] = &[row("edge", Nonholonomic)];
+    fn guess(&self) -> ([f64; 3], [f64; 3]) {
+        ([0.0; 3], [Self::SPEED, 0.0, Self::SPIN])
+    }
+    fn mass(&self, _: &[f64; 3]) -> [[f64; 3]; 3] {
+        [
+            [Self::MASS, 0.0, 0.0],
+            [0.0, Self::MASS, 0.0],
+            [0.0, 0.0, 0.3],
+        ]
+    }
+    fn force(&self, _: f64, _: &[f64; 3], _: &[f64; 3]) -> [f64; 3] {
+        [0.0; 3]
+    }
+    fn rows(&self, t: f64, q: &[f64; 3]) -> ([f64; 1], [[f64; 3]; 1], [f64; 1]) {
+        ([0.0], [[-q[2].sin(), q[2].cos(), 0.0]], [-Self::PUSH * t])
+    }
+    fn potential(&self, _: &[f64; 3]) -> f64 {
+        0.0
+    }
+}
+
 /// First link rigid, second a spring k with a damper c, 1 kg each.
 #[derive(Clone)]
 pub struct StiffPendulum {

@@ -31,7 +31,7 @@ use super::step_context::Counters;
 use crate::PaperSettings;
 use crate::fault::Fault;
 use crate::flow::trapezoid;
-use crate::linear::{Pivoted, dot, finite, largest, vector};
+use crate::linear::{Pivoted, finite, largest, vector};
 use crate::yardstick::Yardstick;
 use crate::{Method, Settings, SimulationError, State, System};
 
@@ -378,8 +378,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> PaperSt
 
     /// The row furthest from ψ̇ = 0.
     fn worst_row(&self, v: &SVector<f64, N>, iterations: usize) -> Fault {
-        let geometry = &self.end.geometry;
-        let rates: SVector<f64, R> = vector(|i| dot(&geometry.a[i], v) + geometry.b[i]);
+        let rates = self.end.geometry.velocity_rows(&self.system, v);
         closing::not_converged(&rates, &SVector::repeat(1.0), iterations)
     }
 }
