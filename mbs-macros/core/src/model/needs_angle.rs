@@ -18,7 +18,7 @@ pub(super) fn needs_angle(declaration: &Declaration, kinds: &Kinds) -> HashSet<S
     let mut joints = declaration.entries.iter();
     let joints = joints
         .by_ref()
-        .filter(|entry| entry.kind == "Revolute" && names.contains(entry.name.as_str()));
+        .filter(|entry| turns(entry, declaration, kinds) && names.contains(entry.name.as_str()));
     let partners: Vec<String> = joints.flat_map(partners).collect();
     names.extend(partners);
     follow(&others, &mut names);
@@ -49,6 +49,12 @@ fn follow(others: &HashMap<&str, String>, names: &mut HashSet<String>) {
             front.push(part.clone());
         }
     }
+}
+
+/// Whether the entry is a joint that has an angle.
+fn turns(entry: &Entry, declaration: &Declaration, kinds: &Kinds) -> bool {
+    let kind = kinds.kind(declaration.world_kind(), &entry.kind.to_string());
+    kind.is_some_and(|kind| kind.traits().turns)
 }
 
 /// The parts whose points a joint names.
@@ -91,7 +97,7 @@ fn note_entry(
     });
     for (argument, field) in by_place.chain(by_name) {
         match field.map(|field| field.expects) {
-            Some(Expects::Driven) if drives_bar(argument, declaration) => continue,
+            Some(Expects::Driven) if drives_bar(argument, declaration, kinds) => continue,
             Some(Expects::PartAngle) => {
                 note(argument, names);
             }
@@ -102,7 +108,7 @@ fn note_entry(
 }
 
 /// Whether this is `bar.angle`, and not the angle of a joint.
-fn drives_bar(target: &Syntax, declaration: &Declaration) -> bool {
+fn drives_bar(target: &Syntax, declaration: &Declaration, kinds: &Kinds) -> bool {
     let Syntax::Field(field) = target else {
         return true;
     };
@@ -111,7 +117,7 @@ fn drives_bar(target: &Syntax, declaration: &Declaration) -> bool {
     };
     let name = name.text();
     let mut entries = declaration.entries.iter();
-    entries.all(|entry| entry.name != name.as_str() || entry.kind != "Revolute")
+    entries.all(|entry| entry.name != name.as_str() || !turns(entry, declaration, kinds))
 }
 
 /// Notes `name` of each `name.angle`.
