@@ -7,6 +7,7 @@ use crate::model::joint_frames::JointFrames;
 use crate::model::joint_variables::JointVariable;
 use crate::model::resolver::Resolver;
 use crate::model::value::Value;
+use crate::schema::JointTraits;
 use crate::symbolic::Expr;
 use crate::syntax::Entry;
 
@@ -248,6 +249,20 @@ impl Arguments<'_, '_> {
                     format!("`{field}` is a joint, but this is {what}"),
                 )
             }
+        }
+    }
+
+    /// The joints of this world that have such traits, for messages: "`Revolute`, `Cylindrical` or `Screw`".
+    pub fn joints_that(&self, are_so: impl Fn(JointTraits) -> bool) -> String {
+        let Resolver { kinds, world, .. } = &*self.resolver;
+        let joints = kinds.own(*world).iter().filter_map(|kind| {
+            let traits = kind.joint?;
+            are_so(traits).then(|| format!("`{}`", kind.name))
+        });
+        let names: Vec<String> = joints.collect();
+        match names.as_slice() {
+            [first @ .., last] if !first.is_empty() => format!("{} or {last}", first.join(", ")),
+            names => names.concat(),
         }
     }
 

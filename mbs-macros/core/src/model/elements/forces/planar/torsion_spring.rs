@@ -55,11 +55,9 @@ fn in_joint(arguments: &mut Arguments) -> Option<Force> {
             "a spring in a joint acts between its two partners; leave this out",
         );
     }
-    let joint = actuator::turning(
-        arguments,
-        "parent",
-        "which has no angle; name a `Revolute`, or two parts",
-    );
+    let others = arguments.joints_that(|traits| traits.turns);
+    let otherwise = format!("which has no angle; name a {others}, or two parts");
+    let joint = actuator::turning(arguments, "parent", &otherwise);
     let characteristic = characteristic::read(arguments, "angle");
     Some(actuator::torsion_spring(
         arguments,

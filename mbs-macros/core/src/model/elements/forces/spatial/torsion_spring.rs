@@ -5,11 +5,9 @@ use crate::model::elements::force::Force;
 use crate::model::elements::forces::{actuator, characteristic};
 
 pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
-    let joint = actuator::turning(
-        arguments,
-        "joint",
-        "which has no angle; name a `Revolute` or `Cylindrical`, or use a `Bushing`",
-    );
+    let others = arguments.joints_that(|traits| traits.turns);
+    let otherwise = format!("which has no angle; name a {others}, or use a `Bushing`");
+    let joint = actuator::turning(arguments, "joint", &otherwise);
     let characteristic = characteristic::read(arguments, "angle");
     Some(actuator::torsion_spring(
         arguments,

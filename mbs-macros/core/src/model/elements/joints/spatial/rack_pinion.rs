@@ -51,11 +51,10 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (pinion, rack) = (pinion?, rack?);
     if !rack.slides {
         let (kind, name) = (&rack.kind, &rack.name);
+        let others = arguments.joints_that(|traits| traits.slides);
         return arguments.fail(
             "rack",
-            format!(
-                "`{name}` is a `{kind}`, which has no stroke; name a `Prismatic` or `Cylindrical`"
-            ),
+            format!("`{name}` is a `{kind}`, which has no stroke; name a {others}"),
         );
     }
     let (radius, offset) = (

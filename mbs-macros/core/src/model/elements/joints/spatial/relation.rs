@@ -43,11 +43,10 @@ pub(super) fn turning(arguments: &mut Arguments, field: &str) -> Option<JointFra
     let joint = arguments.joint(field)?;
     if !joint.turns {
         let (kind, name) = (&joint.kind, &joint.name);
+        let others = arguments.joints_that(|traits| traits.turns);
         return arguments.fail(
             field,
-            format!(
-                "`{name}` is a `{kind}`, which has no angle; name a `Revolute` or `Cylindrical`"
-            ),
+            format!("`{name}` is a `{kind}`, which has no angle; name a {others}"),
         );
     }
     Some(joint)
