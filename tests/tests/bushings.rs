@@ -1,6 +1,6 @@
 //! Bushings that are turned by about half a turn.
 
-use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+use mbs_runtime::{Settings, Simulation, mechanism};
 use std::f64::consts::PI;
 
 mechanism!(Turned {

@@ -1,6 +1,6 @@
 //! Laws that are smooth where a norm in them, or a divisor, vanishes.
 
-use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+use mbs_runtime::{Settings, Simulation, mechanism};
 
 mechanism!(Falling {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),

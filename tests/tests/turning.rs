@@ -1,6 +1,6 @@
 //! Angles of joints that are no coordinates, in steps in which bodies turn many times.
 
-use mbs_runtime::{Mechanism, Settings, Simulation, mechanism};
+use mbs_runtime::{Settings, Simulation, mechanism};
 
 mechanism!(Shaft {
     world: Spatial(),
