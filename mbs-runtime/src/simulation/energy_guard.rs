@@ -4,9 +4,10 @@
 //! are too long for the motion, or for a stiff spring, may gain many times this or lose nearly all of it, and go on.
 //! Two-level steps have oscillating errors, of some hundredths for coarse steps: an error of a fifth says that the
 //! steps do not follow the motion. Where works belong to the balance they count among what the motion has, and the error
-//! of their quadrature is allowed besides, as far as the ends of the steps show it, and a part of all works without their signs: in a
-//! step in which a stiff damper stops a part the trapezoidal rule is far from its work. For methods that do not conserve energy, and for drives, whose rates may jump, ten times what the motion has
-//! is nonsense; only for the projected method, where no force does work beside the potentials, a fifth is too much as well.
+//! of their quadrature is allowed besides, as far as the ends of the steps show it (in a step in which a stiff damper stops a part
+//! the trapezoidal rule is far from its work), and a part of all works without their signs. For methods that do not conserve
+//! energy, and for drives, whose rates may jump, ten times what the motion has is nonsense; only for the projected method, where
+//! no force does work beside the potentials, a fifth is too much as well.
 //!
 //! A two-level step that makes a tenth of this error by itself, without forces that change in it, has leapt over a turn of the
 //! motion, or turned into another branch past a singular pose: it is taken in shorter ones (`placement.rs`). Where a drive

@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | explicit of order 8 | the estimate of order 5 is more than a tenth of that of order 3 ([`Estimate::is_rough`]) | the same |
 //! | explicit of order 8 | the difficulty by the estimate is more than 2¹⁰ times the previous one | the difficulty by the comparison is more than 2²⁰ times the previous one |
-//! | Radau | the difficulty by the estimate is more than √2 times the previous one, or less than 1/√2 of it (it falls where a stop is left) | the same, or the error is more than 8 times the estimate with its previous factor |
+//! | Radau | the difficulty by the estimate is more than √2 times the previous one, or less than 1/√2 of it (it falls where a stop is left) | the difficulty by the comparison is more than 2²⁰ times the previous one, or the error is more than 8 times the estimate with its previous factor |
 //! | two-level, orders 4 to 8 | the difficulty by the estimate is more than √2 times the previous one | it is more than 2³ times that, or the error is more than 8 times the estimate with its previous factor |
 //!
 //! The previous values are those of the last pair that was kept and had the chosen length. Methods without an estimate compare
