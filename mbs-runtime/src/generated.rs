@@ -68,10 +68,11 @@ pub fn step(x: f64) -> f64 {
     if x > 0.0 { 1.0 } else { 0.0 }
 }
 
-/// x ≥ 0, or a tiny number where it vanishes. The slope of a root is divided by it: what is divided vanishes there, too.
+/// x ≥ 0, or a tiny number where it vanishes; not a number where x is not. The slope of a root is divided by it: the dividend vanishes
+/// there as well.
 #[inline]
 pub fn nonzero(x: f64) -> f64 {
-    x.max(1e-100)
+    if x < 1e-100 { 1e-100 } else { x }
 }
 
 /// Refuses a parameter that is not finite.

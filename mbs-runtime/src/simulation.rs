@@ -350,7 +350,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// rows in m or rad, in the order of [`Model::rows`]. Of the two-level method and RATTLE (κ₁ + κ₂)/h and of Algorithm 1
     /// and M-ALF [M̄μ]/h + ½ Σ (c̄μ + k̄λ − f̄), the last term of (21): both the mean over the step. Of generalized α, backward
     /// differentiation, Radau and penalties the λ at its end, and of index-3 projections that of the projected accelerations
-    /// there. `None` for methods without such an unknown, before the first step, and after one that has failed.
+    /// there. (After a step of backward differentiation that is much shorter than those before it is λ of the last longer one.) `None`
+    /// for methods without such an unknown, before the first step, and after one that has failed.
     ///
     /// Where rows are redundant, or a singular pose lies within the step, they need not be those of
     /// [`Simulation::reactions`].

@@ -4,6 +4,7 @@ mod clock;
 mod error_of;
 #[cfg(feature = "std")]
 mod start;
+mod step;
 
 use self::clock::{Short, Whole, clock};
 pub use self::error_of::ErrorOf;
@@ -295,9 +296,6 @@ impl SimulationError {
     }
 }
 
-/// The cause of a wrong energy balance, and what to do.
-const TOO_LONG: &str = "the steps are too long for this motion; use a smaller step or a tolerance (vibrations of a stiff spring that are shorter than some steps are followed by no flow), and check what came before";
-
 impl fmt::Display for SimulationError {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
         use SimulationError::*;
@@ -391,25 +389,8 @@ impl fmt::Display for SimulationError {
                 step,
                 row,
                 residual,
-                ..
-            } if residual.is_infinite() => write!(
-                out,
-                "`{row}` cannot be solved in the step from t = {} s (h = {} s): a matrix is singular or not finite; use a smaller step, or look for a force that is infinite or NaN there, or has no slope, as sqrt(x) at 0",
-                clock(*time),
-                Short(*step)
-            ),
-            NotConverged {
-                time,
-                step,
-                row,
-                residual,
                 iterations,
-            } => write!(
-                out,
-                "`{row}` did not converge in the step from t = {} s (h = {} s): residual {residual:.3e} after {iterations} iterations; use a smaller step, or, where this does not help, look for a pose that the mechanism cannot pass, as where a drive goes too far",
-                clock(*time),
-                Short(*step)
-            ),
+            } => step::write_not_converged(out, row, (*time, *step), (*residual, *iterations)),
             Astray { time, step, by } => write!(
                 out,
                 "the step from t = {} s (h = {} s) leads to another assembly of the mechanism, {by:.1} of its lengths or radians from where its velocities lead; use a smaller step",
@@ -431,23 +412,13 @@ impl fmt::Display for SimulationError {
                 step,
                 gained,
                 available,
-            } => write!(
-                out,
-                "the motion has gained {gained:.1e} J up to t = {} s with steps of {} s, where start and works have given it {available:.1e} J: {TOO_LONG}",
-                clock(*time),
-                Short(*step)
-            ),
+            } => step::write_gain(out, (*time, *step), *gained, *available),
             EnergyLoss {
                 time,
                 step,
                 lost,
                 available,
-            } => write!(
-                out,
-                "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {} s with steps of {} s, which no force has taken: {TOO_LONG}",
-                clock(*time),
-                Short(*step)
-            ),
+            } => step::write_loss(out, (*time, *step), *lost, *available),
             Mass { time } => write!(
                 out,
                 "the mass matrix is not positive definite at t = {} s: something moves without mass there",

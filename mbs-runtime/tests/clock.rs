@@ -163,9 +163,7 @@ macro_rules! cart {
 cart!(Shaken, 0.5_m * sin(2.0_rad_per_s * (t - start)));
 cart!(Pushed, 2.5_m_per_s2 * later * later);
 
-/// The program of a drive is followed at the instants that the clock shows. Runs ended with `Tolerance`, or took fifty times as many
-/// stages.
-macro_rules! later {
+macro_rules! follows_at_large_times {
     ($cart:ident) => {
         for accuracy in [1e-5, 1e-6, 1e-7] {
             for settings in [
@@ -193,8 +191,10 @@ macro_rules! later {
     };
 }
 
+/// The program of a drive is followed at the instants that the clock shows. Runs ended with `Tolerance`, or took fifty times as many
+/// stages.
 #[test]
 fn drives_are_followed_at_large_times() {
-    later!(Shaken);
-    later!(Pushed);
+    follows_at_large_times!(Shaken);
+    follows_at_large_times!(Pushed);
 }

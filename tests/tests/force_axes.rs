@@ -165,7 +165,7 @@ mechanism!(Coupled {
     about: Output(load.angular_acceleration.z),
 });
 
-/// V = u · C e: with C_xz = 5 N alone the force along x is −C_xz e_z, and the torque about z is −C_xz u_x de_z/dψ.
+/// V = u · C s with s = n sin ψ: with C_xz = 5 N alone the force along x is −C_xz s_z, and the torque about z is −C_xz u_x ds_z/dψ.
 #[test]
 fn a_bushing_opposes_what_its_gains_couple() {
     let outputs = |x: f64, angle: f64, spin: f64| {
@@ -177,12 +177,12 @@ fn a_bushing_opposes_what_its_gains_couple() {
         let outputs = run.expect("it has no rows").outputs();
         [outputs.along, outputs.about]
     };
-    // e_z = 2 sin(ψ/2) = 1 and de_z/dψ = cos(ψ/2) at 60°: −5 N on 2 kg, and −5 N · 0.2 m · cos 30° on 0.25 kg m².
+    // s_z = sin 60° and ds_z/dψ = cos 60°: −5 N · sin 60° on 2 kg, and −5 N · 0.2 m · cos 60° on 0.25 kg m².
     let turned = outputs(0.2, 60f64.to_radians(), 0.0);
     // −0.5 N m s · 3 rad/s on 0.25 kg m².
     let spinning = outputs(0.0, 0.0, 3.0);
     for (found, wanted) in [
-        (turned, [-2.5, -4.0 * 0.75f64.sqrt()]),
+        (turned, [-2.5 * 0.75f64.sqrt(), -2.0]),
         (spinning, [0.0, -6.0]),
     ] {
         for (found, wanted) in found.iter().zip(wanted) {

@@ -20,11 +20,12 @@ const RESUMABLE_OPEN: f64 = 1e-2;
 /// Violations of the positions of rows, and of their rates, with which this method can resume.
 fn resumable(method: &Method) -> [f64; 2] {
     use Method::{Baumgarte, Bdf, GeneralizedAlpha, MAlf, Paper, Penalty};
+    use Method::{Index3Projections, Projected, Radau, Rattle, TwoLevel};
     match method {
         Paper(_) | MAlf(_) | Penalty(_) | Baumgarte(_) | Bdf(_) => [RESUMABLE_OPEN; 2],
         // Of index 3: it solves positions.
         GeneralizedAlpha(_) => [RESUMABLE, RESUMABLE_OPEN],
-        _ => [RESUMABLE; 2],
+        TwoLevel | Projected | Index3Projections(_) | Rattle | Radau => [RESUMABLE; 2],
     }
 }
 

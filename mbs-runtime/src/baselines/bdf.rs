@@ -63,7 +63,7 @@ pub(crate) struct Bdf<const Q: usize, const N: usize, const R: usize> {
     since: usize,
     /// The step in use, s; zero before the first.
     size: f64,
-    /// How far the state is ahead of the newest instant of the history, s; zero unless the last steps were [`SHORT`].
+    /// How far the state is ahead of the newest instant of the history, s; zero unless the last steps were shorter than the part [`SHORT`] of a step.
     ahead: f64,
     lambda: SVector<f64, R>,
     motion: Motion<N>,
@@ -127,7 +127,7 @@ impl<const Q: usize, const N: usize, const R: usize> Bdf<Q, N, R> {
         }
         let (mut left, mut failures) = (h, 0);
         while left > SMALLEST * h.min(self.size) {
-            // The remaining time is divided into equal steps, so that no very short step is in the history.
+            // The remaining time is divided into equal steps, so that few are very short; these are no part of the history.
             let parts = (left / self.size.min(h) - 1e-3).ceil().max(1.0);
             let trial = left / parts;
             let reach = self.ahead + trial;

@@ -173,8 +173,9 @@ mod tests {
         for pose in [-0.5, -0.1, 1.1, 1.5] {
             assert!(seen(pose, f64::abs).within().is_none(), "{pose}");
         }
-        // Far from every pose.
+        // Far from every pose, and beside one that is not nearly singular.
         assert!(seen(0.5, |way| 1.0 + way * way).within().is_none());
+        assert!(seen(0.5, |way| 0.3 + 0.7 * way.abs()).within().is_none());
     }
 
     #[test]

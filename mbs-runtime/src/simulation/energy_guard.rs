@@ -231,7 +231,7 @@ mod tests {
     use crate::{Energy, EnergyRange, Method};
 
     /// A motion that has 100 J; its balance has an error of 30 J now, and had one of `before`.
-    fn judged(method: Method, before: f64) -> (bool, Option<f64>) {
+    fn judged(method: Method, before: f64, exchanged: f64) -> Option<(bool, Option<f64>)> {
         let guard = EnergyGuard {
             noise: 0.0,
             method,
@@ -240,6 +240,7 @@ mod tests {
         let range = EnergyRange {
             depth: 50.0,
             least: -50.0,
+            exchanged,
             ..EnergyRange::default()
         };
         let before = Energy {
@@ -253,15 +254,25 @@ mod tests {
             error: 30.0,
             ..Energy::default()
         };
-        let refused = guard.judge(&range, &energy, &before);
-        let refused = refused.expect("a fifth is wrong");
-        (refused.wrong, refused.leapt)
+        let refused = guard.judge(&range, &energy, &before)?;
+        Some((refused.wrong, refused.leapt))
     }
 
     #[test]
     fn a_projected_step_with_most_of_an_error_that_ends_the_run_has_leapt() {
-        assert_eq!(judged(Method::Projected, 1.0), (true, Some(29.0)));
-        assert_eq!(judged(Method::Projected, 25.0), (true, None));
-        assert_eq!(judged(Method::TwoLevel, 25.0), (true, Some(5.0)));
+        let of = |method, before| judged(method, before, 0.0).expect("a fifth is wrong");
+        assert_eq!(of(Method::Projected, 1.0), (true, Some(29.0)));
+        assert_eq!(of(Method::Projected, 25.0), (true, None));
+        assert_eq!(of(Method::TwoLevel, 25.0), (true, Some(5.0)));
+    }
+
+    #[test]
+    fn a_small_part_of_the_works_may_be_wrong() {
+        let is_wrong = |exchanged| {
+            let refused = judged(Method::TwoLevel, 29.0, exchanged);
+            refused.is_some_and(|(wrong, _)| wrong)
+        };
+        assert!(is_wrong(100.0));
+        assert!(!is_wrong(400.0));
     }
 }

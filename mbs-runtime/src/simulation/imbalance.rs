@@ -39,7 +39,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             false => 0.0,
         };
         let error_ratio = error / ((BALANCED + clock) * turnover);
-        let error_ratio = match (const { Self::DRIVEN }, found.passage.pose().is_some()) {
+        let error_ratio = match (const { Self::DRIVEN }, found.passage.foreseen().is_some()) {
             (true, true) if self.turns() => TOO_LONG,
             (true, false) => {
                 let turnover = turnover.max((now.drive_work - before.drive_work).abs());

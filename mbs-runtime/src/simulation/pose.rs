@@ -48,17 +48,20 @@ impl Passage {
     /// have seen a pose. (In long steps σ is not straight.)
     #[inline]
     pub(super) fn pose(&self) -> Option<f64> {
+        let seen = self.seen.filter(|_| self.has_same_rows());
+        self.foreseen().or(seen)
+    }
+
+    /// The same by σ at the ends of the steps alone.
+    #[inline]
+    pub(super) fn foreseen(&self) -> Option<f64> {
         let ([first, second], [start, middle, end]) = (self.steps, self.margins);
         let falls = |from: f64, h: f64, ahead: f64| {
             middle.least * h < AHEAD * (from - middle.least) * ahead
         };
         let early = falls(end.least, second, first);
         let late = falls(start.least, first, second);
-        match (self.has_same_rows(), early || late) {
-            (false, _) => None,
-            (true, true) => Some(self.crossing(early, late)),
-            (true, false) => self.seen,
-        }
+        (self.has_same_rows() && (early || late)).then(|| self.crossing(early, late))
     }
 
     /// Whether no singular pose is in or near the pair.

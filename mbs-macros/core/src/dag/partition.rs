@@ -304,7 +304,7 @@ impl<'a> Search<'a> {
         }
         for column in columns {
             self.known[column] = true;
-            // Rows that are in a block need not be known to have it any more.
+            // The list is not needed any more: this velocity is known.
             for r in std::mem::take(&mut self.holders[column]) {
                 if !self.left.contains(&r) {
                     continue;

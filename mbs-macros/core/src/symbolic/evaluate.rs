@@ -20,7 +20,13 @@ impl Function {
             Function::Tanh => x.tanh(),
             Function::Abs => x.abs(),
             Function::Round => x.round(),
-            Function::Nonzero => x.max(1e-100),
+            Function::Nonzero => {
+                if x < 1e-100 {
+                    1e-100
+                } else {
+                    x
+                }
+            }
             Function::Same | Function::Apart => x,
             Function::Sign => {
                 if x == 0.0 {

@@ -22,6 +22,7 @@ mod number;
 mod phasor;
 mod print;
 mod rate;
+mod roots;
 mod rotation;
 mod smoothness;
 mod substitute;

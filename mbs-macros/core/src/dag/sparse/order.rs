@@ -70,8 +70,8 @@ fn minimum_degree(
     order
 }
 
-/// Sets of unknowns that an elimination has coupled with one another. Within one of them nothing is filled in: a set of n
-/// unknowns is eliminated with n² changes of couplings, not n³.
+/// Sets of unknowns that an elimination has coupled with one another. Unknowns of one set are coupled already, so that eliminating n
+/// of them changes n² couplings, not n³.
 struct Cliques {
     /// How many of each set are not eliminated.
     left: Vec<usize>,

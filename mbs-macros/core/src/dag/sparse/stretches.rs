@@ -165,7 +165,7 @@ fn shapes(elimination: &Elimination) -> Vec<usize> {
     let mut shapes = vec![0; count];
     let mut next = 0;
     for positions in alike.into_values() {
-        // A full column has as many targets as the square of its length, and no other column has its outline.
+        // The targets of a long column are many; they are not needed where no other column has its outline.
         if let [position] = positions[..] {
             shapes[position] = next;
             next += 1;
