@@ -48,7 +48,8 @@ fn in_the_script(command: &str) -> bool {
             .any(|line| line.starts_with("step ") && line.contains(command))
 }
 
-/// Whether it is a part of `cargo test --workspace`: a package, or one of its test files by `NAME::`.
+/// Whether it is a part of `cargo test --workspace`, or of the tests that need a feature: a package, one of its programs by
+/// `--test`, or one of its test files by `NAME::`.
 fn is_a_part_of_the_tests(command: &str) -> bool {
     let words: Vec<&str> = command
         .split_whitespace()
@@ -59,12 +60,31 @@ fn is_a_part_of_the_tests(command: &str) -> bool {
         "cart-pole" => root().join("mbs-examples/embed"),
         other => root().join(other),
     };
+    let has_program = |package: &str, name: &str| {
+        let manifest = std::fs::read_to_string(folder(package).join("Cargo.toml"));
+        manifest.is_ok_and(|text| text.contains(&format!("name = \"{name}\"")))
+    };
+    let has_file = |package: &str, module: &str| {
+        let file = module.strip_suffix("::").unwrap_or_default();
+        let path = folder(package).join("tests").join(file);
+        path.with_extension("rs").exists()
+    };
     match words[..] {
         ["cargo", "test", "-p", package] => folder(package).join("Cargo.toml").exists(),
-        ["cargo", "test", "-p", package, module] => {
-            let file = module.strip_suffix("::").unwrap_or_default();
-            let path = folder(package).join("tests").join(file);
-            path.with_extension("rs").exists()
+        ["cargo", "test", "-p", package, module] => has_file(package, module),
+        ["cargo", "test", "-p", package, "--test", name]
+        | [
+            "cargo",
+            "test",
+            "-p",
+            package,
+            "--features",
+            _,
+            "--test",
+            name,
+        ] => has_program(package, name),
+        ["cargo", "test", "-p", package, "--test", name, module] => {
+            has_program(package, name) && has_file(package, module)
         }
         _ => false,
     }
