@@ -86,8 +86,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// Methods with a memory besides the state ([`Method`](crate::Method)) are copied before, which allocates.
     ///
     /// # Errors
-    /// A time that is not in the last step of [`Simulation::run_past`], or after [`Simulation::step`] and
-    /// [`Simulation::run_until`] any but the present one; otherwise as [`Simulation::step`].
+    /// A time that is not in the last step of [`Simulation::run_past`], or any but the present one after [`Simulation::step`],
+    /// [`Simulation::run_until`] or a change of inputs: the last step then belongs to the motion with the old ones. Otherwise as
+    /// [`Simulation::step`].
     pub fn look_at(
         &mut self,
         time: f64,
