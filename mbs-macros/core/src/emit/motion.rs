@@ -91,8 +91,8 @@ fn rotations(program: &Program, line: impl Fn(usize, usize, usize) -> String) ->
     })
 }
 
-/// The angles where the rotations lead them, from which they are counted: a free body may turn many times in a step. Empty if no
-/// rotation changes them.
+/// The angles where rotations and coordinates that are angles lead them, from which they are counted: a free body may turn many times
+/// in a step. Empty if neither changes them.
 fn predicted(graph: &Graph, program: &Program) -> String {
     let Some([statements, rates]) = array(graph, program, "unwrapped_rates", "rates") else {
         return String::new();
@@ -107,7 +107,7 @@ fn predicted(graph: &Graph, program: &Program) -> String {
     )
 }
 
-/// Joint angles are counted from their last values, or from where the rotations lead these.
+/// Joint angles are counted from their last values, or from where [`predicted`] leads these.
 fn count(graph: &Graph, program: &Program, q: &str) -> String {
     let Some([statements, angles]) = array(graph, program, "unwrapped_angles", "angles") else {
         return String::new();

@@ -150,19 +150,21 @@ pub fn derive(mut model: Model) -> (Outline, System) {
 /// The part of the rate of each counted angle by rotations of bodies and by coordinates that are angles: these may turn by more
 /// than half a turn at once. (Other coordinates move on a line, along which no angle changes by more than half a turn.)
 fn turning_rates(graph: &mut Graph, layout: &Layout, angles: &[Expr]) -> Vec<Expr> {
-    let mut turning: Vec<usize> = Vec::new();
+    let slots = layout.slots.iter();
+    let mut turns: Vec<bool> = slots
+        .map(|&slot| layout.coordinates[slot].unit == "rad")
+        .collect();
     for rotation in &layout.rotations {
-        turning.extend(rotation.velocity..rotation.velocity + 3);
+        turns[rotation.velocity..rotation.velocity + 3].fill(true);
     }
-    let is_angle = |slot: usize| layout.coordinates[slot].unit == "rad";
-    let slots = layout.slots.iter().enumerate();
-    turning.extend(slots.filter_map(|(i, &slot)| is_angle(slot).then_some(i)));
     let rate = |angle: &Expr| {
         let mut terms = Vec::new();
-        for &i in &turning {
-            let slope = graph.derivative(*angle, Symbol::Coordinate(i as u32));
-            if !graph.is_zero(slope) {
-                let speed = graph.symbol(Symbol::Velocity(i as u32));
+        for symbol in graph.directions([*angle]) {
+            if let Symbol::Coordinate(i) = symbol
+                && turns[i as usize]
+            {
+                let slope = graph.derivative(*angle, symbol);
+                let speed = graph.symbol(Symbol::Velocity(i));
                 terms.push(graph.mul(slope, speed));
             }
         }

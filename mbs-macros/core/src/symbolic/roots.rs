@@ -10,6 +10,9 @@ impl Graph {
         while slot < factors.len() {
             let (divisor, power) = factors[slot];
             slot += 1;
+            if power > 0 {
+                continue;
+            }
             let Node::Function(Function::Nonzero, root) = *self.node(divisor) else {
                 continue;
             };
