@@ -64,3 +64,24 @@ fn given_steps_of_more_than_half_a_turn_count() {
         assert!((angle - 200.0).abs() < 1e-6, "{order}, {step}: {angle}");
     }
 }
+
+mechanism!(Top {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    top: Body(
+        mass = 15.0_kg,
+        inertia = diag(0.234375_kg_m2, 0.46875_kg_m2, 0.234375_kg_m2),
+        center_of_mass = [0.0, 1.0_m, 0.0],
+        angular_velocity = [0.0, 150.0_rad_per_s, -4.61538_rad_per_s],
+    ),
+    pivot: Spherical(ground.origin, top.origin),
+});
+
+/// Errors are relative to the way, which orientations alone do not show.
+#[test]
+fn the_way_of_a_pair_counts_every_turn() {
+    let mut simulation = Simulation::with_accuracy(Top::default(), 1e-3).unwrap();
+    simulation.run_until(2.0).unwrap();
+    let report = simulation.report();
+    assert_eq!(report.rejected_steps, 0);
+    assert!(report.steps < 12, "{}", report.steps);
+}

@@ -245,12 +245,15 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.is_estimated && !matches!(self.settings.method, Method::TwoLevel)
     }
 
-    /// The mean speed from the beginning of the pair, `length` seconds ago, in sizes and radians a second.
+    /// The mean speed from the beginning of the pair, `length` seconds ago, in sizes and radians a second. It is at least the
+    /// speed that both ends have: a body that has turned more than once shows only the rest of its way.
     pub(super) fn speed(&self, length: f64) -> f64 {
         let moved = self
             .system()
             .difference(&self.pair_start.positions, self.positions());
-        self.size(&moved) / length
+        let [before, now] = [&self.pair_start.velocities, self.velocities()]
+            .map(|velocities| self.size(velocities));
+        before.min(now).max(self.size(&moved) / length)
     }
 
     /// The way that the last pair goes, or would have gone with steps as long as those in use, in sizes and radians.
