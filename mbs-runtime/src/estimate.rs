@@ -5,6 +5,8 @@
 pub(crate) struct Estimate {
     /// In sizes of the mechanism and radians.
     pub(crate) error: f64,
+    /// The error of the work of forces without potential, J, in driven mechanisms: there it does not show in the motion.
+    pub(crate) work: f64,
     /// Whether the terms of higher order are not small beside those of lower order: a force jumps or bends in the step, or the
     /// step is too long.
     pub(crate) is_rough: bool,
@@ -12,9 +14,10 @@ pub(crate) struct Estimate {
 
 impl Estimate {
     /// By a method that does not see whether forces are smooth.
-    pub(crate) fn smooth(error: f64) -> Self {
+    pub(crate) fn smooth(error: f64, work: f64) -> Self {
         Estimate {
             error,
+            work,
             is_rough: false,
         }
     }
@@ -23,6 +26,7 @@ impl Estimate {
     pub(crate) fn plus(self, other: Estimate) -> Self {
         Estimate {
             error: self.error + other.error,
+            work: self.work + other.work,
             is_rough: self.is_rough || other.is_rough,
         }
     }

@@ -89,7 +89,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Integra
     /// The error of the last step by an embedded method; `None` without one.
     pub(crate) fn estimate(&self) -> Option<Estimate> {
         match self {
-            Integrator::TwoLevel(stepper) => stepper.estimate().map(Estimate::smooth),
+            Integrator::TwoLevel(stepper) => {
+                let smooth = |error| Estimate::smooth(error, 0.0);
+                stepper.estimate().map(smooth)
+            }
             Integrator::Other(stepper) => stepper.estimate(),
         }
     }

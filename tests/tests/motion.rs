@@ -12,6 +12,7 @@ mod baselines;
 mod bushings;
 mod damped_poses;
 mod driven_poses;
+mod driven_works;
 mod drives;
 mod folding;
 mod followers;

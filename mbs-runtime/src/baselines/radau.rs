@@ -80,6 +80,9 @@ struct Errors<const N: usize> {
     change: SVector<f64, N>,
     /// θ.
     way: SVector<f64, N>,
+    /// The work of forces without potential by the embedded formula less that of the step, and that of the step, J; 0 without rows of
+    /// time.
+    works: [f64; 2],
 }
 
 /// The factors of both systems.
@@ -159,6 +162,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
                         turn: zeros(),
                         change: zeros(),
                         way: zeros(),
+                        works: [0.0; 2],
                     })
                 }),
                 length: 0.0,
@@ -329,7 +333,22 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             turn: vector(|k| moved[k] + of * change[k]),
             change,
             way: stages[2].turn,
+            works: [0.0; 2],
         };
+        if S::STRUCTURE.rheonomic {
+            let power = |t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>| {
+                SVector::from([system.nonconservative_power(t, q, v)])
+            };
+            let (t0, ends) = (state.time, stages.each_ref());
+            let powers: [SVector<f64, 1>; 3] =
+                std::array::from_fn(|i| power(t0 + NODES[i] * h, &ends[i].q, &ends[i].v));
+            let works = WEIGHTS
+                .each_ref()
+                .map(|weights| weighted(h, weights, &powers));
+            let first = power(t0, &state.positions, &state.velocities);
+            let off = of * first[0] + weighted(1.0, &EMBEDDED, &works)[0];
+            errors.works = [off.abs(), works[2][0].abs()];
+        }
         self.length = h;
     }
 
@@ -468,11 +487,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         let error = yardstick
             .measure(&errors.turn)
             .max(h * yardstick.measure(&errors.change));
-        let part = error / yardstick.measure(&errors.way);
-        Some(Estimate::smooth(match part < 1.0 {
-            true => error * part.powf(ORDERS),
+        let of_order = |error: f64, whole: f64| match error < whole {
+            true => error * (error / whole).powf(ORDERS),
             false => error,
-        }))
+        };
+        let [off, work] = errors.works;
+        let error = of_order(error, yardstick.measure(&errors.way));
+        Some(Estimate::smooth(error, of_order(off, work)))
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

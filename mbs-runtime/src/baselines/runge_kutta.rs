@@ -24,6 +24,8 @@ pub(crate) struct RungeKutta<const Q: usize, const N: usize> {
     pub(crate) tableau: &'static Tableau,
     /// θ̇ and v̇ of each stage.
     slopes: Box<[[[f64; N]; 2]]>,
+    /// The power of forces without potential in each stage that has a weight, W, of driven mechanisms.
+    powers: Box<[f64]>,
     /// a from the second stage on, and b.
     sums: Box<[Sum]>,
     /// The differences of the embedded method, …
@@ -97,6 +99,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         RungeKutta {
             tableau,
             slopes: vec![[[0.0; N]; 2]; tableau.nodes.len()].into_boxed_slice(),
+            powers: vec![0.0; tableau.nodes.len()].into_boxed_slice(),
             sums: sums.map(Sum::new).collect(),
             error: Sum::new(tableau.error),
             embedded: tableau.embedded.map(Embedded::new),
@@ -140,6 +143,7 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
             let t = t0 + node * h;
             let acceleration = match first {
                 Some(first) if const { KEEPS } && stage == 0 => {
+                    self.powers[stage] = first.powers[0];
                     bench.add_works(h * weight, first.powers);
                     first.acceleration
                 }
@@ -151,6 +155,9 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
                     if weight != 0.0 {
                         let powers = bench.powers(t, &q, &v, &equations.lambda);
                         bench.add_works(h * weight, powers);
+                        if const { S::STRUCTURE.rheonomic } {
+                            self.powers[stage] = powers[0];
+                        }
                         if const { KEEPS } && stage == 0 {
                             *first = Some(FirstStage {
                                 acceleration,
@@ -210,15 +217,19 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
     ///
     /// The first term is not proportional to the motion: where this is smaller than the mechanism by a factor a, the ratio of error and
     /// estimate is larger by a^(−⅓). Comparisons find it.
+    ///
+    /// No comparison is made for the error of the work of forces without potential: it has the estimate of DOP853.
     pub(crate) fn estimate(
         &self,
         h: f64,
         size: impl Fn(&SVector<f64, N>, &SVector<f64, N>) -> f64,
     ) -> Option<Estimate> {
         let Embedded { stages, factors } = self.embedded.as_ref()?;
-        let mut sums = [[[0.0; N]; 2]; 2];
+        let (mut sums, mut powers) = ([[[0.0; N]; 2]; 2], [0.0; 2]);
         for (&stage, [one, other]) in stages.iter().zip(factors) {
             let slope = &self.slopes[stage];
+            powers[0] += one * self.powers[stage];
+            powers[1] += other * self.powers[stage];
             for part in 0..2 {
                 for i in 0..N {
                     sums[0][part][i] += one * slope[part][i];
@@ -230,8 +241,12 @@ impl<const Q: usize, const N: usize> RungeKutta<Q, N> {
         let error = h * fifth;
         // At rest 0/0 is not a number, of which `min` makes 1: the estimate is zero.
         let roughness = (fifth / (ROUGH * third)).min(1.0);
+        let [fifth_power, third_power] = powers;
+        let power = fifth_power * fifth_power / fifth_power.hypot(ROUGH * third_power);
         Some(Estimate {
             error: error * error.cbrt().max(roughness * roughness.sqrt()),
+            // At rest 0/0 is not a number.
+            work: if power > 0.0 { h * power } else { 0.0 },
             is_rough: fifth > ROUGH * third,
         })
     }

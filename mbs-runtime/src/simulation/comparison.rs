@@ -77,6 +77,8 @@ pub(super) struct Found {
     pub(super) is_paced: bool,
     /// The error of the energy balance after the first step, J.
     pub(super) imbalance: f64,
+    /// The error of the work of forces without potential, J, in driven mechanisms.
+    pub(super) work_error: f64,
     pub(super) passage: Passage,
 }
 
@@ -98,6 +100,7 @@ impl Found {
             is_apart: false,
             is_paced: true,
             imbalance: balance.error,
+            work_error: 0.0,
             passage: Passage {
                 steps,
                 margins,
@@ -167,6 +170,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             .zip(of_second)
             .filter(|_| self.rejected == rejected_before);
         let of_pair = both.map(|(first, second)| first.plus(second));
+        found.work_error = of_pair.map_or(0.0, |pair| pair.work);
         found.parts = both
             .zip(of_pair.filter(|pair| pair.error > 0.0))
             .map(|((first, second), pair)| [first, second].map(|step| step.error / pair.error));
@@ -287,6 +291,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             true => ESTIMATED,
             false => PARTITIONS.len(),
         };
+        let work_of_pair = self.balance.nonconservative_work;
         let mut converged = false;
         for fraction in PARTITIONS.into_iter().take(partitions) {
             let steps = [fraction * length, (1.0 - fraction) * length];
@@ -300,6 +305,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             converged = true;
             let (apart, mut worst) = self.apart(0.5 * length);
             found.is_apart = apart > UNLIKE * bounds.way;
+            if const { Self::DRIVEN } {
+                let off = (self.balance.nonconservative_work - work_of_pair).abs();
+                found.work_error = found.work_error.max(off / ratio);
+            }
             found.is_round_off = (const { Self::DRIVEN }) && apart <= bounds.noise;
             let mut of_motion = match (found.is_apart, apart > still) {
                 (true, true) => TOO_LONG,

@@ -14,18 +14,37 @@ use nalgebra::SVector;
 const BALANCED: f64 = 0.02;
 /// … and the velocities of a driven mechanism may change by this part of the speed past a singular pose, …
 const TURNED: f64 = 0.5;
-/// … unless it moves less than this, in sizes and radians: where a drive jumps the balance is wrong in any step.
+/// … unless it moves less than this, in sizes and radians: where a force jumps the balance is wrong in any step.
 const NEARBY: f64 = 0.002;
+/// Where the velocity of a drive jumps, the work of a pair is wrong however short it is; where only its acceleration jumps, the
+/// error falls with the length. So pairs that move less than this part of the tolerance are not judged by the work, nor those that
+/// move less than the second number, in sizes and radians, …
+const JUMPED: [f64; 2] = [0.1, 1e-9];
+/// … or that are shorter than so many of the shortest ones.
+const SHORT: f64 = 8.0;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The ratio of the error of the energy balance in the pair to the allowed one; [`TOO_LONG`] where a driven mechanism, whose
-    /// balance does not show it, may have turned into another branch.
+    /// balance does not show it, may have turned into another branch. No pair is made shorter than `shortest`, s.
     ///
-    /// Where rows of time determine the motion, positions are exact with steps of any length, but the work of the drives
-    /// is not: it is a sum over the stages.
-    pub(super) fn imbalance(&self, tolerance: f64, before: &Energy, found: &Found) -> f64 {
+    /// Where rows of time determine the motion, positions are exact with steps of any length, but the works of drives and forces
+    /// are not: they are sums over the stages. The balance shows the error of the drives alone, since each gives what a force
+    /// takes in the same stage; that of the forces is estimated.
+    pub(super) fn imbalance(
+        &self,
+        tolerance: f64,
+        before: &Energy,
+        found: &Found,
+        shortest: f64,
+    ) -> f64 {
         let [first, second] = found.passage.steps;
-        if found.speed * (first + second) < NEARBY {
+        let length = first + second;
+        let way = found.speed * length;
+        let is_judged = match const { Self::DRIVEN } {
+            true => way >= (JUMPED[0] * tolerance).max(JUMPED[1]) && length > SHORT * shortest,
+            false => way >= NEARBY,
+        };
+        if !is_judged {
             return 0.0;
         }
         let now = &self.balance;
@@ -35,13 +54,17 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let error = of(now.error).max(of(found.imbalance));
         // The clock shows the time of the pair, and with it the work of drives, with this relative error.
         let clock = match const { Self::DRIVEN } {
-            true => rounding(self.time()) / (first + second),
+            true => rounding(self.time()) / length,
             false => 0.0,
         };
-        let error_ratio = error / ((BALANCED + clock) * turnover);
+        let error_ratio = match way >= NEARBY {
+            true => error / ((BALANCED + clock) * turnover),
+            false => 0.0,
+        };
         let error_ratio = match (const { Self::DRIVEN }, found.passage.foreseen().is_some()) {
-            (true, true) if self.turns() => TOO_LONG,
+            (true, true) if way >= NEARBY && self.turns() => TOO_LONG,
             (true, false) => {
+                let error = error.max(found.work_error);
                 let turnover = turnover.max((now.drive_work - before.drive_work).abs());
                 let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();
                 error_ratio.max(error / ((tolerance + clock) * turnover + ROUND_OFF * whole))

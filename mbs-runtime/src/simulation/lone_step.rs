@@ -59,6 +59,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         // Such a passage never foresees a pose; σ at its ends and the short way exclude one.
         let mut found = Found::before([length, 0.0], [start, end, end], &self.balance);
         found.speed = self.speed(length);
+        found.work_error = estimate.work;
         let is_within = (const { Self::UNBRANCHED })
             || found.passage.is_far_from_poses() && found.speed * length < SHORT;
         if length != left || !is_within {

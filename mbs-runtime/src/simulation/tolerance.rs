@@ -83,11 +83,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let (books, balance) = (self.books, self.balance);
         self.pair_start.copy_from(self.integrator.state());
         let margin = self.margin();
+        let clock = CLOCK * self.pair_start.time.abs();
+        let shortest = clock.max(SHORTEST * self.settings.step.min(0.5 * left));
         if self.may_be_lone(left, &step_controller, margin) {
             let controller = (&step_controller, previous, margin);
             let found = self.lone_step(tolerance, left, controller)?;
             if let Some(found) = found
-                && self.imbalance(tolerance, &balance, &found) <= 1.0
+                && self.imbalance(tolerance, &balance, &found, shortest) <= 1.0
             {
                 step_controller.speed = step_controller.speed.max(found.speed);
                 step_controller.note(None, found.error_ratio, None);
@@ -98,8 +100,6 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.begin_pair_again(books, balance)?;
         }
         let (mut sidestep, mut attempts, mut reach) = (0, 0, 0.0);
-        let clock = CLOCK * self.pair_start.time.abs();
-        let shortest = clock.max(SHORTEST * self.settings.step.min(0.5 * left));
         loop {
             let h = SIDESTEPS[sidestep] * step_controller.step.min(0.5 * left);
             let last = sidestep + 1 == SIDESTEPS.len();
@@ -124,7 +124,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                         (found.error_ratio, found.of) = (TOO_LONG, ErrorOf::Branch);
                     }
                     if found.error_ratio <= 1.0 {
-                        let imbalance = self.imbalance(tolerance, &balance, &found);
+                        let imbalance = self.imbalance(tolerance, &balance, &found, shortest);
                         if imbalance > found.error_ratio {
                             (found.error_ratio, found.of) = (imbalance, ErrorOf::Balance);
                             (found.parts, found.difficulty_of_first) = (None, None);
@@ -224,10 +224,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         self.follows() && self.settings.tolerance.is_some()
     }
 
-    /// Whether rows of time determine the motion: then only the work of drives has an error. (In long two-level steps this work
-    /// is right for some lengths and far off for others, which only comparisons show.)
+    /// Whether rows of time determine the positions: then only works have an error. Rows of velocities do not determine them: these
+    /// are integrated. (In long two-level steps the work of drives is right for some lengths and far off for others, which only
+    /// comparisons show.)
     pub(super) fn is_determined(&self) -> bool {
-        (const { Self::DRIVEN }) && self.assembly.rank == N
+        (const { Self::DRIVEN && S::STRUCTURE.holonomic_rows == R }) && self.assembly.rank == N
     }
 
     pub(super) fn pace(&self) -> Pace {
