@@ -181,12 +181,18 @@ where
             settings,
             is_hopeless: trial.is_hopeless(),
         });
+        // The next trials wait for as many operations as the shortest one: a steady motion, which says little about a later one, may
+        // have left the choice to a method with a far longer trial.
+        let operations = trials.iter().map(|trial| trial.operations);
         let choice = Choice::new(
             tried.collect(),
             best,
             simulation.work(),
             simulation.time(),
-            (leader.operations, leader.character()),
+            (
+                operations.fold(leader.operations, f64::min),
+                leader.character(),
+            ),
         );
         simulation.choice = Some(Box::new(choice));
         Ok(simulation)

@@ -57,7 +57,7 @@ pub(super) struct Character {
 }
 
 impl Choice {
-    /// After a trial of the method that was chosen, with so many operations; infinite: there was none.
+    /// After trials with so many operations at least; infinite: there were none.
     pub(super) fn new(
         candidates: Vec<Candidate>,
         current: usize,
@@ -86,7 +86,9 @@ impl Choice {
         let is_like = way * UNLIKE > self.character.way && way < UNLIKE * self.character.way;
         self.unlike = if is_like { 0 } else { self.unlike + 1 };
         self.pairs += 1;
-        self.unlike >= IN_A_ROW || self.pairs.is_multiple_of(SELDOM)
+        // A few pairs may have taken more operations than a trial.
+        let is_look = self.unlike.is_power_of_two() || self.pairs.is_multiple_of(SELDOM);
+        self.unlike >= IN_A_ROW || is_look
     }
 
     /// The operations that trials may take at this time, after so many since the choice; `None`: they may not be made yet.
