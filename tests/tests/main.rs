@@ -4,6 +4,7 @@
 
 mod common;
 
+mod advice;
 mod assemblies;
 mod book;
 mod changing_parameters;

@@ -302,7 +302,7 @@ fn syntax() {
         "
         out: Output([bar.b.x, if true { 1.0 } else { 2.0 }]),
                               ~~~~~~~~~~~~~~~~~~~~~~~~~~~~",
-        "this cannot be part of an expression",
+        "an `if` decides by indices alone",
     );
     points_at(
         "

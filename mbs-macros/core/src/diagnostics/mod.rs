@@ -132,6 +132,13 @@ impl Errors {
         self.of_mass && !self.list.is_empty()
     }
 
+    /// Whether one of them is at these tokens.
+    pub fn are_at(&self, place: Place) -> bool {
+        let text = |error: &syn::Error| format!("{:?}", error.span());
+        let place = text(&place.error(""));
+        self.list.iter().any(|known| text(&known.error) == place)
+    }
+
     /// The number of errors so far.
     pub fn count(&self) -> usize {
         self.list.len()
@@ -238,6 +245,35 @@ impl Failure {
 pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
     nearest(name, candidates).map_or_else(String::new, |candidate| {
         format!("; did you mean `{candidate}`?")
+    })
+}
+
+/// The same of a kind: one that has `name` among its words comes before misspellings, as `SpringDamper` for `Spring`.
+pub fn did_you_mean_kind<'a>(
+    name: &str,
+    kinds: impl IntoIterator<Item = &'a str, IntoIter: Clone>,
+) -> String {
+    let kinds = kinds.into_iter();
+    let place = |kind: &str| words(kind).position(|word| word.eq_ignore_ascii_case(name));
+    let with_word = kinds
+        .clone()
+        .filter_map(|kind| Some((place(kind)?, kind.len(), kind)));
+    match with_word.min() {
+        Some((_, _, kind)) => format!("; did you mean `{kind}`?"),
+        None => did_you_mean(name, kinds),
+    }
+}
+
+/// The words of a name in camel case.
+fn words(name: &str) -> impl Iterator<Item = &str> {
+    let mut rest = name;
+    std::iter::from_fn(move || {
+        let first = rest.chars().next()?;
+        let end = rest[first.len_utf8()..].find(char::is_uppercase);
+        let end = end.map_or(rest.len(), |end| end + first.len_utf8());
+        let (word, after) = rest.split_at(end);
+        rest = after;
+        Some(word)
     })
 }
 

@@ -10,7 +10,7 @@ use crate::dimension::Dimension;
 use crate::names::is_one_of_many;
 use crate::schema::{RESERVED, World};
 use crate::symbolic::{Graph, Symbol};
-use crate::syntax::{Entry, Reference};
+use crate::syntax::{Entry, Reference, is_constant};
 
 /// Errors up to which names like an unknown one are searched: each search compares with all names, and nobody reads so
 /// many hints.
@@ -150,6 +150,10 @@ impl<'d> Resolver<'d> {
                 ),
             );
         }
+        // The names of an assembly alone, which has no world, have been looked up before.
+        if declaration.world.is_none() && self.errors.are_at(place) {
+            return None;
+        }
         let hint = self.name_like(name);
         self.fail(place, format!("nothing here is named `{name}`{hint}"))
     }
@@ -233,6 +237,11 @@ impl<'d> Resolver<'d> {
         is_moving.then(|| entry.positional.first()).flatten()
     }
 
+    /// Whether an entry or a word of the language has this name.
+    pub(super) fn is_declared(&self, name: &str) -> bool {
+        self.names.contains_key(name) || RESERVED.contains(&name)
+    }
+
     pub(super) fn note_use(&mut self, name: &str) {
         if !self.used.contains(name) {
             self.used.insert(name.to_owned());
@@ -241,6 +250,13 @@ impl<'d> Resolver<'d> {
 
     /// What an unknown name may be a misspelling of, in words.
     fn name_like(&mut self, name: &str) -> String {
+        // What is being evaluated cannot be what it reads, and the same name elsewhere may mean it.
+        if let Some(&own) = self.names.get(&name.to_lowercase())
+            && matches!(self.states[own], State::Working)
+            && is_constant(name)
+        {
+            return constant_hint(name);
+        }
         if let Some(hint) = self.hints.get(name) {
             return hint.clone();
         }
@@ -253,19 +269,9 @@ impl<'d> Resolver<'d> {
     }
 
     fn search(&self, name: &str) -> String {
-        let is_upper =
-            name.contains(|c: char| c.is_uppercase()) && !name.contains(|c: char| c.is_lowercase());
-        let is_constant = is_upper && !RESERVED.contains(&name);
-        if is_constant
-            && self
-                .names
-                .keys()
-                .all(|known| !known.eq_ignore_ascii_case(name))
-        {
-            let own = name.to_lowercase();
-            return format!(
-                "; a constant of Rust is the default of a parameter: `{own}: Param({name}, nominal = …)`, with about its value and its unit"
-            );
+        let mut names = self.names.keys();
+        if is_constant(name) && names.all(|known| !known.eq_ignore_ascii_case(name)) {
+            return constant_hint(name);
         }
         let families = self.declaration.families.iter();
         let families: Vec<String> = families.map(|family| family.name.to_string()).collect();
@@ -432,4 +438,11 @@ impl<'d> Resolver<'d> {
 
 fn tokens(syntax: &syn::Expr) -> String {
     quote::ToTokens::to_token_stream(syntax).to_string()
+}
+
+fn constant_hint(name: &str) -> String {
+    let own = name.to_lowercase();
+    format!(
+        "; a constant of Rust is the default of a parameter: `{own}: Param({name}, nominal = …)`, with about its value and its unit"
+    )
 }

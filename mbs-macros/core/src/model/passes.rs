@@ -1,6 +1,5 @@
 //! The passes of stage 2, in order, with the conditions that hold after each.
 
-use super::arguments::CONSTANT_IN_ASSEMBLY;
 use super::elements::JointEntry;
 use super::elements::kinds::kinds;
 use super::formulation::{Description, Formulation};
@@ -13,7 +12,7 @@ use super::tree::Tree;
 use super::{check, initial_pose, layout, reduce, spanning, vacuous};
 use crate::diagnostics::Errors;
 use crate::schema::World;
-use crate::syntax::Declaration;
+use crate::syntax::{CONSTANT_IN_ASSEMBLY, Declaration};
 
 /// Resolves a declaration in one of its descriptions.
 ///

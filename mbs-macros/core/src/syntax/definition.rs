@@ -16,7 +16,7 @@ use super::item::{Item, read_header};
 use super::levels::is_level;
 use super::parse::check_name;
 use super::paths::path_text;
-use crate::diagnostics::{Errors, Place, did_you_mean};
+use crate::diagnostics::{Errors, Place, did_you_mean_kind};
 use crate::schema::{self, Kinds, World};
 use proc_macro2::{TokenStream, TokenTree};
 use std::rc::Rc;
@@ -184,7 +184,7 @@ fn note(
     }
     let known = kinds.names().chain([super::families::EACH, ASSEMBLY, PORT]);
     if known.clone().all(|name| entry.kind != name) {
-        let hint = did_you_mean(&entry.kind.to_string(), known);
+        let hint = did_you_mean_kind(&entry.kind.to_string(), known);
         return errors.at(
             entry.kind.span(),
             format!("there is no kind `{}`{hint}", entry.kind),

@@ -3,7 +3,7 @@
 use super::families::EACH;
 use super::levels::{self, place_level};
 use super::{Declaration, Entry, Name, NamedArgument};
-use crate::diagnostics::{Errors, did_you_mean, nearest};
+use crate::diagnostics::{Errors, did_you_mean, did_you_mean_kind, nearest};
 use crate::schema::{self, Kinds};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::{Expr, Ident};
@@ -49,7 +49,7 @@ pub(super) fn entry(name: Name, doc: String, value: Expr) -> syn::Result<Entry> 
                 let Expr::Path(path) = &*assign.left else {
                     return Err(syn::Error::new_spanned(
                         assign.left,
-                        "expected `name = value`",
+                        "expected `name = value`; for an equation write the difference of its sides, as in `b.b.x - 0.1_m`",
                     ));
                 };
                 let Some(name) = path.path.get_ident().cloned() else {
@@ -173,7 +173,7 @@ pub(super) fn place(
     }
     if kinds.any(&entry.kind.to_string()).is_none() {
         let known = kinds.names();
-        let hint = did_you_mean(
+        let hint = did_you_mean_kind(
             &entry.kind.to_string(),
             known.clone().chain([EACH, ASSEMBLY]),
         );

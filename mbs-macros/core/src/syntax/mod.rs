@@ -40,6 +40,7 @@ pub use entry::ASSEMBLY;
 pub use exactly::exactly;
 pub use families::{Family, MOST_MEMBERS};
 pub use name::Name;
+pub use own_names::{CONSTANT_IN_ASSEMBLY, is_constant};
 pub use parse::parse;
 pub use paths::{named, path_text};
 pub use plain::plain;

@@ -1,5 +1,6 @@
 //! The names in the entries of an assembly are those of its entries and ports, and each port is named.
 
+use super::Entry;
 use super::assemblies::Definition;
 use super::entry::ASSEMBLY;
 use super::item::Item;
@@ -38,7 +39,10 @@ impl Definition {
         for (name, _) in values {
             let text = name.to_string();
             if !known.contains(&text) && !RESERVED.contains(&text.as_str()) {
-                let hint = did_you_mean(&text, known.iter().map(String::as_str));
+                let hint = match self.is_default_of_own_name(name) {
+                    true => format!("; {CONSTANT_IN_ASSEMBLY}"),
+                    false => did_you_mean(&text, known.iter().map(String::as_str)),
+                };
                 errors.at(
                     name.span(),
                     format!(
@@ -62,6 +66,27 @@ impl Definition {
             }
         }
     }
+
+    /// Whether this is a constant of Rust, and the default of the parameter that would be named like it.
+    fn is_default_of_own_name(&self, name: &Ident) -> bool {
+        let text = name.to_string();
+        let is_read = |entry: &Entry| {
+            entry.kind == "Param"
+                && entry.name.as_str().eq_ignore_ascii_case(&text)
+                && matches!(entry.positional.first(), Some(Expr::Path(path)) if path.path.is_ident(&text))
+        };
+        let mut items = self.items.iter();
+        is_constant(&text) && items.any(|item| matches!(item, Item::Entry(entry) if is_read(entry)))
+    }
+}
+
+/// Refuses a constant of Rust in an assembly.
+pub const CONSTANT_IN_ASSEMBLY: &str = "a constant of Rust is the default of a parameter of a mechanism: where an assembly is used its path would mean another one; give a number here";
+
+/// Whether a name that no entry has is written as constants of Rust are.
+pub fn is_constant(name: &str) -> bool {
+    let is_upper = name.contains(char::is_uppercase) && !name.contains(char::is_lowercase);
+    is_upper && !RESERVED.contains(&name)
 }
 
 /// All names that stand for values or functions.

@@ -8,7 +8,6 @@ mod orientation;
 mod places;
 mod requirements;
 
-pub(super) use self::numbers::CONSTANT_IN_ASSEMBLY;
 use super::resolver::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;

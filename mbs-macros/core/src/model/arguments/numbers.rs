@@ -6,11 +6,8 @@ use crate::dimension::Dimension;
 use crate::model::requirements::Wanted;
 use crate::schema::Expects;
 use crate::symbolic::Expr;
-use crate::syntax::path_text;
+use crate::syntax::{CONSTANT_IN_ASSEMBLY, is_constant, path_text, reference};
 use syn::Expr as Syntax;
-
-/// Refuses a constant of Rust in an assembly.
-pub(in crate::model) const CONSTANT_IN_ASSEMBLY: &str = "a constant of Rust is the default of a parameter of a mechanism: where an assembly is used its path would mean another one; give a number here";
 
 impl Arguments<'_, '_> {
     /// A scalar of the dimension in the schema.
@@ -122,11 +119,7 @@ impl Arguments<'_, '_> {
                 let (expr, dimension) = self.resolver.scalar(syntax)?;
                 match self.resolver.graph.as_constant(expr) {
                     Some(value) if value.is_finite() => (value, dimension),
-                    _ => {
-                        return self
-                            .resolver
-                            .fail(Place::of(syntax), "expected a finite number, such as `0.15_m`; what follows from parameters is a `Let`");
-                    }
+                    _ => return self.resolver.fail(Place::of(syntax), self.no_number()),
                 }
             }
         };
@@ -142,7 +135,9 @@ impl Arguments<'_, '_> {
     pub(in crate::model) fn constant(&mut self) -> Option<Option<syn::ExprPath>> {
         if !self.has("nominal") {
             return match self.syntax("value") {
-                Some(Syntax::Path(path)) if path.path.get_ident().is_none() => {
+                Some(syntax @ Syntax::Path(path))
+                    if path.path.get_ident().is_none() && !self.names_entry(syntax) =>
+                {
                     self.fail("value", self.without_nominal(path))
                 }
                 _ => Some(None),
@@ -157,6 +152,27 @@ impl Arguments<'_, '_> {
                 "value",
                 "a parameter with `nominal =` takes the path of a constant, such as `LENGTH`; leave `nominal =` out for a number",
             ),
+        }
+    }
+
+    /// Whether a path is what putting an assembly in place made of a name, and this is no constant of Rust.
+    fn names_entry(&self, syntax: &Syntax) -> bool {
+        let Some(Ok(reference)) = reference(syntax) else {
+            return false;
+        };
+        let name = reference.text();
+        self.resolver.is_declared(&name) || !(name.contains('.') || is_constant(&name))
+    }
+
+    /// The message at what is no finite number.
+    fn no_number(&self) -> String {
+        let name = &self.entry.name;
+        match self.entry.kind == "Param" && name.is_nested() {
+            true => format!(
+                "the default of a parameter is a number; to give a quantity of the mechanism, let `{}` be a port of the assembly",
+                name.word()
+            ),
+            false => "expected a finite number, such as `0.15_m`; what follows from parameters is a `Let`".to_owned(),
         }
     }
 

@@ -5,6 +5,7 @@ mod literals;
 mod members;
 mod operators;
 
+use self::operators::{POWERS, comparison};
 use super::Vector;
 use super::resolver::Resolver;
 use super::value::Value;
@@ -85,7 +86,20 @@ impl Resolver<'_> {
                 let value = self.evaluate(&unary.expr)?;
                 self.negate(value, Place::of(unary))
             }
+            Syntax::Unary(unary) if matches!(unary.op, UnOp::Deref(_)) => {
+                self.fail(Place::of(unary), POWERS)
+            }
+            Syntax::Assign(equation) => {
+                self.compared("=", Place::of(&equation.eq_token))
+            }
+            Syntax::If(choice) => self.fail(
+                Place::of(choice),
+                "an `if` decides by indices alone; a value that changes with quantities is a product with step(x), or max(a, b) or min(a, b)",
+            ),
             Syntax::Binary(binary) => {
+                if let Some(operator) = comparison(&binary.op) {
+                    return self.compared(operator, Place::of(&binary.op));
+                }
                 let (left, right) = (self.evaluate(&binary.left), self.evaluate(&binary.right));
                 self.combine(left?, &binary.op, right?, syntax)
             }

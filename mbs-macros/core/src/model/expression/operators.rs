@@ -9,6 +9,22 @@ use proc_macro2::Span;
 use syn::spanned::Spanned;
 use syn::{BinOp, Expr as Syntax};
 
+/// What to write for `x ^ 2` and `x ** 2`.
+pub(super) const POWERS: &str = "for powers use x.powi(2) or x.powf(1.5)";
+
+/// How an operator between quantities is written, if it compares them.
+pub(super) fn comparison(op: &BinOp) -> Option<&'static str> {
+    match op {
+        BinOp::Eq(_) => Some("=="),
+        BinOp::Ne(_) => Some("!="),
+        BinOp::Lt(_) => Some("<"),
+        BinOp::Le(_) => Some("<="),
+        BinOp::Gt(_) => Some(">"),
+        BinOp::Ge(_) => Some(">="),
+        _ => None,
+    }
+}
+
 impl Resolver<'_> {
     pub(super) fn negate(&mut self, value: Value, place: Place) -> Option<Value> {
         match value {
@@ -145,9 +161,19 @@ impl Resolver<'_> {
             ),
             _ => self.fail(
                 span,
-                "only + − * / can combine quantities; for powers use x.powi(2) or x.powf(1.5)",
+                format!("only + − * / can combine quantities; {POWERS}"),
             ),
         }
+    }
+
+    /// Refuses an equation or an inequality between quantities.
+    pub(super) fn compared<T>(&mut self, operator: &str, place: Place) -> Option<T> {
+        self.fail(
+            place,
+            format!(
+                "quantities are not compared: write the difference `a - b` in place of `a {operator} b`; a condition holds it at zero, and an event is where it passes through zero"
+            ),
+        )
     }
 
     fn mismatch(&mut self, span: Span, left: &Value, right: &Value) -> Option<Value> {

@@ -1,0 +1,123 @@
+//! Messages that say what to write instead, where a habit of Rust or of other programs was followed.
+
+use crate::common::expansion::refused;
+
+/// Constants of Rust.
+#[test]
+fn a_constant_is_no_misspelling_of_the_parameter_that_reads_it() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    mass: Param(MASS),
+                ~~~~ nothing here is named `MASS`; a constant of Rust is the default of a parameter: `mass: Param(MASS, nominal = …)`, with about its value and its unit
+    p: Particle(mass = mass, free = true),
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    mass: Param(1.0_kg),
+    p: Particle(mass = mass, free = true),
+    q: Particle(mass = MASS, free = true),
+                       ~~~~ nothing here is named `MASS`; did you mean `mass`?
+});
+        ",
+    );
+    refused(
+        "
+assembly!(A { world: Planar(), mass: Param(MASS), p: Particle(mass = mass, free = true) });
+                                           ~~~~ the assembly `A` has no entry or port `MASS`; a constant of Rust is the default of a parameter of a mechanism: where an assembly is used its path would mean another one; give a number here
+        ",
+    );
+}
+
+/// A name is looked up before it is taken as a constant of Rust.
+#[test]
+fn parameters_of_assemblies_are_given_numbers() {
+    refused(
+        "
+assembly!(A { world: Planar(), l: Param(1.0_m), p: Particle(mass = 1.0_kg, at = [l, 0.0_m], free = true) });
+mechanism!(M {
+    world: Planar(),
+    k: Param(2.0_m),
+    x: Assembly(A, l = k),
+                       ~ in `x.l`: the default of a parameter is a number; to give a quantity of the mechanism, let `l` be a port of the assembly
+    y: Assembly(A, l = 2.0 * k),
+                       ~~~~~~~ in `y.l`: the default of a parameter is a number; to give a quantity of the mechanism, let `l` be a port of the assembly
+    o: Output(k),
+});
+        ",
+    );
+    refused(
+        "
+assembly!(A { world: Planar(), l: Param(1.0), p: Particle(mass = 1.0_kg, at = [l * 1.0_m, 0.0_m], free = true) });
+mechanism!(M {
+    world: Planar(),
+    k: Param(2.0),
+    x: Assembly(A, l = k),
+                       ~ in `x.l`: the default of a parameter is a number; to give a quantity of the mechanism, let `l` be a port of the assembly
+    y: Assembly(A, l = j),
+                       ~ in `y.l`: nothing here is named `j`
+    z: Assembly(A, l = FACTOR),
+                       ~~~~~~ in `z.l`: a constant of Rust is the default of a parameter of a mechanism: where an assembly is used its path would mean another one; give a number here
+    o: Output(k),
+});
+        ",
+    );
+}
+
+#[test]
+fn equations_and_comparisons() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Bar(mass = 1.0_kg, length = 1.0_m),
+    h: Holonomic(b.b.x == 0.1_m),
+                       ~~ quantities are not compared: write the difference `a - b` in place of `a == b`; a condition holds it at zero, and an event is where it passes through zero
+    e: Event(b.angle > 0.0),
+                     ~ quantities are not compared: write the difference `a - b` in place of `a > b`; a condition holds it at zero, and an event is where it passes through zero
+    n: Nonholonomic([b.b.velocity.x = 0.1_m_per_s]),
+                                    ~ quantities are not compared: write the difference `a - b` in place of `a = b`; a condition holds it at zero, and an event is where it passes through zero
+    f: Force(b.b, value = [b.a.x ** 2 * 1.0_N_per_m2, 0.0]),
+                                  ~~~ for powers use x.powi(2) or x.powf(1.5)
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    b: Bar(mass = 1.0_kg, length = 1.0_m),
+    h: Holonomic(b.b.x = 0.1_m),
+                 ~~~~~ expected `name = value`; for an equation write the difference of its sides, as in `b.b.x - 0.1_m`
+});
+        ",
+    );
+}
+
+#[test]
+fn kinds_by_one_of_their_words() {
+    let asked = |kind: &str, meant: &str| {
+        let under = "~".repeat(kind.len());
+        refused(&format!(
+            "
+mechanism!(M {{
+    world: Planar(),
+    b: Bar(mass = 1.0_kg, length = 1.0_m),
+    s: {kind}(ground.origin, b.b),
+       {under} there is no kind `{kind}`; did you mean `{meant}`?
+}});
+            "
+        ));
+    };
+    asked("Spring", "SpringDamper");
+    asked("Damper", "SpringDamper");
+    asked("Torsion", "TorsionSpring");
+    asked("Pinion", "RackPinion");
+    asked("point", "Point");
+    asked("Revolut", "Revolute");
+}
