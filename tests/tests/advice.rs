@@ -121,3 +121,25 @@ mechanism!(M {{
     asked("point", "Point");
     asked("Revolut", "Revolute");
 }
+
+#[test]
+fn events_that_never_occur() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    k: Param(2.0),
+    push: Input(1.0_N),
+    b: Particle(mass = 1.0_kg, free = true),
+    f: Force(b.origin, value = [push, 0.0]),
+    one: Event(1.0),
+               ~~~ this depends on parameters only, so that the event never occurs: name what changes in a run, such as a position
+    two: Event(k - 1.0),
+               ~~~~~~~ this depends on parameters only, so that the event never occurs: name what changes in a run, such as a position
+    three: Event(k - t * 1.0_per_s),
+    four: Event(push),
+    five: Event(b.origin.x),
+});
+        ",
+    );
+}

@@ -6,7 +6,7 @@ use super::resolver::Resolver;
 use super::value::Value;
 use crate::diagnostics::Place;
 use crate::dimension::Dimension;
-use crate::symbolic::Expr;
+use crate::symbolic::{Expr, Symbol};
 use crate::syntax::Entry;
 use std::collections::HashMap;
 use syn::Expr as Syntax;
@@ -43,7 +43,9 @@ impl Resolver<'_> {
                     }));
                 }
                 "Event" => {
-                    if let Some((expr, _)) = self.scalar(syntax) {
+                    if let Some((expr, _)) = self.scalar(syntax)
+                        && self.may_change(syntax, expr)
+                    {
                         events.push((entry.name.to_string(), expr));
                     }
                 }
@@ -52,6 +54,19 @@ impl Resolver<'_> {
             self.errors.leave(before);
         }
         (outputs, events)
+    }
+
+    /// Refuses an event that does not change in a run.
+    fn may_change(&mut self, syntax: &Syntax, expr: Expr) -> bool {
+        let changes = |symbol: Symbol| !symbol.is_parameter_like();
+        let may = self.graph.depends_on(expr, changes);
+        if !may {
+            self.fail::<()>(
+                Place::of(syntax),
+                "this depends on parameters only, so that the event never occurs: name what changes in a run, such as a position",
+            );
+        }
+        may
     }
 
     /// A state is an output of its own.
