@@ -1,5 +1,6 @@
 //! Generated code gives no warning: this file does not compile with one, whatever the lints of the workspace are.
 #![deny(warnings, missing_docs, unused, nonstandard_style)]
+#![deny(clippy::pedantic, clippy::nursery)]
 
 use mbs_runtime::{Simulation, SimulationError, mechanism};
 

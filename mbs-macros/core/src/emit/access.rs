@@ -61,7 +61,7 @@ fn values(declaration: &Declaration, name: &Ident, list: &[Quantity], what: &str
         quote! {
             #about
             #[derive(Debug, Clone, Copy, PartialEq)]
-            #[allow(dead_code, non_snake_case)]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code, non_snake_case)]
             #visibility struct #name { #declared }
         }
     });
@@ -78,7 +78,7 @@ fn values(declaration: &Declaration, name: &Ident, list: &[Quantity], what: &str
 
         #about
         #[derive(Debug, Clone, Copy, PartialEq)]
-        #[allow(dead_code, non_snake_case)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code, non_snake_case)]
         #visibility struct #name { #declared }
 
         impl ::mbs_runtime::NamedValues for #name {

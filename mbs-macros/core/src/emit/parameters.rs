@@ -119,13 +119,13 @@ fn structure(
     quote! {
         #documentation
         #[derive(Debug, Clone, Copy, PartialEq)]
-        #[allow(non_snake_case)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, non_snake_case)]
         #visibility struct #name {
             #( #declared )*
         }
 
         // A default of 45° is an approximate π/4, and meant.
-        #[allow(clippy::all)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
         impl ::core::default::Default for #name {
             fn default() -> Self {
                 Self { #( #defaults )* }
@@ -253,7 +253,7 @@ pub(super) fn emit_mechanism(
     size.add("prepare", &body);
     let body = tokens(&body);
     quote! {
-        #[allow(clippy::all, unused_variables, unused_mut)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables, unused_mut)]
         impl ::mbs_runtime::Mechanism for #name {
             type System = #system;
             const MODEL: &'static ::mbs_runtime::Model = <#system as ::mbs_runtime::System<#coordinates, #velocities, #rows>>::MODEL;

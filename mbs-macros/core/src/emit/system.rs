@@ -92,7 +92,7 @@ pub(super) fn emit(
             let own = associated.iter().find(|(of, _)| *of == capability);
             let own = own.map_or("", |(_, text)| text);
             format!(
-                "#[allow(clippy::all, unused_variables, unused_parens)]\nimpl ::mbs_runtime::{} for {name} {{\n{own}{}}}\n",
+                "#[allow(clippy::all, clippy::pedantic, clippy::nursery, unused_variables, unused_parens)]\nimpl ::mbs_runtime::{} for {name} {{\n{own}{}}}\n",
                 capability.name(program),
                 functions(capability)
             )
@@ -117,7 +117,7 @@ pub(super) fn emit(
     let eliminating = (!eliminating.is_empty()).then(|| {
         let functions = tokens(&eliminating);
         quote! {
-            #[allow(clippy::all, unused)]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery, unused)]
             impl #name {
                 #functions
             }
@@ -128,7 +128,7 @@ pub(super) fn emit(
         #doc
         #[doc(hidden)]
         #[derive(Debug, Clone)]
-        #[allow(dead_code)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
         #visibility struct #name {
             parameters: #parameters,
             inputs: [f64; #inputs],
@@ -138,7 +138,7 @@ pub(super) fn emit(
             #( #constants )*
         }
 
-        #[allow(clippy::all, dead_code)]
+        #[allow(clippy::all, clippy::pedantic, clippy::nursery, dead_code)]
         impl #name {
             #( #laws )*
             #( #tables )*
@@ -152,7 +152,7 @@ pub(super) fn emit(
             #[allow(unused_imports)]
             use ::mbs_runtime::nalgebra::{SMatrix, SVector};
 
-            #[allow(clippy::all)]
+            #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
             const MODEL: &'static ::mbs_runtime::Model = #model;
 
             #[cfg(not(rust_analyzer))]
