@@ -23,6 +23,14 @@ fn a_few_rows_take_the_explicit_method() {
     assert_eq!(simulation.report().steps, 0);
 }
 
+/// Rounded once, so that it is printed with one digit.
+#[test]
+fn the_tolerance_is_a_fifth_of_the_accuracy() {
+    let tolerance = |accuracy| with_accuracy(SliderCrank, accuracy).settings().tolerance;
+    assert_eq!(tolerance(1e-9), Some(2e-10));
+    assert_eq!(tolerance(1e-6), Some(2e-7));
+}
+
 #[test]
 fn stiff_dampers_take_collocation() {
     let stiff = || Sprung::<true> {

@@ -24,9 +24,9 @@ use crate::baselines::registry::has_radau;
 use crate::methods::Methods;
 use crate::{AssemblyVerdict, Method, Settings, SimulationError, State, StepController, System};
 
-/// The tolerance for an accuracy of one: errors of steps add up and grow with the motion's own instability. On the scenes with
+/// Accuracy over tolerance: errors of steps add up and grow with the motion's own instability. On the scenes with
 /// a reference the largest error was up to 23 tolerances with steps of the projected method, and 31 with two-level ones.
-const MARGIN: f64 = 0.2;
+const MARGIN: f64 = 5.0;
 
 /// A shorter way of the pairs of a trial, in sizes and radians, is round-off of a mechanism at rest.
 const RESTING: f64 = 1e-12;
@@ -52,7 +52,7 @@ fn candidates(settings: Settings, accuracy: f64, has_radau: bool) -> Vec<Setting
 
 /// The candidate that every program has.
 fn two_level(settings: Settings, accuracy: f64) -> Settings {
-    let tolerance = (MARGIN * accuracy).max(Settings::LEAST_TOLERANCE);
+    let tolerance = (accuracy / MARGIN).max(Settings::LEAST_TOLERANCE);
     Settings {
         accuracy: None,
         ..settings.with_tolerance(tolerance)
