@@ -3,6 +3,7 @@
 mod absent;
 mod book;
 mod cli;
+mod files;
 mod laboratory;
 mod pages;
 mod pictures;

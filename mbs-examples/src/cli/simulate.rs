@@ -76,7 +76,7 @@ pub struct Run {
     pub stopped: Option<SimulationError>,
     /// The deviation from the reference of the scene; `Err` is the reason if it was not compared.
     pub reference: Result<Vec<Deviation>, String>,
-    /// Where the files are.
+    /// Where the files are, if all could be written.
     pub files: Option<PathBuf>,
 }
 
@@ -114,6 +114,9 @@ impl Simulate {
         run.reference = table.map(|table| table.compare(&run.frames));
         // The summary is printed even where the files cannot be written.
         let saved = results.map_or(Ok(()), |results| results.finish(&run));
+        if saved.is_err() {
+            run.files = None;
+        }
         let text = if self.json {
             summary::json(&run)
         } else {
