@@ -77,6 +77,9 @@ pub fn main() -> ExitCode {
             #[cfg(not(feature = "laboratory"))]
             Command::Other(words) => Err(other(&words)),
         },
+        // `help` knows the commands of this build only.
+        #[cfg(not(feature = "laboratory"))]
+        Err(_) if absent_in_help().is_some() => Err(other(absent_in_help().as_slice())),
         // The options for help and version are not failures.
         Err(message) if !message.use_stderr() => print::print(&message.to_string()),
         Err(message) => {
@@ -95,6 +98,16 @@ pub fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// The command after `help`, if this build does not have it.
+#[cfg(not(feature = "laboratory"))]
+fn absent_in_help() -> Option<String> {
+    let mut words = std::env::args_os().skip(1);
+    let is_help = words.next()? == "help";
+    let command = words.next()?.into_string().ok()?;
+    let is_absent = mbs_examples::absent::COMMANDS.contains(&command.as_str());
+    (is_help && is_absent).then_some(command)
 }
 
 /// A command that this build does not have.
