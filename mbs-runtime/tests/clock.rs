@@ -124,6 +124,48 @@ fn events_of_tiny_values_are_found() {
     assert!((time - 0.3).abs() < 1e-9, "{time}");
 }
 
+mechanism!(Falling {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 1.3_rad),
+    pivot: Revolute(ground.origin, rod.a),
+    plain: Event(rod.angle - 1.0),
+    plateau: Event(max(rod.angle - 1.0, 0.0)),
+    on: Event(step(rod.angle - 1.0)),
+    touch: Event((t - 0.5_s) * (t - 0.5_s)),
+});
+
+/// Expressions that are 0 after the change were found at the end of the step, 50 and 100 ms late.
+#[test]
+fn the_first_instant_of_zero_is_found() {
+    let coarse = Settings {
+        order: 4,
+        step: 0.02,
+        ..Settings::default()
+    };
+    let tolerance = Settings::for_tolerance(1e-6);
+    for settings in [coarse, tolerance, Settings::accuracy(1e-6)] {
+        let begin =
+            || Simulation::with_methods(Falling::default(), settings, methods::Accuracy).unwrap();
+        let time = |event| begin().run_to_event(event, 1.0).unwrap().unwrap();
+        let plain = time("plain");
+        assert!((plain - 0.25613).abs() < 1e-5, "{plain}");
+        for event in ["plateau", "on"] {
+            let found = time(event);
+            assert!((found - plain).abs() < 1e-11, "{event}: {found} {plain}");
+        }
+        let mut falling = begin();
+        falling.run_to_event("plateau", 1.0).unwrap();
+        // It stays 0, and is an event again only after it has had a sign.
+        assert_eq!(falling.run_to_event("plateau", 0.4).unwrap(), None);
+    }
+    // The end of a step is a root: few stages tell that it is the first instant of zero.
+    let mut falling = Simulation::with_settings(Falling::default(), coarse).unwrap();
+    let found = falling.run_to_event("touch", 1.0).unwrap();
+    assert_eq!(found, Some(0.5));
+    let stages = falling.report().stages;
+    assert!(stages < 25 * 7 + 60, "{stages}");
+}
+
 /// A pair that goes to the end of the run passes the last sample.
 #[test]
 fn the_last_sample_is_at_its_instant() {

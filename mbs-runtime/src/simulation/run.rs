@@ -101,7 +101,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         }
     }
 
-    /// Runs until the expression of `event` changes sign, but not beyond `latest`; the time of the event, or `None`.
+    /// Runs until the expression of `event` changes sign or becomes 0, but not beyond `latest`; the time of the event, or `None`.
+    ///
+    /// An expression that stays 0 is an event at the first instant at which it is; leaving 0 is none.
     ///
     /// The state is then that just after the change: a further call finds the next one. With a method that has a memory of earlier steps
     /// ([`Method`](crate::Method) lists them) the search allocates.
@@ -151,14 +153,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let (mut low, mut high) = (0.0, h);
         let (mut f_low, mut f_high) = (before, after);
         let resolution = 1e-12 * self.last_step_start.time.abs().max(h);
-        let mut guess = self.event_on_cubic(index, before, after);
+        let mut guess = Some(self.event_on_cubic(index, before));
         let mut current = h;
-        let mut last = None;
+        let (mut last, mut probed) = (None, false);
         let longest = self.longest_part();
         // Steps of a method with a memory depend on those before, also on the trials of this search.
         let memory = self.memory();
         for iteration in 0..200 {
-            if high - low <= resolution || f_high == 0.0 {
+            if high - low <= resolution {
                 break;
             }
             // Illinois' false position; every third step a bisection, so that the bracket shrinks surely.
@@ -173,7 +175,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.rewind(books, memory.as_ref())?;
             self.reach(current, longest)?;
             let value = self.event(index)?;
-            if iteration == 0 {
+            if value == 0.0 && !probed {
+                // A simple root, found exactly, if the sign is still the old one just before.
+                (guess, probed) = (Some(current - 0.9 * resolution), true);
+            } else if iteration == 0 {
                 // The cubic is off by a little: a step beyond its own error brackets the change tightly.
                 guess = Some(current - BEYOND * value * (high - low) / (f_high - f_low));
             }
@@ -198,13 +203,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// When the event happens on the cubic of the last step, s after its beginning.
-    fn event_on_cubic(&mut self, index: usize, before: f64, after: f64) -> Option<f64> {
+    fn event_on_cubic(&mut self, index: usize, before: f64) -> f64 {
         let cubic = Hermite::new(self.system(), &self.last_step_start, self.state());
         let h = self.time() - self.last_step_start.time;
         let (mut low, mut high) = (0.0, 1.0);
-        if after == 0.0 {
-            return None;
-        }
         for _ in 0..BISECTIONS {
             let middle = 0.5 * (low + high);
             let (t, q, v) = cubic.at(self.system(), middle);
@@ -214,7 +216,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 false => high = middle,
             }
         }
-        Some(0.5 * (low + high) * h)
+        0.5 * (low + high) * h
     }
 
     fn rewind(
