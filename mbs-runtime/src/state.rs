@@ -156,6 +156,12 @@ impl<const Q: usize, const N: usize, const R: usize> State<Q, N, R> {
         }
     }
 
+    /// The time after a step of h, as [`Self::count`] sets it.
+    #[inline(always)]
+    pub(crate) fn end_of(&self, h: f64) -> f64 {
+        self.time + (h + self.clock)
+    }
+
     /// Sets the time h seconds after `start`, where it was `clock` behind: compensated summation.
     #[inline]
     pub(crate) fn count(&mut self, (start, clock): (f64, f64), h: f64) {

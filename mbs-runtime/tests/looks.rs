@@ -1,6 +1,8 @@
 //! Looks at instants of the last step change nothing of the motion.
 
-use mbs_runtime::{BaumgarteSettings, Method, Settings, Simulation, SimulationError, mechanism};
+use mbs_runtime::{
+    BaumgarteSettings, Mechanism, Method, Settings, Simulation, SimulationError, System, mechanism,
+};
 
 mechanism!(SliderCrank {
     world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = Natural),
@@ -129,4 +131,88 @@ fn only_instants_of_the_last_step_are_shown() {
     let last = crank.time() - 1e-4;
     crank.step().unwrap();
     assert!(crank.look_at(last, &mut |_| {}).is_err());
+}
+
+mechanism!(Driven {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    lead: Input(0.1_rad),
+    crank: Bar(mass = 1.0_kg, length = 0.3_m, angle = 60.0_deg),
+    rod: Bar(mass = 0.5_kg, length = 0.7_m, angle = -20.0_deg),
+    piston: Particle(mass = 2.0_kg),
+    bearing: Revolute(ground.origin, crank.a),
+    pin: Revolute(crank.b, rod.a),
+    gudgeon: Revolute(rod.b, piston.origin),
+    guide: PointOnLine(piston.origin, ground.origin, axis = X),
+    drive: Drive(crank.angle, value = 1.0 + 5.0_rad_per_s * t + lead),
+});
+
+mechanism!(Shaken {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 30.0_deg),
+    pivot: Revolute(ground.origin, rod.a),
+    shake: Force(on = rod.b, value = [5.0_N * sin(7.0_per_s * t), 0.0]),
+});
+
+/// A motion with looks, and one that is resumed at every step, against one alone.
+fn goes_on_bit_for_bit<
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>(
+    settings: Settings,
+) {
+    let begin = || Simulation::with_any_method(M::default(), settings).unwrap();
+    let (mut alone, mut seen, mut resumed) = (begin(), begin(), begin());
+    let what = format!("{} {}", settings.method.name(), settings.order);
+    let end = 1.0;
+    let mut instant = 0;
+    while alone.time() < end {
+        // Now and then a run ends between two steps.
+        instant += 1;
+        let until = (instant % 10 == 0).then(|| alone.time() + 0.7 * settings.step);
+        for simulation in [&mut alone, &mut seen, &mut resumed] {
+            match until {
+                Some(time) => simulation.run_until(time).unwrap(),
+                None => {
+                    let next = simulation.time() + 0.1 * settings.step;
+                    simulation.run_past(next, end).unwrap();
+                }
+            }
+        }
+        if until.is_none() {
+            let between = seen.time() - 0.3 * settings.step;
+            let _ = seen.look_at(between, &mut |_| ());
+        }
+        let state = resumed.state().clone();
+        resumed = Simulation::resume_with_any_method(M::default(), settings, state).unwrap();
+        let time = alone.time();
+        assert_eq!(alone.state(), seen.state(), "{what}, a look before {time}");
+        assert_eq!(
+            alone.state(),
+            resumed.state(),
+            "{what}, resumed before {time}"
+        );
+    }
+}
+
+/// The end of a step was evaluated at another instant, by the rounding of the time, than the state that goes on from there.
+#[test]
+fn rows_and_forces_of_time_go_on_bit_for_bit() {
+    let composed = [2, 4, 6, 8].map(|order| Settings {
+        order,
+        step: 4e-3,
+        ..Settings::default()
+    });
+    let projected = Settings {
+        method: Method::Projected,
+        order: 8,
+        step: 4e-3,
+        ..Settings::default()
+    };
+    for settings in composed.into_iter().chain([projected]) {
+        goes_on_bit_for_bit::<Driven, _, _, _, _>(settings);
+        goes_on_bit_for_bit::<Shaken, _, _, _, _>(settings);
+    }
 }

@@ -123,6 +123,7 @@ impl Extrapolation {
             let mut works = start;
             for part in 1..=parts {
                 context.state.recall_stage(stage);
+                context.end_time = context.state.time + h / parts as f64;
                 kick_flow_kick(context, flow, h / parts as f64)?;
                 context.state.keep_stage(stage);
                 stage += 1;
@@ -215,10 +216,10 @@ fn land<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
         place,
         velocities: mean.velocities,
     };
+    context.end_time = before.end_of(h);
     kick_flow_kick(context, &mut rest, h)?;
     // Stages are counted by parts.
     context.counters.stages -= 1;
-    context.state.time = before.time + h;
     Ok(())
 }
 
@@ -236,7 +237,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn begin(
         &mut self,
         _: &S,
-        _: f64,
+        _: [f64; 2],
         _: &SVector<f64, Q>,
         _: &SVector<f64, N>,
         _: &ConstraintGeometry<S, Q, N, R>,

@@ -75,7 +75,7 @@ impl<const Q: usize, const N: usize, const R: usize> ImplicitStep<Q, N, R> {
         let (q0, v0, t1) = (
             context.state.positions,
             context.state.velocities,
-            context.state.time + h,
+            context.end_time,
         );
         let StepContext {
             system,

@@ -26,7 +26,7 @@ where
     F: KickFlow<S, Q, N, R>,
 {
     let (weak_start, beside) = (context.work.delassus.weak, context.work.delassus.beside);
-    let t1 = context.state.time + h;
+    let t1 = context.end_time;
     let mut kick = Kick {
         kappa: context.state.expected_impulse(h),
         va: context.state.velocities,
@@ -36,7 +36,7 @@ where
     accumulate(&mut kick.va, &context.start.w, &kick.kappa);
     flow.begin(
         &context.system,
-        context.state.time,
+        [context.state.time, t1],
         &context.state.positions,
         &kick.va,
         &context.start,
@@ -128,7 +128,7 @@ where
     };
     let factored = kick.by != Factor::None;
     let mut rows = Rows {
-        t1: context.state.time + h,
+        t1: context.end_time,
         rate: -1.0 / h,
         context: &mut *context,
         flow,

@@ -32,7 +32,7 @@ where
     S: System<Q, N, R>,
     F: KickFlow<S, Q, N, R>,
 {
-    let (t0, t1) = (context.state.time, context.state.time + h);
+    let (t0, t1) = (context.state.time, context.end_time);
     let limits = Limits {
         most: context.max_iterations,
         fixed: None,
@@ -41,7 +41,7 @@ where
     let mut va = context.state.velocities;
     accumulate(&mut va, &context.start.w, &kappa);
     let q = context.state.positions;
-    flow.begin(&context.system, t0, &q, &va, &context.start, h);
+    flow.begin(&context.system, [t0, t1], &q, &va, &context.start, h);
     context.work.projection.regularised = false;
     let mut rows = Rows {
         beside: S::STRUCTURE.holonomic_rows > 0 && context.work.delassus.beside,

@@ -22,6 +22,7 @@ mod sparse_kicks;
 mod stage_placement;
 mod step_context;
 mod step_monitor;
+mod stepping;
 mod two_level;
 
 pub(crate) use self::step_context::{Counters, FIXED_REFINEMENTS};

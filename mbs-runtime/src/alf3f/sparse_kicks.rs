@@ -229,7 +229,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
             right,
             ..
         } = &mut *self;
-        let t1 = context.state.time + h;
+        let t1 = context.end_time;
         let (a0, geometry) = (&context.start.acceleration, &mut context.end);
         mass.weigh_forces(&context.system, (t1, q), x, &mut geometry.acceleration);
         let a1 = &geometry.acceleration;
@@ -323,7 +323,7 @@ impl<const N: usize, const R: usize> SparseKicks<N, R> {
         };
         let factored = kick.factor != Factor::None;
         let mut rows = Ends {
-            t1: context.state.time + h,
+            t1: context.end_time,
             context: &mut *context,
             kicks: self,
             kick,

@@ -36,6 +36,8 @@ pub(crate) enum Dense {
 pub(crate) struct StepContext<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
     pub(crate) system: S,
     pub(crate) state: State<Q, N, R>,
+    /// The time at the end of the stage under way, s: that of the state from which the next one begins, to the last bit.
+    pub(super) end_time: f64,
     pub(crate) max_iterations: usize,
     pub(crate) fixed_iterations: Option<usize>,
     pub(crate) start: Box<ConstraintGeometry<S, Q, N, R>>,
@@ -98,6 +100,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> StepCon
             scale: RowScale::new(&system, &yardstick, settings)?,
             yardstick,
             system,
+            end_time: state.time,
             state,
             max_iterations: settings.max_iterations,
             fixed_iterations: settings.fixed_iterations,

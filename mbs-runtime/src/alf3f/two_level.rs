@@ -2,14 +2,14 @@
 
 use super::embedded::Embedded;
 use super::extrapolation::Extrapolation;
-use super::implicit_step::{ImplicitStep, Outcome};
+use super::implicit_step::Outcome;
 use super::kick_flow_kick::kick_flow_kick;
-use super::large::{LargeStep, SparseStep};
+use super::large::SparseStep;
 use super::sparse_kicks::SparseKicks;
 use super::step_context::{Counters, Dense, StepContext};
+use super::stepping::Stepping;
 use super::{CLEAR, StagePlacement, StepMonitor, composition};
 use crate::fault::Fault;
-use crate::flow::{Leapfrog, Midpoint, Trapezoid};
 use crate::large::{check_dense, is_large, may_be_sparse};
 use crate::linear::{add, added, vector};
 use crate::memory::{Box, MOST_STAGES};
@@ -47,59 +47,6 @@ pub struct TwoLevelStepper<S: System<Q, N, R>, const Q: usize, const N: usize, c
     impulse: SVector<f64, R>,
     /// The length of the last step, s.
     length: f64,
-}
-
-/// The flow and its workspace.
-#[derive(Clone)]
-enum Stepping<const Q: usize, const N: usize, const R: usize> {
-    Leapfrog(Leapfrog<Q, N, R>),
-    /// The second is for steps near singular poses.
-    Sparse(Box<SparseKicks<N, R>>, Leapfrog<Q, N, R>),
-    Midpoint(Box<Midpoint<Q, N, R>>),
-    Trapezoid(Box<Trapezoid<Q, N, R>>),
-    /// The second is for steps near singular poses.
-    Implicit(Box<ImplicitStep<Q, N, R>>, Box<Trapezoid<Q, N, R>>),
-    /// The implicit step of large mechanisms.
-    Large(LargeStep<Q, N, R>),
-}
-
-impl<const Q: usize, const N: usize, const R: usize> Stepping<Q, N, R> {
-    /// For a mechanism at its state. (Not a part of the constructor of the stepper: its frame is on the stack below that of the
-    /// context, and without optimisation each move of a large value takes room in it.)
-    #[inline(never)]
-    fn new<S: System<Q, N, R>>(
-        flow: Flow,
-        context: &mut StepContext<S, Q, N, R>,
-        settings: &Settings,
-        large: Option<LargeStep<Q, N, R>>,
-    ) -> Self {
-        let yardstick = &*context.yardstick.clone();
-        match flow {
-            // Constants: the flows that this mechanism cannot have are not compiled for it.
-            Flow::Leapfrog if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
-                // The bound of the cost is for dense arrays, which steps beside singular poses need.
-                let free = settings.fixed_iterations.is_none();
-                match free.then(|| SparseKicks::new(context)).flatten() {
-                    Some(kicks) => Stepping::Sparse(kicks, Leapfrog::new::<S>()),
-                    None => Stepping::Leapfrog(Leapfrog::new::<S>()),
-                }
-            }
-            Flow::Midpoint if const { S::STRUCTURE.allows(Flow::Midpoint) } => {
-                Stepping::Midpoint(Midpoint::new(yardstick, settings.order > 2))
-            }
-            Flow::Trapezoid if const { S::STRUCTURE.allows(Flow::Trapezoid) } => {
-                Stepping::Trapezoid(Trapezoid::new(yardstick))
-            }
-            // Every mechanism can have it.
-            _ => match large {
-                Some(mut large) => {
-                    large.refresh(context);
-                    Stepping::Large(large)
-                }
-                None => Stepping::Implicit(ImplicitStep::new(), Trapezoid::new(yardstick)),
-            },
-        }
-    }
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
@@ -213,17 +160,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             return self.composed(h);
         }
         self.length = h;
-        let stepped = self.try_step(h);
+        let state = &self.context.state;
+        let start = (state.time, state.clock);
+        let stepped = self.try_step(h, state.end_of(h));
         self.settle_unwatched();
-        self.named(stepped, h)
+        self.counted(stepped, start, h)
     }
 
     #[cold]
     #[inline(never)]
     fn composed(&mut self, h: f64) -> Result<(), SimulationError> {
+        let start = (self.context.state.time, self.context.state.clock);
         let composed = self.compose(h, None);
         self.settle_unwatched();
-        self.named(composed, h)
+        self.counted(composed, start, h)
     }
 
     /// The same, and records works and clearances.
@@ -238,6 +188,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
             self.settle_unwatched();
         }
         self.named(composed, h)
+    }
+
+    /// The same of a step from `start`, whose length counts exactly.
+    #[inline(always)]
+    fn counted(
+        &mut self,
+        outcome: Result<(), Fault>,
+        start: (f64, f64),
+        h: f64,
+    ) -> Result<(), SimulationError> {
+        if outcome.is_ok() {
+            self.context.state.count(start, h);
+        }
+        self.named(outcome, h)
     }
 
     /// What a step of h has come to, a fault with names and time.
@@ -345,11 +309,16 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 self.placement.begin(start);
             }
         }
+        let end = self.context.state.end_of(h);
         for (index, fraction) in self.stages.iter().enumerate() {
             if several {
                 self.context.state.recall_stage(index);
             }
-            if let Err(fault) = self.try_step(fraction * h) {
+            let end = match index + 1 < self.stages.len() {
+                true => self.context.state.time + fraction * h,
+                false => end,
+            };
+            if let Err(fault) = self.try_step(fraction * h, end) {
                 if several {
                     self.context.state.copy_from(&self.before);
                     self.refresh()?;
@@ -384,14 +353,11 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
                 }
             }
         }
-        if several {
-            // The sum of the fractions has a rounding error, which must not enter the time.
-            self.context.state.time = self.before.time + h;
-            if let Some(monitor) = monitor
-                && monitor.rank_margin.is_some()
-            {
-                monitor.clearance = self.placement.settle();
-            }
+        if let Some(monitor) = monitor
+            && several
+            && monitor.rank_margin.is_some()
+        {
+            monitor.clearance = self.placement.settle();
         }
         Ok(())
     }
@@ -438,9 +404,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>
     }
 
     #[inline(always)]
-    fn try_step(&mut self, h: f64) -> Result<(), Fault> {
+    fn try_step(&mut self, h: f64, end: f64) -> Result<(), Fault> {
         Fault::check_length(h, true)?;
         let context = &mut self.context;
+        context.end_time = end;
         match &mut self.flow {
             Stepping::Leapfrog(flow) if const { S::STRUCTURE.allows(Flow::Leapfrog) } => {
                 kick_flow_kick(context, flow, h)

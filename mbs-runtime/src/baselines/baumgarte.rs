@@ -144,7 +144,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         } else {
             self.stages.step(bench, &mut self.equations, h)?
         };
-        let t1 = bench.state.time + h;
+        let t1 = bench.state.end_of(h);
         let (mut q, mut v) = (end.q, end.v);
         self.length = h;
         if let Remedy::Projection(scale) = &self.remedy

@@ -43,14 +43,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn begin(
         &mut self,
         system: &S,
-        t: f64,
+        [_, t1]: [f64; 2],
         q: &SVector<f64, Q>,
         va: &SVector<f64, N>,
         start: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
         self.h = h;
-        self.t1 = t + h;
+        self.t1 = t1;
         self.half_kick = scaled(0.5 * h, &start.acceleration);
         if Q == N {
             let (q, half_kick) = (entries(q), entries(&self.half_kick));

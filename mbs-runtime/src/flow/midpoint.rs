@@ -95,14 +95,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn begin(
         &mut self,
         _: &S,
-        t: f64,
+        [t0, _]: [f64; 2],
         q: &SVector<f64, Q>,
         va: &SVector<f64, N>,
         _: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
-        (self.h, self.t0, self.q0, self.vm) = (h, t, *q, *va);
-        self.solver.begin(t + 0.5 * h, h);
+        (self.h, self.t0, self.q0, self.vm) = (h, t0, *q, *va);
+        self.solver.begin(t0 + 0.5 * h, h);
     }
 
     fn is_direct(&self) -> bool {

@@ -25,11 +25,11 @@ use crate::fault::Fault;
 
 /// A flow between two kicks.
 pub(crate) trait KickFlow<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
-    /// Begins a step of h from q₀ at t₀, where `va` is the first guess of the kicked velocity.
+    /// Begins a step of h = t₁ − t₀ from q₀, where `va` is the first guess of the kicked velocity.
     fn begin(
         &mut self,
         system: &S,
-        t: f64,
+        times: [f64; 2],
         q: &SVector<f64, Q>,
         va: &SVector<f64, N>,
         start: &ConstraintGeometry<S, Q, N, R>,

@@ -61,14 +61,14 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> KickFlo
     fn begin(
         &mut self,
         _: &S,
-        t: f64,
+        [t0, t1]: [f64; 2],
         q: &SVector<f64, Q>,
         va: &SVector<f64, N>,
         _: &ConstraintGeometry<S, Q, N, R>,
         h: f64,
     ) {
-        (self.h, self.t0, self.q0, self.vb) = (h, t, *q, *va);
-        self.solver.begin(t + h, h);
+        (self.h, self.t0, self.q0, self.vb) = (h, t0, *q, *va);
+        self.solver.begin(t1, h);
     }
 
     fn is_direct(&self) -> bool {

@@ -8,7 +8,6 @@ use super::step_controller::{Pace, TOO_LONG};
 use super::tolerance::CLOCK;
 use crate::linear::vector;
 use crate::singular::RankMargin;
-use crate::state::rounding;
 use crate::{Energy, ErrorOf, SimulationError, StepController, System};
 use nalgebra::SVector;
 
@@ -401,12 +400,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         left.max(exact) / least + clock
     }
 
-    /// The way v · 4 ε |t| within the round-off of the clock, in sizes and radians: rows of time are satisfied at the instant that it
-    /// shows.
+    /// The way v · ε |t| within the round-off of the clock, in sizes and radians: rows of time are satisfied at the instants that it
+    /// shows, those of stages too.
     fn way_of_clock(&self) -> f64 {
         let [before, now] = [&self.pair_start.velocities, self.velocities()]
             .map(|velocities| self.yardstick.measure(velocities));
-        rounding(self.time()) * before.max(now)
+        f64::EPSILON * self.time().abs() * before.max(now)
     }
 
     /// How far the rows are from losing their independence, 1 at most.

@@ -50,8 +50,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.leave_behind();
             self.forward(h, self.left(latest))?;
         }
-        self.land(latest);
-        Ok(())
+        self.land(latest)
     }
 
     /// A whole step begins here.

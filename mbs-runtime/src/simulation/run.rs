@@ -33,8 +33,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         while let Some(h) = self.next_step(time) {
             self.forward(h, self.left(time))?;
         }
-        self.land(time);
-        Ok(())
+        self.land(time)
     }
 
     /// Refuses times that cannot be run to.
@@ -93,12 +92,20 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     }
 
     /// Removes the rounding of the sum of steps from the clock; the next step makes up for a remainder that was no step.
-    pub(super) fn land(&mut self, time: f64) {
-        if self.next_step(time).is_none() {
-            let behind = -self.left(time);
-            let state = self.integrator.state_mut();
-            (state.time, state.clock) = (time, behind);
+    pub(super) fn land(&mut self, time: f64) -> Result<(), SimulationError> {
+        if self.next_step(time).is_some() {
+            return Ok(());
         }
+        let behind = -self.left(time);
+        let state = self.integrator.state_mut();
+        let is_moved = state.time != time;
+        (state.time, state.clock) = (time, behind);
+        // A run that is resumed from this state evaluates rows and forces at its time.
+        if const { S::STRUCTURE.time_dependent } && is_moved && !self.settings.method.has_memory() {
+            self.integrator.refresh(&self.settings)?;
+            self.take_stock();
+        }
+        Ok(())
     }
 
     /// Runs until the expression of `event` changes sign or becomes 0, but not beyond `latest`; the time of the event, or `None`.
@@ -127,7 +134,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             self.leave_behind();
             let books = self.books;
             self.forward(h, self.left(latest))?;
-            self.land(latest);
+            self.land(latest)?;
             let after = self.event(index)?;
             if before != 0.0 && (after == 0.0 || !has_sign_of(before, after)) {
                 self.locate(index, books, before, after)?;

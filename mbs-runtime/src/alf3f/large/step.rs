@@ -202,6 +202,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             scale,
             yardstick,
             max_iterations,
+            end_time: t1,
             ..
         } = &*context;
         let State {
@@ -210,7 +211,7 @@ impl<const Q: usize, const N: usize, const R: usize> SparseStep<Q, N, R> {
             velocities: v0,
             ..
         } = state;
-        let t1 = time + h;
+        let t1 = *t1;
         let mut weights = scale.weights;
         // A rate that moves no position is none.
         let floor = yardstick.imperceptible(q0, h) / scale.tolerance;
