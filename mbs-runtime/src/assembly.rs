@@ -21,6 +21,8 @@ mod jump;
 #[cfg(feature = "std")]
 mod large;
 #[cfg(feature = "std")]
+mod stationary;
+#[cfg(feature = "std")]
 mod verdict;
 
 pub(crate) use closed::{check, closed};

@@ -141,7 +141,7 @@ impl<const Q: usize, const N: usize> Yardstick<Q, N> {
     }
 
     #[inline(always)]
-    fn sizes(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
+    pub(crate) fn sizes(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
         products(&self.velocities, x)
     }
 

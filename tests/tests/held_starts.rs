@@ -1,6 +1,7 @@
 //! Initial values that are held: by `Exactly(…)` in the declaration, or by the program.
 
 mod rigs;
+mod stationary;
 
 use mbs_runtime::{
     Level, Mechanism, Method, Settings, Simulation, SimulationError, System, UnknownName,

@@ -2,6 +2,8 @@
 
 use super::closing::{Equations, Linearised, norm, solve};
 use super::conditions::Condition;
+use super::newton::{ASSEMBLED, close};
+use super::stationary::{ASIDE, Vicinity};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{entries, vector};
@@ -16,7 +18,7 @@ const STRIDE: f64 = 0.25;
 /// The most of these parts.
 const MOST_STRIDES: f64 = 200.0;
 /// A held value that differs by less, in lengths of the mechanism and radians, is held.
-const HELD: f64 = 1e-11;
+pub(super) const HELD: f64 = 1e-11;
 
 /// What the equations of a start consist of.
 pub(super) struct Start<'a, S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> {
@@ -27,7 +29,7 @@ pub(super) struct Start<'a, S: System<Q, N, R>, const Q: usize, const N: usize, 
 }
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'_, S, Q, N, R> {
-    fn of(&self, level: Level) -> impl Iterator<Item = &Condition> + Clone {
+    pub(super) fn of(&self, level: Level) -> impl Iterator<Item = &Condition> + Clone {
         let conditions = self.conditions.iter();
         conditions.filter(move |condition| condition.level == level)
     }
@@ -37,9 +39,80 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         self.of(level).count()
     }
 
+    /// A pose that satisfies the rows and holds the positions, or what is off in the nearest one. From a guess where a value is
+    /// stationary the search goes to the positive side of it first, by [`Self::vicinity`].
+    pub(super) fn place(
+        &self,
+        geometry: &mut ConstraintGeometry<S, Q, N, R>,
+        guess: &SVector<f64, Q>,
+        v: &SVector<f64, N>,
+    ) -> Result<Result<SVector<f64, Q>, Vec<HeldGap>>, Fault> {
+        let Start { system, scale, .. } = *self;
+        let (mut q, mut phi) = (*guess, SVector::zeros());
+        geometry.evaluate(system, 0.0, &q, &mut phi)?;
+        close(system, 0.0, geometry, &mut q, &mut phi, scale)?;
+        let vicinity = match scale.displacement(&phi) <= ASSEMBLED {
+            true => self.poses_around(geometry, (&q, v)),
+            false => Vicinity::regular(),
+        };
+        if !vicinity.constant.is_empty() {
+            return Ok(Err(self.open(Level::Position, (&q, v), 1.0, &vicinity)));
+        }
+        let begin = match &vicinity.aside {
+            None => vec![*guess],
+            Some(way) => [ASIDE, -ASIDE]
+                .map(|factor| system.advance(&q, way, factor))
+                .to_vec(),
+        };
+        let mut nearest = None;
+        for mut q in begin {
+            self.positions(geometry, &mut q, v)?;
+            let open = self.open(Level::Position, (&q, v), 1.0, &vicinity);
+            system.holonomic(0.0, &q, &mut phi);
+            if open.is_empty() && scale.displacement(&phi) <= ASSEMBLED {
+                return Ok(Ok(q));
+            }
+            nearest.get_or_insert(open);
+        }
+        Ok(Err(nearest.unwrap_or_default()))
+    }
+
+    /// The held positions around a pose, which the geometry belongs to before.
+    fn poses_around(
+        &self,
+        geometry: &mut ConstraintGeometry<S, Q, N, R>,
+        (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+    ) -> Vicinity<N> {
+        let Start { system, scale, .. } = *self;
+        let ways = self.free_ways(Level::Position, geometry);
+        let unscaled = vec![1.0; self.count(Level::Position)];
+        self.vicinity(Level::Position, (q, v), &ways, ASIDE, &mut |way, factor| {
+            let (mut q, mut phi) = (system.advance(q, way, factor), SVector::zeros());
+            geometry.evaluate(system, 0.0, &q, &mut phi).ok()?;
+            close(system, 0.0, geometry, &mut q, &mut phi, scale).ok()?;
+            let is_closed = scale.displacement(&phi) <= ASSEMBLED;
+            is_closed.then(|| self.gaps(Level::Position, &q, v, &unscaled))
+        })
+    }
+
+    /// The held velocities around v, and the size of a step aside.
+    pub(super) fn velocities_around(
+        &self,
+        geometry: &ConstraintGeometry<S, Q, N, R>,
+        (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
+    ) -> (Vicinity<N>, f64) {
+        let ways = self.free_ways(Level::Velocity, geometry);
+        let unscaled = vec![1.0; self.count(Level::Velocity)];
+        let size = ASIDE * self.fastest(q, v);
+        let vicinity = self.vicinity(Level::Velocity, (q, v), &ways, size, &mut |way, factor| {
+            Some(self.gaps(Level::Velocity, q, &(v + way * factor), &unscaled))
+        });
+        (vicinity, size)
+    }
+
     /// Moves q to a pose that satisfies the rows and holds the positions. Values that are far from those of the guess move
     /// in parts, so that the mechanism stays in its assembly.
-    pub(super) fn positions(
+    fn positions(
         &self,
         geometry: &mut ConstraintGeometry<S, Q, N, R>,
         q: &mut SVector<f64, Q>,
@@ -87,18 +160,19 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
     pub(super) fn open(
         &self,
         level: Level,
-        q: &SVector<f64, Q>,
-        v: &SVector<f64, N>,
+        (q, v): (&SVector<f64, Q>, &SVector<f64, N>),
         size: f64,
+        vicinity: &Vicinity<N>,
     ) -> Vec<HeldGap> {
         let lengths = self.lengths(level, q, v);
         let gaps = self.gaps(level, q, v, &lengths);
-        let open = self.of(level).zip(gaps).zip(&lengths);
-        let open = open.filter(|((_, gap), _)| !(gap.abs() <= HELD * size));
-        let open = open.map(|((condition, gap), length)| HeldGap {
+        let open = self.of(level).zip(gaps).zip(&lengths).enumerate();
+        let open = open.filter(|(_, ((_, gap), _))| !(gap.abs() <= HELD * size));
+        let open = open.map(|(i, ((condition, gap), length))| HeldGap {
             name: condition.name.clone(),
             unit: condition.unit.clone(),
             gap: gap * length,
+            is_constant: vicinity.constant.contains(&i),
         });
         open.collect()
     }
@@ -134,17 +208,22 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         let gradients = self.of(level).map(|condition| {
             let gradient = condition.gradient(self.system, q, v, self.yardstick);
             let length = self.yardstick.row_length_squared(&gradient).sqrt();
-            let own = match condition.unit.as_str() {
-                "m" | "m/s" => self.yardstick.length,
-                _ => 1.0,
-            };
+            let own = self.own_length(condition);
             if length > 1e-6 * own { length } else { own }
         });
         gradients.collect()
     }
 
+    /// The usual size of such a change.
+    pub(super) fn own_length(&self, condition: &Condition) -> f64 {
+        match condition.unit.as_str() {
+            "m" | "m/s" => self.yardstick.length,
+            _ => 1.0,
+        }
+    }
+
     /// By how much the held values are off, in these units.
-    fn gaps(
+    pub(super) fn gaps(
         &self,
         level: Level,
         q: &SVector<f64, Q>,

@@ -88,15 +88,13 @@ pub(crate) fn assemble<
         yardstick: &yardstick,
     };
     if const { ASKED || !S::HELD.is_empty() } && start.count(Level::Position) > 0 {
-        let at = start.positions(&mut geometry, &mut q, &declared);
+        let placed = start.place(&mut geometry, &guess, &declared);
+        let placed = placed.map_err(fault)?;
+        q = *placed.as_ref().unwrap_or(&guess);
+        let at = geometry.evaluate(system, 0.0, &q, &mut phi);
         at.map_err(fault)?;
-        let open = start.open(Level::Position, &q, &declared, 1.0);
-        system.holonomic(0.0, &q, &mut phi);
-        if !open.is_empty() || !(scale.displacement(&phi) <= ASSEMBLED) {
+        if let Err(open) = placed {
             // Is it the held values, or the joints alone?
-            q = guess;
-            let at = geometry.evaluate(system, 0.0, &q, &mut phi);
-            at.map_err(fault)?;
             close(system, 0.0, &mut geometry, &mut q, &mut phi, &scale).map_err(fault)?;
             if scale.displacement(&phi) <= ASSEMBLED {
                 let rows = independent_rows(system, &geometry, &yardstick);
@@ -288,15 +286,25 @@ fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
 ) -> Result<Result<SVector<f64, N>, Vec<HeldGap>>, Fault> {
     let (system, scale, yardstick) = (start.system, start.scale, start.yardstick);
     let speed = yardstick.measure(declared);
-    let mut v = *declared;
-    start.velocities(geometry, q, &mut v)?;
-    let violation = |v| scale.displacement(&geometry.velocity_rows(system, v));
-    let prescribed = scale.displacement(&geometry.b).max(start.fastest(q, &v));
-    let speed = speed.max(yardstick.measure(&v)).max(prescribed);
-    let open = start.open(Level::Velocity, q, &v, speed);
-    let possible = violation(free).max(ASSEMBLED * speed);
-    match open.is_empty() && violation(&v) <= possible {
-        true => Ok(Ok(v)),
-        false => Ok(Err(open)),
+    let violation = |v: &SVector<f64, N>| scale.displacement(&geometry.velocity_rows(system, v));
+    let (vicinity, aside) = start.velocities_around(geometry, (q, free));
+    let begin = match &vicinity.aside {
+        None => vec![*declared],
+        Some(way) => [aside, -aside].map(|factor| free + way * factor).to_vec(),
+    };
+    let mut nearest = None;
+    for mut v in begin {
+        if vicinity.constant.is_empty() {
+            start.velocities(geometry, q, &mut v)?;
+        }
+        let prescribed = scale.displacement(&geometry.b).max(start.fastest(q, &v));
+        let speed = speed.max(yardstick.measure(&v)).max(prescribed);
+        let open = start.open(Level::Velocity, (q, &v), speed, &vicinity);
+        let possible = violation(free).max(ASSEMBLED * speed);
+        if open.is_empty() && violation(&v) <= possible {
+            return Ok(Ok(v));
+        }
+        nearest.get_or_insert(open);
     }
+    Ok(Err(nearest.unwrap_or_default()))
 }

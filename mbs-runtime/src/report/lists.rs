@@ -93,4 +93,7 @@ pub struct HeldGap {
     pub unit: String,
     /// By how much it would be off, where all are off as little as possible.
     pub gap: f64,
+    /// Whether it does not change near the guess, whatever moves.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub is_constant: bool,
 }

@@ -25,6 +25,9 @@ impl<M: Mechanism> Start<M> {
     }
 
     /// Holds a coordinate, velocity or `Output` at a value, in the unit that the model tells.
+    ///
+    /// A value that is stationary at the declared guess, as the height of an upright pendulum, is looked for on the positive side
+    /// of the first velocity that changes it, and then on the negative one. For another branch declare another guess.
     pub fn hold(mut self, name: &str, value: f64) -> Self {
         self.wanted.push(Wanted {
             name: name.to_owned(),

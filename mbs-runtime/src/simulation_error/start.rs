@@ -52,7 +52,10 @@ pub(super) fn write_held(
         true => write!(out, "`{}`", held.join("`, `"))?,
         false => out.write_str("in the nearest start ")?,
     }
-    for (i, HeldGap { name, unit, gap }) in open.iter().enumerate() {
+    for (i, held) in open.iter().enumerate() {
+        let HeldGap {
+            name, unit, gap, ..
+        } = held;
         let comma = if i > 0 { ", " } else { "" };
         let (space, unit) = in_unit(unit);
         write!(out, "{comma}`{name}` is off by {gap:.3e}{space}{unit}")?;
@@ -65,6 +68,14 @@ pub(super) fn write_held(
             out,
             "; {count} values are held, and the joints leave {most} free: hold {most} at most, and declare the others as guesses"
         ),
+        _ if open.iter().any(|held| held.is_constant) => {
+            let mut constant = open.iter().filter(|held| held.is_constant);
+            let name = constant.next().map_or("", |held| &held.name);
+            write!(
+                out,
+                "; `{name}` does not change near the guess: declare another guess, or this value as one"
+            )
+        }
         _ => out.write_str(
             "; the joints do not allow these values together: change one, or declare it as a guess",
         ),
@@ -74,7 +85,7 @@ pub(super) fn write_held(
 /// What follows a value with this unit: a space and the unit, or nothing for numbers.
 fn in_unit(unit: &str) -> (&str, &str) {
     match unit {
-        "1" => ("", ""),
+        "" | "1" => ("", ""),
         unit => (" ", unit),
     }
 }

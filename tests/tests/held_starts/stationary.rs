@@ -1,0 +1,153 @@
+//! Held values that are stationary at the declared guess: at dead centres, upright, and at rest.
+
+use super::{is_consistent, near};
+use mbs_runtime::{Mechanism, Simulation, System, mechanism};
+
+macro_rules! upright {
+    ($name:ident, $coordinates:ident) => {
+        mechanism!($name {
+            world: Planar(gravity = [0.0, -9.81_m_per_s2], coordinates = $coordinates),
+            rod: Bar(mass = 1.0_kg, length = 0.5_m, angle = 90.0_deg),
+            pivot: Revolute(ground.origin, rod.a),
+            y: Output(rod.b.y),
+            speed: Output(norm(rod.b.velocity)),
+            energy: Output(0.5_kg * dot(rod.b.velocity, rod.b.velocity)),
+            length: Output(norm(rod.b - rod.a)),
+        });
+    };
+}
+
+upright!(NaturalUpright, Natural);
+upright!(ReferenceUpright, Reference);
+upright!(JointUpright, Joint);
+
+fn leaves_the_top<
+    M: Mechanism<System = S>,
+    S: System<Q, N, R>,
+    const Q: usize,
+    const N: usize,
+    const R: usize,
+>() {
+    for height in [0.4, -0.2, 0.4999, 0.5] {
+        let start = Simulation::start(M::default()).hold("y", height);
+        let held = start.begin().unwrap();
+        near(held.output("y").unwrap(), height);
+        is_consistent(&held);
+    }
+    for speed in [1.0, 1e-3, 30.0] {
+        let start = Simulation::start(M::default()).hold("speed", speed);
+        let held = start.begin().unwrap();
+        assert!((held.output("speed").unwrap() / speed - 1.0).abs() < 1e-11);
+        is_consistent(&held);
+    }
+    let start = Simulation::start(M::default()).hold("energy", 2.0);
+    near(start.begin().unwrap().output("energy").unwrap(), 2.0);
+    let refusal = |name: &str, value: f64| {
+        let start = Simulation::start(M::default()).hold(name, value);
+        start.begin().expect_err("it is refused").to_string()
+    };
+    let too_high = refusal("y", 0.6);
+    assert!(
+        too_high.contains("`y` is off by -")
+            && too_high.contains("; the joints do not allow these values"),
+        "{too_high}"
+    );
+    let rigid = refusal("length", 0.6);
+    assert!(
+        rigid.ends_with(
+            "`length` is off by -1.000e-1 m; `length` does not change near the guess: declare another guess, or this value as one"
+        ),
+        "{rigid}"
+    );
+}
+
+/// The gradient of 1e-17 m/rad led to a random angle, and to the claim that the joints do not allow the value.
+#[test]
+fn a_pendulum_leaves_the_top() {
+    leaves_the_top::<NaturalUpright, _, _, _, _>();
+    leaves_the_top::<ReferenceUpright, _, _, _, _>();
+    leaves_the_top::<JointUpright, _, _, _, _>();
+}
+
+mechanism!(SliderCrank {
+    world: Planar(gravity = [0.0, -9.81_m_per_s2]),
+    crank: Bar(mass = 1.0_kg, length = 0.3_m),
+    rod: Bar(mass = 0.5_kg, length = 0.7_m),
+    piston: Particle(mass = 2.0_kg),
+    bearing: Revolute(ground.origin, crank.a),
+    pin: Revolute(crank.b, rod.a),
+    gudgeon: Revolute(rod.b, piston.origin),
+    guide: PointOnLine(piston.origin, ground.origin, axis = X),
+    x: Output(piston.origin.x),
+    y: Output(crank.b.y),
+    angle: Output(crank.angle),
+});
+
+/// Both bars begin along X, where the piston is at its dead centre. It goes to the side of the positive velocities.
+#[test]
+fn a_piston_leaves_its_dead_centre() {
+    for x in [0.9, 0.5, 0.99999] {
+        let start = Simulation::start(SliderCrank::default()).hold("x", x);
+        let held = start.begin().unwrap();
+        near(held.outputs().x, x);
+        is_consistent(&held);
+        assert!(held.outputs().y > 0.0, "{}", held.outputs().y);
+    }
+    let start = Simulation::start(SliderCrank::default());
+    let both = start.hold("x", 0.9).hold_rate("angle", 2.0).begin();
+    near(both.unwrap().outputs().x, 0.9);
+    let start = Simulation::start(SliderCrank::default());
+    let error = start.hold("angle", 0.7).hold("x", 1.1).begin();
+    let error = error.err().unwrap().to_string();
+    assert!(!error.contains(" ;"), "{error}");
+}
+
+mechanism!(Loop {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    crank: Bar(
+        mass = 1.0_kg,
+        from = [0.0_m, 0.0, 0.0],
+        to = [0.0_m, 0.0, 0.2_m],
+        inertia = Cuboid(0.03_m, 0.03_m, 0.2_m)
+    ),
+    rod: Bar(
+        mass = 0.6_kg,
+        from = [0.0_m, 0.0, 0.2_m],
+        to = [0.6_m, 0.4_m, 0.3_m]
+    ),
+    rocker: Bar(
+        mass = 1.2_kg,
+        from = [0.6_m, 0.4_m, 0.0],
+        to = [0.6_m, 0.4_m, 0.3_m],
+        inertia = Cuboid(0.03_m, 0.03_m, 0.3_m)
+    ),
+    j1: Revolute(ground, crank, at = crank.a, axis = X),
+    s1: Spherical(crank.b, rod.a),
+    s2: Spherical(rod.b, rocker.b),
+    j2: Revolute(ground, rocker, at = rocker.a, axis = Y),
+    tip: Output(rocker.b),
+});
+
+mechanism!(Disk {
+    world: Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    disk: Body(
+        mass = 2.0_kg,
+        inertia = Cylinder(0.3_m, 0.02_m, Y),
+        at = [0.0, 0.0, 0.3_m]
+    ),
+    contact: Rolling(disk.origin, ground.origin, radius = 0.3_m, axis = Y),
+    place: Output(disk.origin),
+});
+
+#[test]
+fn mechanisms_in_space_leave_their_home_pose() {
+    let start = Simulation::start(Loop::default()).hold("tip.z", 0.29);
+    let held = start.begin().unwrap();
+    near(held.output("tip.z").unwrap(), 0.29);
+    is_consistent(&held);
+    let start = Simulation::start(Disk::default()).hold("place.z", 0.25);
+    let held = start.begin().unwrap();
+    near(held.output("place.z").unwrap(), 0.25);
+    near(held.output("place.x").unwrap(), 0.0);
+    is_consistent(&held);
+}
