@@ -1,7 +1,9 @@
 //! Runs to each instant of a program, which take one step where a longer one would do.
 
 use mbs_runtime::methods::Methods;
-use mbs_runtime::{Mechanism, Method, Settings, Simulation, System, mechanism, methods};
+use mbs_runtime::{
+    GeneralizedAlphaSettings, Mechanism, Method, Settings, Simulation, System, mechanism, methods,
+};
 
 mechanism!(SliderCrank {
     world: Planar(gravity = [0.0, -9.81_m_per_s2]),
@@ -181,6 +183,34 @@ fn short_ends_of_pieces_leave_no_accelerations() {
         let off = off_after(methods::GeneralizedAlpha, method, 60, (short, 1));
         // Pieces of 16 ms alone leave 4.6e-4 m.
         assert!(off < 1e-3, "{short:e}: {off:e} m");
+    }
+}
+
+/// Pieces of one step and a part of one: the accelerations of the part were those of the step after it, and grew without bound.
+#[test]
+fn pieces_of_more_than_a_step_keep_the_energy() {
+    for stabilised in [false, true] {
+        let settings = Settings {
+            method: Method::GeneralizedAlpha(GeneralizedAlphaSettings {
+                stabilised,
+                ..GeneralizedAlphaSettings::default()
+            }),
+            step: 1e-3,
+            ..Settings::default()
+        };
+        for tenths in 11..=16 {
+            let mut engine =
+                Simulation::with_methods(Engine {}, settings, methods::GeneralizedAlpha).unwrap();
+            let every = 1e-4 * f64::from(tenths);
+            for piece in 1..=300 {
+                engine.run_until(every * f64::from(piece)).unwrap();
+            }
+            let error = engine.report().energy_error;
+            println!("{stabilised} {tenths}: {error:e}");
+            // Whole steps have 5e-4 J. After a tenth of a step accelerations begin anew.
+            let bound = if tenths == 11 { 1e-2 } else { 1e-3 };
+            assert!(error < bound, "{stabilised} {tenths}: {error:e} J");
+        }
     }
 }
 

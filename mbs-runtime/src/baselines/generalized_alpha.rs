@@ -24,8 +24,11 @@ use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
-/// A step may be longer than the last one by this factor, so that it goes on with its accelerations.
+/// A step may be longer than the last one by this factor, so that it goes on with its accelerations, and so that the rates which it
+/// leaves open are more than round-off.
 const LONGER: f64 = 10.0;
+/// A relative difference of lengths that is round-off.
+const SAME: f64 = 1e-9;
 
 #[derive(Clone)]
 pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
@@ -40,6 +43,8 @@ pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     shift: Saddle<N, R>,
     moved: RowMatrix<N, R>,
     history: Option<History<N, R>>,
+    /// The length of an earlier step, and the rates A v + b of the position rows that it has left open.
+    open: Option<(f64, SVector<f64, R>)>,
     /// Whether accelerations have jumped since.
     jumped: bool,
     /// The equations at acceleration level, for the first step and those after a jump.
@@ -83,6 +88,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             shift: Saddle::new(),
             moved: RowMatrix::zeros(),
             history: None,
+            open: None,
             jumped: false,
             equations: Box::new(Index1::new(0.0)),
         }
@@ -91,8 +97,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
     /// What a step begins with. a is an acceleration (α_m − α_f) h after the one of the state: with another length it is nearer or
     /// farther in proportion, and where v̇ jumps a jumps with it.
     ///
-    /// Rates A v + b of the position rows are left open by a multiple of h². A much shorter step of length s closes them with
-    /// accelerations (A v + b)/(β s), which are none of the motion: after it accelerations are those of the equations.
+    /// After a much shorter step, whose accelerations have a large round-off, they are those of the equations.
     fn beginning<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
@@ -125,6 +130,61 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         Ok(begins)
     }
 
+    /// The velocities that a step begins with.
+    ///
+    /// In steps of equal length h the rates A v + b of the position rows are left open by a multiple of h². A step of another length s
+    /// would close them with accelerations (A v + b)/(β s), which are none of the motion: these grow without bound where long and short
+    /// steps alternate. So v is moved along M⁻¹Aᵀ to where the rates are those of steps of this length.
+    fn opened<S: System<Q, N, R>, const Q: usize>(
+        &mut self,
+        bench: &mut Bench<S, Q, N, R>,
+        h: f64,
+    ) -> Result<SVector<f64, N>, Fault> {
+        let holonomic = S::STRUCTURE.holonomic_rows;
+        let (t, q, mut v) = (
+            bench.state.time,
+            bench.state.positions,
+            bench.state.velocities,
+        );
+        let last = self.history.as_ref().map(|history| history.length);
+        let Some(last) = last.filter(|last| (h - last).abs() > SAME * last.abs()) else {
+            return Ok(v);
+        };
+        if self.stabilised || holonomic == 0 {
+            return Ok(v);
+        }
+        let Bench {
+            system,
+            geometry,
+            phi,
+            ..
+        } = &mut *bench;
+        system.constraints(t, &q, phi, geometry.a.entries_mut(), &mut geometry.b);
+        let rates: SVector<f64, R> = vector(|i| {
+            if i < holonomic {
+                geometry.velocity_row(i, &v)
+            } else {
+                0.0
+            }
+        });
+        // Those of a much shorter step are round-off.
+        let known = (self.open).filter(|(length, _)| last.abs() * LONGER <= length.abs());
+        let (length, open) = known.unwrap_or((last, rates));
+        self.open = Some((length, open));
+        let mut rows = open * (h / length).powi(2) - rates;
+        self.motion.balance(system, t, &q, &v);
+        if !self
+            .shift
+            .factor(&self.motion.mass, &geometry.a, &geometry.a)
+        {
+            return Err(Fault::Mass);
+        }
+        let mut change = SVector::zeros();
+        self.shift.solve(&mut change, &mut rows, &geometry.a);
+        v += change;
+        Ok(v)
+    }
+
     fn step<S: System<Q, N, R>, const Q: usize>(
         &mut self,
         bench: &mut Bench<S, Q, N, R>,
@@ -132,7 +192,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
     ) -> Result<(), Fault> {
         let holonomic = S::STRUCTURE.holonomic_rows;
         let old = self.beginning(bench, h)?;
-        let (q0, v0) = (bench.state.positions, bench.state.velocities);
+        let (q0, v0) = (bench.state.positions, self.opened(bench, h)?);
         let t1 = bench.state.time + h;
         // Derivatives of a₁, v₁ and q₁ with respect to v̇₁.
         let share = (1.0 - self.alpha_f) / (1.0 - self.alpha_m);
