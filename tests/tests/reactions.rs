@@ -433,3 +433,48 @@ fn a_plane_bears_the_force_along_its_normal() {
     let wanted = [("fx", 0.0), ("fy", 0.0), ("fz", 4.0)];
     held_at(OnTable::default(), 0.0, &wanted);
 }
+
+mechanism!(HalfShafts {
+    world: Spatial(),
+    bend: Param(20.0_deg),
+    inner: Body(
+        mass = 1.0_kg,
+        inertia = 0.01_kg_m2,
+        angular_velocity = [1.0_rad_per_s, 0.0, 0.0]
+    ),
+    outer: Body(
+        mass = 3.0_kg,
+        inertia = 0.05_kg_m2,
+        orientation = turn(Z, bend)
+    ),
+    left: Revolute(ground, inner, at = [0.0_m, 0.0, 0.0], axis = X),
+    joint: ConstantVelocity(
+        inner.frame([0.0_m, 0.0, 0.0], X),
+        outer.frame([0.0_m, 0.0, 0.0], X)
+    ),
+    right: Revolute(
+        ground,
+        outer,
+        at = [0.0_m, 0.0, 0.0],
+        axis = [cos(bend), sin(bend), 0.0]
+    ),
+    motor: Torque(left, value = 1.0_Nm),
+    slip: Output(left.rate - right.rate),
+    angle: Output(left.angle),
+    twist: Output(left.angle - right.angle),
+});
+
+/// Shafts that are at an angle in the home pose are given by frames; with `axis = X` they turn at different rates.
+#[test]
+fn shafts_at_an_angle_turn_at_the_same_rate() {
+    let mut shafts = simulation(HalfShafts::default(), 1e-3);
+    shafts.run_until(2.0).expect("it runs");
+    let outputs = shafts.outputs();
+    assert!(outputs.angle > 30.0, "{}", outputs.angle);
+    assert!(
+        outputs.slip.abs() < 1e-6 && outputs.twist.abs() < 1e-6,
+        "{} rad/s, {} rad",
+        outputs.slip,
+        outputs.twist
+    );
+}

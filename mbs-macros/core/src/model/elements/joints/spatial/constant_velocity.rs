@@ -13,7 +13,7 @@ pub(super) const KIND: JointKind = JointKind {
         name: "ConstantVelocity",
         group: Group::Joint,
         fields: &[PARENT, CHILD, AT, AXIS],
-        doc: "Two points coincide and the shafts, along the axis where they are aligned, turn at the same rate whatever their angle: 4 rows.",
+        doc: "Two points coincide and the shafts, along the axis where they are aligned, turn at the same rate whatever their angle: 4 rows. With `axis` they are aligned in the home pose. Shafts at an angle there, each along the x axis of its part, are given by frames: `ConstantVelocity(inner.frame([0.0, 0.0, 0.0], X), outer.frame([0.0, 0.0, 0.0], X))`.",
         joint: Some(JointTraits {
             elsewhere: "use `Revolute`, or write `world: Spatial(…)`",
             ..JointTraits::NONE
