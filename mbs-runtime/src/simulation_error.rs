@@ -2,6 +2,7 @@
 
 mod clock;
 mod error_of;
+mod fault;
 #[cfg(feature = "std")]
 mod start;
 mod step;
@@ -10,10 +11,9 @@ use self::clock::{Short, Whole, clock};
 pub use self::error_of::ErrorOf;
 use core::fmt;
 
-use crate::fault::Fault;
 #[cfg(feature = "std")]
 use crate::{AssemblyVerdict, HeldGap, Level};
-use crate::{Flow, Model, ParameterError, UnknownName};
+use crate::{Flow, ParameterError, UnknownName};
 
 /// Why a simulation could not be set up or continued.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,6 +93,15 @@ pub enum SimulationError {
         /// Its residual.
         residual: f64,
     },
+    /// No pose near the present one satisfies the rows with other inputs or parameters: the simulation goes on with those that
+    /// it had.
+    #[cfg(feature = "std")]
+    NoPose {
+        /// What was changed: `inputs` or `parameters`.
+        changed: &'static str,
+        /// The rows of the nearest pose.
+        verdict: AssemblyVerdict,
+    },
     /// No velocities satisfy the rows, at the start or after a change: rows on velocities, or the rates of driven rows, contradict each other.
     Contradiction {
         /// The row that is farthest from satisfied.
@@ -164,6 +173,8 @@ pub enum SimulationError {
         gained: f64,
         /// The energy that start and works have given, J.
         available: f64,
+        /// Whether steps follow a tolerance: then the shortest one that may be tried has this error, too.
+        adaptive: bool,
     },
     /// The motion has lost a large part of its energy, which no force has taken: the steps are too long for it, and the
     /// results before are doubtful.
@@ -176,6 +187,8 @@ pub enum SimulationError {
         lost: f64,
         /// The energy that start and works have given, J.
         available: f64,
+        /// Whether steps follow a tolerance: then the shortest one that may be tried has this error, too.
+        adaptive: bool,
     },
     /// The mass matrix is not positive definite.
     Mass {
@@ -251,49 +264,6 @@ impl SimulationError {
         );
         of_step || self.asks_for_less()
     }
-
-    /// Adds names and time to the reason for which a step failed.
-    #[cold]
-    pub(crate) fn from_fault(fault: Fault, model: &'static Model, time: f64, step: f64) -> Self {
-        const MOTION: &str = "equations of motion";
-        let name = |row: usize| model.rows.get(row).map_or("unnamed row", |row| row.name);
-        match fault {
-            Fault::Row {
-                row,
-                residual,
-                iterations,
-            } => SimulationError::NotConverged {
-                time,
-                step,
-                row: name(row),
-                residual,
-                iterations,
-            },
-            Fault::Flow {
-                residual,
-                iterations,
-            } => SimulationError::NotConverged {
-                time,
-                step,
-                row: MOTION,
-                residual,
-                iterations,
-            },
-            Fault::Astray(by) => SimulationError::Astray { time, step, by },
-            Fault::Length(wanted) => SimulationError::Setting {
-                name: "step",
-                value: step,
-                wanted,
-            },
-            Fault::NonFinite(what) => SimulationError::NonFinite { time, what },
-            Fault::Mass => SimulationError::Mass { time },
-            Fault::Underflow { row, step } => SimulationError::StepUnderflow {
-                time,
-                step,
-                row: row.map_or(MOTION, name),
-            },
-        }
-    }
 }
 
 impl fmt::Display for SimulationError {
@@ -365,6 +335,8 @@ impl fmt::Display for SimulationError {
             ),
             #[cfg(feature = "std")]
             Assembly(verdict) => start::write_assembly(out, verdict),
+            #[cfg(feature = "std")]
+            NoPose { changed, verdict } => start::write_no_pose(out, changed, verdict),
             NotAssembled { row, residual } => write!(
                 out,
                 "the mechanism cannot be assembled near its declared guess; `{row}` is off most (residual {residual:.3e}); check the lengths in this joint, or start from a closer guess"
@@ -412,13 +384,15 @@ impl fmt::Display for SimulationError {
                 step,
                 gained,
                 available,
-            } => step::write_gain(out, (*time, *step), *gained, *available),
+                adaptive,
+            } => step::write_gain(out, (*time, *step), [*gained, *available], *adaptive),
             EnergyLoss {
                 time,
                 step,
                 lost,
                 available,
-            } => step::write_loss(out, (*time, *step), *lost, *available),
+                adaptive,
+            } => step::write_loss(out, (*time, *step), [*lost, *available], *adaptive),
             Mass { time } => write!(
                 out,
                 "the mass matrix is not positive definite at t = {} s: something moves without mass there",

@@ -401,3 +401,36 @@ fn an_input_may_jump_for_ever() {
         assert!(simulation.outputs().x.abs() < 2.1);
     }
 }
+
+mechanism!(Press {
+    world: Planar(),
+    speed: Input(0.1_m_per_s),
+    since: Input(0.0_s),
+    crank: Bar(mass = 1.0_kg, length = 0.1_m, angle = 40.0_deg),
+    rod: Bar(mass = 1.0_kg, length = 0.3_m, angle = -12.0_deg),
+    piston: Particle(mass = 1.0_kg),
+    main: Revolute(ground.origin, crank.a),
+    big: Revolute(crank.b, rod.a),
+    small: Revolute(rod.b, piston),
+    bore: PointOnLine(piston, ground.origin, axis = X),
+    drive: Drive(piston.origin.x, value = 0.35_m, rate = speed, since = since),
+});
+
+/// Its rates grow without bound towards the pose in which crank and rod are stretched. The message blamed long steps and a spring.
+#[test]
+fn a_drive_that_goes_too_far_is_named_with_an_accuracy() {
+    for accuracy in [1e-3, 1e-6, 1e-9] {
+        let mut press = Simulation::with_accuracy(Press::default(), accuracy).unwrap();
+        let error = press.run_until(2.0).expect_err("0.4 m is the end");
+        assert!((press.time() - 0.5).abs() < 1e-4, "{}", press.time());
+        let text = error.to_string();
+        println!("{accuracy:e}: {text}");
+        assert!(
+            text.contains(
+                "look for a pose that the mechanism cannot pass, as where a drive goes too far"
+            ),
+            "{text}"
+        );
+        assert!(!text.contains("or a tolerance"), "{text}");
+    }
+}

@@ -114,8 +114,13 @@ fn what_is_refused_changes_nothing() {
     let mut other = simulation.clone();
     let short = other.set_parameters(Crane { length: 0.1 });
     assert!(
-        matches!(short, Err(SimulationError::Assembly(_))),
+        matches!(&short, Err(SimulationError::NoPose { .. })),
         "{short:?}"
+    );
+    let text = short.expect_err("it is refused").to_string();
+    assert!(
+        text.starts_with("no pose near the present one fits these parameters; these rows pull"),
+        "{text}"
     );
     let negative = other.set_parameters(Crane { length: -1.0 });
     assert!(

@@ -96,14 +96,41 @@ mechanism!(Reach {
 fn what_cannot_be_reached_is_refused() {
     let mut reach = Simulation::new(Reach::default()).expect("it assembles");
     let refused = reach.set_input("wanted", 1.5);
+    let text = refused.expect_err("the arm is shorter").to_string();
     assert!(
-        matches!(refused, Err(SimulationError::Assembly(_))),
-        "{refused:?}"
+        text.starts_with(
+            "no pose near the present one fits these inputs; these rows pull apart: `"
+        ),
+        "{text}"
     );
+    assert!(text.ends_with("; the inputs keep their values"), "{text}");
     assert_eq!(reach.inputs().wanted, 0.5);
     reach.set_input("wanted", 0.7).expect("it is reached");
     reach.run_until(0.1).expect("it runs");
     assert!((reach.outputs().tip - 0.7).abs() < 1e-9);
+}
+
+mechanism!(Domain {
+    world: Planar(),
+    part: Input(0.0),
+    arm: Bar(mass = 1.0_kg, length = 1.0_m, angle = 60.0_deg),
+    pivot: Revolute(ground.origin, arm.a),
+    drive: Drive(arm.b.x, value = 0.5_m * sqrt(1.0 - part)),
+    tip: Output(arm.b.x),
+});
+
+/// Rows that are no numbers are told as such, and change nothing.
+#[test]
+fn what_leads_a_drive_out_of_its_domain_is_refused() {
+    let mut domain = Simulation::new(Domain::default()).expect("it assembles");
+    let refused = domain.set_inputs(DomainInputs { part: 2.0 });
+    assert_eq!(
+        refused.expect_err("no root").to_string(),
+        "no pose near the present one fits these inputs; these rows have no finite values there: `drive`; the inputs keep their values"
+    );
+    assert_eq!(domain.inputs().part, 0.0);
+    domain.run_until(0.1).expect("it goes on as before");
+    assert!((domain.outputs().tip - 0.5).abs() < 1e-9);
 }
 
 /// A constant of Rust; its nominal value is another one, so that the test shows which is used.

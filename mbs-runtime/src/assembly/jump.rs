@@ -17,7 +17,7 @@ use nalgebra::SVector;
 /// A v + b = 0. A state that satisfies the rows is left as it is.
 ///
 /// # Errors
-/// [`SimulationError::Assembly`] where no pose satisfies the rows, [`SimulationError::Contradiction`] where no velocities do,
+/// [`SimulationError::NoPose`] where no pose satisfies the rows, [`SimulationError::Contradiction`] where no velocities do,
 /// forces and energies that are not finite, and [`SimulationError::Large`] where that takes dense arrays for which a stack has no
 /// room; the state is not changed.
 #[inline(never)]
@@ -26,7 +26,7 @@ pub(crate) fn jump<S: System<Q, N, R>, const Q: usize, const N: usize, const R: 
     settings: &Settings,
     state: &mut State<Q, N, R>,
 ) -> Result<(), SimulationError> {
-    let at = follow(system, settings, state)?;
+    let at = follow(system, settings, state).map_err(|error| of_change(error, "inputs"))?;
     (state.positions, state.velocities) = (at.q, at.v);
     Ok(())
 }
@@ -40,7 +40,8 @@ pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     settings: &Settings,
     state: &mut State<Q, N, R>,
 ) -> Result<AssemblyVerdict, SimulationError> {
-    let At { q, v, rows } = follow(system, settings, state)?;
+    let found = follow(system, settings, state);
+    let At { q, v, rows } = found.map_err(|error| of_change(error, "parameters"))?;
     let verdict = match rows {
         Rows::Judged(verdict) => verdict,
         Rows::Dense(rows) => {
@@ -53,6 +54,14 @@ pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     };
     (state.positions, state.velocities) = (q, v);
     Ok(verdict)
+}
+
+/// The error of a search that begins with the present pose, after a change of inputs or parameters: nothing was declared wrongly.
+fn of_change(error: SimulationError, changed: &'static str) -> SimulationError {
+    match error {
+        SimulationError::Assembly(verdict) => SimulationError::NoPose { changed, verdict },
+        error => error,
+    }
 }
 
 /// Where a search for a pose has ended.

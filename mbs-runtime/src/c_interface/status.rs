@@ -69,6 +69,7 @@ impl From<SimulationError> for Failure {
         let status = match error {
             E::Assembly(_)
             | E::NotAssembled { .. }
+            | E::NoPose { .. }
             | E::Contradiction { .. }
             | E::Held { .. }
             | E::HeldStart { .. } => Status::Assembly,

@@ -37,7 +37,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     /// anew. It allocates.
     ///
     /// # Errors
-    /// Parameters that do not make a mechanism, [`SimulationError::Assembly`] where no pose satisfies the rows,
+    /// Parameters that do not make a mechanism, [`SimulationError::NoPose`] where no pose satisfies the rows,
     /// [`SimulationError::Contradiction`] where no velocities do, forces or energies that are not finite, and
     /// [`SimulationError::Large`] where that takes dense arrays for which a stack has no room; the simulation
     /// then goes on with the parameters that it had.

@@ -160,18 +160,21 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
     #[cold]
     fn nonsense(&self, step: f64, available: f64) -> SimulationError {
         let (time, error) = (self.time(), self.balance.error);
+        let adaptive = self.settings.tolerance.is_some();
         match error > 0.0 {
             true => SimulationError::EnergyGain {
                 time,
                 step,
                 gained: error,
                 available,
+                adaptive,
             },
             false => SimulationError::EnergyLoss {
                 time,
                 step,
                 lost: -error,
                 available,
+                adaptive,
             },
         }
     }

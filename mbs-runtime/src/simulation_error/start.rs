@@ -1,4 +1,4 @@
-//! The messages about a start that cannot be had.
+//! The messages about a start, or a change during a run, that cannot be had.
 
 use crate::{AssemblyVerdict, HeldGap, Level, OpenRow};
 use core::fmt;
@@ -8,31 +8,49 @@ pub(super) fn write_assembly(
     out: &mut fmt::Formatter<'_>,
     verdict: &AssemblyVerdict,
 ) -> fmt::Result {
-    write!(
-        out,
-        "the mechanism cannot be assembled near its declared guess; "
-    )?;
-    out.write_str(match verdict.worst_rows.is_empty() {
-        true => "its rows have no finite values there",
-        false => "these rows pull apart: ",
-    })?;
-    for (i, row) in verdict.worst_rows.iter().enumerate() {
+    out.write_str("the mechanism cannot be assembled near its declared guess; ")?;
+    write_open_rows(out, &verdict.worst_rows)?;
+    out.write_str("; check the lengths in these joints, or start from a closer guess")
+}
+
+/// The message of [`SimulationError::NoPose`](super::SimulationError::NoPose).
+pub(super) fn write_no_pose(
+    out: &mut fmt::Formatter<'_>,
+    changed: &str,
+    verdict: &AssemblyVerdict,
+) -> fmt::Result {
+    write!(out, "no pose near the present one fits these {changed}; ")?;
+    write_open_rows(out, &verdict.worst_rows)?;
+    write!(out, "; the {changed} keep their values")
+}
+
+/// Rows that are not satisfied, or those of them that have no values.
+fn write_open_rows(out: &mut fmt::Formatter<'_>, rows: &[OpenRow]) -> fmt::Result {
+    if rows.is_empty() {
+        return out.write_str("the rows have no finite values there");
+    }
+    let has_no_value = |row: &&OpenRow| !row.residual.is_finite();
+    if rows.iter().any(|row| has_no_value(&row)) {
+        out.write_str("these rows have no finite values there: ")?;
+        for (i, row) in rows.iter().filter(has_no_value).enumerate() {
+            write!(out, "{}`{}`", comma(i), row.name)?;
+        }
+        return Ok(());
+    }
+    out.write_str("these rows pull apart: ")?;
+    for (i, row) in rows.iter().enumerate() {
         let OpenRow {
             name,
             unit,
             residual,
         } = row;
-        let comma = if i > 0 { ", " } else { "" };
-        let (space, unit) = in_unit(unit);
+        let (comma, (space, unit)) = (comma(i), in_unit(unit));
         write!(
             out,
             "{comma}`{name}` (residual {residual:.3e}{space}{unit})"
         )?;
     }
-    write!(
-        out,
-        "; check the lengths in these joints, or start from a closer guess"
-    )
+    Ok(())
 }
 
 /// The message of [`SimulationError::Held`](super::SimulationError::Held).
@@ -56,8 +74,7 @@ pub(super) fn write_held(
         let HeldGap {
             name, unit, gap, ..
         } = held;
-        let comma = if i > 0 { ", " } else { "" };
-        let (space, unit) = in_unit(unit);
+        let (comma, (space, unit)) = (comma(i), in_unit(unit));
         write!(out, "{comma}`{name}` is off by {gap:.3e}{space}{unit}")?;
     }
     match (degrees_of_freedom, held.len()) {
@@ -80,6 +97,11 @@ pub(super) fn write_held(
             "; the joints do not allow these values together: change one, or declare it as a guess",
         ),
     }
+}
+
+/// What stands before an item of a list.
+fn comma(item: usize) -> &'static str {
+    if item > 0 { ", " } else { "" }
 }
 
 /// What follows a value with this unit: a space and the unit, or nothing for numbers.

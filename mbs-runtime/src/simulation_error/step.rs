@@ -4,7 +4,16 @@ use super::clock::{Short, clock};
 use core::fmt;
 
 /// The cause of a wrong energy balance, and what to do.
-const TOO_LONG: &str = "the steps are too long for this motion; use a smaller step or a tolerance (vibrations of a stiff spring that are shorter than some steps are followed by no flow), and check what came before";
+fn advice(adaptive: bool) -> &'static str {
+    match adaptive {
+        false => {
+            "the steps are too long for this motion; use a smaller step or a tolerance (vibrations of a stiff spring that are shorter than some steps are followed by no flow), and check what came before"
+        }
+        true => {
+            "shorter steps do not help; look for a pose that the mechanism cannot pass, as where a drive goes too far, or, where there is none, use a smaller tolerance, and check what came before"
+        }
+    }
+}
 
 /// The message of [`SimulationError::NotConverged`](super::SimulationError::NotConverged).
 pub(super) fn write_not_converged(
@@ -30,13 +39,13 @@ pub(super) fn write_not_converged(
 pub(super) fn write_gain(
     out: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),
-    gained: f64,
-    available: f64,
+    [gained, available]: [f64; 2],
+    adaptive: bool,
 ) -> fmt::Result {
-    let (time, step) = (clock(time), Short(step));
+    let (time, step, advice) = (clock(time), Short(step), advice(adaptive));
     write!(
         out,
-        "the motion has gained {gained:.1e} J up to t = {time} s with steps of {step} s, where start and works have given it {available:.1e} J: {TOO_LONG}"
+        "the motion has gained {gained:.1e} J up to t = {time} s with steps of {step} s, where start and works have given it {available:.1e} J: {advice}"
     )
 }
 
@@ -44,12 +53,12 @@ pub(super) fn write_gain(
 pub(super) fn write_loss(
     out: &mut fmt::Formatter<'_>,
     (time, step): (f64, f64),
-    lost: f64,
-    available: f64,
+    [lost, available]: [f64; 2],
+    adaptive: bool,
 ) -> fmt::Result {
-    let (time, step) = (clock(time), Short(step));
+    let (time, step, advice) = (clock(time), Short(step), advice(adaptive));
     write!(
         out,
-        "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {time} s with steps of {step} s, which no force has taken: {TOO_LONG}"
+        "the motion has lost {lost:.1e} J of {available:.1e} J up to t = {time} s with steps of {step} s, which no force has taken: {advice}"
     )
 }
