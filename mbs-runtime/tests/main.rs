@@ -22,6 +22,7 @@ mod fixed_steps;
 mod flows;
 mod holonomic;
 mod hostile_settings;
+mod jumps;
 mod known_cost;
 mod known_poses;
 mod looks;

@@ -58,6 +58,8 @@ pub(super) struct Found {
     pub(super) as_chosen: bool,
     /// The factor of the embedded estimate, if the pair was compared.
     pub(super) estimate_factor: Option<f64>,
+    /// The same as it was measured, without the least value of constant steps.
+    pub(super) measured_factor: Option<f64>,
     /// Whether the stages give an estimate of the error of this pair.
     pub(super) is_embedded: bool,
     /// The difficulty of the first step, if the second one was chosen for it and the pair was not compared.
@@ -66,7 +68,7 @@ pub(super) struct Found {
     pub(super) estimated_difficulty: Option<f64>,
     /// The part of the estimate that each of the steps has.
     pub(super) parts: Option<[f64; 2]>,
-    /// Whether the comparison of a driven mechanism shows round-off alone: its ratio to the estimate tells nothing.
+    /// Whether the comparison shows round-off alone: its ratio to the estimate tells nothing.
     pub(super) is_round_off: bool,
     /// Whether a force jumps or bends in the pair.
     pub(super) is_jump: bool,
@@ -90,6 +92,7 @@ impl Found {
             speed: 0.0,
             as_chosen: false,
             estimate_factor: None,
+            measured_factor: None,
             is_embedded: false,
             difficulty_of_first: None,
             estimated_difficulty: None,
@@ -224,7 +227,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let outcome = self.measure(&mut found, controller, &bounds, (estimate, last));
         // Where the estimate tells no error, pairs without signs of a jump are compared, too.
         if may_jump || found.is_jump && !self.is_estimated {
-            if signs.is_some_and(|signs| signs.is_blind(found.estimate_factor)) {
+            if signs.is_some_and(|signs| signs.is_blind(found.measured_factor)) {
                 found.error_ratio = found.error_ratio.max(TOO_LONG);
             }
             // The factor of smooth motion is not smaller because of a jump.
@@ -308,7 +311,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 let off = (self.balance.nonconservative_work - work_of_pair).abs();
                 found.work_error = found.work_error.max(off / ratio);
             }
-            found.is_round_off = (const { Self::DRIVEN }) && apart <= bounds.noise;
+            found.is_round_off = apart <= bounds.noise;
             let mut of_motion = match (found.is_apart, apart > still) {
                 (true, true) => TOO_LONG,
                 (true, false) => apart / (ratio * bounds.allowed.max(still)),
@@ -338,6 +341,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                     true => apart / ratio,
                     false => of_motion.max(TOO_SMALL) * bounds.allowed,
                 };
+                found.measured_factor = factor;
                 let factor = estimate.map(|estimate| error / estimate);
                 found.estimate_factor = factor.filter(|factor| factor.is_finite());
                 break;

@@ -76,6 +76,7 @@ pub(super) struct Signs {
     follows: bool,
     /// Whether the estimate is one of lower order, raised to that of the step: this hides what is not smooth.
     is_raised: bool,
+    is_two_level: bool,
     order: u8,
     /// The mean length of the steps, s.
     step: f64,
@@ -132,8 +133,9 @@ impl Signs {
     }
 
     /// Whether a comparison has not seen the jump that an estimate shows: the error that it found is this factor times the estimate.
+    /// (The measure of two-level steps is no estimate of their error.)
     pub(super) fn is_blind(&self, factor: Option<f64>) -> bool {
-        self.follows && self.is_sudden() && factor.is_some_and(|factor| factor < BLIND)
+        !self.is_two_level && self.is_sudden() && factor.is_some_and(|factor| factor < BLIND)
     }
 }
 
@@ -165,6 +167,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             is_rough: estimate.is_some_and(|pair| pair.is_rough),
             follows: self.follows(),
             is_raised: self.settings.method == Method::Radau,
+            is_two_level: self.settings.method == Method::TwoLevel,
             order,
             step,
         })
@@ -197,6 +200,7 @@ mod tests {
             is_rough: false,
             follows,
             is_raised: false,
+            is_two_level: false,
             order: 8,
             step: 0.1,
         }

@@ -195,17 +195,18 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             } else {
                 error_ratio
             };
+            let is_judged_by_factor = step_controller.estimate_factor > 0.0;
             match is_embedded && self.follows() {
                 true => step_controller.retreat(order, h, error_ratio, (attempts > 0, self.pace())),
                 false => step_controller.shorten(h, notches(order, error_ratio)),
             }
             attempts += 1;
             if !(step_controller.step > shortest) {
-                // The shortest one may do where the next one would not be tried.
-                if !(h > 2.0 * shortest) {
+                // The shortest one may do where the next one would not be tried, or where the estimate alone rejects.
+                if !(h > 2.0 * shortest || is_judged_by_factor) {
                     return Err(error);
                 }
-                step_controller.step = 1.5 * shortest;
+                (step_controller.step, step_controller.estimate_factor) = (1.5 * shortest, 0.0);
             }
         }
     }
