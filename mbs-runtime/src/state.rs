@@ -361,6 +361,9 @@ pub struct StepController {
     /// Pairs from rest whose way is round-off, in very short steps, since the last pair in longer ones.
     #[cfg_attr(feature = "serde", serde(default))]
     pub still_pairs: u32,
+    /// The length of the longest steps of late, s; zero: no pair was kept yet.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub usual: f64,
 }
 
 /// λ, μ, π, σ of the three-field formulation, (26)–(31), and the step in use.

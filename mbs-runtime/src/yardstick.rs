@@ -13,7 +13,7 @@ use crate::{Coordinate, Model, ScalarState, System};
 use nalgebra::SVector;
 
 /// Round-off of positions: that of a few operations on numbers of their size.
-const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
+pub(crate) const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
 /// The characteristic length, and the reciprocals of the units of coordinates and velocities.
 #[derive(Debug, Clone, Copy)]

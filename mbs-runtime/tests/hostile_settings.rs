@@ -156,7 +156,7 @@ fn states_that_are_not_finite_are_refused() {
     let mut simulation = Simulation::with_settings(SliderCrank::default(), settings).unwrap();
     simulation.run_until(0.01).unwrap();
     let state = simulation.state();
-    let changed: [fn(&mut mbs_runtime::State<_, _, _>); 13] = [
+    let changed: [fn(&mut mbs_runtime::State<_, _, _>); 14] = [
         |state| state.clock = f64::NAN,
         |state| state.ledger.nonconservative_work = f64::NAN,
         |state| state.ledger.initial = Some(f64::INFINITY),
@@ -164,6 +164,7 @@ fn states_that_are_not_finite_are_refused() {
         |state| state.step_controller.estimate_factor = f64::NAN,
         |state| state.step_controller.difficulty = Some(f64::NAN),
         |state| state.step_controller.caution = -1.0,
+        |state| state.step_controller.usual = f64::NAN,
         |state| state.fields.momentum[0] = f64::NAN,
         |state| state.multipliers[0] = f64::NAN,
         |state| state.inputs = vec![1.0],

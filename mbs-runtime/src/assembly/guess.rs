@@ -81,13 +81,17 @@ fn check_controller(controller: &StepController) -> Result<(), SimulationError> 
         speed,
         estimate_factor,
         caution,
+        usual,
         ..
     } = *controller;
     let what = "the step controller";
-    check_finite(what, &[step, allowed, speed, estimate_factor, caution])?;
+    check_finite(
+        what,
+        &[step, allowed, speed, estimate_factor, caution, usual],
+    )?;
     check_finite(what, controller.difficulty.as_slice())?;
     check_finite(what, controller.estimated_difficulty.as_slice())?;
-    match [step, speed, estimate_factor, caution]
+    match [step, speed, estimate_factor, caution, usual]
         .into_iter()
         .find(|value| *value < 0.0)
     {

@@ -5,9 +5,10 @@ use super::jumps::{Previous, Signs, UNUSUAL, over_a_jump};
 use super::known_poses::SAME;
 use super::pose::{FAR, Passage};
 use super::step_controller::{Pace, TOO_LONG};
-use super::tolerance::CLOCK;
+use super::tolerance::{CLOCK, SHORTEST};
 use crate::linear::vector;
 use crate::singular::RankMargin;
+use crate::yardstick::ROUND_OFF;
 use crate::{Energy, ErrorOf, SimulationError, StepController, System};
 use nalgebra::SVector;
 
@@ -116,10 +117,12 @@ impl Found {
 struct Bounds {
     /// The way of the pair.
     way: f64,
-    /// Round-off.
+    /// Round-off of velocities, as displacements in half of the pair.
     noise: f64,
-    /// The error that is allowed.
+    /// The error of this that is allowed.
     allowed: f64,
+    /// The same two of positions.
+    of_positions: [f64; 2],
     /// The part of a way that is allowed.
     share: f64,
     /// What shows a jump, where there can be one.
@@ -187,7 +190,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             seen: seen_by_first.or(seen_by_second),
         };
         let way = length.max(reach) * found.speed.max(controller.speed);
-        let allowed = self.allowed(tolerance, way, noise);
+        let carried = self.noise_of_velocities(noise, 0.5 * length, controller);
+        let [of_positions, allowed] =
+            [noise, carried].map(|noise| self.allowed(tolerance, way, noise));
         // Steps to a pose of which it is not known that it is singular may have left their branch, which no embedded method sees.
         let keeps_its_branch = self.keeps_its_branch(&found);
         let of_pair = of_pair.filter(|_| keeps_its_branch);
@@ -205,7 +210,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             (_, true) => (CLEARLY[1], UNCOMPARED[1]),
             _ => (CLEARLY[1], UNCOMPARED[2]),
         };
-        let signs = self.signs(previous, of_pair, (length, allowed, noise));
+        let signs = self.signs(previous, of_pair, (length, allowed, carried));
         found.estimated_difficulty = signs.and_then(|signs| signs.difficulty());
         let may_jump = signs.is_some_and(|signs| signs.may_jump());
         let is_recent = controller.pairs_since_comparison < most;
@@ -219,8 +224,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         found.difficulty_of_first = None;
         let bounds = Bounds {
             way,
-            noise,
+            noise: carried,
             allowed,
+            of_positions: [noise, of_positions],
             share: SHARE * tolerance,
             signs,
         };
@@ -305,7 +311,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 continue;
             };
             converged = true;
-            let (apart, mut worst) = self.apart(0.5 * length);
+            let [noise, allowed] = bounds.of_positions;
+            let (apart, mut worst) = self.apart(0.5 * length, bounds.allowed / allowed);
             found.is_apart = apart > UNLIKE * bounds.way;
             if const { Self::DRIVEN } {
                 let off = (self.balance.nonconservative_work - work_of_pair).abs();
@@ -318,8 +325,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                 (false, _) => apart / (ratio * bounds.allowed),
             };
             let mut error_ratio = of_motion;
-            if let Some((own, state)) =
-                self.state_error_ratio((bounds.share, bounds.way), bounds.noise)
+            if let Some((own, state)) = self.state_error_ratio((bounds.share, bounds.way), noise)
                 && own / ratio > error_ratio
             {
                 (error_ratio, worst) = (own / ratio, state);
@@ -404,6 +410,26 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         left.max(exact) / least + clock
     }
 
+    /// Round-off of velocities times h, in sizes and radians; `noise` is that of positions. Velocities have the round-off of forces,
+    /// times the step, and their own: in steps shorter than usual this is less than `noise` / h. (Where it is allowed all the same a
+    /// force a that jumps leaves errors of √(a · `noise`) in velocities.) Rows leave velocities an error of their own, and steps
+    /// next to the clock have no shorter ones.
+    pub(super) fn noise_of_velocities(
+        &self,
+        noise: f64,
+        h: f64,
+        controller: &StepController,
+    ) -> f64 {
+        let shortest = SHORTEST * self.settings.step + CLOCK * self.pair_start.time.abs();
+        if const { R > 0 } || h < NEAR_CLOCK * shortest {
+            return noise;
+        }
+        let [before, now] = [&self.pair_start.velocities, self.velocities()]
+            .map(|velocities| self.size(velocities));
+        let own = 2.0 * h * ROUND_OFF * before.max(now);
+        (noise * h / controller.usual).max(own).min(noise)
+    }
+
     /// The way v · ε |t| within the round-off of the clock, in sizes and radians: rows of time are satisfied at the instants that it
     /// shows, those of stages too.
     fn way_of_clock(&self) -> f64 {
@@ -446,13 +472,13 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if size.is_nan() { f64::INFINITY } else { size }
     }
 
-    /// The distance between the results of the other steps and of the pair, in sizes and radians, and the velocity with
-    /// the largest part.
-    fn apart(&self, h: f64) -> (f64, usize) {
+    /// The distance between the results of the other steps and of the pair, in sizes and radians, of positions times `weight`, and
+    /// the velocity with the largest part.
+    fn apart(&self, h: f64, weight: f64) -> (f64, usize) {
         let (pair, other) = (&self.pair_end, self.state());
         let q = self.system().difference(&pair.positions, &other.positions);
         let v: SVector<f64, N> = vector(|i| h * (other.velocities[i] - pair.velocities[i]));
-        let (moved, carried) = (self.size(&q), self.size(&v));
+        let (moved, carried) = (weight * self.size(&q), self.size(&v));
         match moved >= carried {
             true => (moved, self.yardstick.worst(&q)),
             false => (carried, self.yardstick.worst(&v)),

@@ -65,7 +65,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         if length != left || !is_within {
             return Ok(None);
         }
-        let noise = self.noise(start, end);
+        let noise = self.noise_of_velocities(self.noise(start, end), length, controller);
         let allowed = self.allowed(tolerance, length * found.speed.max(controller.speed), noise);
         found.error_ratio = controller.predicted_error_ratio(Some(estimate.error), allowed);
         // Of a pair of such steps, as the difficulties before are of pairs.

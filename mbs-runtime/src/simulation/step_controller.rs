@@ -54,6 +54,8 @@ const SAME: [f64; 2] = [0.8, 1.25];
 const LEAST_FACTORS: [f64; 2] = [0.1, 0.02];
 /// With a smaller error ratio the error of a pair is mostly round-off, and the factor of its estimate is at most the one found.
 const TELLING: f64 = 1e-3;
+/// The part of a usual length that is left after each pair of shorter steps.
+const USUAL_LEFT: f64 = 0.8;
 /// An error ratio below this is round-off.
 const ROUND_OFF: f64 = 1e-12;
 /// s. At rest steps grow without end; with longer ones products of them overflow.
@@ -156,6 +158,11 @@ impl StepController {
         } else if !self.searching {
             self.estimate_factor = 1.0;
         }
+    }
+
+    /// Takes note of the length of the steps of a pair that is kept.
+    pub(super) fn remember(&mut self) {
+        self.usual = self.step.max(USUAL_LEFT * self.usual);
     }
 
     /// Takes note of the difficulty by an estimate alone, if there is one.

@@ -7,7 +7,7 @@
 //! e ≤ share · tolerance · max(|Δq|, T · greatest speed so far)
 //! ```
 //!
-//! with T the time of the pair, and ½ T |Δv| counted like Δq. The length h stays the same until one comparison requires a
+//! with T the time of the pair, and ½ T |Δv| counted like Δq; the round-off of either is allowed. The length h stays the same until one comparison requires a
 //! shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step
 //! length does not follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.1). Lengths are
 //! powers of 2^¼ times the first one.
@@ -43,7 +43,7 @@ const BESIDE: f64 = 0.02;
 const ATTEMPTS: u32 = 3;
 const INDULGENCE: [f64; 2] = [4.0, 64.0];
 /// Steps shorter than this part of the first one that may be tried are not, …
-const SHORTEST: f64 = 1e-9;
+pub(super) const SHORTEST: f64 = 1e-9;
 /// … nor those shorter than this part of the time, of which the clock counts some fifty parts.
 pub(super) const CLOCK: f64 = 1e-14;
 
@@ -155,6 +155,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
                             },
                             self.follows().then(|| self.pace()),
                         );
+                        step_controller.remember();
                         if h == step_controller.step && found.is_embedded && self.follows() {
                             let errors = (found.error_ratio, found.parts);
                             step_controller.follow_pair(
