@@ -26,6 +26,7 @@ mod method_changes;
 mod passages;
 mod planar_joints;
 mod planar_places;
+mod planar_starts;
 mod planned_accelerations;
 mod planned_poses;
 mod poses;

@@ -14,7 +14,7 @@ use std::collections::HashSet;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Angle {
     pub(super) angle: Expr,
-    /// If it was declared.
+    /// If it was declared, or follows from what was.
     pub(super) rate: Option<Expr>,
     /// Declared for this part, or held against the ground. One that a joint carries from another part counts only where
     /// two points of the part do not give it.
@@ -71,17 +71,18 @@ impl HeldAngles {
                 (Owner::Part(part), Owner::Ground) => (part, graph.neg(held.angle)),
                 _ => continue,
             };
-            self.spread(graph, part, angle);
+            self.spread(graph, part, angle, None);
         }
         for (index, part) in parts.iter().enumerate() {
             let (Representation::Prescribed, Some(angle)) = (part.representation, part.frame.angle)
             else {
                 continue;
             };
-            let angle = graph.substitute(angle, known);
-            // That of a part which follows another one is not known yet.
-            if !graph.depends_on(angle, |symbol| !symbol.is_parameter_like()) {
-                self.spread(graph, index, angle);
+            let rate = graph.rate(angle);
+            let [angle, rate] = [angle, rate].map(|x| graph.substitute(x, known));
+            // Those of a part that follows another one are not known yet.
+            if !graph.any_depends_on([angle, rate], |symbol| !symbol.is_parameter_like()) {
+                self.spread(graph, index, angle, Some(rate));
             }
         }
     }
@@ -124,12 +125,12 @@ impl HeldAngles {
         });
     }
 
-    /// The angle of a part that is held against the ground.
-    fn spread(&mut self, graph: &mut Graph, part: usize, angle: Expr) {
+    /// The angle of a part that is held against the ground, or follows coordinates.
+    fn spread(&mut self, graph: &mut Graph, part: usize, angle: Expr, rate: Option<Expr>) {
         if self.angles[part].is_none() {
             self.angles[part] = Some(Angle {
                 angle,
-                rate: None,
+                rate,
                 is_firm: true,
             });
             self.hand_on(graph, part, true, |known| known.is_none());

@@ -1,7 +1,9 @@
 //! Initial poses in the plane: what was declared, carried along the joints from the ground outwards.
 //!
 //! The pose of a part is known if its angle and one of its points are known, or two of its points; then all its points
-//! are known, and its neighbours follow; so does what is declared to start at one of its points. Unknown angles and positions start at 0; assembly corrects all of them.
+//! are known, and its neighbours follow; so does what is declared to start at one of its points. An angle that remains
+//! unknown starts at 0 at a known point, and only a mechanism without any known point also at the place 0; assembly
+//! corrects all of them.
 
 use super::guesses::Guesses;
 use super::held_angles::{Angle, HeldAngles};
@@ -37,8 +39,44 @@ enum Trust {
     Known,
     /// Those whose angle a joint carries from another part.
     Carried,
+    /// Those with angle zero at a known point.
+    AtPoint,
     /// Those with angle and place zero.
     Zero,
+}
+
+/// The places of points, as far as they are known.
+struct Places<'a> {
+    parts: &'a [Part],
+    /// The values of declared coordinates and inputs, and t = 0.
+    values: Substitution,
+    poses: Vec<Option<Pose>>,
+}
+
+impl Places<'_> {
+    fn of(&mut self, graph: &mut Graph, point: &Point) -> Option<Known> {
+        let part = match point.owner {
+            Owner::Ground => {
+                return Some(Known {
+                    position: point.position,
+                    velocity: graph.zero_vector(),
+                });
+            }
+            Owner::Part(part) => part,
+        };
+        if self.parts[part].representation != Representation::Prescribed {
+            let pose = self.poses[part]?;
+            return Some(point_of(graph, &pose, point.local));
+        }
+        let rates = point.position.map(|x| graph.rate(x));
+        let [position, velocity] = [point.position, rates]
+            .map(|vector| vector.map(|x| graph.substitute(x, &mut self.values)));
+        // Those of a part that follows another one are not known.
+        let moves = graph.any_depends_on(position.into_iter().chain(velocity), |symbol| {
+            !symbol.is_parameter_like()
+        });
+        (!moves).then_some(Known { position, velocity })
+    }
 }
 
 /// The guesses of all parts' coordinates.
@@ -58,37 +96,29 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
             }
         }
     }
-    let mut coordinates = known_at_start(resolver, &parts);
-    let mut angles = HeldAngles::new(&mut resolver.graph, &parts, joints, &mut coordinates);
-    let mut poses: Vec<Option<Pose>> = vec![None; parts.len()];
+    let mut values = known_at_start(resolver, &parts);
+    let mut angles = HeldAngles::new(&mut resolver.graph, &parts, joints, &mut values);
+    let mut places = Places {
+        parts: &parts,
+        values,
+        poses: vec![None; parts.len()],
+    };
     let mut trust = Trust::Known;
     loop {
         let mut progress = false;
         for (index, part) in parts.iter().enumerate() {
-            if poses[index].is_some()
+            if places.poses[index].is_some()
                 || part.representation == Representation::Prescribed
                 || part.representation.is_number()
             {
                 continue;
             }
             let graph = &mut resolver.graph;
-            let mut known = known_points(graph, index, &pairs_of[index], &poses);
-            known.extend(declared_points(graph, part, |graph, point| {
-                let owner = point.owner.part()?;
-                if parts[owner].representation == Representation::Prescribed {
-                    let place = point
-                        .position
-                        .map(|x| graph.substitute(x, &mut coordinates));
-                    // That of a part which follows another one is not known.
-                    let moves = |&x: &Expr| graph.depends_on(x, |s| !s.is_parameter_like());
-                    return (!place.iter().any(moves)).then_some(place);
-                }
-                let pose = poses[owner]?;
-                Some(point_of(graph, &pose, point.local).position)
-            }));
+            let mut known = joined_points(graph, index, &pairs_of[index], &mut places);
+            known.extend(declared_points(graph, part, &mut places));
             if let Some(pose) = pose(graph, part, angles.of(index), &known, trust) {
                 angles.found(graph, index, pose.angle, pose.rate);
-                poses[index] = Some(pose);
+                places.poses[index] = Some(pose);
                 progress = true;
                 if trust > Trust::Known {
                     break;
@@ -98,12 +128,13 @@ pub(super) fn guesses(resolver: &mut Resolver, joints: &[JointEntry]) -> Guesses
         trust = match (progress, trust) {
             (true, _) => Trust::Known,
             (false, Trust::Known) => Trust::Carried,
-            (false, Trust::Carried) => Trust::Zero,
+            (false, Trust::Carried) => Trust::AtPoint,
+            (false, Trust::AtPoint) => Trust::Zero,
             (false, Trust::Zero) => break,
         };
     }
     let mut guesses = Guesses::default();
-    for (index, (part, pose)) in parts.iter().zip(poses).enumerate() {
+    for (index, (part, pose)) in parts.iter().zip(places.poses).enumerate() {
         if part.representation.is_number() {
             let zero = resolver.graph.zero();
             let value = (
@@ -149,64 +180,53 @@ pub(super) fn strokes(resolver: &mut Resolver, tree: &Tree, guesses: &mut Guesse
 }
 
 /// The points of a part that its joints place: (local coordinates in the part, position and velocity).
-fn known_points(
+fn joined_points(
     graph: &mut Graph,
     part: usize,
     pairs: &[&[Point; 2]],
-    poses: &[Option<Pose>],
+    places: &mut Places,
 ) -> Vec<(Vector, Known)> {
     let mut known = Vec::new();
     for [a, b] in pairs {
         for (own, other) in [(a, b), (b, a)] {
-            if own.owner != Owner::Part(part) {
-                continue;
+            if own.owner == Owner::Part(part) {
+                known.extend(places.of(graph, other).map(|place| (own.local, place)));
             }
-            let place = match other.owner {
-                Owner::Ground => Some(Known {
-                    position: other.position,
-                    velocity: graph.zero_vector(),
-                }),
-                Owner::Part(index) => poses[index].map(|pose| point_of(graph, &pose, other.local)),
-            };
-            known.extend(place.map(|place| (own.local, place)));
         }
     }
     known
 }
 
-/// The declared coordinates with their guesses, the inputs with their defaults, and t = 0.
+/// The declared coordinates and their rates with their guesses, the inputs with their defaults, and t = 0.
 fn known_at_start(resolver: &mut Resolver, parts: &[Part]) -> Substitution {
     let graph = &mut resolver.graph;
-    let mut coordinates = Substitution::default();
-    coordinates.insert(Symbol::Time, graph.zero());
+    let mut values = Substitution::default();
+    values.insert(Symbol::Time, graph.zero());
     for (input, quantity) in (0..).zip(&resolver.inputs) {
-        coordinates.insert(Symbol::Input(input), graph.constant(quantity.default));
+        values.insert(Symbol::Input(input), graph.constant(quantity.default));
     }
     for part in parts.iter().filter(|part| part.representation.is_number()) {
-        let value = part.guess.angle.unwrap_or_else(|| graph.zero());
-        coordinates.insert(Symbol::LocalPosition(part.locals[0]), value);
+        let (local, zero) = (part.locals[0], graph.zero());
+        let (value, rate) = (part.guess.angle, part.guess.rate);
+        values.insert(Symbol::LocalPosition(local), value.unwrap_or(zero));
+        values.insert(Symbol::LocalVelocity(local), rate.unwrap_or(zero));
     }
-    coordinates
+    values
 }
 
-/// The points of a part whose places are declared, as far as these are known; `place_of` is that of a point of another
-/// part.
-fn declared_points(
-    graph: &mut Graph,
-    part: &Part,
-    mut place_of: impl FnMut(&mut Graph, &Point) -> Option<Vector>,
-) -> Vec<(Vector, Known)> {
+/// The points of a part whose places are declared, as far as these are known.
+fn declared_points(graph: &mut Graph, part: &Part, places: &mut Places) -> Vec<(Vector, Known)> {
     let (guess, zero) = (&part.guess, graph.zero());
     let velocity = guess.velocity.unwrap_or([zero; 3]);
     let origin = guess.origin.as_ref();
     let origin = origin.map(|place| ([zero; 3], place, velocity));
     let end = guess.end.as_ref().zip(part.length);
     let end = end.map(|(place, length)| ([length, zero, zero], place, [zero; 3]));
-    let places = origin.into_iter().chain(end);
-    let known = places.filter_map(|(local, place, velocity)| {
+    let declared = origin.into_iter().chain(end);
+    let known = declared.filter_map(|(local, place, velocity)| {
         let position = match place {
             StartPlace::Known(position) => *position,
-            StartPlace::Of(point) => place_of(graph, point)?,
+            StartPlace::Of(point) => places.of(graph, point)?.position,
         };
         Some((local, Known { position, velocity }))
     });
@@ -244,7 +264,7 @@ fn pose(
         _ if is_point => (zero, zero),
         (_, Some((angle, of_points))) => (angle, guess.rate.unwrap_or(of_points)),
         (Some(carried), None) if trust >= Trust::Carried => (carried.angle, rate),
-        (None, None) if trust == Trust::Zero => (zero, rate),
+        (None, None) if trust >= Trust::AtPoint => (zero, rate),
         _ => return None,
     };
     let x = graph.direction(angle);
@@ -283,11 +303,10 @@ fn two_points(graph: &mut Graph, known: &[(Vector, Known)]) -> Option<(Expr, Exp
     let inside = graph.vector_sub(second.0, first.0);
     let outside = graph.vector_sub(second.1.position, first.1.position);
     let spread = graph.vector_sub(second.1.velocity, first.1.velocity);
-    let (to, from) = (
-        graph.atan2(outside[1], outside[0]),
-        graph.atan2(inside[1], inside[0]),
-    );
-    let angle = graph.sub(to, from);
+    // One arctangent, in (−π, π]: the difference of two can be a turn off.
+    let sine = graph.planar_cross(inside, outside);
+    let cosine = graph.dot(inside, outside);
+    let angle = graph.atan2(sine, cosine);
     let cross = graph.planar_cross(outside, spread);
     let (square, usual) = (graph.dot(outside, outside), graph.dot(inside, inside));
     // Guesses may put both points at one place. Any angle and rate do there: assembly changes them.
