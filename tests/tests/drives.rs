@@ -2,9 +2,7 @@
 
 use mbs_examples::scene::Scene;
 use mbs_examples::scenes::scenes;
-use mbs_runtime::{
-    AnySimulation, FixedStepSimulation, Settings, Simulation, SimulationError, mechanism,
-};
+use mbs_runtime::{AnySimulation, FixedStepSimulation, Settings, Simulation, mechanism};
 use mbs_tests::with_room;
 
 // A hoist of 2 kg, and a rotor of 3 kg m² whose speed is driven.

@@ -312,7 +312,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
             };
             converged = true;
             let [noise, allowed] = bounds.of_positions;
-            let (apart, mut worst) = self.apart(0.5 * length, bounds.allowed / allowed);
+            // Where nothing is allowed 0/0 is not a number, of which `min` makes 1.
+            let weight = (bounds.allowed / allowed).min(1.0);
+            let (apart, mut worst) = self.apart(0.5 * length, weight);
             found.is_apart = apart > UNLIKE * bounds.way;
             if const { Self::DRIVEN } {
                 let off = (self.balance.nonconservative_work - work_of_pair).abs();
