@@ -68,11 +68,14 @@ pub fn step(x: f64) -> f64 {
     if x > 0.0 { 1.0 } else { 0.0 }
 }
 
-/// x ≥ 0, or a tiny number where it vanishes; not a number where x is not. The slope of a root is divided by it: the dividend vanishes
-/// there as well.
+/// x ≥ 0, or a tiny number where it vanishes; not a number where x is not. The slope of a root or power is divided by it: the dividend
+/// vanishes there as well.
+///
+/// The n-th derivative of a root has its (2n − 1)-th power: up to the seventh that of the tiny number, and one divided by it, are normal
+/// numbers.
 #[inline]
 pub fn nonzero(x: f64) -> f64 {
-    if x < 1e-100 { 1e-100 } else { x }
+    if x < 1e-40 { 1e-40 } else { x }
 }
 
 /// Refuses a parameter that is not finite.

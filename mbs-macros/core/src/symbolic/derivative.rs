@@ -53,8 +53,11 @@ impl Graph {
             }
             Node::Power(x, exponent) => {
                 let inner = self.derivative(x, symbol);
+                if self.is_zero(inner) {
+                    return inner;
+                }
                 let exponent = exponent.value();
-                let outer = self.power(x, exponent - 1.0);
+                let outer = self.lowered_power(expr, x, exponent);
                 let product = self.mul(outer, inner);
                 self.scale(exponent, product)
             }

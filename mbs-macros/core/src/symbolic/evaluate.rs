@@ -21,8 +21,8 @@ impl Function {
             Function::Abs => x.abs(),
             Function::Round => x.round(),
             Function::Nonzero => {
-                if x < 1e-100 {
-                    1e-100
+                if x < 1e-40 {
+                    1e-40
                 } else {
                     x
                 }

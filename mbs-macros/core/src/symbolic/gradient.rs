@@ -79,7 +79,7 @@ impl Graph {
                 vec![(x, self.chain_rule(function, expr, x, one))]
             }
             Node::Power(x, exponent) => {
-                let outer = self.power(x, exponent.value() - 1.0);
+                let outer = self.lowered_power(expr, x, exponent.value());
                 vec![(x, self.scale(exponent.value(), outer))]
             }
             Node::Atan2(y, x) => {

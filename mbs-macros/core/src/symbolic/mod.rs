@@ -174,7 +174,8 @@ pub enum Function {
     Step,
     /// The nearest integer
     Round,
-    /// Its argument, a root that is divided by, or a tiny number where that vanishes: the slope of |x| x is 0 at x = 0, not 0/0.
+    /// Its argument, a root or what a power is of, as a divisor of a slope, or a tiny number where that vanishes: the slope of |x| x is 0
+    /// at x = 0, not 0/0.
     Nonzero,
     /// Its argument: marks an expression that the reduction can replace by a coordinate. Substitution removes it.
     Same,

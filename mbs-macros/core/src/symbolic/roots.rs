@@ -1,9 +1,21 @@
-//! Square roots among the factors of a product.
+//! Square roots among the factors of a product, and slopes of roots.
 
 use super::collected::put_factor;
 use super::{Expr, Function, Graph, Node};
 
 impl Graph {
+    /// x^(exponent − 1), where `value` = x^exponent is differentiated. With an exponent below 1 it is infinite at x = 0, and its product
+    /// with a factor that vanishes there is not a number; x^exponent divided by [`Function::Nonzero`] of x is 0 there, as the slope of
+    /// |x|^exponent x is.
+    pub(super) fn lowered_power(&mut self, value: Expr, x: Expr, exponent: f64) -> Expr {
+        if exponent > 0.0 && exponent < 1.0 {
+            let divisor = self.function(Function::Nonzero, x);
+            self.div(value, divisor)
+        } else {
+            self.power(x, exponent - 1.0)
+        }
+    }
+
     /// √x / √x = 1, where the divisor is one of a derivative ([`Function::Nonzero`]). Beside other divisors √x or x this is √x.
     pub(super) fn cancel_roots(&self, factors: &mut Vec<(Expr, i32)>) {
         let mut slot = 0;
