@@ -1,7 +1,7 @@
-//! Angles that joints and drives hold against bars in natural coordinates. Such a row is a sine, which vanishes half a turn
-//! off, too.
+//! Angles that joints and drives hold against bars in natural coordinates. The sine of a difference vanishes half a turn off,
+//! too.
 
-use mbs_runtime::{Simulation, mechanism};
+use mbs_runtime::{Method, Settings, Simulation, mechanism};
 
 mechanism!(Corner {
     world: Planar(coordinates = Natural),
@@ -81,6 +81,25 @@ mechanism!(Plate {
     slope: Output((coupler.b - coupler.a).y / 1.5_m),
 });
 
+mechanism!(Press {
+    world: Planar(coordinates = Natural, gravity = [0.0, -9.81_m_per_s2]),
+    rate: Param(0.0_rad_per_s),
+    turn: Param(0.0_rad),
+    wanted: Input(0.0_rad),
+    crank: Bar(mass = 1.0_kg, length = 0.1_m, rate = rate),
+    rod: Bar(mass = 1.0_kg, length = 0.3_m, angle = -0.2_rad),
+    pin: Revolute(ground.origin, crank.a),
+    knuckle: Revolute(crank.b, rod.a),
+    guide: PointOnLine(rod.b, ground.origin, axis = X),
+    drive: Drive(
+        crank.angle,
+        value = wanted + rate * t + turn * (1.0 + tanh((t - 1.013_s) / 0.1_s))
+    ),
+    angle: Output(crank.angle),
+    x: Output(crank.b.x),
+    y: Output(crank.b.y),
+});
+
 fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-9, "{a} is not {b}");
 }
@@ -117,6 +136,53 @@ fn drives_turn_bars_by_any_angle() {
         time += 0.05;
         pointer.run_until(time).expect("it runs");
         close(pointer.outputs().y, wanted.sin());
+    }
+}
+
+/// A step of more than a quarter turn began nearer to the other zero of a sine.
+#[test]
+fn long_steps_end_at_the_prescribed_angle() {
+    let quick = Press {
+        turn: 1.5,
+        ..Press::default()
+    };
+    let steady = Press {
+        rate: 300.0,
+        ..Press::default()
+    };
+    for (press, step, until, angle) in [(quick, 0.2, 3.0, 3.0), (steady, 0.005, 0.5, 150.0)] {
+        for (method, order) in [
+            (Method::TwoLevel, 2),
+            (Method::TwoLevel, 4),
+            (Method::Projected, 4),
+        ] {
+            let settings = Settings {
+                method,
+                order,
+                step,
+                ..Settings::default()
+            };
+            let mut simulation = Simulation::with_any_method(press, settings).unwrap();
+            simulation.run_until(until).unwrap();
+            let outputs = simulation.outputs();
+            close(outputs.angle, angle);
+            close(outputs.x, 0.1 * angle.cos());
+            close(outputs.y, 0.1 * angle.sin());
+        }
+    }
+}
+
+#[test]
+fn the_angle_of_a_driven_bar_is_that_of_its_drive() {
+    let mut press = Simulation::with_accuracy(Press::default(), 1e-6).unwrap();
+    let mut time = 0.0;
+    for wanted in [1.0, 3.0, 5.0, 10.0, 3.0, -9.0] {
+        press.set_input("wanted", wanted).unwrap();
+        close(press.outputs().angle, wanted);
+        close(press.outputs().x, 0.1 * wanted.cos());
+        time += 0.1;
+        press.run_until(time).unwrap();
+        close(press.outputs().angle, wanted);
     }
 }
 

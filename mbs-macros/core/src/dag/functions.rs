@@ -12,7 +12,7 @@ use super::{
 use crate::derivatives::{Derived, Matrix};
 use crate::equations::InverseMass;
 use crate::model::Rotation;
-use crate::symbolic::{Expr, Graph, Node, Symbol};
+use crate::symbolic::{Expr, Graph, Symbol};
 
 /// Bytes of the formula of a constant that are kept, for its documentation.
 const WRITTEN: usize = 400;
@@ -267,15 +267,11 @@ fn structure(derived: &Derived) -> Structure {
         time_dependent: rheonomic
             || graph.any_depends_on(forces(), |symbol| symbol == Symbol::Time),
         rheonomic,
-        // The value of a row is zero, and atan2 is smooth there.
         smooth: graph.is_smooth(
             system
                 .rows
                 .iter()
-                .flat_map(|row| match *graph.node(row.expr) {
-                    Node::Atan2(sine, cosine) => vec![sine, cosine],
-                    _ => vec![row.expr],
-                })
+                .flat_map(|row| graph.inside_row(row.expr))
                 .chain(system.forces.iter().copied())
                 .chain(system.mass.values().copied()),
         ),

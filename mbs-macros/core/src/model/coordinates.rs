@@ -1,6 +1,7 @@
 //! Local coordinates in terms of those that stand for a joined point, and in terms of the generalized ones.
 
 use super::counted;
+use super::elements::JointEntry;
 use super::geometry::Vector;
 use super::kinematics::Walk;
 use super::parts::Part;
@@ -18,6 +19,7 @@ pub(super) struct Merged<'a> {
     /// Ends that the ground holds.
     pub fixed: &'a BTreeMap<u32, Vector>,
     pub tree: &'a Tree,
+    pub joints: &'a [JointEntry],
 }
 
 /// What becomes of a local coordinate when points are merged.
@@ -73,7 +75,7 @@ impl Merged<'_> {
                 }
             }
         }
-        counted::replace(resolver, self.tree, &mut substitution);
+        counted::replace(resolver, self.tree, self.joints, &mut substitution);
         self.walk(resolver, &mut substitution);
         (substitution, free)
     }
@@ -118,7 +120,8 @@ impl Merged<'_> {
             set(&mut reduction.substitution, local, values);
         }
         let substitution = &mut reduction.substitution;
-        reduction.unwrapped_angles = counted::replace(resolver, self.tree, substitution);
+        reduction.unwrapped_angles =
+            counted::replace(resolver, self.tree, self.joints, substitution);
         counted::renumber(resolver, &reduction.unwrapped_angles, substitution);
         reduction.twists = self.walk(resolver, substitution);
     }

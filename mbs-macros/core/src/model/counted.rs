@@ -1,13 +1,15 @@
 //! Angles that are counted over full turns.
 //!
 //! After the reduction the angle of a joint of the tree is its coordinate, which is not limited to one turn; only the
-//! other angles need a stored value.
+//! other angles need a stored value. That of a bar which a drive turns is counted from the value of the drive.
 
+use super::elements::JointEntry;
+use super::elements::joint::HeldAngle;
 use super::geometry::Owner;
 use super::joint_variables::UnwrappedAngle;
 use super::resolver::Resolver;
 use super::tree::Tree;
-use crate::symbolic::{Expr, Function, Substitution, Symbol};
+use crate::symbolic::{Expr, Function, Map, Substitution, Symbol};
 
 impl Resolver<'_> {
     /// The angle of a part of the plane against ground.x: its coordinate, or that of its direction, counted over full
@@ -49,15 +51,33 @@ impl Resolver<'_> {
 }
 
 /// Replaces the counted angles of the joints of a tree, whose coordinates have their values in `substitution` or stand for
-/// themselves. Answers the other angles, by their index in [`Resolver::unwrapped_angles`].
+/// themselves, and those of driven bars. Answers the other angles, by their index in [`Resolver::unwrapped_angles`].
 pub(super) fn replace(
     resolver: &mut Resolver,
     tree: &Tree,
+    joints: &[JointEntry],
     substitution: &mut Substitution,
 ) -> Vec<usize> {
     let graph = &mut resolver.graph;
+    let held = joints.iter().filter_map(|entry| entry.joint.held_angle);
+    let driven: Map<usize, Expr> = held
+        .filter_map(|held| match held {
+            HeldAngle {
+                parent: Owner::Ground,
+                child: Owner::Part(bar),
+                angle,
+            } if graph.depends_on(angle, |symbol| !symbol.is_parameter_like()) => {
+                Some((bar, angle))
+            }
+            _ => None,
+        })
+        .collect();
     let mut others = Vec::new();
     for (index, unwrapped) in resolver.unwrapped_angles.iter().enumerate() {
+        if let Some(&angle) = unwrapped.bar.and_then(|bar| driven.get(&bar)) {
+            substitution.insert(Symbol::UnwrappedAngle(index as u32), angle);
+            continue;
+        }
         let mut joints = tree.joints.iter();
         let own = joints.find_map(|joint| {
             if unwrapped.bar.is_some() || joint.joint != unwrapped.of {

@@ -89,6 +89,7 @@ pub(super) fn reduce(
         leaders: &leaders,
         fixed: &fixed,
         tree,
+        joints,
     };
     let (mut by_leaders, free) = merged.by_leaders(resolver);
     resolver.name_variables(tree, &mut by_leaders);

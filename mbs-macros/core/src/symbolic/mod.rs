@@ -27,6 +27,7 @@ mod rotation;
 mod smoothness;
 mod substitute;
 mod table;
+mod turns;
 
 pub(crate) use build::is_simple;
 pub(crate) use index::Index;

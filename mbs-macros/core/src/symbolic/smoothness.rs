@@ -36,6 +36,21 @@ impl Graph {
         })
     }
 
+    /// What has to be smooth so that a row is. Its value is zero, where neither atan2 nor the full turns of an angle jump.
+    pub fn inside_row(&self, row: Expr) -> Vec<Expr> {
+        let is_turns = |term: Expr| matches!(self.node(term), Node::Function(Function::Round, _));
+        match self.node(row) {
+            Node::Atan2(y, x) => vec![*y, *x],
+            Node::Function(Function::Apart, sum) => self.inside_row(*sum),
+            Node::Sum { terms, .. } if terms.iter().any(|&(term, _)| is_turns(term)) => {
+                let terms = terms.iter().map(|&(term, _)| term);
+                let others = terms.filter(|&term| !is_turns(term));
+                others.flat_map(|term| self.inside_row(term)).collect()
+            }
+            _ => vec![row],
+        }
+    }
+
     /// Whether expressions consist of sums, products, sines and cosines of what varies within a step. Others may jump or bend, or come
     /// near to it (friction).
     pub fn is_smooth(&self, roots: impl IntoIterator<Item = Expr>) -> bool {

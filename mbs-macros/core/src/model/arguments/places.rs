@@ -108,6 +108,11 @@ impl Arguments<'_, '_> {
         self.resolver.frame(owner)
     }
 
+    /// The length of a bar.
+    pub fn length(&self, owner: Owner) -> Option<Expr> {
+        self.resolver.parts[owner.part()?].length
+    }
+
     /// The part of this index is a particle, which has no orientation.
     pub fn is_particle(&self, owner: Owner) -> bool {
         self.resolver.is_particle(owner)

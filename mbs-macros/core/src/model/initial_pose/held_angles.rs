@@ -1,7 +1,7 @@
 //! Angles of parts of the plane that joints and drives hold.
 //!
-//! In natural coordinates such a row is a sine, which vanishes half a turn off, too: the guess decides which of the two
-//! poses assembly finds.
+//! In natural coordinates the row of an angle that does not change with time is a sine, which vanishes half a turn off, too: the guess
+//! decides which of the two poses assembly finds.
 
 use crate::model::elements::JointEntry;
 use crate::model::elements::joint::HeldAngle;

@@ -9,7 +9,7 @@ use crate::model::elements::kind::JointKind;
 use crate::model::geometry::{Owner, Vector};
 use crate::schema::World;
 use crate::schema::{Absent, Expects, Group, JointTraits, Kind, field, positional};
-use crate::symbolic::{Expr, Symbol};
+use crate::symbolic::{Expr, Function, Symbol};
 use syn::{Expr as Syntax, Member};
 
 pub(super) const KIND: JointKind = JointKind {
@@ -56,18 +56,15 @@ pub(super) const KIND: JointKind = JointKind {
 
 enum Target {
     Expression(Expr),
-    /// The direction of a bar that has no angle among its coordinates.
-    Direction(Vector),
+    /// The direction of a bar that has no angle among its coordinates, and the vector between its ends.
+    Direction(Vector, Vector),
 }
 
 fn read(arguments: &mut Arguments) -> Option<Joint> {
     let (value, of_value) = value(arguments)?;
     let owner = bar_angle(arguments);
     let (target, of_target) = match owner {
-        Some(owner) => (
-            Target::Direction(arguments.frame(owner).axes[0]),
-            Some(Dimension::NONE),
-        ),
+        Some(owner) => (direction(arguments, owner), Some(Dimension::NONE)),
         None => expression(arguments)?,
     };
     if let (Some(target), Some(value)) = (of_target, of_value)
@@ -78,8 +75,8 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
             format!("the target is {target}, but this is {value}"),
         );
     }
-    // target − value(t); for a direction sin(θ − value), whose multiplier is the same torque. An input may jump to where the
-    // sine has its other zero; the angle between the directions has one.
+    // target − value(t). For a direction and a value that is fixed it is sin(θ − value), whose multiplier is the same torque: it is linear in
+    // the coordinates. A step or a jump of an input may lead to where the sine has its other zero; the angle within half a turn has one.
     let graph = arguments.graph();
     let mut level = Level::Position;
     let expr = match target {
@@ -89,16 +86,17 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
             }
             graph.sub(target, value)
         }
-        Target::Direction(axis) => {
+        Target::Direction(axis, _) if !graph.depends_on(value, varies) => {
             let wanted = graph.direction(value);
-            let sine = graph.planar_cross(wanted, axis);
-            match graph.depends_on(value, |symbol| matches!(symbol, Symbol::Input(_))) {
-                true => {
-                    let cosine = graph.dot(wanted, axis);
-                    graph.atan2(sine, cosine)
-                }
-                false => sine,
-            }
+            graph.planar_cross(wanted, axis)
+        }
+        Target::Direction(_, between) => {
+            let angle = graph.atan2(between[1], between[0]);
+            // Large values keep their round-off to themselves.
+            let value = graph.within_half_turn(value);
+            let value = graph.function(Function::Apart, value);
+            let difference = graph.sub(angle, value);
+            graph.within_half_turn(difference)
         }
     };
     let condition = Condition {
@@ -129,6 +127,19 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
         }),
         ..Joint::default()
     })
+}
+
+fn direction(arguments: &mut Arguments, bar: Owner) -> Target {
+    let axis = arguments.frame(bar).axes[0];
+    let length = arguments.length(bar);
+    let graph = arguments.graph();
+    let between = length.map_or(axis, |length| axis.map(|x| graph.mul(length, x)));
+    Target::Direction(axis, between)
+}
+
+/// Whether a value changes during a run.
+fn varies(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::Time | Symbol::Input(_))
 }
 
 /// value + rate · (t − since) + acceleration · (t − since)²/2.
