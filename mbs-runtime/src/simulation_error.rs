@@ -100,7 +100,7 @@ pub enum SimulationError {
         /// What was changed: `inputs` or `parameters`.
         changed: &'static str,
         /// The rows of the nearest pose.
-        verdict: AssemblyVerdict,
+        verdict: Box<AssemblyVerdict>,
     },
     /// No velocities satisfy the rows, at the start or after a change: rows on velocities, or the rates of driven rows, contradict each other.
     Contradiction {

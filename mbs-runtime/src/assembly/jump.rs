@@ -59,7 +59,10 @@ pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
 /// The error of a search that begins with the present pose, after a change of inputs or parameters: nothing was declared wrongly.
 fn of_change(error: SimulationError, changed: &'static str) -> SimulationError {
     match error {
-        SimulationError::Assembly(verdict) => SimulationError::NoPose { changed, verdict },
+        SimulationError::Assembly(verdict) => SimulationError::NoPose {
+            changed,
+            verdict: Box::new(verdict),
+        },
         error => error,
     }
 }
