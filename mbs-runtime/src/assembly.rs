@@ -17,6 +17,8 @@ mod differences;
 #[cfg(feature = "std")]
 mod held;
 #[cfg(feature = "std")]
+mod independence;
+#[cfg(feature = "std")]
 mod jump;
 #[cfg(feature = "std")]
 mod large;
@@ -30,6 +32,7 @@ pub(crate) use closed::{check, closed};
 pub(crate) use {
     conditions::Wanted,
     guess::check_rates,
+    independence::{independent_rows, vanishes},
     jump::{jump, refit},
-    verdict::{assemble, independent_rows, inspect, vanishes},
+    verdict::{assemble, inspect},
 };

@@ -240,3 +240,21 @@ fn drives_are_followed_at_large_times() {
     follows_at_large_times!(Shaken);
     follows_at_large_times!(Pushed);
 }
+
+/// The shortest steps that the clock counts are not short for the first step.
+#[test]
+fn a_drive_sets_out_next_to_the_clock() {
+    for (start, accuracy) in [(7.7e6, 1e-7), (1.1e7, 3e-7)] {
+        let mut state = Simulation::new(Pushed { start: 0.0 })
+            .unwrap()
+            .state()
+            .clone();
+        state.time = start;
+        let settings = Settings::accuracy(accuracy);
+        let cart = Pushed { start };
+        let mut cart =
+            Simulation::resume_with_methods(cart, settings, state, methods::Accuracy).unwrap();
+        cart.run_until(start + 3.0).unwrap();
+        assert!((cart.outputs().swing + 1.88444).abs() < 1e-5);
+    }
+}

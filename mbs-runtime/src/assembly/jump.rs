@@ -1,9 +1,10 @@
 //! Rows that change during a run: where an input jumps or a parameter changes, the mechanism follows at once.
 
 use super::guess::check_start;
+use super::independence::independent_rows;
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
-use super::verdict::{independent_rows, judge, moved};
+use super::verdict::{judge, moved};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::large::check_dense_start;
 use crate::linear::largest;

@@ -2,7 +2,7 @@
 //! values, but a small step aside does.
 
 use super::held::{HELD, Start};
-use super::verdict::independent_rows;
+use super::independence::independent_rows;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::linear::{dot, vector};
 use crate::{Level, System};
@@ -60,7 +60,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
                 let most = along.fold(0.0, f64::max);
                 let own = self.own_length(condition);
                 let whole = self.yardstick.row_length_squared(&gradient).sqrt().max(own);
-                match most < FLAT * whole {
+                // A state has no direction among those of the motion, and any value.
+                let is_of_state =
+                    (0..N).any(|j| !self.yardstick.is_motion(j) && gradient[j] != 0.0);
+                match most < FLAT * whole && !is_of_state {
                     true => most,
                     false => f64::INFINITY,
                 }

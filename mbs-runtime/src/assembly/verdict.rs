@@ -4,15 +4,15 @@ use super::changes;
 use super::conditions::{self, Wanted};
 use super::guess::{check_guess, check_rows, check_start, check_state, unit_rotations};
 use super::held::Start;
+use super::independence::independent_rows;
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::large::check_dense_start;
-use crate::linear::{Dependence, dependence, dot, largest, vector};
+use crate::linear::{Dependence, dot, largest, vector};
 use crate::report::HeldGap;
 use crate::row_scale::RowScale;
-use crate::singular::NOTHING;
 use crate::sink::Diagonal;
 use crate::yardstick::Yardstick;
 use crate::{
@@ -249,32 +249,6 @@ fn names(model: &Model, rows: &[usize]) -> Vec<&'static str> {
     rows.iter()
         .filter_map(|&i| Some(model.rows.get(i)?.name))
         .collect()
-}
-
-/// The rows that do not depend on others. A row that is zero except for round-off is dependent.
-pub(crate) fn independent_rows<
-    S: System<Q, N, R>,
-    const Q: usize,
-    const N: usize,
-    const R: usize,
->(
-    _: &S,
-    geometry: &ConstraintGeometry<S, Q, N, R>,
-    yardstick: &Yardstick<Q, N>,
-) -> Dependence {
-    dependence(geometry.a.rows(), geometry.w.rows(), |i| {
-        vanishes(geometry, yardstick, i)
-    })
-}
-
-/// Whether a row is zero except for round-off.
-pub(crate) fn vanishes<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize>(
-    geometry: &ConstraintGeometry<S, Q, N, R>,
-    yardstick: &Yardstick<Q, N>,
-    row: usize,
-) -> bool {
-    let expected = RowScale::<R>::expected::<S, Q, N>(row, yardstick.length);
-    yardstick.row_length_squared(&geometry.a[row]) <= (NOTHING * expected).powi(2)
 }
 
 /// The velocities of the start; or the held values that cannot be had, if the rows could be satisfied without them.

@@ -286,14 +286,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let power = |h: f64| (h / length).powi(order + 1);
         let error = |steps: [f64; 2]| steps.into_iter().map(power).sum::<f64>();
         // At rest the motion, too, is noise; a force that jumps all the time is noise only to steps as short as these.
+        let is_next_to_clock = controller.step < NEAR_CLOCK * CLOCK * self.pair_start.time.abs();
         let still = match found.is_paced {
-            true => bounds.noise,
             false if controller.still_pairs >= STILL_PAIRS => 0.0,
             // At large times the clock does not tell the instant of a jump better than by such a way.
-            false if controller.step < NEAR_CLOCK * CLOCK * self.pair_start.time.abs() => {
-                bounds.noise.max(self.settings.constraint_tolerance)
-            }
-            false => bounds.noise,
+            _ if is_next_to_clock => bounds.noise.max(self.settings.constraint_tolerance),
+            _ => bounds.noise,
         };
         let partitions = match self.follows() {
             true => ESTIMATED,
@@ -432,12 +430,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         (noise * h / controller.usual).max(own).min(noise)
     }
 
-    /// The way v · ε |t| within the round-off of the clock, in sizes and radians: rows of time are satisfied at the instants that it
+    /// The way v · 2 ε |t| within the round-off of the clock, in sizes and radians: rows of time are satisfied at the instants that it
     /// shows, those of stages too.
     fn way_of_clock(&self) -> f64 {
         let [before, now] = [&self.pair_start.velocities, self.velocities()]
             .map(|velocities| self.yardstick.measure(velocities));
-        f64::EPSILON * self.time().abs() * before.max(now)
+        2.0 * f64::EPSILON * self.time().abs() * before.max(now)
     }
 
     /// How far the rows are from losing their independence, 1 at most.

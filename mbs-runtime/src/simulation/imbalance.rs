@@ -17,11 +17,11 @@ const TURNED: f64 = 0.5;
 /// … unless it moves less than this, in sizes and radians: where a force jumps the balance is wrong in any step.
 const NEARBY: f64 = 0.002;
 /// Where the velocity of a drive jumps, the work of a pair is wrong however short it is; where only its acceleration jumps, the
-/// error falls with the length. So pairs that move less than this part of the tolerance are not judged by the work, nor those that
+/// error falls with the length. So pairs that move less than this many times the tolerance are not judged by the work, nor those that
 /// move less than the second number, in sizes and radians, …
-const JUMPED: [f64; 2] = [0.1, 1e-9];
-/// … or that are shorter than so many of the shortest ones.
-const SHORT: f64 = 8.0;
+const JUMPED: [f64; 2] = [4.0, 1e-9];
+/// … or that are shorter than so many of the shortest ones, or than so many times the round-off of the clock.
+const SHORT: [f64; 2] = [8.0, 1e4];
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The ratio of the error of the energy balance in the pair to the allowed one; [`TOO_LONG`] where a driven mechanism, whose
@@ -41,7 +41,10 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let length = first + second;
         let way = found.speed * length;
         let is_judged = match const { Self::DRIVEN } {
-            true => way >= (JUMPED[0] * tolerance).max(JUMPED[1]) && length > SHORT * shortest,
+            true => {
+                let short = (SHORT[0] * shortest).max(SHORT[1] * rounding(self.time()));
+                way >= (JUMPED[0] * tolerance).max(JUMPED[1]) && length > short
+            }
             false => way >= NEARBY,
         };
         if !is_judged {
