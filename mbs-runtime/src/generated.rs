@@ -71,8 +71,8 @@ pub fn step(x: f64) -> f64 {
 /// x ≥ 0, or a tiny number where it vanishes; not a number where x is not. The slope of a root or power is divided by it: the dividend
 /// vanishes there as well.
 ///
-/// The n-th derivative of a root has its (2n − 1)-th power: up to the seventh that of the tiny number, and one divided by it, are normal
-/// numbers.
+/// The n-th derivative of a root divides by its (2n − 1)-th power. 1e-40 to the seventh is a normal number: derivatives up to the
+/// fourth are finite.
 #[inline]
 pub fn nonzero(x: f64) -> f64 {
     if x < 1e-40 { 1e-40 } else { x }

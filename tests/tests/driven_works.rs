@@ -56,12 +56,12 @@ fn work_of_friction(duration: f64) -> f64 {
 #[test]
 fn friction_under_a_drive_has_its_work() {
     let wanted = work_of_friction(2.0);
-    for accuracy in [1e-2, 1e-4] {
+    for accuracy in [1e-3, 1e-5] {
         let mut simulation = Simulation::with_accuracy(Yoke::default(), accuracy).unwrap();
         simulation.run_until(2.0).unwrap();
         let work = simulation.energy().nonconservative_work;
         let off = (work / wanted - 1.0).abs();
-        assert!(off < accuracy, "{accuracy}: {work} J of {wanted} J");
+        assert!(off < 10.0 * accuracy, "{accuracy}: {work} J of {wanted} J");
     }
 }
 

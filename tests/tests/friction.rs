@@ -258,6 +258,22 @@ mechanism!(Hung {
     ),
 });
 
+mechanism!(Turned {
+    doc: "A bar that a drive turns.",
+    world: Planar(coordinates = Natural),
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pin: Revolute(ground.origin, bar.a),
+    drive: Drive(bar.angle, value = 2.0_rad_per_s * t),
+});
+
+mechanism!(TurnedBack {
+    doc: "The same in the other sense.",
+    world: Planar(coordinates = Natural),
+    bar: Bar(mass = 1.0_kg, length = 1.0_m),
+    pin: Revolute(ground.origin, bar.a),
+    drive: Drive(bar.angle, value = -2.0_rad_per_s * t),
+});
+
 /// Steps with a tolerance look for jumps only where there can be some.
 #[test]
 fn mechanisms_without_jumps_are_known() {
@@ -268,6 +284,8 @@ fn mechanisms_without_jumps_are_known() {
         (Attracted::MODEL, false),
         (Measured::MODEL, false),
         (Hung::MODEL, false),
+        (Turned::MODEL, true),
+        (TurnedBack::MODEL, true),
     ] {
         assert_eq!(model.structure.smooth, smooth, "{}", model.name);
     }

@@ -3,7 +3,7 @@
 use super::closing::{Equations, Linearised, norm, solve};
 use super::conditions::Condition;
 use super::newton::{ASSEMBLED, close};
-use super::stationary::{ASIDE, Vicinity};
+use super::stationary::{ASIDE, Nearest, Vicinity};
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::linear::{entries, vector};
@@ -39,8 +39,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         self.of(level).count()
     }
 
-    /// A pose that satisfies the rows and holds the positions, or what is off in the nearest one. From a guess where a value is
-    /// stationary the search goes to the positive side of it first, by [`Self::vicinity`].
+    /// A pose that satisfies the rows and holds the positions, or what is off in the nearest one. Where a value is stationary at the
+    /// guess, its positive side is tried first, then the negative one, and then the guess itself ([`Self::vicinity`]).
     pub(super) fn place(
         &self,
         geometry: &mut ConstraintGeometry<S, Q, N, R>,
@@ -50,8 +50,8 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         let Start { system, scale, .. } = *self;
         let (mut q, mut phi) = (*guess, SVector::zeros());
         geometry.evaluate(system, 0.0, &q, &mut phi)?;
-        close(system, 0.0, geometry, &mut q, &mut phi, scale)?;
-        let vicinity = match scale.displacement(&phi) <= ASSEMBLED {
+        let closed = close(system, 0.0, geometry, &mut q, &mut phi, scale);
+        let vicinity = match closed.is_ok() && scale.displacement(&phi) <= ASSEMBLED {
             true => self.poses_around(geometry, (&q, v)),
             false => Vicinity::regular(),
         };
@@ -60,21 +60,25 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         }
         let begin = match &vicinity.aside {
             None => vec![*guess],
-            Some(way) => [ASIDE, -ASIDE]
-                .map(|factor| system.advance(&q, way, factor))
-                .to_vec(),
+            Some(way) => {
+                let [one, other] = [ASIDE, -ASIDE].map(|factor| system.advance(&q, way, factor));
+                vec![one, other, *guess]
+            }
         };
-        let mut nearest = None;
+        let mut nearest = Nearest::default();
         for mut q in begin {
-            self.positions(geometry, &mut q, v)?;
+            if let Err(fault) = self.positions(geometry, &mut q, v) {
+                nearest.failed(fault);
+                continue;
+            }
             let open = self.open(Level::Position, (&q, v), 1.0, &vicinity);
             system.holonomic(0.0, &q, &mut phi);
             if open.is_empty() && scale.displacement(&phi) <= ASSEMBLED {
                 return Ok(Ok(q));
             }
-            nearest.get_or_insert(open);
+            nearest.ended(open);
         }
-        Ok(Err(nearest.unwrap_or_default()))
+        nearest.open().map(Err)
     }
 
     /// The held positions around a pose, which the geometry belongs to before.

@@ -57,7 +57,7 @@ pub(crate) fn refit<S: System<Q, N, R>, const Q: usize, const N: usize, const R:
     Ok(verdict)
 }
 
-/// The error of a search that begins with the present pose, after a change of inputs or parameters: nothing was declared wrongly.
+/// The error of a search that begins with the present pose, after a change of inputs or parameters: here the declaration is not at fault.
 fn of_change(error: SimulationError, changed: &'static str) -> SimulationError {
     match error {
         SimulationError::Assembly(verdict) => SimulationError::NoPose {

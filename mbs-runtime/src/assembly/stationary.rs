@@ -4,7 +4,9 @@
 use super::held::{HELD, Start};
 use super::independence::independent_rows;
 use crate::constraint_geometry::ConstraintGeometry;
+use crate::fault::Fault;
 use crate::linear::{dot, vector};
+use crate::report::HeldGap;
 use crate::{Level, System};
 use nalgebra::SVector;
 
@@ -38,6 +40,44 @@ impl<const N: usize> Vicinity<N> {
     }
 }
 
+/// What several searches have come to.
+#[derive(Default)]
+pub(super) struct Nearest {
+    /// The values that are off in the end of a search where the largest gap is least.
+    open: Option<Vec<HeldGap>>,
+    fault: Option<Fault>,
+}
+
+impl Nearest {
+    /// A search has ended with these values off.
+    pub(super) fn ended(&mut self, open: Vec<HeldGap>) {
+        // Where only rows are open, nothing is said about values.
+        let largest = |open: &[HeldGap]| match open.is_empty() {
+            true => f64::INFINITY,
+            false => open
+                .iter()
+                .fold(0.0, |most: f64, held| most.max(held.gap.abs())),
+        };
+        match &self.open {
+            Some(known) if !(largest(&open) < largest(known)) => {}
+            _ => self.open = Some(open),
+        }
+    }
+
+    /// A search could not go on.
+    pub(super) fn failed(&mut self, fault: Fault) {
+        self.fault.get_or_insert(fault);
+    }
+
+    /// The values that are off in the nearest start; the fault if every search had one.
+    pub(super) fn open(self) -> Result<Vec<HeldGap>, Fault> {
+        match (self.open, self.fault) {
+            (None, Some(fault)) => Err(fault),
+            (open, _) => Ok(open.unwrap_or_default()),
+        }
+    }
+}
+
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'_, S, Q, N, R> {
     /// Which values that are off are stationary at (q, v). `gaps_at(way, factor)`: by how much all values are off `factor` times the way
     /// from there, on the rows; `None` where these cannot be satisfied. The steps aside have this `size`.
@@ -51,7 +91,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
         size: f64,
         gaps_at: &mut dyn FnMut(&SVector<f64, N>, f64) -> Option<Vec<f64>>,
     ) -> Vicinity<N> {
-        let mut vicinity = Vicinity::regular();
+        let (mut vicinity, whole) = (Vicinity::regular(), size / ASIDE);
         let gaps = self.gaps(level, q, v, &vec![1.0; self.count(level)]);
         let slopes: Vec<f64> = (self.of(level))
             .map(|condition| {
@@ -70,7 +110,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Start<'
             })
             .collect();
         let is_off = (self.of(level).zip(&gaps))
-            .map(|(condition, gap)| gap.abs() > HELD * self.own_length(condition))
+            .map(|(condition, gap)| gap.abs() > HELD * whole * self.own_length(condition))
             .collect::<Vec<_>>();
         let is_flat = |i: &usize| is_off[*i] && slopes[*i].is_finite();
         if ways.is_empty() || !(0..gaps.len()).any(|i| is_flat(&i)) {

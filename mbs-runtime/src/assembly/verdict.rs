@@ -7,6 +7,7 @@ use super::held::Start;
 use super::independence::independent_rows;
 use super::large;
 use super::newton::{ASSEMBLED, close, project};
+use super::stationary::Nearest;
 use crate::constraint_geometry::ConstraintGeometry;
 use crate::fault::Fault;
 use crate::large::check_dense_start;
@@ -264,12 +265,18 @@ fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
     let (vicinity, aside) = start.velocities_around(geometry, (q, free));
     let begin = match &vicinity.aside {
         None => vec![*declared],
-        Some(way) => [aside, -aside].map(|factor| free + way * factor).to_vec(),
+        Some(way) => {
+            let [one, other] = [aside, -aside].map(|factor| free + way * factor);
+            vec![one, other, *declared]
+        }
     };
-    let mut nearest = None;
+    let mut nearest = Nearest::default();
     for mut v in begin {
-        if vicinity.constant.is_empty() {
-            start.velocities(geometry, q, &mut v)?;
+        if vicinity.constant.is_empty()
+            && let Err(fault) = start.velocities(geometry, q, &mut v)
+        {
+            nearest.failed(fault);
+            continue;
         }
         let prescribed = scale.displacement(&geometry.b).max(start.fastest(q, &v));
         let speed = speed.max(yardstick.measure(&v)).max(prescribed);
@@ -278,7 +285,7 @@ fn set_in_motion<S: System<Q, N, R>, const Q: usize, const N: usize, const R: us
         if open.is_empty() && violation(&v) <= possible {
             return Ok(Ok(v));
         }
-        nearest.get_or_insert(open);
+        nearest.ended(open);
     }
-    Ok(Err(nearest.unwrap_or_default()))
+    nearest.open().map(Err)
 }

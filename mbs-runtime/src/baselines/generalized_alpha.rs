@@ -334,5 +334,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
 
     fn refresh(&mut self) {
         self.jumped = true;
+        // The rates of an earlier motion are none of this one.
+        self.open = None;
     }
 }

@@ -181,8 +181,8 @@ where
             settings,
             is_hopeless: trial.is_hopeless(),
         });
-        // The next trials wait for as many operations as the shortest one: a steady motion, which says little about a later one, may
-        // have left the choice to a method with a far longer trial.
+        // Not the trial of the leader: in a steady motion this may be far longer than those of the others, and the motion may change
+        // soon.
         let operations = trials.iter().map(|trial| trial.operations);
         let choice = Choice::new(
             tried.collect(),

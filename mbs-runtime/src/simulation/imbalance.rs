@@ -17,11 +17,14 @@ const TURNED: f64 = 0.5;
 /// … unless it moves less than this, in sizes and radians: where a force jumps the balance is wrong in any step.
 const NEARBY: f64 = 0.002;
 /// Where the velocity of a drive jumps, the work of a pair is wrong however short it is; where only its acceleration jumps, the
-/// error falls with the length. So pairs that move less than this many times the tolerance are not judged by the work, nor those that
-/// move less than the second number, in sizes and radians, …
-const JUMPED: [f64; 2] = [4.0, 1e-9];
-/// … or that are shorter than so many of the shortest ones, or than so many times the round-off of the clock.
-const SHORT: [f64; 2] = [8.0, 1e4];
+/// error falls with the length. So the tolerance does not judge the work of pairs that move less than this many times the tolerance, …
+const JUMPED: f64 = 4.0;
+/// … or less than this, in sizes and radians; …
+const LEAST_WAY: f64 = 1e-9;
+/// … that are shorter than so many of the shortest ones, …
+const SHORT: f64 = 8.0;
+/// … or than so many times the round-off of the clock.
+const NEXT_TO_CLOCK: f64 = 1e4;
 
 impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulation<S, Q, N, R> {
     /// The ratio of the error of the energy balance in the pair to the allowed one; [`TOO_LONG`] where a driven mechanism, whose
@@ -42,12 +45,12 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         let way = found.speed * length;
         let is_judged = match const { Self::DRIVEN } {
             true => {
-                let short = (SHORT[0] * shortest).max(SHORT[1] * rounding(self.time()));
-                way >= (JUMPED[0] * tolerance).max(JUMPED[1]) && length > short
+                let short = (SHORT * shortest).max(NEXT_TO_CLOCK * rounding(self.time()));
+                way >= (JUMPED * tolerance).max(LEAST_WAY) && length > short
             }
             false => way >= NEARBY,
         };
-        if !is_judged {
+        if !is_judged && way < NEARBY {
             return 0.0;
         }
         let now = &self.balance;
@@ -66,7 +69,7 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Simulat
         };
         let error_ratio = match (const { Self::DRIVEN }, found.passage.foreseen().is_some()) {
             (true, true) if way >= NEARBY && self.turns() => TOO_LONG,
-            (true, false) => {
+            (true, false) if is_judged => {
                 let error = error.max(found.work_error);
                 let turnover = turnover.max((now.drive_work - before.drive_work).abs());
                 let whole = now.kinetic + now.potential.abs() + now.drive_work.abs();

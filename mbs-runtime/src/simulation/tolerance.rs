@@ -7,8 +7,8 @@
 //! e ≤ share · tolerance · max(|Δq|, T · greatest speed so far)
 //! ```
 //!
-//! with T the time of the pair, and ½ T |Δv| counted like Δq; the round-off of either is allowed. The length h stays the same until one comparison requires a
-//! shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step
+//! with T the time of the pair, and ½ T |Δv| counted like Δq; the round-off of either is allowed. The length h stays the same until
+//! one comparison requires a shorter one, or several in a row allow a longer one: a symmetric method keeps its long-time behaviour as long as its step
 //! length does not follow the motion (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, section VIII.1). Lengths are
 //! powers of 2^¼ times the first one.
 //!

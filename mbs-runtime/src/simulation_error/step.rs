@@ -10,7 +10,7 @@ fn advice(adaptive: bool) -> &'static str {
             "the steps are too long for this motion; use a smaller step or a tolerance (vibrations of a stiff spring that are shorter than some steps are followed by no flow), and check what came before"
         }
         true => {
-            "shorter steps do not help; look for a pose that the mechanism cannot pass, as where a drive goes too far, or, where there is none, use a smaller tolerance, and check what came before"
+            "the shortest steps that are tried have this error, too: look for a pose that the mechanism cannot pass, as where a drive goes too far; where there is none, use a smaller tolerance; and check what came before"
         }
     }
 }

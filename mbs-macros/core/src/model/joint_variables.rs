@@ -32,7 +32,8 @@ pub(super) struct AskedVariable {
 }
 
 /// The angle of a joint of space, or of a bar of the plane in natural coordinates, that is counted over full turns:
-/// `atan2` gives the angle within one turn, and the stored last angle determines the number of turns.
+/// `atan2` gives the angle within one turn, and the stored last angle determines the number of turns. (A bar that a drive turns
+/// needs no stored angle: its turns are those of the drive.)
 #[derive(Debug, Clone)]
 pub struct UnwrappedAngle {
     /// The joint or bar.

@@ -1,6 +1,6 @@
 //! Expressions that jump or bend.
 
-use super::{Expr, Function, Graph, Node, Symbol};
+use super::{Expr, Function, Graph, Node, Number, Symbol};
 
 impl Graph {
     /// Whether a step, or a sign, is added to the rest with a constant factor: the value jumps. (Where an input jumps, the
@@ -36,16 +36,25 @@ impl Graph {
         })
     }
 
-    /// What has to be smooth so that a row is. Its value is zero, where neither atan2 nor the full turns of an angle jump.
+    /// What has to be smooth so that a row is. A row is zero, and there neither atan2 nor the count of full turns jumps.
     pub fn inside_row(&self, row: Expr) -> Vec<Expr> {
         let is_turns = |term: Expr| matches!(self.node(term), Node::Function(Function::Round, _));
+        // A part of a full turn jumps.
+        let is_whole = |coefficient: Number| coefficient.value().fract() == 0.0;
         match self.node(row) {
             Node::Atan2(y, x) => vec![*y, *x],
             Node::Function(Function::Apart, sum) => self.inside_row(*sum),
+            Node::Sum {
+                constant: Number::ZERO,
+                terms,
+            } if terms.len() == 1 && is_whole(terms[0].1) => self.inside_row(terms[0].0),
             Node::Sum { terms, .. } if terms.iter().any(|&(term, _)| is_turns(term)) => {
-                let terms = terms.iter().map(|&(term, _)| term);
-                let others = terms.filter(|&term| !is_turns(term));
-                others.flat_map(|term| self.inside_row(term)).collect()
+                let others = terms.iter().filter(|(term, _)| !is_turns(*term));
+                let inside = |&(term, coefficient)| match is_whole(coefficient) {
+                    true => self.inside_row(term),
+                    false => vec![term],
+                };
+                others.flat_map(inside).collect()
             }
             _ => vec![row],
         }

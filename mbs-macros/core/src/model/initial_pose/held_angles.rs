@@ -1,6 +1,6 @@
 //! Angles of parts of the plane that joints and drives hold.
 //!
-//! In natural coordinates the row of an angle that does not change with time is a sine, which vanishes half a turn off, too: the guess
+//! In natural coordinates the row of an angle that depends on neither time nor inputs is a sine, which vanishes half a turn off, too: the guess
 //! decides which of the two poses assembly finds.
 
 use crate::model::elements::JointEntry;

@@ -2,8 +2,8 @@
 //!
 //! The pose of a part is known if its angle and one of its points are known, or two of its points; then all its points
 //! are known, and its neighbours follow; so does what is declared to start at one of its points. An angle that remains
-//! unknown starts at 0 at a known point, and only a mechanism without any known point also at the place 0; assembly
-//! corrects all of them.
+//! unknown starts at 0 at a known point, and a part that no known point reaches also at the place 0; assembly corrects all
+//! of them.
 
 use super::guesses::Guesses;
 use super::held_angles::{Angle, HeldAngles};

@@ -75,8 +75,8 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
             format!("the target is {target}, but this is {value}"),
         );
     }
-    // target − value(t). For a direction and a value that is fixed it is sin(θ − value), whose multiplier is the same torque: it is linear in
-    // the coordinates. A step or a jump of an input may lead to where the sine has its other zero; the angle within half a turn has one.
+    // target − value(t). For a direction and a constant value it is sin(θ − value), linear in the coordinates, whose multiplier is the
+    // same torque. Otherwise it is the angle within half a turn: after a large change the sine may lead to its other zero.
     let graph = arguments.graph();
     let mut level = Level::Position;
     let expr = match target {
@@ -92,7 +92,7 @@ fn read(arguments: &mut Arguments) -> Option<Joint> {
         }
         Target::Direction(_, between) => {
             let angle = graph.atan2(between[1], between[0]);
-            // Large values keep their round-off to themselves.
+            // Reduced first: the round-off of a large value is not added to the angle.
             let value = graph.within_half_turn(value);
             let value = graph.function(Function::Apart, value);
             let difference = graph.sub(angle, value);
