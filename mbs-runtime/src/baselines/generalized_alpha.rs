@@ -171,17 +171,9 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         let known = (self.open).filter(|(length, _)| last.abs() * LONGER <= length.abs());
         let (length, open) = known.unwrap_or((last, rates));
         self.open = Some((length, open));
-        let mut rows = open * (h / length).powi(2) - rates;
         self.motion.balance(system, t, &q, &v);
-        if !self
-            .shift
-            .factor(&self.motion.mass, &geometry.a, &geometry.a)
-        {
-            return Err(Fault::Mass);
-        }
-        let mut change = SVector::zeros();
-        self.shift.solve(&mut change, &mut rows, &geometry.a);
-        v += change;
+        *self.moved = *geometry.a;
+        v += self.along_rows(&geometry.a, open * (h / length).powi(2) - rates)?;
         Ok(v)
     }
 
@@ -305,7 +297,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         let holonomic = S::STRUCTURE.holonomic_rows;
         let mut carried = *along;
         carry::<S, Q, N, R>(turn, &mut carried);
-        let mut rows: SVector<f64, R> = vector(|i| {
+        let rows: SVector<f64, R> = vector(|i| {
             if i < holonomic {
                 -bench.phi[i] - dot(&bench.geometry.a[i], &carried)
             } else {
@@ -313,15 +305,21 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             }
         });
         move_rows::<S, Q, N, R>(&bench.geometry.a, turn, &mut self.moved);
-        let mut shift = SVector::<f64, N>::zeros();
-        if !self
-            .shift
-            .factor(&self.motion.mass, &bench.geometry.a, &self.moved)
-        {
+        self.along_rows(&bench.geometry.a, rows)
+    }
+
+    /// The change along M⁻¹Aᵀ that changes what `moved` is the derivative of by these values.
+    fn along_rows(
+        &mut self,
+        a: &RowMatrix<N, R>,
+        mut rows: SVector<f64, R>,
+    ) -> Result<SVector<f64, N>, Fault> {
+        if !self.shift.factor(&self.motion.mass, a, &self.moved) {
             return Err(Fault::Mass);
         }
-        self.shift.solve(&mut shift, &mut rows, &self.moved);
-        Ok(shift)
+        let mut change = SVector::zeros();
+        self.shift.solve(&mut change, &mut rows, &self.moved);
+        Ok(change)
     }
 }
 

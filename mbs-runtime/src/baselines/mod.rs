@@ -19,6 +19,7 @@ mod planned_proximal;
 mod projection;
 mod radau;
 mod radau_coefficients;
+mod radau_errors;
 mod radau_memory;
 mod rattle;
 pub(crate) mod registry;

@@ -17,6 +17,7 @@ use super::complex_saddle::ComplexSaddle;
 use super::index1::Index1;
 use super::motion::{Motion, Progress};
 use super::radau_coefficients::{COMPLEX, EMBEDDED, FROM_BASIS, INTO_BASIS, NODES, REAL, WEIGHTS};
+use super::radau_errors::Errors;
 use super::radau_memory::{Known, Memory};
 use super::rule::{AnyRule, Rule};
 use super::saddle::Saddle;
@@ -44,8 +45,6 @@ const LOOSE: f64 = 1e-4;
 const LOOSEST: f64 = 1e-6;
 /// … and at this part of a tolerance: the steps may use twenty times as much.
 const TIGHT: f64 = 1e-3;
-/// The error of a step has the order 6 in h, what its embedded formula gives 4, and as a part of the way 3.
-const ORDERS: f64 = 2.0 / 3.0;
 /// Without a prediction the first correction may move the end of a step so far, in sizes or radians: from farther away the rows
 /// can be satisfied on another branch.
 const NEARBY: f64 = 0.3;
@@ -70,19 +69,6 @@ pub(crate) struct Radau<const Q: usize, const N: usize, const R: usize> {
     errors: Option<Box<Errors<N>>>,
     /// The length of that step, s.
     length: f64,
-}
-
-/// Of the last step, at its end.
-#[derive(Clone, Copy)]
-struct Errors<const N: usize> {
-    /// The estimates of the errors of θ and v by the embedded formula.
-    turn: SVector<f64, N>,
-    change: SVector<f64, N>,
-    /// θ.
-    way: SVector<f64, N>,
-    /// The work of forces without potential by the embedded formula less that of the step, and that of the step, J; 0 without rows of
-    /// time.
-    works: [f64; 2],
 }
 
 /// The factors of both systems.
@@ -123,8 +109,8 @@ struct Stage<const Q: usize, const N: usize, const R: usize> {
     force: SVector<f64, N>,
     /// A v + b.
     rates: SVector<f64, R>,
-    /// −λ · b, W, after the last correction; 0 without rows of time.
-    drive: f64,
+    /// Of forces without potential, and of the rows of time, −λ · b; after the last correction, W.
+    powers: [f64; 2],
 }
 
 impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
@@ -146,7 +132,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
                 p: zeros(),
                 force: zeros(),
                 rates: zeros(),
-                drive: 0.0,
+                powers: [0.0; 2],
             };
             Ok(Box::new(Radau {
                 motion: Motion::new(),
@@ -157,14 +143,7 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
                 stages: Box::new([stage; 3]),
                 memory: Memory::new(),
                 loosest: (settings.tolerance).map_or(LOOSEST, |part| LOOSEST.min(TIGHT * part)),
-                errors: settings.tolerance.map(|_| {
-                    Box::new(Errors {
-                        turn: zeros(),
-                        change: zeros(),
-                        way: zeros(),
-                        works: [0.0; 2],
-                    })
-                }),
+                errors: settings.tolerance.map(|_| Box::new(Errors::none())),
                 length: 0.0,
             }))
         };
@@ -307,10 +286,12 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         let Bench { system, state, .. } = bench;
         for (stage, node) in self.stages.iter_mut().zip(NODES) {
             stage.q = system.advance(&state.positions, &stage.turn, 1.0);
+            let t = state.time + node * h;
+            stage.powers[0] = system.nonconservative_power(t, &stage.q, &stage.v);
             if S::STRUCTURE.rheonomic && R > 0 {
-                let (t, mut phi, mut b) = (state.time + node * h, zeros(), zeros());
+                let (mut phi, mut b) = (zeros(), zeros());
                 system.constraints(t, &stage.q, &mut phi, &mut Discard, &mut b);
-                stage.drive = -dot(&stage.lambda, &b);
+                stage.powers[1] = -dot(&stage.lambda, &b);
             }
         }
         let Some(errors) = &mut self.errors else {
@@ -336,17 +317,14 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
             works: [0.0; 2],
         };
         if S::STRUCTURE.rheonomic {
-            let power = |t: f64, q: &SVector<f64, Q>, v: &SVector<f64, N>| {
-                SVector::from([system.nonconservative_power(t, q, v)])
-            };
-            let (t0, ends) = (state.time, stages.each_ref());
-            let powers: [SVector<f64, 1>; 3] =
-                std::array::from_fn(|i| power(t0 + NODES[i] * h, &ends[i].q, &ends[i].v));
+            let powers = stages
+                .each_ref()
+                .map(|stage| SVector::from([stage.powers[0]]));
             let works = WEIGHTS
                 .each_ref()
                 .map(|weights| weighted(h, weights, &powers));
-            let first = power(t0, &state.positions, &state.velocities);
-            let off = of * first[0] + weighted(1.0, &EMBEDDED, &works)[0];
+            let first = system.nonconservative_power(state.time, &state.positions, v0);
+            let off = of * first + weighted(1.0, &EMBEDDED, &works)[0];
             errors.works = [off.abs(), works[2][0].abs()];
         }
         self.length = h;
@@ -413,10 +391,8 @@ impl<const Q: usize, const N: usize, const R: usize> Radau<Q, N, R> {
         h: f64,
     ) -> Result<(), Fault> {
         let t0 = bench.state.time;
-        for ((stage, node), weight) in self.stages.iter().zip(NODES).zip(WEIGHTS[2]) {
-            let t = t0 + node * h;
-            let applied = (bench.system).nonconservative_power(t, &stage.q, &stage.v);
-            bench.add_works(h * weight, [applied, stage.drive]);
+        for (stage, weight) in self.stages.iter().zip(WEIGHTS[2]) {
+            bench.add_works(h * weight, stage.powers);
         }
         let Stage {
             mut q,
@@ -480,20 +456,9 @@ impl<S: System<Q, N, R>, const Q: usize, const N: usize, const R: usize> Rule<S,
         self.placed = false;
     }
 
-    /// The formula has the order 3. A power of what it gives, as a part of the way, has the order of the step.
     fn estimate(&self, yardstick: &Yardstick<Q, N>) -> Option<Estimate> {
         let errors = self.errors.as_ref()?;
-        let h = self.length.abs();
-        let error = yardstick
-            .measure(&errors.turn)
-            .max(h * yardstick.measure(&errors.change));
-        let of_order = |error: f64, whole: f64| match error < whole {
-            true => error * (error / whole).powf(ORDERS),
-            false => error,
-        };
-        let [off, work] = errors.works;
-        let error = of_order(error, yardstick.measure(&errors.way));
-        Some(Estimate::smooth(error, of_order(off, work)))
+        Some(errors.estimate(self.length.abs(), yardstick))
     }
 
     fn rank_margin(&mut self, bench: &mut Bench<S, Q, N, R>) -> Option<RankMargin> {

@@ -9,7 +9,8 @@ use super::geometry::Owner;
 use super::joint_variables::UnwrappedAngle;
 use super::resolver::Resolver;
 use super::tree::Tree;
-use crate::symbolic::{Expr, Function, Map, Substitution, Symbol};
+use crate::symbolic::{Expr, Map, Substitution, Symbol};
+use std::f64::consts::TAU;
 
 impl Resolver<'_> {
     /// The angle of a part of the plane against ground.x: its coordinate, or that of its direction, counted over full
@@ -36,9 +37,8 @@ impl Resolver<'_> {
         self.graph.set_name(symbol, format!("{of}.angle"));
         let last = self.graph.symbol(symbol);
         let behind = self.graph.sub(last, within);
-        let turns = self.graph.scale(0.5 / std::f64::consts::PI, behind);
-        let turns = self.graph.function(Function::Round, turns);
-        let terms = [(within, 1.0), (turns, 2.0 * std::f64::consts::PI)];
+        let turns = self.graph.full_turns(behind);
+        let terms = [(within, 1.0), (turns, TAU)];
         let angle = self.graph.linear(0.0, &terms);
         self.unwrapped_angles.push(UnwrappedAngle {
             of: of.to_owned(),
