@@ -21,7 +21,7 @@ fn names_are_items_and_kinds_are_structs() {
         jib: Bar(mass = 2.0_kg, length = reach), reach: Param(1.5_m), loads: Param([1.0_N, 2.0_N]), hinge: Revolute(ground.origin, jib.a, axis = Y),
         /// Of a chain.
         link: Each((0..3, 0..2), |i, j| if i == 0 { Body(mass = i * 1.0_kg) } else { Particle(mass = 1.0_kg) }),
-        middle: Let(0.5 * jib.b.z), load: Output(hinge.reaction.fx), }";
+        middle: Let(0.5 * jib.b.z), load: Output(hinge.reaction.fx), rope: SpringDamper(jib.b, ground.origin), }";
     syn::parse_str::<syn::File>(&sketch(declaration)).expect("it is Rust");
     let own = own(declaration);
     for expected in [
@@ -29,6 +29,7 @@ fn names_are_items_and_kinds_are_structs() {
         "staticreach:f64=any();",
         "staticloads:members::Family<f64>=any();",
         "statichinge:members::Revolute=any();",
+        "staticrope:members::SpringDamper=any();",
         "#[doc=\"Ofachain.\"]",
         "staticlink:members::Family<members::Family<members::Body>>=any();",
         "letmiddle=0.5*jib.b.z;",

@@ -27,6 +27,7 @@ mod integrability;
 mod large;
 mod layers;
 mod left_out;
+mod loads;
 mod massless;
 mod mobility;
 mod new_joint;

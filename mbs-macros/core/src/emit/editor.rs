@@ -72,7 +72,7 @@ fn named(entry: &Entry, kind: Option<&Kind>) -> TokenStream {
             let value = value.map(|argument| &argument.value);
             return quote! { let #name = #value; };
         }
-        (Some(Group::Part | Group::Joint | Group::Constraint), kind) => {
+        (Some(Group::Part | Group::Joint | Group::Constraint | Group::Force), kind) => {
             let kind = Ident::new(kind, Span::call_site());
             quote! { members::#kind }
         }

@@ -211,10 +211,14 @@ impl<'d> Resolver<'d> {
                     // Its own error is recorded already.
                     return None;
                 }
+                let hint = match self.load_names(index).first() {
+                    Some(load) => format!("; read `{name}.{load}`"),
+                    None => String::new(),
+                };
                 self.fail(
                     place,
                     format!(
-                        "`{name}` is declared as `{}`, which has no value that an expression could use",
+                        "`{name}` is declared as `{}`, which has no value that an expression could use{hint}",
                         entry.kind
                     ),
                 )

@@ -50,6 +50,7 @@ mod drawing;
 mod initial_pose;
 mod kinematics;
 mod layout;
+mod loads;
 mod passes;
 mod reduce;
 mod solve;

@@ -3,6 +3,7 @@
 use super::formulation::Formulation;
 use super::geometry::Owner;
 use super::joint_variables::{AskedVariable, UnwrappedAngle};
+use super::loads::Element;
 use super::needs_angle::needs_angle;
 use super::parts::Part;
 use super::quantities::{Law, Local, Quantity, ScalarState};
@@ -49,6 +50,8 @@ pub struct Resolver<'d> {
     pub(super) joint_variables: Vec<AskedVariable>,
     /// Components of reactions that outputs read.
     pub(super) readings: Vec<Reading>,
+    /// Force elements that have been read.
+    pub(super) force_elements: Map<usize, Element>,
     /// Whether accelerations and reactions can be read: in outputs.
     pub(super) at_acceleration_level: bool,
     /// Whether points and axes of parts are those of the home pose: in places and directions that are given there.
@@ -98,6 +101,7 @@ impl<'d> Resolver<'d> {
             unwrapped_angles: Vec::new(),
             joint_variables: Vec::new(),
             readings: Vec::new(),
+            force_elements: Map::default(),
             at_acceleration_level: false,
             in_home_pose: false,
             home_values: Map::default(),

@@ -60,7 +60,15 @@ fn members(world: World, kind: &Kind) -> Option<TokenStream> {
             let slides = if traits.slides { SLIDES } else { "" };
             format!("{turns}{slides}{JOINT}")
         }
-        _ => return None,
+        (Group::Force, force, world) => match (force, world) {
+            ("SpringDamper", _) => FORCE.to_owned(),
+            ("TorsionSpring", _) | ("Torque", World::Planar) => TORQUE.to_owned(),
+            ("Stop" | "Friction", _) => format!("{FORCE}{TORQUE}"),
+            ("Force", _) => FORCE_VECTOR.to_owned(),
+            ("Torque", World::Spatial) => TORQUE_VECTOR.to_owned(),
+            _ => format!("{FORCE_VECTOR}{TORQUE_VECTOR}"),
+        },
+        (Group::Value, ..) => return None,
     };
     let (about, fields) = (kind.doc, parsed(&text));
     let methods = match (kind.group, world) {
@@ -170,6 +178,22 @@ pub speed: f64,
 const JOINT: &str = "
 /// Force and torque on the second partner: in an `Output`.
 pub reaction: Reaction,
+";
+const FORCE: &str = "
+/// Tension, or the force along what is stopped or braked, N.
+pub force: f64,
+";
+const TORQUE: &str = "
+/// The same of what turns, N m.
+pub torque: f64,
+";
+const FORCE_VECTOR: &str = "
+/// N.
+pub force: Vector,
+";
+const TORQUE_VECTOR: &str = "
+/// N m.
+pub torque: Vector,
 ";
 const PLANAR_VECTOR: &str = "
 pub struct Vector { pub x: f64, pub y: f64 }

@@ -2,12 +2,14 @@
 
 use super::action::{Action, Potential};
 use super::observer::Observer;
+use crate::model::elements::bushing::{
+    linear_in_rotation, quadratic, relative_rotation, trace, twice_axial,
+};
 use crate::model::elements::force::{Bushing, Load};
-use crate::model::{Axes, Model, Tensor, Vector};
+use crate::model::{Model, Tensor, Vector};
 use crate::symbolic::{Expr, Function, Graph};
 
-/// V = ½ u·K u + ½ e·K_r e + u·C s with the displacement u, the turning e = 2 n sin(ψ/2) and the axial vector s = n sin ψ, in the
-/// parent's axes. (At half a turn e changes its sign, which V does not see, but u·C e would.)
+/// Its potential energy, as [`bushing`](crate::model::elements::bushing) has it, and its dampers.
 pub(super) fn action(graph: &mut Graph, model: &Model, bushing: &Bushing) -> Action {
     let Bushing { parent, child, .. } = bushing;
     let observer = Observer::new(model, parent.point.owner);
@@ -19,7 +21,7 @@ pub(super) fn action(graph: &mut Graph, model: &Model, bushing: &Bushing) -> Act
     if needed(graph, &bushing.torsion_stiffness) || needed(graph, &bushing.cross_stiffness) {
         let relative = relative_rotation(graph, &parent.axes, &child.axes);
         let twice = twice_axial(graph, &relative);
-        let linear = torsion_generator(graph, &bushing.torsion_stiffness, &relative);
+        let linear = linear_in_rotation(graph, &bushing.torsion_stiffness, &relative, 1.0);
         let torsion = torsion_energy(graph, bushing, &relative, (twice, linear));
         let cross = quadratic(graph, &bushing.cross_stiffness, displacement, twice, 0.5);
         potential = Potential {
@@ -55,33 +57,9 @@ fn needed(graph: &Graph, gain: &Tensor) -> bool {
     gain.as_flattened().iter().any(|&x| !graph.is_zero(x))
 }
 
-/// factor · a·K b.
-fn quadratic(graph: &mut Graph, gain: &Tensor, a: Vector, b: Vector, factor: f64) -> Expr {
-    let image = gain.map(|row| graph.dot(row, b));
-    let energy = graph.dot(a, image);
-    graph.scale(factor, energy)
-}
-
-/// The rotation of the child in the axes of the parent.
-fn relative_rotation(graph: &mut Graph, parent: &Axes, child: &Axes) -> Tensor {
-    parent.map(|row| child.map(|column| graph.dot(row, column)))
-}
-
-fn trace(graph: &mut Graph, tensor: &Tensor, constant: f64, factor: f64) -> Expr {
-    let terms: Vec<_> = (0..3).map(|k| (tensor[k][k], factor)).collect();
-    graph.linear(constant, &terms)
-}
-
-/// 2 n sin ψ, twice the axial vector of the relative rotation, in the parent's axes.
-fn twice_axial(graph: &mut Graph, relative: &Tensor) -> Vector {
-    std::array::from_fn(|k| {
-        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-        graph.sub(relative[j][i], relative[i][j])
-    })
-}
-
 /// ½ e·K e. Up to a turn of 120° e = 2 n sin(ψ/2) is the axial vector n sin ψ over cos(ψ/2) = ½ √(1 + trace), which vanishes at
-/// half a turn; beyond, the value is `linear`, that of [`torsion_generator`], which has no digits to lose there.
+/// half a turn; beyond, the value is `linear`, that of [`linear_in_rotation`], which has no digits to lose there. (Near zero
+/// `linear` is a small difference of large terms, but its derivatives are not.)
 fn torsion_energy(
     graph: &mut Graph,
     bushing: &Bushing,
@@ -98,20 +76,4 @@ fn torsion_energy(
     let is_far = graph.sub(one, is_near);
     let parts = [graph.mul(is_near, energy), graph.mul(is_far, linear)];
     graph.sum(parts)
-}
-
-/// ½ e·K e, which is linear in the relative rotation R, because e eᵀ = R + Rᵀ + (1 − trace R) 1. Near zero it is a small
-/// difference of large terms, but its derivatives are not.
-fn torsion_generator(graph: &mut Graph, gain: &Tensor, relative: &Tensor) -> Expr {
-    let rest = trace(graph, relative, 1.0, -1.0);
-    let mut terms = Vec::new();
-    for i in 0..3 {
-        terms.push(graph.mul(gain[i][i], rest));
-        for k in 0..3 {
-            let sum = graph.add(relative[i][k], relative[k][i]);
-            terms.push(graph.mul(gain[i][k], sum));
-        }
-    }
-    let sum = graph.sum(terms);
-    graph.scale(0.5, sum)
 }

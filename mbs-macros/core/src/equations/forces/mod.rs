@@ -48,9 +48,9 @@ pub(super) fn action(graph: &mut Graph, model: &Model, element: &ForceElement) -
             axes,
         } => wrench::torque(graph, Observer::new(model, *axes), *between, *torque),
         ForceElement::Stop(stop) => stop::action(graph, stop),
-        ForceElement::Loads(loads) => Action {
+        ForceElement::Load { load, .. } => Action {
             potential: None,
-            loads: loads.clone(),
+            loads: vec![*load],
         },
         ForceElement::Bushing(bushing) => bushing::action(graph, model, bushing),
     }

@@ -32,10 +32,8 @@ pub(super) fn action(
             let energy = graph.table(table, INTEGRAL, stretch);
             elastic(graph, energy, damping, rate)
         }
-        Characteristic::Law(law, ref others) => {
-            let mut arguments = vec![deflection, rate];
-            arguments.extend(others);
-            let tension = graph.law(law, &arguments);
+        Characteristic::Law(..) => {
+            let tension = characteristic.tension(graph, deflection, rate);
             let force = graph.neg(tension);
             Action {
                 potential: None,
@@ -47,10 +45,7 @@ pub(super) fn action(
 
 /// A potential energy, and a damper against the rate.
 fn elastic(graph: &mut Graph, energy: Expr, damping: &Damping, rate: Expr) -> Action {
-    let drag = match damping {
-        Damping::Linear(damping) => graph.mul(*damping, rate),
-        Damping::Table(table) => graph.table(table, 0, rate),
-    };
+    let drag = damping.drag(graph, rate);
     let force = graph.neg(drag);
     let loads = if graph.is_zero(force) {
         Vec::new()

@@ -1,5 +1,6 @@
 //! A force element, as data.
 
+use crate::dimension::Dimension;
 use crate::model::geometry::{Attachment, Owner, Point, Tensor, Vector};
 use crate::symbolic::{Expr, Table};
 use std::sync::Arc;
@@ -58,8 +59,13 @@ pub enum ForceElement {
     },
     /// Stops of a position.
     Stop(Box<Stop>),
-    /// Scalar forces with their rates.
-    Loads(Vec<Load>),
+    /// A scalar force with its rate.
+    Load {
+        /// Both.
+        load: Load,
+        /// Dimension of the force.
+        dimension: Option<Dimension>,
+    },
     /// Springs and dampers in all six directions.
     Bushing(Box<Bushing>),
 }
@@ -115,6 +121,8 @@ pub struct Stop {
     pub target: Expr,
     /// Its rate.
     pub rate: Expr,
+    /// Dimension of the force along it.
+    pub dimension: Option<Dimension>,
     /// Below, above or both.
     pub sides: Vec<Side>,
     /// Force per depth, deeper than the onset.

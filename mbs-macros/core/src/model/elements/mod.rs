@@ -1,5 +1,6 @@
 //! Joints, conditions and force elements, as data in terms of parts and their points. Stage 3 derives their equations.
 
+pub mod bushing;
 mod element;
 pub mod force;
 mod forces;
@@ -7,6 +8,8 @@ pub mod joint;
 mod joints;
 mod kind;
 pub(super) mod kinds;
+mod laws;
 mod read;
 
 pub use element::{ForceEntry, JointEntry};
+pub(super) use forces::read as read_force;

@@ -1,7 +1,7 @@
 //! Reads joints, conditions and force elements.
 
 use super::element::{ForceEntry, JointEntry};
-use super::{forces, joints};
+use super::joints;
 use crate::model::arguments::Arguments;
 use crate::model::parts::Representation;
 use crate::model::resolver::Resolver;
@@ -14,7 +14,7 @@ impl Resolver<'_> {
     /// All joints, conditions and force elements, in the order of the declaration, and then the lengths of bars.
     pub(in crate::model) fn elements(&mut self) -> (Vec<JointEntry>, Vec<ForceEntry>) {
         let (mut found_joints, mut found_forces) = (Vec::new(), Vec::new());
-        for entry in &self.declaration.entries {
+        for (index, entry) in self.declaration.entries.iter().enumerate() {
             let Some(kind) = self.kinds.kind(self.world, &entry.kind.to_string()) else {
                 continue;
             };
@@ -30,7 +30,6 @@ impl Resolver<'_> {
             );
             match kind.group {
                 Group::Joint | Group::Constraint if self.has_state_in_row(entry) => {}
-                Group::Force if kind.name == "Friction" && self.has_state_in_speed(entry) => {}
                 Group::Joint | Group::Constraint => {
                     if let Some(joint) = joints::read(kind.name, &mut Arguments::new(self, entry)) {
                         found_joints.push(JointEntry {
@@ -41,7 +40,7 @@ impl Resolver<'_> {
                     }
                 }
                 Group::Force => {
-                    if let Some(force) = forces::read(kind.name, &mut Arguments::new(self, entry)) {
+                    if let Some(force) = self.force_element(index) {
                         found_forces.push(ForceEntry { name, force });
                     }
                 }
@@ -80,7 +79,7 @@ impl Resolver<'_> {
     }
 
     /// Refuses a state in the speed of a friction, which would brake it.
-    fn has_state_in_speed(&mut self, entry: &Entry) -> bool {
+    pub(in crate::model) fn has_state_in_speed(&mut self, entry: &Entry) -> bool {
         let named = entry.named("speed").map(|argument| &argument.value);
         let speed = named.or(entry.positional.first());
         speed.is_some_and(|syntax| {

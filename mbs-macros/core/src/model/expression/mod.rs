@@ -153,6 +153,11 @@ impl Resolver<'_> {
                 {
                     return reaction;
                 }
+                if let Member::Named(name) = &field.member
+                    && let Some(load) = self.load_of(&field.base, name)
+                {
+                    return load;
+                }
                 let value = self.evaluate(&field.base)?;
                 match &field.member {
                     Member::Named(name) => self.member(&value, &name.to_string(), name.span()),

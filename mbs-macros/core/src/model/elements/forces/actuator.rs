@@ -20,7 +20,7 @@ pub(super) fn torque(arguments: &mut Arguments) -> Option<Force> {
     )?;
     let force = value(arguments, Dimension::TORQUE)?;
     let rate = arguments.joint_rate(&joint);
-    Some(acting(&joint, rate, force))
+    Some(acting(&joint, Load { rate, force }, Dimension::TORQUE))
 }
 
 /// A force in a joint that slides.
@@ -38,8 +38,8 @@ pub(super) fn force(arguments: &mut Arguments) -> Option<Force> {
         );
     }
     let force = value(arguments, Dimension::FORCE)?;
-    let speed = arguments.joint_speed(&joint);
-    Some(acting(&joint, speed, force))
+    let rate = arguments.joint_speed(&joint);
+    Some(acting(&joint, Load { rate, force }, Dimension::FORCE))
 }
 
 /// A joint that has an angle; `otherwise` says what to do if it has none.
@@ -97,10 +97,13 @@ fn value(arguments: &mut Arguments, expected: Dimension) -> Option<Expr> {
     Some(value)
 }
 
-fn acting(joint: &JointFrames, rate: Expr, force: Expr) -> Force {
+fn acting(joint: &JointFrames, load: Load, dimension: Dimension) -> Force {
     Force {
         points: Vec::new(),
         owners: joint.owners().to_vec(),
-        element: ForceElement::Loads(vec![Load { rate, force }]),
+        element: ForceElement::Load {
+            load,
+            dimension: Some(dimension),
+        },
     }
 }

@@ -22,15 +22,17 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
         );
     }
     // Power is force times speed.
-    let force = dimension.map(|d| Dimension::TORQUE.over(Dimension::TIME).over(d));
+    let of_force = dimension.map(|d| Dimension::TORQUE.over(Dimension::TIME).over(d));
     arguments.refuse_reaction("load")?;
-    let load = arguments.of_dimension("load", force)?;
+    let load = arguments.of_dimension("load", of_force)?;
     arguments.refuse_negative("load", load)?;
     let coefficient = friction_coefficient(arguments, speed, dimension)?;
     let within = arguments.of_dimension("regularization_velocity", dimension)?;
     let message = "`regularization_velocity` is positive";
     arguments.refuse_not_positive("regularization_velocity", within, message)?;
-    let viscous = force.zip(dimension).map(|(force, speed)| force.over(speed));
+    let viscous = of_force
+        .zip(dimension)
+        .map(|(force, speed)| force.over(speed));
     let damping = arguments.not_negative("damping", viscous)?;
     let graph = arguments.graph();
     let ratio = graph.div(speed, within);
@@ -46,7 +48,10 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     Some(Force {
         points: Vec::new(),
         owners: Vec::new(),
-        element: ForceElement::Loads(vec![Load { rate, force }]),
+        element: ForceElement::Load {
+            load: Load { rate, force },
+            dimension: of_force,
+        },
     })
 }
 

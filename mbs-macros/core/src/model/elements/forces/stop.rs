@@ -33,6 +33,7 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     let stop = Stop {
         target,
         rate: arguments.rate_of(target),
+        dimension: dimension.map(|d| Dimension::TORQUE.over(d)),
         sides,
         stiffness: positive(
             arguments,

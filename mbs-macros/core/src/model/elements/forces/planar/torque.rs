@@ -1,5 +1,6 @@
 //! A torque on a part, with its reaction on another, or in a joint.
 
+use crate::dimension::Dimension;
 use crate::model::arguments::Arguments;
 use crate::model::elements::force::{Force, ForceElement, Load};
 use crate::model::elements::forces::actuator;
@@ -36,6 +37,9 @@ pub(super) fn read(arguments: &mut Arguments) -> Option<Force> {
     Some(Force {
         points: Vec::new(),
         owners: vec![on, from],
-        element: ForceElement::Loads(vec![Load { rate, force: value }]),
+        element: ForceElement::Load {
+            load: Load { rate, force: value },
+            dimension: Some(Dimension::TORQUE),
+        },
     })
 }
