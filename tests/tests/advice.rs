@@ -143,3 +143,18 @@ mechanism!(M {
         ",
     );
 }
+
+/// It was 0: a controller lost the rate of its target without a message.
+#[test]
+fn inputs_have_no_rate() {
+    refused(
+        "mechanism!(Arm {
+    world: Planar(),
+    target: Input(unit = rad),
+    arm: Bar(mass = 1.0_kg, length = 1.0_m),
+    pivot: Revolute(ground.origin, arm.a),
+    pd: Torque(arm, value = 1.0_N_m_s * rate(target - arm.angle)),
+                                             ~~~~~~ this follows an input, whose rate is unknown: take it out of the rate(…), and give its rate by an `Input` of its own
+});",
+    );
+}

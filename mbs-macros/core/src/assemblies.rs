@@ -227,5 +227,7 @@ fn hash(tokens: &TokenStream, place: Span) -> u64 {
     tokens.to_string().hash(&mut hasher);
     let start = place.start();
     (place.file(), start.line, start.column).hash(&mut hasher);
+    // Inside `macro_rules!` the place is that of the definition; the text of the span differs for each use.
+    format!("{:?}", Span::call_site()).hash(&mut hasher);
     hasher.finish()
 }

@@ -28,7 +28,7 @@ pub fn fallback(declaration: &Declaration) -> TokenStream {
 
             impl ::mbs_runtime::NamedValues for #name {
                 fn from_values(_: impl ::core::ops::FnOnce(&mut [f64])) -> Self {
-                    Self::default()
+                    ::core::default::Default::default()
                 }
 
                 fn with_values<T>(&self, read: impl ::core::ops::FnOnce(&[f64]) -> T) -> T {

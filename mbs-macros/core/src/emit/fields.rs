@@ -166,7 +166,7 @@ impl<'q> Field<'q> {
             Content::Number(place, quantity) => of(*place, quantity),
             Content::Vector(values) => {
                 let values = values.iter().map(|(place, quantity)| of(*place, quantity));
-                quote! { ::mbs_runtime::nalgebra::SVector::from([#(#values),*]) }
+                quote! { ::core::convert::Into::into([#(#values),*]) }
             }
             Content::Assembly(instance, fields) => made(instance, fields),
         });

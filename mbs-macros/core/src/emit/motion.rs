@@ -21,7 +21,7 @@ pub(super) fn body(graph: &Graph, program: &Program, name: &str) -> String {
 
 fn advance(graph: &Graph, program: &Program) -> String {
     format!(
-        "{}let mut next = *q;\n{}{}{}next.into()",
+        "{}let mut next = *q;\n{}{}{}::core::convert::Into::into(next)",
         predicted(graph, program),
         translations(program, |slot, i| format!(
             "next[{slot}] = q[{slot}] + h * v[{i}];"
@@ -38,7 +38,7 @@ fn advance(graph: &Graph, program: &Program) -> String {
 
 fn difference(program: &Program) -> String {
     format!(
-        "let mut v = [0.0; {}];\n{}{}v.into()",
+        "let mut v = [0.0; {}];\n{}{}::core::convert::Into::into(v)",
         program.size,
         translations(program, |slot, i| format!(
             "v[{i}] = to[{slot}] - from[{slot}];"

@@ -82,7 +82,7 @@ pub(super) fn emit(
         (
             Capability::System,
             format!(
-                "const MODEL: &'static ::mbs_runtime::Model = MODEL;\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n{}",
+                "const MODEL: &'static ::mbs_runtime::Model = __MBS_MODEL;\nconst STRUCTURE: ::mbs_runtime::Structure = {structure};\n{}",
                 metadata::partitioned(program)
             ),
         ),
@@ -148,12 +148,14 @@ pub(super) fn emit(
         #[allow(unexpected_cfgs)]
         const _: () = {
             #[allow(unused_imports)]
+            use ::core::iter::{IntoIterator as _, Iterator as _};
+            #[allow(unused_imports)]
             use ::mbs_runtime::generated::{Elementary as _, entries, entries_mut, rows, rows_mut};
             #[allow(unused_imports)]
             use ::mbs_runtime::nalgebra::{SMatrix, SVector};
 
             #[allow(clippy::all, clippy::pedantic, clippy::nursery)]
-            const MODEL: &'static ::mbs_runtime::Model = #model;
+            const __MBS_MODEL: &'static ::mbs_runtime::Model = #model;
 
             #[cfg(not(rust_analyzer))]
             const _: () = {

@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::elements::bushing::{Displaced, relative_rotation};
 use super::elements::force::{Bushing, Force, ForceElement};
-use super::elements::read_force;
+use super::elements::{ReadForce, read_force};
 use super::geometry::{Attachment, Vector};
 use super::resolver::Resolver;
 use super::value::Value;
@@ -14,17 +14,10 @@ use crate::syntax::reference;
 use proc_macro2::Ident;
 use syn::Expr as Syntax;
 
-/// A force element, which is read at its first use.
-pub(super) enum Element {
-    Working,
-    /// `None` after an error.
-    Read(Option<Force>),
-}
-
 impl Resolver<'_> {
     /// A force element; `None` if it has an error, which is recorded, or reads itself.
     pub(super) fn force_element(&mut self, index: usize) -> Option<Force> {
-        if let Some(Element::Read(force)) = self.force_elements.get(&index) {
+        if let Some(ReadForce::Read(force)) = self.force_elements.get(&index) {
             return force.clone();
         }
         let entry = self.entry(index);
@@ -32,7 +25,7 @@ impl Resolver<'_> {
         if self.misplaced.contains(&entry.name.to_string()) {
             return None;
         }
-        self.force_elements.insert(index, Element::Working);
+        self.force_elements.insert(index, ReadForce::Working);
         let silent = std::mem::replace(&mut self.silent, false);
         let in_home_pose = std::mem::replace(&mut self.in_home_pose, false);
         let in_output = std::mem::replace(&mut self.at_acceleration_level, false);
@@ -44,7 +37,7 @@ impl Resolver<'_> {
         self.errors.leave(before);
         (self.silent, self.in_home_pose) = (silent, in_home_pose);
         self.at_acceleration_level = in_output;
-        let read = Element::Read(force.clone());
+        let read = ReadForce::Read(force.clone());
         self.force_elements.insert(index, read);
         force
     }
@@ -66,7 +59,7 @@ impl Resolver<'_> {
     }
 
     fn load(&mut self, index: usize, name: &str, member: &Ident, place: Place) -> Option<Value> {
-        if matches!(self.force_elements.get(&index), Some(Element::Working)) {
+        if matches!(self.force_elements.get(&index), Some(ReadForce::Working)) {
             return self.fail(place, format!("`{name}` depends on itself"));
         }
         let force = self.force_element(index)?;

@@ -1,9 +1,9 @@
 //! The state of stage 2 while it resolves names, shared by its files.
 
+use super::elements::ReadForce;
 use super::formulation::Formulation;
 use super::geometry::Owner;
 use super::joint_variables::{AskedVariable, UnwrappedAngle};
-use super::loads::Element;
 use super::needs_angle::needs_angle;
 use super::parts::Part;
 use super::quantities::{Law, Local, Quantity, ScalarState};
@@ -51,7 +51,7 @@ pub struct Resolver<'d> {
     /// Components of reactions that outputs read.
     pub(super) readings: Vec<Reading>,
     /// Force elements that have been read.
-    pub(super) force_elements: Map<usize, Element>,
+    pub(super) force_elements: Map<usize, ReadForce>,
     /// Whether accelerations and reactions can be read: in outputs.
     pub(super) at_acceleration_level: bool,
     /// Whether points and axes of parts are those of the home pose: in places and directions that are given there.

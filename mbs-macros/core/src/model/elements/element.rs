@@ -15,6 +15,15 @@ pub struct JointEntry {
     pub joint: Joint,
 }
 
+/// A force element, which is read at its first use.
+#[derive(Debug)]
+pub enum ReadForce {
+    /// It is being read.
+    Working,
+    /// `None` after an error.
+    Read(Option<Force>),
+}
+
 /// A force element.
 #[derive(Debug)]
 pub struct ForceEntry {

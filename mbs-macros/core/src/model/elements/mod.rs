@@ -11,5 +11,5 @@ pub(super) mod kinds;
 mod laws;
 mod read;
 
-pub use element::{ForceEntry, JointEntry};
+pub use element::{ForceEntry, JointEntry, ReadForce};
 pub(super) use forces::read as read_force;

@@ -201,6 +201,14 @@ impl Resolver<'_> {
                 "rate(…) of an expression that has velocities is an acceleration",
             )?;
         }
+        let is_input = |symbol| matches!(symbol, Symbol::Input(_));
+        if value.depends_on(&self.graph, is_input) {
+            let place = self.blame(a, &is_input);
+            return self.fail(
+                place,
+                "this follows an input, whose rate is unknown: take it out of the rate(…), and give its rate by an `Input` of its own",
+            );
+        }
         let partial = |x: Expr| self.graph.contains_partial(x);
         if value.expressions().into_iter().any(partial) {
             return self.fail(
