@@ -162,11 +162,8 @@ fn stops_friction_and_motors_have_their_force() {
         let torque = now.torques - 3.0 * 9.81 * 0.5 * now.level;
         assert!((torque - now.spin).abs() < 1e-10, "{tick}: {torque}");
     }
-    let units = Wound::MODEL
-        .outputs
-        .iter()
-        .map(|output| output.unit.as_ref());
-    assert_eq!(units.last(), Some("N m"));
+    let outputs = Wound::MODEL.outputs;
+    assert_eq!(outputs[outputs.len() - 1].unit, "N m");
 }
 
 mechanism!(Mounted {
