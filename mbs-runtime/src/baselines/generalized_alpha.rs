@@ -24,9 +24,11 @@ use crate::linear::{RowMatrix, accumulate, dot, scaled, vector};
 use crate::{Method, Settings, System};
 use nalgebra::SVector;
 
-/// A step may be longer than the last one by this factor, so that it goes on with its accelerations, and so that the rates which it
-/// leaves open are more than round-off.
-const LONGER: f64 = 10.0;
+/// A step may be longer than the last one by this factor, so that it goes on with its accelerations.
+const LONGER: f64 = 4.0;
+/// What is proportional to a power of the length of steps is taken from steps at most shorter by this factor than the one before:
+/// in proportion to longer ones, the differences of shorter ones would grow without bound.
+const SHORTER: f64 = 2.0;
 /// A relative difference of lengths that is round-off.
 const SAME: f64 = 1e-9;
 
@@ -45,6 +47,8 @@ pub(crate) struct GeneralizedAlpha<const N: usize, const R: usize> {
     history: Option<History<N, R>>,
     /// The length of an earlier step, and the rates A v + b of the position rows that it has left open.
     open: Option<(f64, SVector<f64, R>)>,
+    /// The length of an earlier step, and a − v̇ after it.
+    ahead: Option<(f64, SVector<f64, N>)>,
     /// Whether accelerations have jumped since.
     jumped: bool,
     /// The equations at acceleration level, for the first step and those after a jump.
@@ -59,6 +63,11 @@ struct History<const N: usize, const R: usize> {
     /// The auxiliary acceleration a.
     algorithmic: SVector<f64, N>,
     lambda: SVector<f64, R>,
+}
+
+/// Whether a step of this length takes the place of an earlier one.
+fn lasts<T>(earlier: Option<&(f64, T)>, length: f64) -> bool {
+    earlier.is_none_or(|(known, _)| length.abs() * SHORTER > known.abs())
 }
 
 impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
@@ -89,6 +98,7 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
             moved: RowMatrix::zeros(),
             history: None,
             open: None,
+            ahead: None,
             jumped: false,
             equations: Box::new(Index1::new(0.0)),
         }
@@ -106,26 +116,26 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
         let usable = self
             .history
             .filter(|history| h.abs() < LONGER * history.length.abs());
+        if let Some(history) = &self.history
+            && lasts(self.ahead.as_ref(), history.length)
+        {
+            let ahead = history.algorithmic - history.acceleration;
+            self.ahead = Some((history.length, ahead));
+        }
         let mut begins = match usable {
             Some(history) if !self.jumped => history,
-            before => {
+            _ => {
                 let (acceleration, lambda) = consistent(&mut self.equations, bench)?;
-                let (length, ahead) = match before {
-                    Some(old) => (old.length, old.algorithmic - old.acceleration),
-                    None => (h, SVector::zeros()),
-                };
                 History {
-                    length,
+                    length: h,
                     acceleration,
-                    algorithmic: acceleration + ahead,
+                    algorithmic: acceleration,
                     lambda,
                 }
             }
         };
-        let ratio = h / begins.length;
-        if ratio != 1.0 {
-            let ahead = begins.algorithmic - begins.acceleration;
-            begins.algorithmic = begins.acceleration + ahead * ratio;
+        if let Some((length, ahead)) = &self.ahead {
+            begins.algorithmic = begins.acceleration + ahead * (h / length);
         }
         Ok(begins)
     }
@@ -167,10 +177,10 @@ impl<const N: usize, const R: usize> GeneralizedAlpha<N, R> {
                 0.0
             }
         });
-        // Those of a much shorter step are round-off.
-        let known = (self.open).filter(|(length, _)| last.abs() * LONGER <= length.abs());
-        let (length, open) = known.unwrap_or((last, rates));
-        self.open = Some((length, open));
+        if lasts(self.open.as_ref(), last) {
+            self.open = Some((last, rates));
+        }
+        let (length, open) = self.open.unwrap_or((last, rates));
         self.motion.balance(system, t, &q, &v);
         *self.moved = *geometry.a;
         v += self.along_rows(&geometry.a, open * (h / length).powi(2) - rates)?;
