@@ -156,5 +156,52 @@ fn inputs_have_no_rate() {
     pd: Torque(arm, value = 1.0_N_m_s * rate(target - arm.angle)),
                                              ~~~~~~ this follows an input, whose rate is unknown: take it out of the rate(…), and give its rate by an `Input` of its own
 });",
+
+/// A world that is there has its own error alone.
+#[test]
+fn worlds_without_their_name() {
+    refused(
+        "
+mechanism!(M {
+    Spatial(gravity = [0.0, 0.0, -9.81_m_per_s2]),
+    ~~~~~~~ the name of a world is `world`; write `world: Spatial(…)`
+    p: Particle(mass = 1.0_kg, free = true),
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    Planar(gravity =-[0.0, 9.81_m_per_s2], coordinates = Reference),
+    ~~~~~~ the name of a world is `world`; write `world: Planar(…)`
+    p: Particle(mass = 1.0_kg, free = true),
+});
+        ",
+    );
+    refused(
+        "
+mechanism!(M {
+    doc: \"x\" world: Spatial(),
+             ~~~~~ expected `,` between entries
+    p: Particle(mass = 1.0_kg, free = true),
+});
+        ",
+    );
+    refused(
+        "
+assembly!(A { Planar(), p: Particle(mass = 1.0_kg, free = true) });
+              ~~~~~~ the name of a world is `world`; write `world: Planar(…)`
+        ",
+    );
+    // With partners it is a joint, and there is no world.
+    refused(
+        "
+mechanism!(M {
+           ~ this mechanism has no world; write `world: Planar(gravity = [0.0, -9.81_m_per_s2]),` as its first entry
+    Planar(ground, p),
+    ~~~~~~ this `Planar` has no name; write `name: Planar(…)`
+    p: Particle(mass = 1.0_kg, free = true),
+});
+        ",
     );
 }

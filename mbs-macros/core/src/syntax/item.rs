@@ -4,6 +4,7 @@ use super::entry::entry;
 use super::families::{is_family, of_list};
 use super::height::height;
 use super::members::FamilyItem;
+use super::nameless::nameless_world;
 use super::{Entry, MAX_DEPTH};
 use crate::schema::Kinds;
 use proc_macro2::TokenStream;
@@ -78,7 +79,15 @@ impl Item {
                 "documentation stands before its entry, and nothing follows here",
             ));
         }
+        let world = nameless_world(input.cursor().token_stream());
         let name = entry_name(input)?;
+        if let Some(world) = world {
+            let world = world.kind().name;
+            return Err(syn::Error::new(
+                name.span(),
+                format!("the name of a world is `world`; write `world: {world}(…)`"),
+            ));
+        }
         if !input.peek(Token![:]) {
             let message = match kinds.any(&name.to_string()) {
                 Some(kind) => format!(

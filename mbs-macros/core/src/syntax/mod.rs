@@ -18,6 +18,7 @@ mod item;
 mod levels;
 mod members;
 mod name;
+mod nameless;
 mod nested;
 mod own_names;
 mod parse;

@@ -7,6 +7,7 @@ use super::entry::{lost_parameter, place};
 use super::item::{Item, WITHOUT_RAW, is_word_of_rust, read_header, word_of_rust};
 use super::levels::is_level;
 use super::members::{FamilyItem, place_family};
+use super::nameless::has_world;
 use super::{Declaration, Entry, nested};
 use crate::diagnostics::Errors;
 use crate::schema::{self, Kinds};
@@ -55,6 +56,7 @@ pub fn parse(tokens: TokenStream, kinds: &Kinds, errors: &mut Errors) -> Option<
             Ok(Item::Family(family)) => place_family(&family, kinds, &mut declaration, errors),
             Err(error) => {
                 errors.push(error);
+                broken_world |= has_world(&chunk);
                 declaration.lost.extend(lost_entry(&chunk, kinds));
             }
         }
