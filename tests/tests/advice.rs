@@ -205,3 +205,26 @@ mechanism!(M {
         ",
     );
 }
+
+/// What reads a value that is missing is not wrong.
+#[test]
+fn parameters_and_inputs_without_a_value() {
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    l: Param(),
+       ~~~~~ `Param` needs `value`: default value; its unit fixes the dimension. With `nominal =` the path of a constant of Rust, an `f64` in SI units
+    k: Param(vlaue = 1.0_m),
+             ~~~~~ `Param` has no argument `vlaue`; did you mean `value`? (arguments: value, nominal, unit)
+    c: Param(nominal = 1.0_m),
+       ~~~~~ `Param` needs `value`: default value; its unit fixes the dimension. With `nominal =` the path of a constant of Rust, an `f64` in SI units
+    i: Input(vlaue = 1.0_N),
+             ~~~~~ `Input` has no argument `vlaue`; did you mean `value`? (arguments: value, unit)
+    b: Bar(mass = 1.0_kg, length = l, free = true),
+    d: Bar(mass = 1.0_kg, length = k + c, free = true),
+    f: Force(b.b, value = [1.0_N * (1.0_N / i), i]),
+});
+        ",
+    );
+}

@@ -378,6 +378,9 @@ impl<'d> Resolver<'d> {
 
     fn parameter(&mut self, entry: &Entry) -> Option<Value> {
         let mut arguments = Arguments::new(self, entry);
+        if !arguments.has("value") && arguments.are_misplaced() {
+            return None;
+        }
         let constant = arguments.constant()?;
         let field = if constant.is_some() {
             "nominal"
@@ -395,7 +398,11 @@ impl<'d> Resolver<'d> {
     }
 
     fn input(&mut self, entry: &Entry) -> Option<Value> {
-        let (default, dimension) = Arguments::new(self, entry).number("value")?;
+        let mut arguments = Arguments::new(self, entry);
+        if !arguments.has("value") && arguments.are_misplaced() {
+            return None;
+        }
+        let (default, dimension) = arguments.number("value")?;
         let symbol = Symbol::Input(self.inputs.len() as u32);
         self.graph.set_name(symbol, entry.name.to_string());
         self.inputs.push(quantity(entry, default, dimension));

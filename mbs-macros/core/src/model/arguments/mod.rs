@@ -125,6 +125,11 @@ impl<'r, 'd> Arguments<'r, 'd> {
         self.syntax(field).is_some()
     }
 
+    /// Whether some arguments have wrong names or places, after an error: an absent one may be one of them.
+    pub(in crate::model) fn are_misplaced(&self) -> bool {
+        self.resolver.misplaced.contains(self.entry.name.as_str())
+    }
+
     pub(in crate::model) fn expects(&self, field: &str) -> Option<Expects> {
         self.kind()?
             .fields
