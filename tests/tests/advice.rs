@@ -1,6 +1,6 @@
 //! Messages that say what to write instead, where a habit of Rust or of other programs was followed.
 
-use crate::common::expansion::refused;
+use crate::common::expansion::{messages, refused};
 
 /// Constants of Rust.
 #[test]
@@ -227,4 +227,102 @@ mechanism!(M {
 });
         ",
     );
+}
+
+/// Of two names of three letters few are misspellings of each other.
+#[test]
+fn short_names() {
+    let function = |call: &str, meant: &str| {
+        let (name, _) = call.split_once('(').expect("a call");
+        let (under, list) = (
+            "~".repeat(name.len()),
+            "sin, cos, tan, asin, acos, atan, exp, ln, sinh, cosh, tanh, sqrt, abs, sign, step, dot, cross, norm, unit, reject, rate, atan2, hypot, min, max, law, powi, powf",
+        );
+        refused(&format!(
+            "
+mechanism!(M {{
+    world: Planar(),
+    p: Particle(mass = 1.0_kg, free = true),
+    o: Output({call}),
+              {under} there is no function `{name}`{} (functions: {list})
+}});
+            ",
+            hint(meant)
+        ));
+    };
+    function("log(2.0)", "ln");
+    function("der(p.origin.x)", "rate");
+    function("diff(p.origin.x)", "rate");
+    function("sgn(2.0)", "sign");
+    function("pow(2.0, 3.0)", "powf");
+    function("cso(2.0)", "cos");
+    function("deg(2.0)", "");
+    function("int(2.0)", "");
+    function("foo(1.0)", "");
+    let unit = |suffix: &str, meant: &str| {
+        let under = "~".repeat(suffix.len() + 4);
+        refused(&format!(
+            "
+mechanism!(M {{
+    world: Planar(),
+    p: Particle(mass = 1.0_kg, free = true),
+    k: Param(1.0_{suffix}),
+             {under} there is no unit `{suffix}`{} (units: m, km, cm, mm, kg, g, t, s, ms, min, h, rad, deg, rev, rpm, N, kN, MN, Nm, kNm, J, kJ, W, kW, Pa, A, V, ohm; joined by `_`, divided after `per`, as in `9.81_m_per_s2`)
+    o: Output(k),
+}});
+            ",
+            hint(meant)
+        ));
+    };
+    unit("sec", "s");
+    unit("deg_per_sec2", "deg_per_s2");
+    unit("kgm2", "kg_m2");
+    unit("Ns", "N_s");
+    unit("kgs", "kg");
+    unit("KG", "kg");
+    unit("degree", "deg");
+    unit("m0", "");
+    let kind = |kind: &str, meant: &str| {
+        let under = "~".repeat(kind.len());
+        refused(&format!(
+            "
+mechanism!(M {{
+    world: Planar(),
+    p: {kind}(mass = 1.0_kg),
+       {under} there is no kind `{kind}`; did you mean `{meant}`?
+}});
+            "
+        ));
+    };
+    kind("Out", "Output");
+    kind("Rev", "Revolute");
+    kind("Rod", "Bar");
+    kind("Link", "Bar");
+    kind("Bra", "Bar");
+    let found = messages("mechanism!(M { world: Planar(), p: Var(1.0) });");
+    assert!(
+        found[0].0.starts_with("there is no kind `Var` (kinds: "),
+        "{found:?}"
+    );
+    // Words of a name are no beginning of it.
+    refused(
+        "
+mechanism!(M {
+    world: Planar(),
+    rod_mass: Param(1.0_kg),
+    crankpin: Particle(mass = rod_mass, free = true),
+    o: Output(rod.b),
+              ~~~ nothing here is named `rod`
+    e: Output(crank_pin.origin),
+              ~~~~~~~~~ nothing here is named `crank_pin`; did you mean `crankpin`?
+});
+        ",
+    );
+}
+
+fn hint(meant: &str) -> String {
+    match meant {
+        "" => String::new(),
+        meant => format!("; did you mean `{meant}`?"),
+    }
 }

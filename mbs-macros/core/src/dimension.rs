@@ -194,6 +194,35 @@ pub const UNITS: &[(&str, f64, Dimension)] = &[
     ("ohm", 1.0, Dimension([2, 1, -3, -2])),
 ];
 
+/// Units of several that are often written, of which a suffix may be a misspelling.
+pub const JOINED: [&str; 8] = [
+    "kg_m2",
+    "m_per_s",
+    "m_per_s2",
+    "rad_per_s",
+    "N_per_m",
+    "N_s",
+    "N_s_per_m",
+    "N_m_s",
+];
+
+/// Units by other abbreviations.
+const ABBREVIATIONS: [(&str, &str); 3] = [("sec", "s"), ("second", "s"), ("mps", "m_per_s")];
+
+/// The unit that a suffix is with other abbreviations, if it is one.
+pub fn abbreviated(suffix: &str) -> Option<String> {
+    let token = |token: &str| {
+        let name = token.trim_end_matches(|c: char| c.is_ascii_digit());
+        match ABBREVIATIONS.iter().find(|(other, _)| *other == name) {
+            Some((_, own)) => format!("{own}{}", &token[name.len()..]),
+            None => token.to_owned(),
+        }
+    };
+    let tokens: Vec<String> = suffix.split('_').map(token).collect();
+    let meant = tokens.join("_");
+    (meant != suffix && unit(&meant).is_some()).then_some(meant)
+}
+
 /// Units that people may write and that are no units here: name, what it is, and what to write instead.
 const FOREIGN: &[(&str, &str)] = &[
     ("in", "inches are not known here; one is `25.4_mm`"),

@@ -1,8 +1,12 @@
 //! Errors are collected within a stage and stop the compiler between stages.
 
+mod spelling;
+
 use crate::names::is_one_of_many;
 use proc_macro2::{Span, TokenStream, TokenTree};
 use quote::ToTokens;
+
+pub use spelling::{did_you_mean, did_you_mean_kind, meant, nearest};
 
 /// Where a mistake is: from the start of one token to the end of another. (On stable compilers spans cannot be joined,
 /// so that both ends have to be carried along to point at a whole expression.)
@@ -239,70 +243,4 @@ impl Failure {
         });
         errors.collect()
     }
-}
-
-/// "; did you mean `x`?" for the candidate nearest to `name`, or nothing if none is near.
-pub fn did_you_mean<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> String {
-    nearest(name, candidates).map_or_else(String::new, |candidate| {
-        format!("; did you mean `{candidate}`?")
-    })
-}
-
-/// The same of a kind: one that has `name` among its words comes before misspellings, as `SpringDamper` for `Spring`.
-pub fn did_you_mean_kind<'a>(
-    name: &str,
-    kinds: impl IntoIterator<Item = &'a str, IntoIter: Clone>,
-) -> String {
-    let kinds = kinds.into_iter();
-    let place = |kind: &str| words(kind).position(|word| word.eq_ignore_ascii_case(name));
-    let with_word = kinds
-        .clone()
-        .filter_map(|kind| Some((place(kind)?, kind.len(), kind)));
-    match with_word.min() {
-        Some((_, _, kind)) => format!("; did you mean `{kind}`?"),
-        None => did_you_mean(name, kinds),
-    }
-}
-
-/// The words of a name in camel case.
-fn words(name: &str) -> impl Iterator<Item = &str> {
-    let mut rest = name;
-    std::iter::from_fn(move || {
-        let first = rest.chars().next()?;
-        let end = rest[first.len_utf8()..].find(char::is_uppercase);
-        let end = end.map_or(rest.len(), |end| end + first.len_utf8());
-        let (word, after) = rest.split_at(end);
-        rest = after;
-        Some(word)
-    })
-}
-
-/// The candidate that `name` may be a misspelling of.
-pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let length = name.chars().count();
-    // The distance is no less than the difference of the lengths.
-    let is_near = |candidate: &&str| candidate.chars().count().abs_diff(length) <= 1 + length / 3;
-    let (distance, candidate) = candidates
-        .into_iter()
-        .filter(is_near)
-        .map(|candidate| (distance(name, candidate), candidate))
-        .min()?;
-    // Names of one letter are not suggested for each other.
-    (distance <= 1 + length / 3 && distance < length).then_some(candidate)
-}
-
-/// Levenshtein distance.
-fn distance(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, &y) in b.iter().enumerate() {
-            let substitute = diagonal + usize::from(x.to_lowercase().ne(y.to_lowercase()));
-            diagonal = row[j + 1];
-            row[j + 1] = substitute.min(row[j] + 1).min(row[j + 1] + 1);
-        }
-    }
-    row[b.len()]
 }

@@ -1,6 +1,6 @@
 //! Functions by name.
 
-use crate::diagnostics::{Place, did_you_mean};
+use crate::diagnostics::{Place, did_you_mean, meant};
 use crate::dimension::Dimension;
 use crate::model::readings::is_at_acceleration_level;
 use crate::model::resolver::Resolver;
@@ -33,6 +33,14 @@ const FUNCTIONS: &[(&str, Function, Shape)] = &[
 const OTHER_FUNCTIONS: &[&str] = &[
     "dot", "cross", "norm", "unit", "reject", "diag", "rate", "atan2", "hypot", "min", "max",
     "law", "powi", "powf",
+];
+
+/// Functions by their names in other programs.
+const ELSEWHERE: [(&str, &str); 4] = [
+    ("log", "ln"),
+    ("der", "rate"),
+    ("derivative", "rate"),
+    ("diff", "rate"),
 ];
 
 /// Whether the language has a function of this name.
@@ -147,7 +155,10 @@ impl Resolver<'_> {
                     .map(|(name, ..)| *name)
                     .chain(OTHER_FUNCTIONS.iter().copied())
                     .filter(|name| *name != "diag" || self.world == World::Spatial);
-                let hint = did_you_mean(name, known.clone());
+                let hint = match meant(name, &ELSEWHERE) {
+                    Some(own) => format!("; did you mean `{own}`?"),
+                    None => did_you_mean(name, known.clone()),
+                };
                 self.fail(
                     span,
                     format!(

@@ -1,7 +1,7 @@
 //! Numbers with their units.
 
 use crate::diagnostics::{Place, did_you_mean};
-use crate::dimension::{UNITS, foreign, unit};
+use crate::dimension::{JOINED, UNITS, abbreviated, foreign, unit};
 use crate::model::resolver::Resolver;
 use crate::model::value::Value;
 use syn::Lit;
@@ -41,7 +41,10 @@ impl Resolver<'_> {
                 );
             }
             let known = UNITS.iter().map(|(name, ..)| *name);
-            let hint = did_you_mean(name, known.clone());
+            let hint = match abbreviated(name) {
+                Some(meant) => format!("; did you mean `{meant}`?"),
+                None => did_you_mean(name, known.clone().chain(JOINED)),
+            };
             return self.fail(
                 Place::of(literal),
                 format!(
